@@ -1,0 +1,15 @@
+# Writes the git revision and whether the tree differs from it; the file is touched only when that changes.
+execute_process(COMMAND git -C ${SOURCE_DIR} rev-parse HEAD
+                OUTPUT_VARIABLE revision OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE no_git)
+execute_process(COMMAND git -C ${SOURCE_DIR} status --porcelain --untracked-files=no
+                OUTPUT_VARIABLE changes OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+if(no_git)
+  set(revision "unknown")
+endif()
+if(changes STREQUAL "")
+  set(dirty false)
+else()
+  set(dirty true)
+endif()
+file(WRITE ${OUTPUT}.new "#define CONTINUA_REVISION \"${revision}\"\n#define CONTINUA_DIRTY ${dirty}\n")
+execute_process(COMMAND ${CMAKE_COMMAND} -E copy_if_different ${OUTPUT}.new ${OUTPUT})

@@ -1,0 +1,32 @@
+#ifndef continua_base_command_line_h
+#define continua_base_command_line_h
+
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * continua FILE.prm [--set "Section/Key=value"]... [--output DIR] [--overwrite] [--restart] [--validate]
+ *          [--print-parameters[=prm|json|markdown]] [--version] [--help]
+ */
+struct CommandLine
+{
+  std::string parameter_file; ///< empty only with --version, --help, --print-parameters
+  std::vector<std::string> overrides; ///< of --set
+  std::string output_directory; ///< default output/<name of the .prm>
+  bool overwrite = false;
+  bool restart = false;
+  bool validate = false;
+  bool version = false;
+  bool help = false;
+  std::string print_parameters; ///< empty, prm, json or markdown
+  std::string text; ///< the command line as typed
+
+  /// Throws InputError for an unknown option (with the nearest one), a missing or a second file, or options that exclude each other.
+  static CommandLine parse(int argc, const char *const *argv);
+  static std::string usage();
+};
+} // namespace Continua
+
+#endif

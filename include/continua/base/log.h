@@ -1,0 +1,51 @@
+#ifndef continua_base_log_h
+#define continua_base_log_h
+
+#include <deal.II/base/timer.h>
+
+#include <mpi.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * What a run tells its user: plain lines on the screen of rank 0 and in log.txt, warnings (counted, repeated in the
+ * summary), and on a terminal a progress line with time, step, rate and remaining time. Off a terminal nothing is
+ * printed that depends on wall time, machine, absolute path or number of ranks. Every method may be called on every
+ * rank; rank 0 writes.
+ */
+class Log
+{
+public:
+  explicit Log(MPI_Comm communicator);
+  ~Log();
+  Log(const Log &) = delete;
+  Log &operator=(const Log &) = delete;
+
+  /// From now on the lines also go to this file (the earlier lines first); `append` after a restart.
+  void open(const std::string &file, bool append);
+  void line(const std::string &text);
+  /// To log.txt only: what depends on the machine, wall time or ranks.
+  void detail(const std::string &text);
+  /// "warning: TEXT" once per text.
+  void warning(const std::string &text);
+  const std::vector<std::string> &warnings() const;
+
+  /// Progress line on a terminal, at most five a second; nothing off a terminal.
+  void progress(double time, double end_time, unsigned int step);
+  /// Clears the progress line.
+  void end_progress();
+
+  /// Wall time by section; use with dealii::TimerOutput::Scope. Printed to log.txt at the end.
+  dealii::TimerOutput &timer();
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation;
+};
+} // namespace Continua
+
+#endif

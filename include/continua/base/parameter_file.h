@@ -1,0 +1,60 @@
+#ifndef continua_base_parameter_file_h
+#define continua_base_parameter_file_h
+
+#include <continua/base/parameter_section.h>
+
+#include <memory>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * The text of a `.prm` file with its includes and the command line's overrides: first read as text (each entry with
+ * its file and line), then declared and handed out by ParameterSection, checked for leftovers, and printed resolved.
+ * Syntax as deal.II's ParameterHandler: `subsection NAME`, `set KEY = VALUE`, `end`, `#` comments, a backslash at the
+ * end of a line continues it, and `include FILE` relative to the including file. An entry in an including file
+ * overrides that of the included one wherever it stands; a key set twice in one file is an error.
+ */
+class ParameterFile
+{
+public:
+  /// An empty file: every entry has its default (for printing the documentation).
+  ParameterFile();
+  /// Reads `path`; `overrides` are "Section/Subsection/Key=value" as given to --set. Throws InputError.
+  ParameterFile(const std::string &path, const std::vector<std::string> &overrides = {});
+  ~ParameterFile();
+  ParameterFile(ParameterFile &&) noexcept;
+  ParameterFile &operator=(ParameterFile &&) noexcept;
+
+  /// The top section.
+  ParameterSection root();
+
+  /// Throws InputError for the first entry or section that was set but not declared, with the nearest declared name.
+  void refuse_unknown() const;
+
+  /// Every file that was read, as paths from the working directory: the .prm, its includes, its input files.
+  std::vector<std::string> input_files() const;
+
+  enum class Style
+  {
+    prm,
+    json,
+    markdown
+  };
+  /// Every declared entry with its value: the resolved parameters. prm has each text as a comment; json and markdown
+  /// list path, default, pattern, unit and text for the manual.
+  void print(std::ostream &out, Style style) const;
+
+  /// A hash of all resolved entries but those whose path starts with one of `left_out` (a checkpoint's case identity).
+  std::string identity(const std::vector<std::string> &left_out = {}) const;
+
+private:
+  friend class ParameterSection;
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation;
+};
+} // namespace Continua
+
+#endif

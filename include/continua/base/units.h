@@ -1,0 +1,53 @@
+#ifndef continua_base_units_h
+#define continua_base_units_h
+
+#include <string>
+
+namespace Continua
+{
+/// The dimension of a quantity as exponents of kilogram, metre and second.
+struct Dimension
+{
+  int mass = 0;
+  int length = 0;
+  int time = 0;
+
+  bool operator==(const Dimension &other) const;
+
+  /// The SI unit as a person writes it ("Pa", "kg/m^3", "Pa s", "1" if there is none).
+  std::string unit() const;
+};
+
+/// The dimensions that Continua's entries have.
+namespace Dimensions
+{
+inline constexpr Dimension none{0, 0, 0};
+inline constexpr Dimension length{0, 1, 0};
+inline constexpr Dimension area{0, 2, 0};
+inline constexpr Dimension time{0, 0, 1};
+inline constexpr Dimension frequency{0, 0, -1};
+inline constexpr Dimension velocity{0, 1, -1};
+inline constexpr Dimension acceleration{0, 1, -2};
+inline constexpr Dimension density{1, -3, 0};
+inline constexpr Dimension pressure{1, -1, -2};
+inline constexpr Dimension viscosity{1, -1, -1};
+inline constexpr Dimension flow_rate{0, 3, -1};
+inline constexpr Dimension force_density{1, -2, -2};
+inline constexpr Dimension power{1, 2, -3};
+} // namespace Dimensions
+
+/**
+ * The factor that turns a number in `unit` ("mm", "kg/m^3", "mPa s", "mmHg", "GPa", "l/min", "%", "1/s", "Hz",
+ * "m^2/s") into SI, with its dimension. Products by a blank or '*', quotients by '/', powers by '^'.
+ * Throws std::invalid_argument with a reason if the unit is unknown.
+ */
+double unit_factor(const std::string &unit, Dimension &dimension);
+
+/**
+ * "10 mm" -> 0.01. A number with no unit is SI. Throws std::invalid_argument, with a reason that a user
+ * understands, if the text is no number, or its unit is unknown or of another dimension.
+ */
+double parse_quantity(const std::string &text, const Dimension &dimension);
+} // namespace Continua
+
+#endif

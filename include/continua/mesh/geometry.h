@@ -1,0 +1,44 @@
+#ifndef continua_mesh_geometry_h
+#define continua_mesh_geometry_h
+
+#include <continua/base/parameter_section.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * A named geometry: makes the coarse mesh and publishes what its regions and boundaries are called. A cell's material id is its
+ * region's place in `regions()`, a face's boundary id its boundary's place in `boundaries()`. The coarse cells fit the
+ * interfaces. In axisymmetry x is the axial and y >= 0 the radial coordinate.
+ */
+template <int dim>
+class Geometry
+{
+public:
+  virtual ~Geometry() = default;
+  virtual std::vector<std::string> regions() const = 0;
+  virtual std::vector<std::string> boundaries() const = 0;
+  virtual void create(dealii::Triangulation<dim> &triangulation) const = 0;
+};
+
+/// The geometries that exist: name and one line of description, for the manual and `Type`.
+template <int dim>
+std::vector<std::pair<std::string, std::string>> geometry_types();
+
+/**
+ * Reads the sections Geometry and Mesh, makes the geometry of that `Type` (a row of the table in geometry.cc) and wraps it with the
+ * painted regions, if the section Geometry/Regions has any: `set NAME = EXPRESSION`, each evaluated at the centre of every coarse
+ * cell; the first one that is positive takes the cell. `axisymmetric`: some types and names depend on it (an `axis` boundary).
+ */
+template <int dim>
+std::unique_ptr<Geometry<dim>>
+make_geometry(ParameterSection geometry, ParameterSection mesh, bool axisymmetric);
+} // namespace Continua
+
+#endif
