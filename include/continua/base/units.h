@@ -37,17 +37,27 @@ inline constexpr Dimension power{1, 2, -3};
 } // namespace Dimensions
 
 /**
- * The factor that turns a number in `unit` ("mm", "kg/m^3", "mPa s", "mmHg", "GPa", "l/min", "%", "1/s", "Hz",
- * "m^2/s") into SI, with its dimension. Products by a blank or '*', quotients by '/', powers by '^'.
- * Throws std::invalid_argument with a reason if the unit is unknown.
+ * The factor that turns a number in `unit` ("mm", "kg/m^3", "mPa s", "mmHg", "GPa", "l/min", "%",
+ * "1/s", "Hz", "m^2/s") into SI, with its dimension. Products by a blank or '*', quotients by '/'
+ * (from left to right: "kg/m/s" is kg/(m s)), whole powers by '^', parentheses. m, s, g, N, Pa, J,
+ * W, l, Hz, bar and P (poise) take the prefixes n, u (or the letter mu), m, c, d, h, k, M and G;
+ * min, h, t, mmHg, cmH2O, %, rad, deg and 1 stand as they are. Throws std::invalid_argument with a
+ * reason if the unit is unknown.
  */
 double unit_factor(const std::string &unit, Dimension &dimension);
 
 /**
- * "10 mm" -> 0.01. A number with no unit is SI. Throws std::invalid_argument, with a reason that a user
- * understands, if the text is no number, or its unit is unknown or of another dimension.
+ * "10 mm" -> 0.01. A number with no unit is SI. Throws std::invalid_argument, with a reason that a
+ * user understands, if the text is no number, or its unit is unknown or of another dimension.
  */
 double parse_quantity(const std::string &text, const Dimension &dimension);
+
+/// The units a user is likely to want for a dimension, SI first ("Pa, kPa, MPa, GPa, bar, mmHg,
+/// cmH2O"), for messages.
+std::string usual_units(const Dimension &dimension);
+
+/// The shortest decimal number that reads back as `value`.
+std::string shortest_number(double value);
 } // namespace Continua
 
 #endif

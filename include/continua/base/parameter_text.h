@@ -1,0 +1,83 @@
+#ifndef continua_base_parameter_text_h
+#define continua_base_parameter_text_h
+
+#include <continua/base/input_error.h>
+
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * What the user's text sets, before anybody says what it means: the tree of sections and entries of
+ * a `.prm` file, its includes and the command line's overrides, each with its place. ParameterFile
+ * describes the syntax. Where two files set the same entry the including one holds; two files of
+ * which neither includes the other may not disagree unless a file above them decides.
+ */
+class ParameterText
+{
+public:
+  struct Setting
+  {
+    std::string value;
+    Origin origin;
+    /// The chain of inclusions that leads to the file, one number for each; empty for the command
+    /// line.
+    std::vector<unsigned int> inclusions;
+  };
+  struct Entry
+  {
+    std::string key;
+    std::vector<Setting> settings; ///< one, once everything has been read
+
+    const std::string &value() const { return settings.front().value; }
+    const Origin &origin() const { return settings.front().origin; }
+  };
+  struct Section
+  {
+    std::string name;
+    Origin origin; ///< where it was first opened; the top section: the file, without a line
+    std::vector<Entry> entries;
+    std::vector<Section> sections;
+
+    /// Null if there is none of that name.
+    const Entry *entry(const std::string &key) const;
+    const Section *section(const std::string &section_name) const;
+    Entry &get_entry(const std::string &key);
+    Section &get_section(const std::string &section_name, const Origin &place);
+  };
+
+  /// Origin::file of what the command line sets.
+  static const std::string command_line;
+
+  ParameterText() = default;
+  /// Throws InputError.
+  ParameterText(const std::string &path, const std::vector<std::string> &overrides);
+
+  /// The section of that path; null if the user has none.
+  const Section *find(const std::vector<std::string> &path) const;
+  const Section &root() const { return top; }
+  /// The files that were read, the `.prm` first.
+  const std::vector<std::string> &files() const { return files_read; }
+
+private:
+  /// Reads a file into a section of the tree. `stack` holds the files that are being read.
+  void read(const std::string &path,
+            const Origin &includer,
+            Section &section,
+            const std::vector<unsigned int> &inclusions,
+            std::vector<std::string> &stack);
+  void set_from_command_line(const std::string &override_text);
+
+  Section top;
+  std::vector<std::string> files_read;
+  unsigned int n_inclusions = 0;
+};
+
+/// Without white space at its ends, and with one blank for each run of it inside.
+std::string collapse_blanks(const std::string &text);
+/// "A/B/C".
+std::string join_path(const std::vector<std::string> &names);
+} // namespace Continua
+
+#endif

@@ -1,0 +1,278 @@
+#include <continua/base/parameter_text.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace Continua
+{
+namespace
+{
+/// `a` holds against `b` if a's file includes, over however many steps, b's.
+bool overrides(const ParameterText::Setting &a, const ParameterText::Setting &b)
+{
+  return a.inclusions.size() < b.inclusions.size() &&
+         std::equal(a.inclusions.begin(), a.inclusions.end(), b.inclusions.begin());
+}
+
+std::string place(const Origin &origin)
+{
+  return origin.file + (origin.line > 0 ? ":" + std::to_string(origin.line) : "");
+}
+
+/// Leaves every entry the one setting that holds.
+void settle(ParameterText::Section &section, const std::string &path)
+{
+  for (ParameterText::Entry &entry : section.entries)
+  {
+    std::vector<ParameterText::Setting> &settings = entry.settings;
+    std::vector<ParameterText::Setting> highest;
+    for (const ParameterText::Setting &setting : settings)
+      if (std::none_of(settings.begin(), settings.end(),
+                       [&setting](const auto &other) { return overrides(other, setting); }))
+        highest.push_back(setting);
+    for (const ParameterText::Setting &setting : highest)
+      if (setting.value != highest.front().value)
+        throw InputError(setting.origin, path + entry.key,
+                         "is '" + setting.value + "' here, but '" + highest.front().value +
+                             "' in " + place(highest.front().origin) +
+                             ", and neither file includes the other",
+                         "Set it in the file that includes both, or in one of them only");
+    settings = {highest.front()};
+  }
+  for (ParameterText::Section &child : section.sections)
+    settle(child, path + child.name + "/");
+}
+
+void set(ParameterText::Section &section,
+         const std::string &path,
+         const std::string &key,
+         const ParameterText::Setting &setting)
+{
+  ParameterText::Entry &entry = section.get_entry(key);
+  for (const ParameterText::Setting &earlier : entry.settings)
+    if (earlier.inclusions == setting.inclusions)
+      throw InputError(setting.origin, path,
+                       earlier.origin.line > 0 ? "is set a second time; the first is in line " +
+                                                     std::to_string(earlier.origin.line)
+                                               : "is set a second time",
+                       "Remove one of the two");
+  entry.settings.push_back(setting);
+}
+
+/// Logical lines: without comments, joined at backslashes, blanks collapsed; each with the number
+/// of its first line.
+std::vector<std::pair<unsigned int, std::string>> logical_lines(std::istream &input)
+{
+  std::vector<std::pair<unsigned int, std::string>> lines;
+  std::string line;
+  bool continued = false;
+  for (unsigned int number = 1; std::getline(input, line); ++number)
+  {
+    const std::string byte_order_mark = "\xef\xbb\xbf";
+    if (number == 1 && line.compare(0, byte_order_mark.size(), byte_order_mark) == 0)
+      line.erase(0, byte_order_mark.size());
+    line = collapse_blanks(line.substr(0, line.find('#')));
+    if (!continued)
+      lines.emplace_back(number, "");
+    continued = !line.empty() && line.back() == '\\';
+    if (continued)
+      line.back() = ' ';
+    lines.back().second += line;
+  }
+  for (auto &[number, text] : lines)
+    text = collapse_blanks(text);
+  return lines;
+}
+} // namespace
+
+const std::string ParameterText::command_line = "command line (--set)";
+
+std::string collapse_blanks(const std::string &text)
+{
+  std::istringstream stream(text);
+  std::string word, result;
+  while (stream >> word)
+    result += (result.empty() ? "" : " ") + word;
+  return result;
+}
+
+std::string join_path(const std::vector<std::string> &names)
+{
+  std::string path;
+  for (const std::string &name : names)
+    path += (path.empty() ? "" : "/") + name;
+  return path;
+}
+
+const ParameterText::Entry *ParameterText::Section::entry(const std::string &key) const
+{
+  const auto found =
+      std::find_if(entries.begin(), entries.end(), [&key](const Entry &e) { return e.key == key; });
+  return found == entries.end() ? nullptr : &*found;
+}
+
+const ParameterText::Section *ParameterText::Section::section(const std::string &section_name) const
+{
+  const auto found = std::find_if(sections.begin(), sections.end(),
+                                  [&](const Section &s) { return s.name == section_name; });
+  return found == sections.end() ? nullptr : &*found;
+}
+
+ParameterText::Entry &ParameterText::Section::get_entry(const std::string &key)
+{
+  for (Entry &existing : entries)
+    if (existing.key == key)
+      return existing;
+  entries.push_back({key, {}});
+  return entries.back();
+}
+
+ParameterText::Section &ParameterText::Section::get_section(const std::string &section_name,
+                                                            const Origin &place)
+{
+  for (Section &existing : sections)
+    if (existing.name == section_name)
+      return existing;
+  sections.push_back({section_name, place, {}, {}});
+  return sections.back();
+}
+
+ParameterText::ParameterText(const std::string &path, const std::vector<std::string> &overrides)
+{
+  top.origin = {path, 0};
+  std::vector<std::string> stack;
+  read(path, {}, top, {n_inclusions++}, stack);
+  for (const std::string &text : overrides)
+    set_from_command_line(text);
+  settle(top, "");
+}
+
+const ParameterText::Section *ParameterText::find(const std::vector<std::string> &path) const
+{
+  const Section *section = &top;
+  for (const std::string &name : path)
+    if (section != nullptr)
+      section = section->section(name);
+  return section;
+}
+
+void ParameterText::read(const std::string &path,
+                         const Origin &includer,
+                         Section &section,
+                         const std::vector<unsigned int> &inclusions,
+                         std::vector<std::string> &stack)
+{
+  const std::string canonical = std::filesystem::weakly_canonical(path).string();
+  if (std::find(stack.begin(), stack.end(), canonical) != stack.end())
+    throw InputError(includer, "include",
+                     "'" + path + "' includes itself, directly or through others",
+                     "Remove one of the includes");
+  std::ifstream input(path);
+  if (!input || std::filesystem::is_directory(path))
+    throw InputError(includer, includer.file.empty() ? "" : "include",
+                     "the parameter file '" + path +
+                         (std::filesystem::is_directory(path) ? "' is a directory"
+                          : std::filesystem::exists(path)     ? "' cannot be read"
+                                                              : "' does not exist"),
+                     includer.file.empty()
+                         ? "Check its name; it is relative to the working directory"
+                         : "Check its name; it is relative to the including file");
+  if (std::find(files_read.begin(), files_read.end(), path) == files_read.end())
+    files_read.push_back(path);
+  stack.push_back(canonical);
+
+  // Sections that are open; an ancestor stays where it is in memory while a descendant grows.
+  std::vector<Section *> open{&section};
+  std::vector<Origin> opened_at;
+  std::vector<std::string> names;
+  for (const auto &[number, line] : logical_lines(input))
+  {
+    if (line.empty())
+      continue;
+    const Origin here{path, number};
+    const std::size_t blank = line.find(' ');
+    const std::string keyword = line.substr(0, blank);
+    const std::string rest = blank == std::string::npos ? "" : line.substr(blank + 1);
+    if (keyword == "subsection" || keyword == "SUBSECTION")
+    {
+      if (rest.empty())
+        throw InputError(here, "", "a subsection has no name", "Write 'subsection NAME'");
+      open.push_back(&open.back()->get_section(rest, here));
+      opened_at.push_back(here);
+      names.push_back(rest);
+    }
+    else if (line == "end" || line == "END")
+    {
+      if (opened_at.empty())
+        throw InputError(here, "", "this 'end' closes no subsection",
+                         "Remove it, or look for a 'subsection' that is missing above");
+      open.pop_back();
+      opened_at.pop_back();
+      names.pop_back();
+    }
+    else if (keyword == "set" || keyword == "SET")
+    {
+      const std::size_t equals = rest.find('=');
+      const std::string key = collapse_blanks(rest.substr(0, equals));
+      if (equals == std::string::npos || key.empty())
+        throw InputError(here, "",
+                         equals == std::string::npos ? "'" + line + "' has no '='"
+                                                     : "'" + line + "' has no key",
+                         "Write 'set KEY = VALUE'");
+      std::vector<std::string> entry_path = names;
+      entry_path.push_back(key);
+      set(*open.back(), join_path(entry_path), key,
+          {collapse_blanks(rest.substr(equals + 1)), here, inclusions});
+    }
+    else if (keyword == "include" || keyword == "INCLUDE")
+    {
+      if (rest.empty())
+        throw InputError(here, "include", "there is no file name", "Write 'include FILE'");
+      std::vector<unsigned int> deeper = inclusions;
+      deeper.push_back(n_inclusions++);
+      const std::filesystem::path directory = std::filesystem::path(path).parent_path();
+      read((directory / rest).lexically_normal().string(), here, *open.back(), deeper, stack);
+    }
+    else
+      throw InputError(here, "", "'" + line + "' cannot be understood",
+                       "A line is 'subsection NAME', 'set KEY = VALUE', 'end', 'include FILE' "
+                       "or a comment that starts with '#'");
+  }
+  if (!opened_at.empty())
+    throw InputError(opened_at.back(), join_path(names),
+                     "this subsection is not closed before the file ends",
+                     "Write 'end' after its last entry");
+  stack.pop_back();
+}
+
+void ParameterText::set_from_command_line(const std::string &override_text)
+{
+  const Origin here{command_line, 0};
+  const std::size_t equals = override_text.find('=');
+  if (equals == std::string::npos)
+    throw InputError(here, "", "'" + override_text + "' has no '='",
+                     "Write --set \"Section/Key=value\"");
+  const std::string path = override_text.substr(0, equals);
+  const std::string value = collapse_blanks(override_text.substr(equals + 1));
+  // What a file could not hold could not be printed for a later run either.
+  if (value.find('#') != std::string::npos || (!value.empty() && value.back() == '\\'))
+    throw InputError(here, collapse_blanks(path),
+                     "the value '" + value + "' holds a '#' or ends with a backslash",
+                     "Leave it out: in a parameter file it would start a comment or continue "
+                     "the line");
+
+  std::vector<std::string> names;
+  std::istringstream parts(path + "/");
+  for (std::string part; std::getline(parts, part, '/');)
+    names.push_back(collapse_blanks(part));
+  if (std::any_of(names.begin(), names.end(), [](const auto &name) { return name.empty(); }))
+    throw InputError(here, "", "'" + override_text + "' has an empty name before the '='",
+                     "Write --set \"Section/Key=value\"");
+  Section *section = &top;
+  for (std::size_t i = 0; i + 1 < names.size(); ++i)
+    section = &section->get_section(names[i], here);
+  set(*section, join_path(names), names.back(), {value, here, {}});
+}
+} // namespace Continua

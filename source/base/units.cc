@@ -1,0 +1,311 @@
+#include <continua/base/units.h>
+
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace Continua
+{
+namespace
+{
+struct Unit
+{
+  const char *name;
+  double factor;
+  Dimension dimension;
+  bool takes_prefix;
+};
+
+constexpr Dimension mass{1, 0, 0};
+constexpr Dimension force{1, 1, -2};
+constexpr Dimension energy{1, 2, -2};
+constexpr Dimension volume{0, 3, 0};
+
+// Conventional millimetre of mercury: density 13595.1 kg/m^3, standard gravity 9.80665 m/s^2; of
+// water 1000 kg/m^3.
+constexpr double standard_gravity = 9.80665;
+constexpr std::array<Unit, 22> known_units{{
+    {"m", 1., Dimensions::length, true},
+    {"s", 1., Dimensions::time, true},
+    {"g", 1e-3, mass, true},
+    {"N", 1., force, true},
+    {"Pa", 1., Dimensions::pressure, true},
+    {"J", 1., energy, true},
+    {"W", 1., Dimensions::power, true},
+    {"l", 1e-3, volume, true},
+    {"L", 1e-3, volume, true},
+    {"Hz", 1., Dimensions::frequency, true},
+    {"bar", 1e5, Dimensions::pressure, true},
+    {"P", 0.1, Dimensions::viscosity, true},
+    {"min", 60., Dimensions::time, false},
+    {"h", 3600., Dimensions::time, false},
+    {"t", 1e3, mass, false},
+    {"mmHg", 13.5951 * standard_gravity, Dimensions::pressure, false},
+    {"cmH2O", 10. * standard_gravity, Dimensions::pressure, false},
+    {"dyn", 1e-5, force, false},
+    {"%", 1e-2, Dimensions::none, false},
+    {"1", 1., Dimensions::none, false},
+    {"rad", 1., Dimensions::none, false},
+    {"deg", 3.14159265358979323846 / 180., Dimensions::none, false},
+}};
+
+struct Prefix
+{
+  const char *name;
+  double factor;
+};
+constexpr std::array<Prefix, 11> prefixes{{{"n", 1e-9},
+                                           {"u", 1e-6},
+                                           {"\u00b5", 1e-6}, // micro sign
+                                           {"\u03bc", 1e-6}, // Greek mu
+                                           {"m", 1e-3},
+                                           {"c", 1e-2},
+                                           {"d", 1e-1},
+                                           {"h", 1e2},
+                                           {"k", 1e3},
+                                           {"M", 1e6},
+                                           {"G", 1e9}}};
+
+/// A product of powers of units: a factor into SI and a dimension.
+struct Scale
+{
+  double factor = 1.;
+  Dimension dimension;
+
+  void multiply(const Scale &other, const int power)
+  {
+    factor *= std::pow(other.factor, power);
+    dimension.mass += power * other.dimension.mass;
+    dimension.length += power * other.dimension.length;
+    dimension.time += power * other.dimension.time;
+  }
+};
+
+Scale named_unit(const std::string &name)
+{
+  // Names that stand alone come first: "min" is no milli-inch, "h" no prefix.
+  for (const Unit &unit : known_units)
+    if (name == unit.name)
+      return {unit.factor, unit.dimension};
+  for (const Prefix &prefix : prefixes)
+    for (const Unit &unit : known_units)
+      if (unit.takes_prefix && name == std::string(prefix.name) + unit.name)
+        return {prefix.factor * unit.factor, unit.dimension};
+  throw std::invalid_argument("unit '" + name + "' is unknown");
+}
+
+/// Reads "kg/m^3", "N/(m s)" from left to right.
+class UnitParser
+{
+public:
+  explicit UnitParser(const std::string &text) : text(text) {}
+
+  Scale parse()
+  {
+    const Scale scale = product();
+    if (position < text.size())
+      fail("has a ')' too many");
+    return scale;
+  }
+
+private:
+  const std::string &text;
+  std::size_t position = 0;
+
+  [[noreturn]] void fail(const std::string &reason) const
+  {
+    throw std::invalid_argument("unit '" + text + "' " + reason);
+  }
+
+  void skip_blanks()
+  {
+    while (position < text.size() && std::isspace(static_cast<unsigned char>(text[position])))
+      ++position;
+  }
+
+  bool next_is(const char letter)
+  {
+    skip_blanks();
+    if (position == text.size() || text[position] != letter)
+      return false;
+    ++position;
+    return true;
+  }
+
+  Scale product()
+  {
+    Scale scale = power();
+    while (true)
+    {
+      skip_blanks();
+      if (position == text.size() || text[position] == ')')
+        return scale;
+      if (next_is('/'))
+        scale.multiply(power(), -1);
+      else
+      {
+        next_is('*');
+        scale.multiply(power(), 1);
+      }
+    }
+  }
+
+  Scale power()
+  {
+    const Scale base = factor();
+    if (!next_is('^'))
+      return base;
+    skip_blanks();
+    if (position < text.size() && text[position] == '+')
+      ++position;
+    int exponent = 0;
+    const char *const begin = text.data() + position;
+    const auto result = std::from_chars(begin, text.data() + text.size(), exponent);
+    if (result.ec != std::errc() || std::abs(exponent) > 9)
+      fail("wants a whole number after '^'");
+    position += static_cast<std::size_t>(result.ptr - begin);
+    Scale scale;
+    scale.multiply(base, exponent);
+    return scale;
+  }
+
+  Scale factor()
+  {
+    if (next_is('('))
+    {
+      const Scale scale = product();
+      if (!next_is(')'))
+        fail("lacks a ')'");
+      return scale;
+    }
+    const std::size_t begin = position;
+    while (position < text.size() &&
+           std::string(" \t*/^()").find(text[position]) == std::string::npos)
+      ++position;
+    if (position == begin)
+      fail("is incomplete");
+    return named_unit(text.substr(begin, position - begin));
+  }
+};
+
+std::string power_text(const std::string &unit, const int exponent)
+{
+  return exponent == 1 ? unit : unit + "^" + std::to_string(exponent);
+}
+} // namespace
+
+bool Dimension::operator==(const Dimension &other) const
+{
+  return mass == other.mass && length == other.length && time == other.time;
+}
+
+std::string Dimension::unit() const
+{
+  // What people do not write in kilogram, metre and second.
+  const std::array<std::pair<Dimension, const char *>, 7> derived{
+      {{Dimensions::pressure, "Pa"},
+       {Dimensions::viscosity, "Pa s"},
+       {Dimensions::force_density, "N/m^3"},
+       {Dimensions::power, "W"},
+       {force, "N"},
+       {energy, "J"},
+       {{1, 0, -2}, "N/m"}}};
+  for (const auto &[dimension, name] : derived)
+    if (*this == dimension)
+      return name;
+
+  std::string numerator, denominator;
+  for (const auto &[name, exponent] :
+       std::array<std::pair<const char *, int>, 3>{{{"kg", mass}, {"m", length}, {"s", time}}})
+    if (exponent > 0)
+      numerator += (numerator.empty() ? "" : " ") + power_text(name, exponent);
+    else if (exponent < 0)
+      denominator += "/" + power_text(name, -exponent);
+  return (numerator.empty() ? "1" : numerator) + denominator;
+}
+
+double unit_factor(const std::string &unit, Dimension &dimension)
+{
+  const Scale scale = UnitParser(unit).parse();
+  dimension = scale.dimension;
+  return scale.factor;
+}
+
+double parse_quantity(const std::string &text, const Dimension &dimension)
+{
+  const std::string blanks = " \t\r\n";
+  const std::size_t begin = text.find_first_not_of(blanks);
+  if (begin == std::string::npos)
+    throw std::invalid_argument("there is no number");
+  const std::string trimmed = text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+
+  // from_chars knows no plus sign, but reads the words nan and inf.
+  const char *const end = trimmed.data() + trimmed.size();
+  const char *first = trimmed.data();
+  if (*first == '+' && first + 1 < end && first[1] != '-')
+    ++first;
+  double number = 0.;
+  const auto result = std::from_chars(first, end, number);
+  if (result.ec == std::errc::result_out_of_range)
+    throw std::invalid_argument("'" + trimmed + "' is beyond the numbers a computer can hold");
+  if (result.ec != std::errc())
+    throw std::invalid_argument("'" + trimmed + "' is no number");
+  if (!std::isfinite(number))
+    throw std::invalid_argument("'" + trimmed + "' is no finite number");
+
+  const std::size_t unit_begin =
+      trimmed.find_first_not_of(blanks, static_cast<std::size_t>(result.ptr - trimmed.data()));
+  if (unit_begin == std::string::npos)
+    return number;
+  if (trimmed[unit_begin] == ',')
+    throw std::invalid_argument("'" + trimmed + "' is no number; the decimal sign is a point");
+  Dimension found;
+  double factor = 1.;
+  try
+  {
+    factor = unit_factor(trimmed.substr(unit_begin), found);
+  }
+  catch (const std::invalid_argument &exception)
+  {
+    throw std::invalid_argument("'" + trimmed + "' cannot be read: " + exception.what());
+  }
+  if (!(found == dimension))
+    throw std::invalid_argument("'" + trimmed + "' has the wrong unit: it is in " + found.unit() +
+                                ", not in " + dimension.unit());
+  const double value = number * factor;
+  if (!std::isfinite(value))
+    throw std::invalid_argument("'" + trimmed + "' is beyond the numbers a computer can hold");
+  return value;
+}
+
+std::string usual_units(const Dimension &dimension)
+{
+  const std::vector<std::string> units{
+      "m",      "cm",    "mm",     "um",     "m^2", "cm^2", "mm^2", "s",     "ms",
+      "min",    "h",     "Hz",     "kHz",    "m/s", "cm/s", "mm/s", "m/s^2", "mm/s^2",
+      "kg",     "g",     "kg/m^3", "g/cm^3", "Pa",  "kPa",  "MPa",  "GPa",   "bar",
+      "mmHg",   "cmH2O", "Pa s",   "mPa s",  "cP",  "m^3",  "l",    "ml",    "m^3/s",
+      "l/min",  "ml/s",  "m^2/s",  "mm^2/s", "N",   "kN",   "N/m",  "mN/m",  "N/m^3",
+      "kN/m^3", "W",     "mW",     "J",      "mJ",  "%"};
+  const std::string si = dimension.unit();
+  std::string text = si == "1" ? "" : si;
+  for (const std::string &unit : units)
+  {
+    Dimension found;
+    unit_factor(unit, found);
+    if (found == dimension && unit != si)
+      text += (text.empty() ? "" : ", ") + unit;
+  }
+  return text;
+}
+
+std::string shortest_number(const double value)
+{
+  std::array<char, 32> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return std::string(buffer.data(), result.ptr);
+}
+} // namespace Continua
