@@ -1,0 +1,115 @@
+# shellcheck shell=bash
+# Shared by the scripts in scripts/ and .ci/: where things are, the environment of a run, packages, the build.
+# Source it after `set -euo pipefail`.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+build_root=${CONTINUA_BUILD_ROOT:-$root/build}
+python=/usr/bin/python3 # Debian's, which has the packages; another one may come first in PATH
+export root build_root python
+
+# One thread a rank; more ranks than cores and root are allowed, since containers and small machines have both.
+set_run_environment() {
+  export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
+  export OMPI_MCA_rmaps_base_oversubscribe=1
+  export OMPI_MCA_hwloc_base_binding_policy=none
+  if [ "$(id -u)" -eq 0 ]; then
+    export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+  fi
+}
+
+say() { printf '%s\n' "$*"; }
+
+fail() {
+  printf 'error: %s\n' "$*" >&2
+  exit 1
+}
+
+# The packages of the groups named, one a line.
+list_packages() {
+  local group
+  for group in "$@"; do
+    sed -e 's/#.*//' "$root/scripts/packages.txt" |
+      awk -v wanted="[$group]" '/^\[/ { inside = ($1 == wanted); next } inside && NF { print $1 }'
+  done | sort -u
+}
+
+# Installs what is missing of the groups named. Calls apt-get only when something is missing.
+require_packages() {
+  local missing=() package
+  if ! command -v dpkg-query >/dev/null 2>&1; then
+    say "This is not Debian: taking it that the counterparts of these are there: $(list_packages "$@" | tr '\n' ' ')"
+    return 0
+  fi
+  while read -r package; do
+    if [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" != installed ]; then
+      missing+=("$package")
+    fi
+  done < <(list_packages "$@")
+  [ ${#missing[@]} -gt 0 ] || return 0
+
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null 2>&1 ||
+      fail "these packages are missing and neither root nor sudo is at hand to install them: ${missing[*]}"
+    as_root=(sudo)
+  fi
+  say "Installing ${#missing[@]} packages: ${missing[*]}"
+  "${as_root[@]}" apt-get update -qq </dev/null
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -qq --no-install-recommends "${missing[@]}" </dev/null
+}
+
+# Compile jobs: a deal.II file takes up to 2 GB, so memory counts as much as cores.
+n_jobs() {
+  local cores memory
+  cores=$(nproc)
+  memory=$(awk '/MemAvailable/ { print int($2 / 2000000) }' /proc/meminfo 2>/dev/null || echo "$cores")
+  [ "${memory:-0}" -ge 1 ] || memory=1
+  if [ "$memory" -lt "$cores" ]; then echo "$memory"; else echo "$cores"; fi
+}
+
+# configure_build release|debug [CMAKE OPTION...]: build/NAME, which is kept; only the first call picks a generator.
+configure_build() {
+  local name=$1 directory type
+  shift
+  directory=$build_root/$name
+  case $name in
+    release) type=Release ;;
+    debug) type=Debug ;;
+    *) fail "no build named $name" ;;
+  esac
+  local generator=()
+  # CMake refuses a folder that was configured for another place, as after moving the checkout.
+  if [ -f "$directory/CMakeCache.txt" ] &&
+    ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$directory/CMakeCache.txt"; then
+    say "$directory was configured for another checkout: starting it afresh"
+    rm -rf "$directory"
+  fi
+  if [ ! -f "$directory/CMakeCache.txt" ] && [ -n "${CONTINUA_GENERATOR:-}" ]; then
+    generator=(-G "$CONTINUA_GENERATOR")
+  fi
+  mkdir -p "$directory"
+  if ! cmake -S "$root" -B "$directory" "${generator[@]}" -D CMAKE_BUILD_TYPE="$type" "$@" \
+    >"$directory/configure.log" 2>&1; then
+    cat "$directory/configure.log" >&2
+    fail "configuring $directory failed"
+  fi
+}
+
+# build release|debug TARGET...
+build_targets() {
+  local name=$1
+  shift
+  say "Building ${*} in $build_root/$name with $(n_jobs) jobs"
+  cmake --build "$build_root/$name" --target "$@" --parallel "$(n_jobs)" </dev/null
+}
+
+# The Release program, built when it is out of date.
+build_program() {
+  if [ -z "${CONTINUA_GENERATOR:-}" ] && command -v ninja >/dev/null 2>&1; then
+    CONTINUA_GENERATOR=Ninja configure_build release
+  else
+    configure_build release
+  fi
+  build_targets release continua
+}
