@@ -7,24 +7,30 @@
 namespace Continua
 {
 /**
- * continua FILE.prm [--set "Section/Key=value"]... [--output DIR] [--overwrite] [--restart] [--validate]
+ * continua FILE.prm [--set "Section/Key=value"]... [--output DIR] [--overwrite] [--restart]
+ * [--validate]
  *          [--print-parameters[=prm|json|markdown]] [--version] [--help]
+ *
+ * The value of --set and --output may also follow an equals sign. FILE and options may stand in any
+ * order.
  */
 struct CommandLine
 {
-  std::string parameter_file; ///< empty only with --version, --help, --print-parameters
+  std::string parameter_file;         ///< empty only with --version, --help, --print-parameters
   std::vector<std::string> overrides; ///< of --set
-  std::string output_directory; ///< default output/<name of the .prm>
+  std::string output_directory;       ///< default output/<name of the .prm>
   bool overwrite = false;
   bool restart = false;
   bool validate = false;
   bool version = false;
   bool help = false;
   std::string print_parameters; ///< empty, prm, json or markdown
-  std::string text; ///< the command line as typed
+  std::string text;             ///< the command line as typed, quoted so that a shell reads it back
 
-  /// Throws InputError for an unknown option (with the nearest one), a missing or a second file, or options that exclude each other.
+  /// Throws InputError for an unknown option (with the nearest one), a missing or a second file, or
+  /// options that exclude each other.
   static CommandLine parse(int argc, const char *const *argv);
+  /// What --help prints, with the exit statuses.
   static std::string usage();
 };
 } // namespace Continua

@@ -5,6 +5,7 @@
 
 #include <mpi.h>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,10 +13,10 @@
 namespace Continua
 {
 /**
- * What a run tells its user: plain lines on the screen of rank 0 and in log.txt, warnings (counted, repeated in the
- * summary), and on a terminal a progress line with time, step, rate and remaining time. Off a terminal nothing is
- * printed that depends on wall time, machine, absolute path or number of ranks. Every method may be called on every
- * rank; rank 0 writes.
+ * What a run tells its user: plain lines on the screen of rank 0 and in log.txt, warnings (counted,
+ * repeated in the summary), and on a terminal a progress line with time, step, rate and remaining
+ * time. Off a terminal nothing is printed that depends on wall time, machine, absolute path or
+ * number of ranks. Every method may be called on every rank; rank 0 writes.
  */
 class Log
 {
@@ -25,7 +26,9 @@ public:
   Log(const Log &) = delete;
   Log &operator=(const Log &) = delete;
 
-  /// From now on the lines also go to this file (the earlier lines first); `append` after a restart.
+  /// From now on the lines also go to this file (the earlier lines first); `append` after a
+  /// restart. Throws RunError on rank 0 if it cannot be opened. Should the disk refuse later, the
+  /// screen says so once and the run goes on.
   void open(const std::string &file, bool append);
   void line(const std::string &text);
   /// To log.txt only: what depends on the machine, wall time or ranks.
@@ -34,13 +37,18 @@ public:
   void warning(const std::string &text);
   const std::vector<std::string> &warnings() const;
 
-  /// Progress line on a terminal, at most five a second; nothing off a terminal.
+  /// Progress line on a terminal, at most five a second; nothing off a terminal. Times in s.
   void progress(double time, double end_time, unsigned int step);
   /// Clears the progress line.
   void end_progress();
 
-  /// Wall time by section; use with dealii::TimerOutput::Scope. Printed to log.txt at the end.
+  /// Wall time by section; use with dealii::TimerOutput::Scope. Each rank has its own and a scope
+  /// costs no communication; what is printed is rank 0's.
   dealii::TimerOutput &timer();
+  /// Wall time by section on this rank [s], and "total" since the log was made.
+  std::map<std::string, double> wall_times() const;
+  /// Writes the wall times to log.txt.
+  void timing_summary();
 
 private:
   struct Implementation;

@@ -1,6 +1,8 @@
 #ifndef continua_base_table_writer_h
 #define continua_base_table_writer_h
 
+#include <chrono>
+#include <cstddef>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -8,27 +10,35 @@
 namespace Continua
 {
 /**
- * A csv file that grows row by row (probes.csv, power.csv). First row: names with units, "time [s],tip: displacement
- * y [m]". Numbers with 17 significant digits' worth of information (shortest text that reads back to the same
- * double). Rows are buffered and flushed at least every second and at the end. After a restart the file is first cut
- * behind the last row whose first column is not after `restart_time`, so that it continues without gap or duplicate.
- * Only the rank that writes has one.
+ * A csv file that grows row by row (probes.csv, power.csv). First row: names with units, "time
+ * [s],tip: displacement y [m]". Numbers with 17 significant digits' worth of information (shortest
+ * text that reads back to the same double). Rows are buffered and flushed at least every second and
+ * at the end. After a restart the file is first cut behind the last row whose first column is not
+ * after `restart_time`, so that it continues without gap or duplicate. Only the rank that writes
+ * has one. Every method throws RunError when the disk refuses.
  */
 class TableWriter
 {
 public:
+  /// Starts a new file.
   TableWriter(const std::string &file, const std::vector<std::string> &header);
+  /// Continues a file after a restart at `restart_time` [s] (or the unit of the first column); a
+  /// row that a crash left half written is cut, too. Throws RunError if the file has another
+  /// header. A file that is not there is started.
   TableWriter(const std::string &file, const std::vector<std::string> &header, double restart_time);
+  /// Flushes; a failure can no longer be told here, so call flush() at the end of a run.
   ~TableWriter();
+  /// As many values as the header has names.
   void row(const std::vector<double> &values);
   void flush();
 
 private:
+  void open(bool append);
   std::string file_name;
   std::ofstream stream;
   std::string buffer;
   std::size_t n_columns;
-  double last_flush;
+  std::chrono::steady_clock::time_point last_flush;
 };
 } // namespace Continua
 

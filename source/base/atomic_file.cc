@@ -1,0 +1,69 @@
+#include <continua/base/atomic_file.h>
+#include <continua/base/input_error.h>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+namespace Continua
+{
+namespace
+{
+[[noreturn]] void fail(const std::string &file, const std::string &temporary, const int error)
+{
+  ::unlink(temporary.c_str());
+  throw RunError("cannot write '" + file + "': " + std::strerror(error));
+}
+
+/// After a power failure the rename is kept only if the folder, too, reached the disk.
+void flush_folder_of(const std::string &file)
+{
+  const std::size_t slash = file.rfind('/');
+  const std::string folder = slash == std::string::npos ? "." : file.substr(0, slash + 1);
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY);
+  if (descriptor < 0)
+    return;
+  // Some file systems cannot flush a folder; the file itself is safe by then.
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+} // namespace
+
+void write_file_atomically(const std::string &file, const std::string &content)
+{
+  const std::string temporary = file + ".new";
+  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor < 0)
+    throw RunError("cannot write '" + file + "': " + std::strerror(errno));
+
+  std::size_t n_written = 0;
+  while (n_written < content.size())
+  {
+    const ssize_t n = ::write(descriptor, content.data() + n_written, content.size() - n_written);
+    if (n < 0 && errno == EINTR)
+      continue;
+    if (n < 0)
+    {
+      const int error = errno;
+      ::close(descriptor);
+      fail(file, temporary, error);
+    }
+    n_written += static_cast<std::size_t>(n);
+  }
+  if (::fsync(descriptor) != 0)
+  {
+    const int error = errno;
+    ::close(descriptor);
+    fail(file, temporary, error);
+  }
+  // Network file systems report a full disk only here.
+  if (::close(descriptor) != 0)
+    fail(file, temporary, errno);
+  if (std::rename(temporary.c_str(), file.c_str()) != 0)
+    fail(file, temporary, errno);
+  flush_folder_of(file);
+}
+} // namespace Continua

@@ -1,0 +1,183 @@
+#include <continua/base/command_line.h>
+#include <continua/base/input_error.h>
+#include <continua/base/nearest_name.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace Continua
+{
+namespace
+{
+struct Option
+{
+  std::string name;
+  enum class Value
+  {
+    none,
+    required,
+    optional ///< only after an equals sign
+  } value;
+};
+
+const std::vector<Option> &options()
+{
+  static const std::vector<Option> table = {
+      {"--set", Option::Value::required},   {"--output", Option::Value::required},
+      {"--overwrite", Option::Value::none}, {"--restart", Option::Value::none},
+      {"--validate", Option::Value::none},  {"--print-parameters", Option::Value::optional},
+      {"--version", Option::Value::none},   {"--help", Option::Value::none}};
+  return table;
+}
+
+[[noreturn]] void
+refuse(const std::string &argument, const std::string &problem, const std::string &remedy)
+{
+  throw InputError({"command line", 0}, argument, problem, remedy);
+}
+
+const Option &find_option(const std::string &name)
+{
+  std::vector<std::string> names;
+  for (const Option &option : options())
+  {
+    if (option.name == name)
+      return option;
+    names.push_back(option.name);
+  }
+  const std::string nearest = nearest_name(name, names);
+  refuse(name, "there is no such option",
+         (nearest.empty() ? "" : "Did you mean " + nearest + "? ") + "--help lists the options");
+}
+
+/// The argument as a shell reads it back.
+std::string shell_quoted(const std::string &argument)
+{
+  const std::string harmless = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                               "_-+=./:,@%^";
+  if (!argument.empty() && argument.find_first_not_of(harmless) == std::string::npos)
+    return argument;
+  std::string result = "'";
+  for (const char c : argument)
+    result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+void apply(CommandLine &result, const std::string &name, const std::string &value)
+{
+  if (name == "--set")
+  {
+    if (value.find('=') == std::string::npos || value.front() == '=')
+      refuse("--set " + value, "this names no entry and value",
+             "Write --set \"Section/Key=value\"");
+    result.overrides.push_back(value);
+  }
+  else if (name == "--output")
+  {
+    if (value.empty())
+      refuse("--output", "the folder has no name", "Write --output DIR");
+    result.output_directory = value;
+  }
+  else if (name == "--print-parameters")
+  {
+    if (value != "prm" && value != "json" && value != "markdown")
+      refuse("--print-parameters=" + value, "there is no such style",
+             "The styles are prm, json and markdown");
+    result.print_parameters = value;
+  }
+  else
+  {
+    bool &flag = name == "--overwrite"  ? result.overwrite
+                 : name == "--restart"  ? result.restart
+                 : name == "--validate" ? result.validate
+                 : name == "--version"  ? result.version
+                                        : result.help;
+    flag = true;
+  }
+}
+} // namespace
+
+CommandLine CommandLine::parse(const int argc, const char *const *argv)
+{
+  CommandLine result;
+  std::vector<std::string> arguments(argv, argv + argc);
+  std::vector<std::string> seen;
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+    result.text += (i == 0 ? "" : " ") + shell_quoted(arguments[i]);
+
+  for (std::size_t i = 1; i < arguments.size(); ++i)
+  {
+    const std::string &argument = arguments[i];
+    if (argument.empty() || argument[0] != '-')
+    {
+      if (argument.empty())
+        refuse("", "an argument is empty", "Name one parameter file");
+      if (!result.parameter_file.empty())
+        refuse(argument,
+               "there are two parameter files, the other is '" + result.parameter_file + "'",
+               "Name one; an entry is set with --set \"Section/Key=value\"");
+      result.parameter_file = argument;
+      continue;
+    }
+
+    const std::size_t equals = argument.find('=');
+    const Option &option = find_option(argument.substr(0, equals));
+    if (option.name != "--set")
+    {
+      if (std::find(seen.begin(), seen.end(), option.name) != seen.end())
+        refuse(option.name, "this option is given twice", "Give it once");
+      seen.push_back(option.name);
+    }
+
+    std::string value = option.value == Option::Value::optional ? "prm" : "";
+    if (equals != std::string::npos)
+    {
+      if (option.value == Option::Value::none)
+        refuse(argument, "this option takes no value", "Write " + option.name);
+      value = argument.substr(equals + 1);
+    }
+    else if (option.value == Option::Value::required)
+    {
+      if (i + 1 == arguments.size() || arguments[i + 1].compare(0, 2, "--") == 0)
+        refuse(option.name, "its value is missing",
+               option.name == "--set" ? "Write --set \"Section/Key=value\"" : "Write --output DIR");
+      value = arguments[++i];
+    }
+    apply(result, option.name, value);
+  }
+
+  if (result.overwrite && result.restart)
+    refuse("--overwrite",
+           "it excludes --restart: the one removes the checkpoint that the other needs",
+           "Give one of the two");
+  if (result.parameter_file.empty() && !result.help && !result.version &&
+      result.print_parameters.empty())
+    refuse("", "the parameter file is missing",
+           "Write continua FILE.prm; --help lists the options");
+  if (result.output_directory.empty() && !result.parameter_file.empty())
+    result.output_directory =
+        "output/" + std::filesystem::path(result.parameter_file).stem().string();
+  return result;
+}
+
+std::string CommandLine::usage()
+{
+  return R"(Usage: continua FILE.prm [OPTION]...
+       mpirun -np N continua FILE.prm [OPTION]...
+
+Runs what the parameter file describes.
+
+  --set "Section/Key=value"   sets an entry, over the file; as often as you like
+  --output DIR                the folder of the results (default: output/<name of the file>)
+  --overwrite                 removes the run that the folder holds (its results only)
+  --restart                   continues the run that the folder holds from its checkpoint
+  --validate                  reads and checks the input, says what would be run, and stops
+  --print-parameters[=STYLE]  prints every entry with value, unit and meaning, and stops;
+                              STYLE is prm (default), json or markdown; without FILE the defaults
+  --version                   prints the version and those of the libraries
+  --help                      prints this text
+
+Exit status: 0 done, 1 the run failed, 2 the input is wrong.
+)";
+}
+} // namespace Continua

@@ -1,0 +1,156 @@
+#include <continua/base/input_error.h>
+#include <continua/base/table_writer.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+
+namespace Continua
+{
+namespace
+{
+/// A name with a comma, a quote or a line break is put in quotes, its own quotes doubled (RFC
+/// 4180).
+std::string quoted(const std::string &name)
+{
+  if (name.find_first_of(",\"\r\n") == std::string::npos)
+    return name;
+  std::string result = "\"";
+  for (const char c : name)
+    result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + '"';
+}
+
+std::string header_line(const std::vector<std::string> &header)
+{
+  std::string line;
+  for (const std::string &name : header)
+    line += (line.empty() ? "" : ",") + quoted(name);
+  return line;
+}
+
+void append_number(std::string &text, const double value)
+{
+  if (std::isnan(value))
+  {
+    text += "nan"; // without the sign that to_chars shows
+    return;
+  }
+  char digits[32];
+  const std::to_chars_result result = std::to_chars(digits, digits + sizeof(digits), value);
+  text.append(digits, result.ptr);
+}
+
+/// The number of bytes of `file` to keep: the header and the complete rows up to `restart_time`.
+std::uintmax_t length_to_keep(std::ifstream &stream,
+                              const std::string &file,
+                              const std::string &header,
+                              const double restart_time)
+{
+  std::string line;
+  std::getline(stream, line);
+  if (stream.eof() && header.compare(0, line.size(), line) == 0)
+    return 0; // nothing but the beginning of the header
+  if (line != header)
+    throw RunError("cannot continue '" + file + "': its columns are '" + line +
+                   "', those of this run are '" + header + "'");
+
+  std::uintmax_t length = line.size() + 1;
+  // A time that was computed on another way may differ in its last digits.
+  const double last_time = restart_time + 1e-12 * std::abs(restart_time);
+  for (unsigned int number = 2; std::getline(stream, line) && !stream.eof(); ++number)
+  {
+    double time = 0.;
+    const char *const end = line.data() + line.size();
+    const std::from_chars_result result = std::from_chars(line.data(), end, time);
+    if (result.ec != std::errc() || (result.ptr != end && *result.ptr != ','))
+      throw RunError("cannot continue '" + file + "': row " + std::to_string(number) +
+                     " does not begin with a number");
+    if (!(time <= last_time))
+      break;
+    length += line.size() + 1;
+  }
+  return length;
+}
+} // namespace
+
+TableWriter::TableWriter(const std::string &file, const std::vector<std::string> &header)
+    : file_name(file), n_columns(header.size()), last_flush(std::chrono::steady_clock::now())
+{
+  open(false);
+  buffer = header_line(header) + '\n';
+  flush();
+}
+
+TableWriter::TableWriter(const std::string &file,
+                         const std::vector<std::string> &header,
+                         const double restart_time)
+    : file_name(file), n_columns(header.size()), last_flush(std::chrono::steady_clock::now())
+{
+  std::uintmax_t length = 0;
+  if (std::ifstream old_file(file, std::ios::binary); old_file)
+  {
+    length = length_to_keep(old_file, file, header_line(header), restart_time);
+    old_file.close();
+    std::error_code error;
+    std::filesystem::resize_file(file, length, error);
+    if (error)
+      throw RunError("cannot cut '" + file + "': " + error.message());
+  }
+  open(true);
+  if (length == 0)
+    buffer = header_line(header) + '\n';
+  flush();
+}
+
+TableWriter::~TableWriter()
+{
+  try
+  {
+    flush();
+  }
+  catch (const RunError &)
+  {
+    // A destructor must not throw; flush() before it tells.
+  }
+}
+
+void TableWriter::open(const bool append)
+{
+  stream.open(file_name, std::ios::binary | (append ? std::ios::app : std::ios::trunc));
+  if (!stream)
+    throw RunError("cannot write '" + file_name + "': " + std::strerror(errno));
+}
+
+void TableWriter::row(const std::vector<double> &values)
+{
+  AssertThrow(values.size() == n_columns, dealii::ExcDimensionMismatch(values.size(), n_columns));
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    if (i > 0)
+      buffer += ',';
+    append_number(buffer, values[i]);
+  }
+  buffer += '\n';
+  constexpr std::size_t large = 1 << 20;
+  if (buffer.size() > large ||
+      std::chrono::steady_clock::now() - last_flush >= std::chrono::seconds(1))
+    flush();
+}
+
+void TableWriter::flush()
+{
+  last_flush = std::chrono::steady_clock::now();
+  errno = 0;
+  stream.write(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+  stream.flush();
+  buffer.clear();
+  if (!stream)
+    throw RunError("cannot write '" + file_name + "'" +
+                   (errno != 0 ? std::string(": ") + std::strerror(errno) : std::string()));
+}
+} // namespace Continua

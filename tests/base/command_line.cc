@@ -1,0 +1,83 @@
+// The command line: every option, both ways of giving a value, and what is refused.
+
+#include <continua/base/command_line.h>
+#include <continua/base/input_error.h>
+
+#include "../check.h"
+
+#include <vector>
+
+using namespace Continua;
+
+namespace
+{
+CommandLine parse(std::vector<const char *> arguments)
+{
+  arguments.insert(arguments.begin(), "continua");
+  return CommandLine::parse(static_cast<int>(arguments.size()), arguments.data());
+}
+
+void refused(const std::string &name,
+             const std::vector<const char *> &arguments,
+             const std::string &pattern)
+{
+  check::throws<InputError>(
+      name, [&arguments]() { parse(arguments); }, pattern);
+}
+} // namespace
+
+int main()
+{
+  const CommandLine plain = parse({"cases/beam 1.prm"});
+  check::equal("file", plain.parameter_file, "cases/beam 1.prm");
+  check::equal("default folder", plain.output_directory, "output/beam 1");
+  check::equal("text", plain.text, "continua 'cases/beam 1.prm'");
+  check::is_true("no flag is set", !plain.overwrite && !plain.restart && !plain.validate &&
+                                       !plain.version && !plain.help &&
+                                       plain.print_parameters.empty() && plain.overrides.empty());
+
+  const CommandLine full = parse({"--set", "Time/End time=1 s", "--overwrite", "--output=results",
+                                  "beam.prm", "--set=Title=it's = 2", "--validate"});
+  check::is_true("overrides",
+                 full.overrides == std::vector<std::string>{"Time/End time=1 s", "Title=it's = 2"});
+  check::equal("folder", full.output_directory, "results");
+  check::is_true("flags", full.overwrite && full.validate && !full.restart);
+  check::equal("quoted text", full.text,
+               "continua --set 'Time/End time=1 s' --overwrite --output=results beam.prm "
+               "'--set=Title=it'\\''s = 2' --validate");
+
+  check::equal("folder behind a blank", parse({"beam.prm", "--output", "-x/y"}).output_directory,
+               "-x/y");
+  check::is_true("restart", parse({"beam.prm", "--restart"}).restart);
+  check::is_true("version needs no file", parse({"--version"}).version);
+  check::is_true("help needs no file", parse({"--help"}).help);
+  check::equal("default style", parse({"--print-parameters"}).print_parameters, "prm");
+  check::equal("style", parse({"--print-parameters=json"}).print_parameters, "json");
+  check::equal("style of a file", parse({"--print-parameters=markdown", "beam.prm"}).parameter_file,
+               "beam.prm");
+
+  refused("nearest option", {"beam.prm", "--overwite"}, "'--overwite'.*Did you mean --overwrite");
+  refused("nearest option with a value", {"beam.prm", "--ouput=x"}, "'--ouput'.*mean --output");
+  refused("unlike any option", {"beam.prm", "--qqqqqqqqqq"}, "no such option.*--help lists");
+  refused("short option", {"-h"}, "'-h'.*--help");
+  refused("no file", {"--overwrite"}, "parameter file is missing.*continua FILE.prm");
+  refused("nothing", {}, "parameter file is missing");
+  refused("two files", {"a.prm", "b.prm"}, "'b.prm'.*two parameter files.*'a.prm'");
+  refused("empty argument", {""}, "empty");
+  refused("exclusive options", {"a.prm", "--restart", "--overwrite"},
+          "'--overwrite'.*excludes --restart");
+  refused("missing value", {"a.prm", "--set"}, "'--set'.*missing.*Section/Key=value");
+  refused("option instead of a value", {"a.prm", "--output", "--restart"}, "'--output'.*missing");
+  refused("empty folder", {"a.prm", "--output="}, "'--output'.*no name");
+  refused("no value in an override", {"a.prm", "--set", "Title"}, "--set Title.*Section/Key=value");
+  refused("no key in an override", {"a.prm", "--set", "=1"}, "names no entry");
+  refused("unknown style", {"--print-parameters=xml"}, "xml.*prm, json and markdown");
+  refused("value of a flag", {"a.prm", "--restart=yes"}, "--restart=yes.*takes no value");
+  refused("option given twice", {"a.prm", "--output=b", "--output=c"}, "'--output'.*twice");
+
+  for (const char *const word :
+       {"--set", "--output", "--overwrite", "--restart", "--validate", "--print-parameters",
+        "--version", "--help", "0 done", "1 the run failed", "2 the input is wrong"})
+    check::is_true(std::string("help names ") + word,
+                   CommandLine::usage().find(word) != std::string::npos);
+}
