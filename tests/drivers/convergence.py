@@ -1,0 +1,98 @@
+#!/usr/bin/python3
+"""Checks orders of convergence: convergence.py PROGRAM CASE.prm WORKING_FOLDER.
+
+Header comments of the case:
+
+    # level: Mesh/Cells = 4; Time/Time step = 20 ms     one line a run, coarse to fine; overrides joined by `;`
+    # level: Mesh/Cells = 8; Time/Time step = 10 ms
+    # ratio: 2                                          refinement from level to level (default 2)
+    # order: velocity error >= 2.8                      the quantity is the error
+    # order: tip: frequency >= 1.9, reference 3.3624    the error is the distance from a reference, in SI
+    # order: tip: frequency >= 1.9, differences         from successive differences (three levels or more)
+    # bound: velocity error <= 1e-4                     on the finest level
+
+`PROBE: NAME` names the quantity of one probe. The order between the two finest levels must reach the bound; an error
+below 1e-13 counts as none.
+"""
+
+import math
+import os
+import re
+
+import driver
+
+ROUND_OFF = 1e-13
+ORDER = re.compile(r"(?:(?P<probe>[^:]+):\s*)?(?P<name>[^:]+?)\s*>=\s*(?P<order>[-+.\deE]+)"
+                   r"(?:,\s*(?:reference\s+(?P<reference>[-+.\deE]+)|(?P<differences>differences)))?")
+BOUND = re.compile(r"(?:(?P<probe>[^:]+):\s*)?(?P<name>[^:]+?)\s*<=\s*(?P<bound>[-+.\deE]+)")
+
+
+def match_all(pattern, entry, text):
+    match = pattern.fullmatch(text)
+    if not match:
+        raise driver.TestFailure(f"cannot read '# {entry}: {text}'")
+    return match
+
+
+def observed_orders(errors, ratio):
+    """The order between each level and the next; infinite where the finer error is at round-off."""
+    orders = []
+    for coarse, fine in zip(errors, errors[1:]):
+        if fine < ROUND_OFF:
+            orders.append(math.inf)
+        elif coarse < ROUND_OFF:
+            orders.append(-math.inf)
+        else:
+            orders.append(math.log(coarse / fine) / math.log(ratio))
+    return orders
+
+
+def case(program, parameter_file, folder):
+    entries = driver.header(parameter_file)
+    levels = [[part.strip() for part in text.split(";") if part.strip()] for text in entries.get("level", [])]
+    orders = [match_all(ORDER, "order", text) for text in entries.get("order", [])]
+    bounds = [match_all(BOUND, "bound", text) for text in entries.get("bound", [])]
+    if len(levels) < 2 or not orders:
+        raise driver.TestFailure("the header needs two or more lines '# level:' and one or more '# order:'")
+    ratio = float(driver.single(entries, "ratio", "2"))
+
+    summaries = []
+    for index, overrides in enumerate(levels):
+        output = os.path.join(folder, f"level-{index}")
+        arguments = [parameter_file, "--output", output]
+        for override in overrides:
+            key, equals, value = override.partition("=")
+            if not equals:
+                raise driver.TestFailure(f"'{override}' in '# level:' is not KEY = VALUE")
+            arguments += ["--set", f"{key.strip()}={value.strip()}"]
+        driver.run_to_the_end(program, arguments, folder=folder)
+        summaries.append(os.path.join(output, "summary.json"))
+
+    failures = []
+    for order in orders:
+        label = order["name"] if order["probe"] is None else f"{order['probe']}: {order['name']}"
+        values = [driver.quantity(summary, order["name"], order["probe"]) for summary in summaries]
+        if order["differences"]:
+            if len(values) < 3:
+                raise driver.TestFailure("'differences' needs three levels or more")
+            errors = [abs(b - a) for a, b in zip(values, values[1:])]
+        elif order["reference"] is not None:
+            errors = [abs(value - float(order["reference"])) for value in values]
+        else:
+            errors = [abs(value) for value in values]
+        observed = observed_orders(errors, ratio)
+        print(f"{label}: values {values}, errors {errors}, orders {[round(x, 3) for x in observed]}")
+        if not observed[-1] >= float(order["order"]):
+            failures.append(f"{label}: order {observed[-1]:.3f} between the two finest levels, "
+                            f"expected at least {order['order']}")
+    for bound in bounds:
+        value = driver.quantity(summaries[-1], bound["name"], bound["probe"])
+        print(f"{bound['name']}: {value} on the finest level")
+        if not abs(value) <= float(bound["bound"]):
+            failures.append(f"{bound['name']}: {value:.4g} on the finest level, expected at most {bound['bound']}")
+    if failures:
+        raise driver.TestFailure("\n".join(failures))
+
+
+if __name__ == "__main__":
+    driver.main(case)

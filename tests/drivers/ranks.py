@@ -1,0 +1,42 @@
+#!/usr/bin/python3
+"""Checks that the result does not depend on the number of ranks: ranks.py PROGRAM CASE.prm WORKING_FOLDER.
+
+Header comments of the case, all optional:
+
+    # ranks: 1, 2, 3        the numbers of ranks; the first is what the others are compared with
+    # tolerance: 1e-8       relative to the largest magnitude of each column of probes.csv (and power.csv if there)
+    # floor: 1e-12          magnitude below which a column counts as zero (default 0)
+    # power tolerance: 1e-6 for power.csv; `none` leaves it out (its residual is nothing but round-off)
+"""
+
+import os
+
+import driver
+
+
+def case(program, parameter_file, folder):
+    entries = driver.header(parameter_file)
+    ranks = [int(text) for text in driver.single(entries, "ranks", "1, 2, 3").split(",")]
+    tolerance = float(driver.single(entries, "tolerance", "1e-8"))
+    floor = float(driver.single(entries, "floor", "0"))
+    power_tolerance = driver.single(entries, "power tolerance", str(tolerance))
+
+    outputs, screens = [], []
+    for n in ranks:
+        output = os.path.join(folder, f"ranks-{n}")
+        done = driver.run_to_the_end(program, [parameter_file, "--output", output], ranks=n, folder=folder)
+        outputs.append(output)
+        screens.append(done.stdout.replace(output, "OUTPUT"))
+    for n, output, screen in zip(ranks[1:], outputs[1:], screens[1:]):
+        print(f"{n} ranks against {ranks[0]}")
+        driver.compare_tables(os.path.join(outputs[0], "probes.csv"), os.path.join(output, "probes.csv"), tolerance,
+                              floor)
+        if power_tolerance != "none" and os.path.exists(os.path.join(outputs[0], "power.csv")):
+            driver.compare_tables(os.path.join(outputs[0], "power.csv"), os.path.join(output, "power.csv"),
+                                  float(power_tolerance), floor)
+        if screen != screens[0]:
+            raise driver.TestFailure(f"the screen output differs.\non {ranks[0]}:\n{screens[0]}\non {n}:\n{screen}")
+
+
+if __name__ == "__main__":
+    driver.main(case)

@@ -1,0 +1,69 @@
+#!/usr/bin/python3
+"""Checks that a run in two pieces gives what one run gives: restart.py PROGRAM CASE.prm WORKING_FOLDER.
+
+Header comments of the case:
+
+    # stop: Time/End time = 5 ms     what ends the first piece; it must leave a checkpoint
+    # set: Checkpoint/Steps = 10     none or more; overrides of all runs
+    # ranks: 1                       ranks of the whole run and of the first piece (default 1)
+    # restart ranks: 1               ranks of the second piece (default: the same)
+    # tolerance: 0                   0 (default): probes.csv and power.csv agree byte by byte; otherwise as in ranks.py
+"""
+
+import os
+
+import driver
+
+
+def overrides(lines):
+    arguments = []
+    for line in lines:
+        key, equals, value = line.partition("=")
+        if not equals:
+            raise driver.TestFailure(f"'{line}' is not KEY = VALUE")
+        arguments += ["--set", f"{key.strip()}={value.strip()}"]
+    return arguments
+
+
+def compare(first, second, tolerance):
+    if tolerance > 0:
+        driver.compare_tables(first, second, tolerance)
+        return
+    driver.read_table(first)
+    with open(first, encoding="utf-8") as stream:
+        rows = stream.read().splitlines()
+    with open(second, encoding="utf-8") as stream:
+        other_rows = stream.read().splitlines()
+    for line, (row, other) in enumerate(zip(rows, other_rows), 1):
+        if row != other:
+            raise driver.TestFailure(f"line {line} differs:\n{row}\nin {first},\n{other}\nin {second}")
+    if len(rows) != len(other_rows):
+        raise driver.TestFailure(f"{len(rows)} lines in {first}, {len(other_rows)} in {second}")
+
+
+def case(program, parameter_file, folder):
+    entries = driver.header(parameter_file)
+    stop = entries.get("stop", [])
+    if not stop:
+        raise driver.TestFailure("the header needs '# stop: KEY = VALUE'")
+    common = overrides(entries.get("set", []))
+    ranks = int(driver.single(entries, "ranks", "1"))
+    restart_ranks = int(driver.single(entries, "restart ranks", str(ranks)))
+    tolerance = float(driver.single(entries, "tolerance", "0"))
+
+    whole, pieces = os.path.join(folder, "whole"), os.path.join(folder, "pieces")
+    driver.run_to_the_end(program, [parameter_file, "--output", whole, *common], ranks, folder)
+    driver.run_to_the_end(program, [parameter_file, "--output", pieces, *common, *overrides(stop)], ranks, folder)
+    n_whole = len(driver.read_table(os.path.join(whole, "probes.csv"))[1])
+    n_half = len(driver.read_table(os.path.join(pieces, "probes.csv"))[1])
+    if not 0 < n_half < n_whole:
+        raise driver.TestFailure(f"the first piece has {n_half} rows of {n_whole}: nothing is left to restart")
+    driver.run_to_the_end(program, [parameter_file, "--output", pieces, "--restart", *common], restart_ranks, folder)
+
+    for name in ("probes.csv", "power.csv"):
+        if name == "probes.csv" or os.path.exists(os.path.join(whole, name)):
+            compare(os.path.join(whole, name), os.path.join(pieces, name), tolerance)
+
+
+if __name__ == "__main__":
+    driver.main(case)
