@@ -11,18 +11,20 @@
 namespace Continua
 {
 /**
- * The text of a `.prm` file with its includes and the command line's overrides: first read as text (each entry with
- * its file and line), then declared and handed out by ParameterSection, checked for leftovers, and printed resolved.
- * Syntax as deal.II's ParameterHandler: `subsection NAME`, `set KEY = VALUE`, `end`, `#` comments, a backslash at the
- * end of a line continues it, and `include FILE` relative to the including file. An entry in an including file
- * overrides that of the included one wherever it stands; a key set twice in one file is an error.
+ * The text of a `.prm` file with its includes and the command line's overrides: first read as text
+ * (each entry with its file and line), then declared and handed out by ParameterSection, checked
+ * for leftovers, and printed resolved. Syntax as deal.II's ParameterHandler: `subsection NAME`,
+ * `set KEY = VALUE`, `end`, `#` comments, a backslash at the end of a line continues it, and
+ * `include FILE` relative to the including file. An entry in an including file overrides that of
+ * the included one wherever it stands; a key set twice in one file is an error.
  */
 class ParameterFile
 {
 public:
   /// An empty file: every entry has its default (for printing the documentation).
   ParameterFile();
-  /// Reads `path`; `overrides` are "Section/Subsection/Key=value" as given to --set. Throws InputError.
+  /// Reads `path`; `overrides` are "Section/Subsection/Key=value" as given to --set. Throws
+  /// InputError.
   ParameterFile(const std::string &path, const std::vector<std::string> &overrides = {});
   ~ParameterFile();
   ParameterFile(ParameterFile &&) noexcept;
@@ -31,10 +33,12 @@ public:
   /// The top section.
   ParameterSection root();
 
-  /// Throws InputError for the first entry or section that was set but not declared, with the nearest declared name.
+  /// Throws one InputError for all entries and sections that were set but not declared, one a line,
+  /// each with the nearest declared name.
   void refuse_unknown() const;
 
-  /// Every file that was read, as paths from the working directory: the .prm, its includes, its input files.
+  /// Every file that was read, as paths from the working directory: the .prm, its includes, its
+  /// input files.
   std::vector<std::string> input_files() const;
 
   enum class Style
@@ -43,17 +47,21 @@ public:
     json,
     markdown
   };
-  /// Every declared entry with its value: the resolved parameters. prm has each text as a comment; json and markdown
-  /// list path, default, pattern, unit and text for the manual.
+  /// Every declared entry with its value: the resolved parameters. prm has each text as a comment
+  /// and can be read again from any directory (input files are named by their absolute paths); json
+  /// is a list of objects with path, value, default, values (what is accepted), unit and text;
+  /// markdown is a table a section for the manual.
   void print(std::ostream &out, Style style) const;
 
-  /// A hash of all resolved entries but those whose path starts with one of `left_out` (a checkpoint's case identity).
+  /// A hash (FNV-1a, 64 bit, 16 hexadecimal digits) of all resolved entries but those that are, or
+  /// lie in, one of `left_out` ("Output", "Time/End time"): a checkpoint's case identity. It does
+  /// not depend on the unit or the order in which values were written, nor on the directory of an
+  /// input file.
   std::string identity(const std::vector<std::string> &left_out = {}) const;
 
 private:
   friend class ParameterSection;
-  struct Implementation;
-  std::unique_ptr<Implementation> implementation;
+  std::unique_ptr<ParameterStore> store;
 };
 } // namespace Continua
 

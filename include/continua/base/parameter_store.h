@@ -1,0 +1,63 @@
+#ifndef continua_base_parameter_store_h
+#define continua_base_parameter_store_h
+
+#include <continua/base/parameter_text.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * What the sections of one parameter file share: the user's text, what has been declared, and
+ * deal.II's ParameterHandler with both. Internal to ParameterFile and ParameterSection.
+ */
+struct ParameterStore
+{
+  struct Declaration
+  {
+    std::vector<std::string> section;
+    std::string key;
+    std::string default_value; ///< with its unit; empty where there is none
+    std::string values;        ///< what is accepted, in words: "number > 0"
+    std::string unit;          ///< "Pa", "1"; empty for what is no quantity
+    std::string text;          ///< without the unit
+    std::string value;         ///< as the user wrote it, or the default
+    std::string
+        resolved; ///< the value in one form only, in SI: two ways to write one value have the same
+
+    /// The documentation of a quantity ends with its unit.
+    std::string documentation() const;
+  };
+
+  ParameterText text;
+  std::vector<Declaration> declarations;          ///< in the order in which they were declared
+  std::vector<std::vector<std::string>> sections; ///< those declared, parents before children
+  std::vector<std::string> input_files;           ///< besides those of `text`
+  dealii::ParameterHandler handler;
+
+  void declare_section(const std::vector<std::string> &path);
+  /// A second declaration of an entry replaces the first.
+  void declare(const Declaration &declaration, const dealii::Patterns::PatternBase &pattern);
+  void add_input_file(const std::string &path);
+
+  bool is_declared(const std::vector<std::string> &path) const;
+  bool is_declared(const std::vector<std::string> &path, const std::string &key) const;
+  /// The keys and the subsections declared in a section.
+  std::vector<std::string> keys(const std::vector<std::string> &path) const;
+  std::vector<std::string> subsections(const std::vector<std::string> &path) const;
+  /// One message a line for what was set and not declared, as InputErrors.
+  std::vector<InputError> unknown() const;
+
+private:
+  void find_unknown(const ParameterText::Section &section,
+                    const std::vector<std::string> &path,
+                    std::vector<InputError> &errors) const;
+  /// "Did you mean ...?" or what there is instead.
+  std::string suggestion(const std::vector<std::string> &path, const std::string &name) const;
+};
+} // namespace Continua
+
+#endif
