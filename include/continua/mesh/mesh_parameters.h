@@ -1,0 +1,21 @@
+#ifndef continua_mesh_mesh_parameters_h
+#define continua_mesh_mesh_parameters_h
+
+#include <continua/base/parameter_section.h>
+
+namespace Continua
+{
+/// The entries of the section Mesh that every geometry has. Whoever makes the mesh applies them, in
+/// this order.
+struct MeshParameters
+{
+  double distortion = 0.; ///< displacement of inner coarse vertices over their shortest edge, see
+                          ///< distort_coarse_mesh
+  unsigned int refinements = 0; ///< how often every cell is divided
+
+  /// Throws InputError.
+  static MeshParameters read(ParameterSection mesh);
+};
+} // namespace Continua
+
+#endif
