@@ -1,0 +1,68 @@
+#include <continua/mesh/region_expression.h>
+
+#include <muParser.h>
+
+#include <cmath>
+#include <regex>
+#include <stdexcept>
+
+namespace Continua
+{
+namespace
+{
+double if_function(const double condition, const double a, const double b)
+{
+  return condition != 0. ? a : b;
+}
+
+double power(const double base, const double exponent)
+{
+  return std::pow(base, exponent);
+}
+} // namespace
+
+struct RegionExpression::Parser
+{
+  mu::Parser parser;
+  double x = 0.;
+  double y = 0.;
+  double z = 0.;
+};
+
+RegionExpression::RegionExpression(const std::string &text) : parser(std::make_unique<Parser>())
+{
+  // muParser would change the variable.
+  if (std::regex_search(text, std::regex("(^|[^<>=!])=($|[^=])")))
+    throw std::invalid_argument("it assigns with '='; a comparison is '=='");
+  try
+  {
+    mu::Parser &expression = parser->parser;
+    expression.DefineVar("x", &parser->x);
+    expression.DefineVar("y", &parser->y);
+    expression.DefineVar("z", &parser->z);
+    expression.DefineConst("pi", M_PI);
+    expression.DefineConst("e", M_E);
+    expression.DefineFun("if", if_function);
+    expression.DefineFun("pow", power);
+    expression.SetExpr(text);
+    expression.Eval();
+    if (expression.GetNumResults() != 1)
+      throw std::invalid_argument("it has several values separated by commas");
+  }
+  catch (const mu::Parser::exception_type &error)
+  {
+    throw std::invalid_argument(error.GetMsg());
+  }
+}
+
+RegionExpression::~RegionExpression() = default;
+RegionExpression::RegionExpression(RegionExpression &&) noexcept = default;
+
+double RegionExpression::value(const double x, const double y, const double z) const
+{
+  parser->x = x;
+  parser->y = y;
+  parser->z = z;
+  return parser->parser.Eval();
+}
+} // namespace Continua

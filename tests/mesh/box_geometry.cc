@@ -1,0 +1,70 @@
+#include <continua/mesh/box_geometry.h>
+
+#include "../check.h"
+#include "mesh_measures.h"
+
+using namespace Continua;
+
+int main()
+{
+  BoxGeometry<2>::Parameters plane;
+  plane.size = {20., 5.};
+  plane.origin = {-1., 2.};
+  plane.cells = {7, 3};
+  plane.grading = {1., 4.};
+  const measures::Measures<2> box(BoxGeometry<2>(plane, false));
+  check::absolute("cells", box.mesh.n_cells(), 21., 0.);
+  check::relative("area", box.region("body"), 100., 1e-13);
+  check::relative("left", box.boundary("left"), 5., 1e-13);
+  check::relative("right", box.boundary("right"), 5., 1e-13);
+  check::relative("bottom", box.boundary("bottom"), 20., 1e-13);
+  check::relative("top", box.boundary("top"), 20., 1e-13);
+  double first = 0.;
+  double last = 0.;
+  for (const auto &cell : box.mesh.active_cell_iterators())
+  {
+    if (cell->at_boundary(2))
+      first = cell->extent_in_direction(1);
+    if (cell->at_boundary(3))
+      last = cell->extent_in_direction(1);
+  }
+  check::relative("grading", last / first, 4., 1e-13);
+  check::is_true("origin", (box.mesh.get_vertices()[0] - dealii::Point<2>(-1., 2.)).norm() < 1e-14);
+
+  plane.rotation = 30.;
+  const measures::Measures<2> turned(BoxGeometry<2>(plane, false));
+  check::relative("turned: area", turned.region("body"), 100., 1e-13);
+  check::relative("turned: right", turned.boundary("right"), 5., 1e-13);
+  // (-1, 2) turned by 30 degrees.
+  const dealii::Point<2> corner(-0.5 * std::sqrt(3.) - 1., -0.5 + std::sqrt(3.));
+  check::is_true("turned: corner", (turned.mesh.get_vertices()[0] - corner).norm() < 1e-14);
+
+  BoxGeometry<2>::Parameters axial;
+  axial.size = {2., 3.};
+  const measures::Measures<2> cylinder(BoxGeometry<2>(axial, true));
+  check::relative("axisymmetric: axis", cylinder.boundary("axis"), 2., 1e-13);
+  check::relative("axisymmetric: outside", cylinder.boundary("outside"), 2., 1e-13);
+  check::relative("axisymmetric: left", cylinder.boundary("left"), 3., 1e-13);
+  axial.origin = {0., 1.};
+  const measures::Measures<2> hollow(BoxGeometry<2>(axial, true));
+  check::relative("hollow: inside", hollow.boundary("inside"), 2., 1e-13);
+  check::absolute("hollow: no axis", hollow.boundary("axis"), -1., 0.);
+
+  BoxGeometry<3>::Parameters space;
+  space.size = {2., 3., 5.};
+  space.cells = {2, 1, 4};
+  space.rotation = 90.;
+  const measures::Measures<3> cuboid(BoxGeometry<3>(space, false));
+  check::absolute("cuboid: cells", cuboid.mesh.n_cells(), 8., 0.);
+  check::relative("cuboid: volume", cuboid.region("body"), 30., 1e-13);
+  check::relative("cuboid: left", cuboid.boundary("left"), 15., 1e-13);
+  check::relative("cuboid: bottom", cuboid.boundary("bottom"), 10., 1e-13);
+  check::relative("cuboid: back", cuboid.boundary("back"), 6., 1e-13);
+  check::relative("cuboid: front", cuboid.boundary("front"), 6., 1e-13);
+  bool left_is_at_y_0 = true;
+  for (const auto &cell : cuboid.mesh.active_cell_iterators())
+    for (const auto &face : cell->face_iterators())
+      if (face->at_boundary() && face->boundary_id() == 0)
+        left_is_at_y_0 &= std::abs(face->center()[1]) < 1e-14;
+  check::is_true("cuboid: turned", left_is_at_y_0);
+}

@@ -1,0 +1,117 @@
+#include <continua/base/parameter_file.h>
+#include <continua/mesh/geometry.h>
+
+#include "../check.h"
+#include "mesh_measures.h"
+
+#include <fstream>
+
+using namespace Continua;
+
+namespace
+{
+template <int dim>
+std::unique_ptr<Geometry<dim>>
+make(const std::string &geometry, const std::string &mesh = "", const bool axisymmetric = false)
+{
+  std::ofstream("geometry.prm") << "subsection Geometry\n"
+                                << geometry << "end\nsubsection Mesh\n"
+                                << mesh << "end\n";
+  ParameterFile file("geometry.prm");
+  auto result = make_geometry<dim>(file.root().subsection("Geometry"),
+                                   file.root().subsection("Mesh"), axisymmetric);
+  file.refuse_unknown();
+  return result;
+}
+
+void refused(const std::string &name,
+             const std::string &geometry,
+             const std::string &mesh,
+             const bool axisymmetric,
+             const std::string &pattern)
+{
+  check::throws<InputError>(
+      name, [&] { make<2>(geometry, mesh, axisymmetric); }, "geometry.prm:" + pattern);
+}
+} // namespace
+
+int main()
+{
+  std::string types;
+  for (const auto &type : geometry_types<2>())
+    types += type.first + (type.second.empty() ? " without description; " : "; ");
+  check::equal("types", types,
+               "box; beam; layered channel; tube; hollow cylinder; cook membrane; ");
+
+  const measures::Measures<2> box(
+      *make<2>("set Type = box\nset Size = 20 m, 500 cm\nset Rotation = 30\nset Origin = 1, 1\n",
+               "set Cells = 4, 2\nset Grading x = 2\n"));
+  check::relative("box", box.region("body"), 100., 1e-12);
+  check::absolute("box: cells", box.mesh.n_cells(), 8., 0.);
+
+  const measures::Measures<3> cuboid(
+      *make<3>("set Type = box\nset Size = 1, 2, 3\n", "set Cells = 1, 2, 3\nset Grading z = 2\n"));
+  check::relative("cuboid", cuboid.region("body"), 6., 1e-12);
+
+  const measures::Measures<3> beam(
+      *make<3>("set Type = beam\nset Length = 1\nset Height = 10 mm\nset Width = 20 mm\n",
+               "set Cells = 4, 1, 1\n"));
+  check::relative("beam", beam.boundary("free end"), 2e-4, 1e-12);
+
+  const measures::Measures<3> channel(*make<3>(
+      "set Type = layered channel\nset Length = 1\nset Fluid depth = 0.1\n"
+      "set Layer thicknesses = 0.01, 0.02\nset Width = 0.5\n",
+      "set Axial cells = 3\nset Fluid cells = 4\nset Fluid grading = 0.5\nset Wall cells = 2\n"
+      "set Width cells = 2\n"));
+  check::absolute("channel: cells", channel.mesh.n_cells(), 48., 0.);
+  check::relative("channel: wall 2", channel.region("wall 2"), 0.01, 1e-12);
+
+  const measures::Measures<2> tube(
+      *make<2>("set Type = tube\nset Inner diameter = 10 mm\nset Length = 0.8 m\n"
+               "set Wall thicknesses = 1 mm, 0.5 mm\n",
+               "set Axial cells = 10\nset Radial cells = 3\nset Radial grading = 0.5\n"
+               "set Axial grading = 0.5\nset Wall cells = 1, 2\n",
+               true));
+  check::absolute("tube: cells", tube.mesh.n_cells(), 60., 0.);
+  check::relative("tube: inlet", tube.boundary("inlet"), 5e-3, 1e-12);
+  check::relative("tube: wall 2", tube.region("wall 2"), 4e-4, 1e-12);
+
+  const measures::Measures<2> section(
+      *make<2>("set Type = hollow cylinder\nset Inner radius = 1\nset Outer radius = 2\n"
+               "set Length = 3\n",
+               "set Axial cells = 2\nset Radial cells = 2\n", true));
+  check::relative("hollow cylinder", section.region("body"), 3., 1e-12);
+  const measures::Measures<2> ring(
+      *make<2>("set Type = hollow cylinder\nset Inner radius = 1\nset Outer radius = 2\n",
+               "set Circumferential cells = 3\nset Radial cells = 2\n"));
+  check::absolute("ring: cells", ring.mesh.n_cells(), 6., 0.);
+
+  const measures::Measures<2> panel(
+      *make<2>("set Type = cook membrane\nset Unit length = 1 mm\n", "set Cells = 2, 2\n"));
+  check::relative("cook membrane", panel.region("membrane"), 1440e-6, 1e-12);
+
+  const measures::Measures<2> painted(*make<2>("set Type = box\nset Size = 4, 4\n"
+                                               "subsection Regions\nset fluid = x - 2\nend\n",
+                                               "set Cells = 4, 4\n"));
+  check::relative("painted", painted.region("fluid"), 8., 1e-12);
+
+  refused("no such type", "set Type = bax\n", "", false, "2.*/Type'.*box");
+  refused("tube in the plane", "set Type = tube\n", "", false, "2.*Model = plane strain.*box");
+  refused("beam in axisymmetry", "set Type = beam\n", "", true, "2.*Model = axisymmetric.*tube");
+  check::throws<InputError>(
+      "tube in space", [] { make<3>("set Type = tube\n"); },
+      "geometry.prm:2.*Model = three-dimensional.*box, beam");
+  refused("two sizes wanted", "set Size = 1, 2, 3\n", "", false, "2.*/Size'.*3 entries.*2");
+  refused("negative size", "set Size = 1, -2\n", "", false, "2.*/Size'");
+  refused("size in seconds", "set Size = 1 s, 2 s\n", "", false, "2.*/Size'");
+  refused("one count", "", "set Cells = 3\n", false, "4.*/Cells'.*1 entry.*2");
+  refused("zero cells", "", "set Cells = 3, 0\n", false, "4.*/Cells'");
+  refused("grading", "", "set Grading x = 0\n", false, "4.*/Grading x'");
+  refused("no z in the plane", "", "set Grading z = 2\n", false, "4.*/Grading z'");
+  refused("negative radius", "set Origin = 0, -1\n", "", true, "2.*/Origin'.*radius");
+  refused("turned about the axis", "set Rotation = 10\n", "", true, "2.*/Rotation'");
+  refused("wall cells", "set Type = tube\nset Wall thicknesses = 1, 1, 1\n",
+          "set Wall cells = 1, 2\n", true, "6.*/Wall cells'.*2 entries.*3");
+  refused("thin radius", "set Type = hollow cylinder\nset Inner radius = 2\nset Outer radius = 1\n",
+          "", false, "4.*/Outer radius'");
+}
