@@ -78,7 +78,7 @@ std::vector<std::pair<unsigned int, std::string>> logical_lines(std::istream &in
       lines.emplace_back(number, "");
     continued = !line.empty() && line.back() == '\\';
     if (continued)
-      line.back() = ' ';
+      line.pop_back(); // a blank before the backslash stays
     lines.back().second += line;
   }
   for (auto &[number, text] : lines)

@@ -305,7 +305,12 @@ std::string usual_units(const Dimension &dimension)
 std::string shortest_number(const double value)
 {
   std::array<char, 32> buffer{};
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  char *const end = buffer.data() + buffer.size();
+  // Shortest in letters would be 2e-04 for 0.0002.
+  const double size = std::abs(value);
+  const bool everyday = value == 0. || (size >= 1e-4 && size < 1e7);
+  const auto result = everyday ? std::to_chars(buffer.data(), end, value, std::chars_format::fixed)
+                               : std::to_chars(buffer.data(), end, value);
   return std::string(buffer.data(), result.ptr);
 }
 } // namespace Continua

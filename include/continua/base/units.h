@@ -56,7 +56,7 @@ double parse_quantity(const std::string &text, const Dimension &dimension);
 /// cmH2O"), for messages.
 std::string usual_units(const Dimension &dimension);
 
-/// The shortest decimal number that reads back as `value`.
+/// The fewest digits that read back as `value`; with an exponent below 1e-4 and from 1e7.
 std::string shortest_number(double value);
 } // namespace Continua
 
