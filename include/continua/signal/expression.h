@@ -10,24 +10,33 @@
 namespace Continua
 {
 /**
- * A number of (x, y, z, t): a quantity with a unit ("10 mmHg") or a muParser expression in SI ("1e3*sin(pi*t)"; pi and
- * e are known, also if(condition, a, b), min, max, abs, exp, log, sqrt, pow, sin ... erf, besselj-free). In axisymmetry x
- * is the axial and y the radial coordinate. Throws InputError (through the section it is read from) if it does not
- * parse, has an unknown variable or a unit of another dimension, or is not finite at (0,0,0,0) when that is reported by the parser as an error.
+ * A number of (x, y, z, t): a quantity with a unit ("10 mmHg") or a muParser expression in SI ("1e3*sin(pi*t)"). In
+ * axisymmetry x is the axial and y the radial coordinate.
+ *
+ * Variables: x, y, z [m], t [s]. Constants: pi, e. Functions: if(condition, a, b), min, max, sum, avg (any number of
+ * arguments), abs, sign, floor, ceil, rint, step (0 below 0, else 1), exp, ln and log (natural), log2, log10, pow,
+ * sqrt, sin, cos, tan, asin, acos, atan, atan2, sinh, cosh, tanh, asinh, acosh, atanh, erf, erfc, j0, j1 (Bessel
+ * functions of the first kind). Operators: + - * / ^ (a power binds stronger than a sign), < <= > >= == != && || ?:.
+ *
+ * An expression without variables is a constant and must be finite; the values of the others are not checked. Copies
+ * are independent; one object is not to be evaluated by two threads at once.
  */
 class Expression
 {
 public:
   Expression(double constant = 0.);
-  /// Throws std::invalid_argument with a reason.
+  /// Throws std::invalid_argument with a reason if `text` does not parse, has an unknown symbol or a unit of another
+  /// dimension, or is a constant that is not finite.
   Expression(const std::string &text, const Dimension &dimension);
   ~Expression();
   Expression(const Expression &);
   Expression &operator=(const Expression &);
 
-  /// `point` has three coordinates (z = 0 in two dimensions).
+  /// `point` has three coordinates [m] (z = 0 in two dimensions), `time` in s; the value is in SI.
   double operator()(const double *point, double time) const;
+  /// Whether t occurs in the text, even where it has no effect ("0*t").
   bool depends_on_time() const;
+  /// Whether x, y or z occurs in the text.
   bool depends_on_space() const;
   /// Neither, and the value is 0.
   bool is_zero() const;
@@ -42,7 +51,7 @@ private:
   bool space_dependent = false;
 };
 
-/// Declares `key` in `section` with an expression as its value.
+/// Declares `key` in `section` with an expression as its value; `expression` is the default.
 void add_expression(ParameterSection &section,
                     const std::string &key,
                     Expression &expression,

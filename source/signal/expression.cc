@@ -1,0 +1,306 @@
+#include <continua/signal/expression.h>
+
+#include <muParser.h>
+
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+namespace Continua
+{
+namespace
+{
+const std::string symbols = "the variables are x, y, z, t, the constants pi, e";
+
+double if_function(const double condition, const double a, const double b)
+{
+  return condition != 0. ? a : b;
+}
+
+double power(const double base, const double exponent)
+{
+  return std::pow(base, exponent);
+}
+
+double step(const double x)
+{
+  return x < 0. ? 0. : 1.;
+}
+
+/// muParser's `=` writes to a variable, which is never meant here.
+bool has_assignment(const std::string &text)
+{
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == '=')
+    {
+      if (i + 1 < text.size() && text[i + 1] == '=')
+        ++i;
+      else if (i == 0 || std::string("<>!").find(text[i - 1]) == std::string::npos)
+        return true;
+    }
+  return false;
+}
+
+/// What follows the number at the start of `text`, without leading blanks; empty if there is no
+/// number.
+std::string after_number(const std::string &text)
+{
+  std::size_t begin = text.find_first_not_of(" \t");
+  if (begin == std::string::npos)
+    return "";
+  if (text[begin] == '+' || text[begin] == '-')
+    ++begin;
+  double number;
+  const char *const end = text.data() + text.size();
+  const auto result = std::from_chars(text.data() + begin, end, number);
+  if (result.ec != std::errc())
+    return "";
+  const std::string rest(result.ptr, end);
+  const std::size_t first = rest.find_first_not_of(" \t");
+  return first == std::string::npos ? "" : rest.substr(first);
+}
+
+/// Whether `text` is a number with something after it that can only be meant as a unit.
+bool looks_like_quantity(const std::string &text)
+{
+  const std::string rest = after_number(text);
+  if (rest.empty())
+    return false;
+  // Letters right after a number are no expression; bytes above 127 belong to the micro or degree
+  // sign.
+  if (std::isalpha(static_cast<unsigned char>(rest[0])) || (rest[0] & 0x80) != 0 || rest == "%")
+    return true;
+  if (!std::isdigit(static_cast<unsigned char>(rest[0])))
+    return false;
+  try
+  {
+    Dimension dimension;
+    unit_factor(rest, dimension);
+    return true;
+  }
+  catch (const std::invalid_argument &)
+  {
+    return false;
+  }
+}
+
+/// muParser appends a blank to its text, which gets into its tokens.
+std::string trim(const std::string &text)
+{
+  return text.substr(0, text.find_last_not_of(' ') + 1);
+}
+
+std::string shortest(const double value)
+{
+  char buffer[40];
+  const auto result = std::to_chars(buffer, buffer + sizeof(buffer), value);
+  return std::string(buffer, result.ptr);
+}
+} // namespace
+
+struct Expression::Parser
+{
+  explicit Parser(const std::string &text)
+  {
+    parser.DefineVar("x", &variables[0]);
+    parser.DefineVar("y", &variables[1]);
+    parser.DefineVar("z", &variables[2]);
+    parser.DefineVar("t", &variables[3]);
+    parser.DefineConst("pi", M_PI);
+    parser.DefineConst("e", M_E);
+    parser.DefineFun("if", if_function);
+    parser.DefineFun("pow", power);
+    parser.DefineFun("step", step);
+    parser.DefineFun("floor", static_cast<double (*)(double)>(std::floor));
+    parser.DefineFun("ceil", static_cast<double (*)(double)>(std::ceil));
+    parser.DefineFun("log", static_cast<double (*)(double)>(std::log));
+    parser.DefineFun("erf", static_cast<double (*)(double)>(std::erf));
+    parser.DefineFun("erfc", static_cast<double (*)(double)>(std::erfc));
+    parser.DefineFun("j0", static_cast<double (*)(double)>(::j0));
+    parser.DefineFun("j1", static_cast<double (*)(double)>(::j1));
+    parser.SetExpr(text);
+  }
+
+  mu::Parser parser;
+  double variables[4] = {0., 0., 0., 0.};
+};
+
+Expression::Expression(const double constant) : source(shortest(constant)), constant(constant) {}
+
+Expression::Expression(const std::string &text, const Dimension &dimension)
+    : source(text), constant(0.)
+{
+  if (text.find_first_not_of(" \t") == std::string::npos)
+    throw std::invalid_argument("the expression is empty");
+
+  const std::string rest = after_number(text);
+  const bool begins_with_operator =
+      !rest.empty() && std::string("+-*/^<>=!&|?,()").find(rest[0]) != std::string::npos;
+  std::string quantity_problem;
+  if (!begins_with_operator)
+    try
+    {
+      constant = parse_quantity(text, dimension);
+      if (!std::isfinite(constant))
+        throw std::invalid_argument("'" + text + "' is not finite");
+      return;
+    }
+    catch (const std::invalid_argument &exception)
+    {
+      quantity_problem = exception.what();
+    }
+  if (looks_like_quantity(text))
+  {
+    const bool may_be_product =
+        rest.find('(') != std::string::npos ||
+        (std::string("xyzte").find(rest[0]) != std::string::npos &&
+         (rest.size() == 1 || !std::isalpha(static_cast<unsigned char>(rest[1]))));
+    throw std::invalid_argument(quantity_problem + (may_be_product ? "; a product needs '*'" : ""));
+  }
+  if (has_assignment(text))
+    throw std::invalid_argument("'" + text + "' assigns with '='; a comparison is '=='");
+
+  try
+  {
+    parser = std::make_unique<Parser>(text);
+    const double value = parser->parser.Eval();
+    if (parser->parser.GetNumResults() != 1)
+      throw std::invalid_argument("'" + text +
+                                  "' has several values separated by commas, expected is one; "
+                                  "the decimal separator is a point");
+    for (const auto &variable : parser->parser.GetUsedVar())
+      (variable.first == "t" ? time_dependent : space_dependent) = true;
+    if (!time_dependent && !space_dependent)
+    {
+      if (!std::isfinite(value))
+        throw std::invalid_argument("the constant '" + text + "' is not finite");
+      constant = value;
+      parser.reset();
+    }
+  }
+  catch (const mu::Parser::exception_type &error)
+  {
+    if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN)
+      throw std::invalid_argument("unknown symbol '" + trim(error.GetToken()) + "' in '" + text +
+                                  "'; " + symbols);
+    throw std::invalid_argument("'" + text + "' is no expression: " + error.GetMsg() + "; " +
+                                symbols);
+  }
+}
+
+Expression::~Expression() = default;
+
+Expression::Expression(const Expression &other)
+    : source(other.source),
+      constant(other.constant),
+      parser(other.parser ? std::make_unique<Parser>(other.source) : nullptr),
+      time_dependent(other.time_dependent),
+      space_dependent(other.space_dependent)
+{
+}
+
+Expression &Expression::operator=(const Expression &other)
+{
+  if (this != &other)
+  {
+    source = other.source;
+    constant = other.constant;
+    parser = other.parser ? std::make_unique<Parser>(other.source) : nullptr;
+    time_dependent = other.time_dependent;
+    space_dependent = other.space_dependent;
+  }
+  return *this;
+}
+
+double Expression::operator()(const double *point, const double time) const
+{
+  if (!parser)
+    return constant;
+  parser->variables[0] = point[0];
+  parser->variables[1] = point[1];
+  parser->variables[2] = point[2];
+  parser->variables[3] = time;
+  return parser->parser.Eval();
+}
+
+bool Expression::depends_on_time() const
+{
+  return time_dependent;
+}
+
+bool Expression::depends_on_space() const
+{
+  return space_dependent;
+}
+
+bool Expression::is_zero() const
+{
+  return !parser && constant == 0.;
+}
+
+const std::string &Expression::text() const
+{
+  return source;
+}
+
+namespace
+{
+std::string documentation(const std::string &text, const Dimension &dimension)
+{
+  return text + " [" + dimension.unit() +
+         "] A quantity with its unit, or an expression of x, y, z, t in SI.";
+}
+
+Expression parse(const ParameterSection &section,
+                 const std::string &key,
+                 const std::string &text,
+                 const Dimension &dimension)
+{
+  try
+  {
+    return Expression(text, dimension);
+  }
+  catch (const std::invalid_argument &exception)
+  {
+    section.refuse(key, exception.what(),
+                   "Give a quantity in " + dimension.unit() +
+                       " or an expression of x, y, z, t in SI");
+  }
+}
+} // namespace
+
+void add_expression(ParameterSection &section,
+                    const std::string &key,
+                    Expression &expression,
+                    const Dimension &dimension,
+                    const std::string &text)
+{
+  std::string value = expression.text();
+  section.add(key, value, documentation(text, dimension));
+  if (section.given(key))
+    expression = parse(section, key, value, dimension);
+}
+
+void add_expressions(ParameterSection &section,
+                     const std::string &key,
+                     std::vector<Expression> &expressions,
+                     const unsigned int n_components,
+                     const Dimension &dimension,
+                     const std::string &text)
+{
+  std::vector<std::string> values;
+  for (const Expression &expression : expressions)
+    values.push_back(expression.text());
+  section.add(key, values, documentation(text, dimension) + " One per component.");
+  if (!section.given(key) || values.empty())
+    return;
+  if (values.size() != n_components)
+    section.refuse(key, "has " + std::to_string(values.size()) + " components",
+                   "Give " + std::to_string(n_components) + ", separated by commas");
+  std::vector<Expression> parsed;
+  for (const std::string &value : values)
+    parsed.push_back(parse(section, key, value, dimension));
+  expressions = parsed;
+}
+} // namespace Continua
