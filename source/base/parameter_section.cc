@@ -171,9 +171,10 @@ std::string find_file(const std::string &name, const Origin &origin)
                                          ? filesystem::path()
                                          : filesystem::path(origin.file).parent_path();
   const filesystem::path path = (directory / name).lexically_normal();
-  if (!filesystem::exists(path))
+  std::error_code no_access; // what cannot be looked at counts as missing
+  if (!filesystem::exists(path, no_access))
     throw std::invalid_argument("the file '" + path.string() + "' does not exist");
-  if (!filesystem::is_regular_file(path))
+  if (!filesystem::is_regular_file(path, no_access))
     throw std::invalid_argument("'" + path.string() + "' is no file");
   if (!std::ifstream(path))
     throw std::invalid_argument("the file '" + path.string() + "' cannot be read");

@@ -55,8 +55,12 @@ void ParameterStore::declare(const Declaration &declaration,
 
   for (const std::string &name : declaration.section)
     handler.enter_subsection(name);
+  // In a parameter file there is no other place for what is accepted.
+  Declaration described = declaration;
+  if (declaration.values != "text" && declaration.values != "number")
+    described.text += " (" + declaration.values + ")";
   handler.declare_entry(declaration.key, declaration.default_value, pattern,
-                        declaration.documentation());
+                        described.documentation());
   handler.set(declaration.key, declaration.value);
   for (std::size_t i = 0; i < declaration.section.size(); ++i)
     handler.leave_subsection();

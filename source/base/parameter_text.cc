@@ -164,18 +164,19 @@ void ParameterText::read(const std::string &path,
                          const std::vector<unsigned int> &inclusions,
                          std::vector<std::string> &stack)
 {
-  const std::string canonical = std::filesystem::weakly_canonical(path).string();
+  std::error_code no_access; // what cannot be looked at counts as missing
+  const std::string canonical = std::filesystem::weakly_canonical(path, no_access).string();
   if (std::find(stack.begin(), stack.end(), canonical) != stack.end())
     throw InputError(includer, "include",
                      "'" + path + "' includes itself, directly or through others",
                      "Remove one of the includes");
   std::ifstream input(path);
-  if (!input || std::filesystem::is_directory(path))
+  if (!input || std::filesystem::is_directory(path, no_access))
     throw InputError(includer, includer.file.empty() ? "" : "include",
                      "the parameter file '" + path +
-                         (std::filesystem::is_directory(path) ? "' is a directory"
-                          : std::filesystem::exists(path)     ? "' cannot be read"
-                                                              : "' does not exist"),
+                         (std::filesystem::is_directory(path, no_access) ? "' is a directory"
+                          : std::filesystem::exists(path, no_access)     ? "' cannot be read"
+                                                                         : "' does not exist"),
                      includer.file.empty()
                          ? "Check its name; it is relative to the working directory"
                          : "Check its name; it is relative to the including file");

@@ -182,7 +182,7 @@ void test_values()
   check::is_true("printed as the user wrote it", contains(printed, "= 0.2 ms"));
   check::is_true("printed default with unit",
                  contains(printed, "= 0.001 s") || contains(printed, "# default: 0.001 s"));
-  check::is_true("printed text with unit", contains(printed, "# Time step [s]"));
+  check::is_true("printed text with unit", contains(printed, "# Time step (number > 0) [s]"));
   check::is_true("printed empty member of a family", contains(printed, "subsection fluid"));
 }
 
