@@ -10,23 +10,24 @@
 namespace Continua
 {
 /**
- * A number of (x, y, z, t): a quantity with a unit ("10 mmHg") or a muParser expression in SI ("1e3*sin(pi*t)"). In
- * axisymmetry x is the axial and y the radial coordinate.
+ * A number of (x, y, z, t): a quantity with a unit ("10 mmHg") or a muParser expression in SI
+ * ("1e3*sin(pi*t)"). In axisymmetry x is the axial and y the radial coordinate.
  *
- * Variables: x, y, z [m], t [s]. Constants: pi, e. Functions: if(condition, a, b), min, max, sum, avg (any number of
- * arguments), abs, sign, floor, ceil, rint, step (0 below 0, else 1), exp, ln and log (natural), log2, log10, pow,
- * sqrt, sin, cos, tan, asin, acos, atan, atan2, sinh, cosh, tanh, asinh, acosh, atanh, erf, erfc, j0, j1 (Bessel
- * functions of the first kind). Operators: + - * / ^ (a power binds stronger than a sign), < <= > >= == != && || ?:.
+ * Variables: x, y, z [m], t [s]. Constants: pi, e. Functions: if(condition, a, b), min, max, sum,
+ * avg (any number of arguments), abs, sign, floor, ceil, rint, step (0 below 0, else 1), exp, ln
+ * and log (natural), log2, log10, pow, sqrt, sin, cos, tan, asin, acos, atan, atan2, sinh, cosh,
+ * tanh, asinh, acosh, atanh, erf, erfc, j0, j1 (Bessel functions of the first kind). Operators: + -
+ * * / ^ (a power binds stronger than a sign), < <= > >= == != && || ?:.
  *
- * An expression without variables is a constant and must be finite; the values of the others are not checked. Copies
- * are independent; one object is not to be evaluated by two threads at once.
+ * An expression without variables is a constant and must be finite; the values of the others are
+ * not checked. Copies are independent; one object is not to be evaluated by two threads at once.
  */
 class Expression
 {
 public:
   Expression(double constant = 0.);
-  /// Throws std::invalid_argument with a reason if `text` does not parse, has an unknown symbol or a unit of another
-  /// dimension, or is a constant that is not finite.
+  /// Throws std::invalid_argument with a reason if `text` does not parse, has an unknown symbol or
+  /// a unit of another dimension, or is a constant that is not finite.
   Expression(const std::string &text, const Dimension &dimension);
   ~Expression();
   Expression(const Expression &);
@@ -57,8 +58,8 @@ void add_expression(ParameterSection &section,
                     Expression &expression,
                     const Dimension &dimension,
                     const std::string &text);
-/// The same for a vector with comma-separated components (commas in parentheses do not separate); exactly
-/// `n_components` must be given, or none, which leaves `expressions` as it is.
+/// The same for a vector with comma-separated components (commas in parentheses do not separate);
+/// exactly `n_components` must be given, or none, which leaves `expressions` as it is.
 void add_expressions(ParameterSection &section,
                      const std::string &key,
                      std::vector<Expression> &expressions,

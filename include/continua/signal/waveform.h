@@ -12,11 +12,12 @@
 namespace Continua
 {
 /**
- * A value over time and space: by formula, or from a table over time. In a section, the entry KEY (expression) is used
- * with `Waveform = formula` (default); `Waveform = table` takes `Table`, `Column`, `Interpolation` (linear | cubic),
- * `Offset` and `After the table` (hold | repeat | zero), see TimeTable. KEY is not declared then, and giving it as well
- * is an InputError, as are the entries of the table with a formula. A section holds one waveform, since these entries do
- * not have KEY in their names. Copies share the table.
+ * A value over time and space: by formula, or from a table over time. In a section, the entry KEY
+ * (expression) is used with `Waveform = formula` (default); `Waveform = table` takes `Table`,
+ * `Column`, `Interpolation` (linear | cubic), `Offset` and `After the table` (hold | repeat |
+ * zero), see TimeTable. KEY is not declared then, and giving it as well is an InputError, as are
+ * the entries of the table with a formula. A section holds one waveform, since these entries do not
+ * have KEY in their names. Copies share the table.
  */
 class Waveform
 {
@@ -24,7 +25,8 @@ public:
   Waveform(double constant = 0.);
   explicit Waveform(const Expression &expression);
 
-  /// Declares and reads KEY or a table of it. `required`: leaving both out is an InputError; else the default is 0.
+  /// Declares and reads KEY or a table of it. `required`: leaving both out is an InputError; else
+  /// the default is 0.
   static Waveform read(ParameterSection &section,
                        const std::string &key,
                        const Dimension &dimension,
