@@ -9,19 +9,23 @@
 
 namespace Continua
 {
-/// The lower triangle (row >= column) of a symmetric matrix of global size n, spread over ranks in any way; entries
-/// that occur twice add.
+/// The lower triangle (row >= column) of a symmetric matrix of global size n, spread over ranks in
+/// any way; entries that occur twice add.
 struct SymmetricTriplets
 {
   int n = 0;
   std::vector<int> rows; ///< global, from 0
   std::vector<int> columns;
   std::vector<double> values;
+
+  /// Throws std::invalid_argument if an entry lies above the diagonal or outside the matrix, if the
+  /// three vectors differ in length or if one of `owned` is no index of the matrix.
+  void check(const std::vector<int> &owned) const;
 };
 
 /**
- * The factor L D L^T of a symmetric matrix, made once and kept for many solves. Knows no mesh. All methods are
- * collective over the communicator.
+ * The factor L D L^T of a symmetric matrix, made once and kept for many solves. Knows no mesh. All
+ * methods are collective over the communicator.
  */
 class SymmetricFactor
 {
@@ -29,12 +33,14 @@ public:
   virtual ~SymmetricFactor() = default;
 
   /**
-   * Analyses and factors. `owned` are the global indices whose right-hand side and solution entries this rank holds (any
-   * order, each index on exactly one rank). Throws RunError if the matrix is singular, naming the solver and what it said.
+   * Analyses and factors. `owned` are the global indices whose right-hand side and solution entries
+   * this rank holds (any order, each index on exactly one rank). Throws RunError if the matrix is
+   * singular, naming the solver and what it said.
    */
   virtual void factorize(const SymmetricTriplets &matrix, const std::vector<int> &owned) = 0;
 
-  /// In: the right-hand side's owned entries in the order of `owned`; out: the solution's. Allocates nothing.
+  /// In: the right-hand side's owned entries in the order of `owned`; out: the solution's.
+  /// Allocates nothing.
   virtual void solve(std::vector<double> &x) = 0;
 
   /// Entries of the factor over all ranks, and its memory in bytes.
@@ -44,10 +50,11 @@ public:
 };
 
 /**
- * `automatic`: CHOLMOD's simplicial factor on one rank where the matrix is quasi-definite (1/K > 0 everywhere), MUMPS
- * otherwise - a fixed rule, so that runs and restarts are bit-equal. `cholmod`, `mumps`, and (for comparison) `umfpack`
- * choose. `quasi_definite` false makes MUMPS pivot and refuses cholmod. Unusable choices throw
- * std::invalid_argument with the reason.
+ * `automatic`: CHOLMOD's simplicial factor on one rank where the matrix is quasi-definite (1/K > 0
+ * everywhere), MUMPS otherwise - a fixed rule, so that runs and restarts are bit-equal on one rank
+ * (on several, MUMPS's last bits vary). `cholmod`,
+ * `mumps`, and (for comparison) `umfpack` choose. `quasi_definite` false makes MUMPS pivot and
+ * refuses cholmod. Unusable choices throw std::invalid_argument with the reason.
  */
 std::unique_ptr<SymmetricFactor>
 make_symmetric_factor(const std::string &choice, bool quasi_definite, MPI_Comm communicator);

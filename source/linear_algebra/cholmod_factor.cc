@@ -1,0 +1,176 @@
+#include <continua/base/input_error.h>
+#include <continua/linear_algebra/cholmod_factor.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cholmod.h>
+#include <cmath>
+#include <stdexcept>
+
+namespace Continua
+{
+struct CholmodFactor::Data
+{
+  cholmod_common common;
+  cholmod_factor *factor = nullptr;
+  std::vector<int> owned;
+  // Kept between solves, so that CHOLMOD allocates them in the first one only.
+  std::vector<double> right_hand_side;
+  cholmod_dense *solution = nullptr;
+  cholmod_dense *workspace = nullptr;
+  cholmod_dense *second_workspace = nullptr;
+
+  Data()
+  {
+    cholmod_start(&common);
+    common.print = 0;
+    common.supernodal = CHOLMOD_SIMPLICIAL;
+    common.final_ll = false;
+    // Both are tried, the one with fewer entries in the factor is taken.
+    common.nmethods = 2;
+    common.method[0].ordering = CHOLMOD_AMD;
+    common.method[1].ordering = CHOLMOD_NESDIS;
+    common.postorder = true;
+  }
+
+  ~Data()
+  {
+    cholmod_free_factor(&factor, &common);
+    cholmod_free_dense(&solution, &common);
+    cholmod_free_dense(&workspace, &common);
+    cholmod_free_dense(&second_workspace, &common);
+    cholmod_finish(&common);
+  }
+
+  Data(const Data &) = delete;
+  Data &operator=(const Data &) = delete;
+
+  void check(const std::string &phase) const
+  {
+    if (common.status == CHOLMOD_OK)
+      return;
+    std::string reason = "an internal error";
+    if (common.status == CHOLMOD_OUT_OF_MEMORY)
+      reason = "out of memory";
+    else if (common.status == CHOLMOD_TOO_LARGE)
+      reason = "the factor has more entries than a 32-bit index can count; choose mumps";
+    else if (common.status == CHOLMOD_NOT_POSDEF)
+      reason = "the matrix is singular";
+    throw RunError("CHOLMOD, " + phase + ": " + reason + " (status " +
+                   std::to_string(common.status) + ").");
+  }
+
+  /// Without pivoting a singular matrix shows in a pivot that is pure rounding error of its
+  /// diagonal entry.
+  void check_pivots(const std::vector<double> &diagonal) const
+  {
+    const auto *const order = static_cast<const int *>(factor->Perm);
+    const auto *const starts = static_cast<const int *>(factor->p);
+    const auto *const values = static_cast<const double *>(factor->x);
+    for (std::size_t k = 0; k < factor->n; ++k)
+    {
+      // The diagonal D stands where the unit diagonal of L would.
+      const double pivot = values[starts[k]];
+      if (!std::isfinite(pivot))
+        throw RunError("CHOLMOD, factorisation: the pivot of index " + std::to_string(order[k]) +
+                       " is not finite; the matrix holds a NaN or an infinite entry.");
+      if (std::abs(pivot) <= 1e-13 * std::abs(diagonal[order[k]]))
+        throw RunError("CHOLMOD, factorisation: the matrix is singular, the pivot of index " +
+                       std::to_string(order[k]) + " lost all its digits.");
+    }
+  }
+};
+
+CholmodFactor::CholmodFactor() : data(std::make_unique<Data>()) {}
+
+CholmodFactor::~CholmodFactor() = default;
+
+void CholmodFactor::factorize(const SymmetricTriplets &matrix, const std::vector<int> &owned)
+{
+  matrix.check(owned);
+  if (owned.size() != static_cast<std::size_t>(matrix.n))
+    throw std::invalid_argument("CholmodFactor works on one rank only, which owns every index");
+
+  data = std::make_unique<Data>();
+  Data &d = *data;
+  d.owned = owned;
+  const std::size_t n = matrix.n;
+  const std::size_t n_triplets = matrix.rows.size();
+
+  cholmod_triplet triplets{};
+  triplets.nrow = triplets.ncol = n;
+  triplets.nzmax = triplets.nnz = n_triplets;
+  // CHOLMOD reads only; its interface does not say so.
+  triplets.i = const_cast<int *>(matrix.rows.data());
+  triplets.j = const_cast<int *>(matrix.columns.data());
+  triplets.x = const_cast<double *>(matrix.values.data());
+  triplets.stype = -1; // the lower triangle
+  triplets.itype = CHOLMOD_INT;
+  triplets.xtype = CHOLMOD_REAL;
+  triplets.dtype = CHOLMOD_DOUBLE;
+  cholmod_sparse *sparse = cholmod_triplet_to_sparse(&triplets, n_triplets, &d.common);
+  d.check("sorting the entries");
+  d.factor = cholmod_analyze(sparse, &d.common);
+  if (d.common.status == CHOLMOD_OK)
+    cholmod_factorize(sparse, d.factor, &d.common);
+  cholmod_free_sparse(&sparse, &d.common);
+  d.check("factorisation");
+
+  std::vector<double> diagonal(n, 0.);
+  for (std::size_t k = 0; k < n_triplets; ++k)
+    if (matrix.rows[k] == matrix.columns[k])
+      diagonal[matrix.rows[k]] += matrix.values[k];
+  d.check_pivots(diagonal);
+
+  // The first solve allocates what CHOLMOD needs.
+  d.right_hand_side.assign(n, 0.);
+  std::vector<double> zero(n, 0.);
+  solve(zero);
+}
+
+void CholmodFactor::solve(std::vector<double> &x)
+{
+  Data &d = *data;
+  assert(x.size() == d.owned.size());
+  const std::size_t n = x.size();
+  for (std::size_t k = 0; k < n; ++k)
+    d.right_hand_side[d.owned[k]] = x[k];
+
+  cholmod_dense right_hand_side{};
+  right_hand_side.nrow = right_hand_side.nzmax = right_hand_side.d = n;
+  right_hand_side.ncol = 1;
+  right_hand_side.x = d.right_hand_side.data();
+  right_hand_side.xtype = CHOLMOD_REAL;
+  right_hand_side.dtype = CHOLMOD_DOUBLE;
+  if (!cholmod_solve2(CHOLMOD_A, d.factor, &right_hand_side, nullptr, &d.solution, nullptr,
+                      &d.workspace, &d.second_workspace, &d.common))
+    d.check("solution");
+
+  // CHOLMOD leaves its workspace transposed and would allocate a new one in the next solve if that
+  // stayed so.
+  d.workspace->nrow = d.workspace->d = n;
+  d.workspace->ncol = 1;
+
+  const auto *const solution = static_cast<const double *>(d.solution->x);
+  for (std::size_t k = 0; k < n; ++k)
+    x[k] = solution[d.owned[k]];
+}
+
+double CholmodFactor::n_entries() const
+{
+  return data->common.lnz;
+}
+
+double CholmodFactor::memory() const
+{
+  // Values and row indices, and per column: permutation, counts, starts, list links and two work
+  // vectors.
+  const cholmod_factor &factor = *data->factor;
+  return 12. * static_cast<double>(factor.nzmax) + 48. * static_cast<double>(factor.n);
+}
+
+std::string CholmodFactor::name() const
+{
+  return "CHOLMOD, simplicial L D L^T";
+}
+} // namespace Continua

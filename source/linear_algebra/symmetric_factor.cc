@@ -1,0 +1,51 @@
+#include <continua/linear_algebra/cholmod_factor.h>
+#include <continua/linear_algebra/mumps_factor.h>
+#include <continua/linear_algebra/symmetric_factor.h>
+#include <continua/linear_algebra/umfpack_factor.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace Continua
+{
+void SymmetricTriplets::check(const std::vector<int> &owned) const
+{
+  if (rows.size() != columns.size() || rows.size() != values.size())
+    throw std::invalid_argument("SymmetricTriplets: rows, columns and values differ in length");
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    if (columns[k] < 0 || columns[k] > rows[k] || rows[k] >= n)
+      throw std::invalid_argument("SymmetricTriplets: entry (" + std::to_string(rows[k]) + ", " +
+                                  std::to_string(columns[k]) +
+                                  ") is not in the lower triangle of a matrix of size " +
+                                  std::to_string(n));
+  if (std::any_of(owned.begin(), owned.end(), [&](const int i) { return i < 0 || i >= n; }))
+    throw std::invalid_argument("SymmetricTriplets: an owned index is outside the matrix");
+}
+
+std::unique_ptr<SymmetricFactor> make_symmetric_factor(const std::string &choice,
+                                                       const bool quasi_definite,
+                                                       const MPI_Comm communicator)
+{
+  int n_ranks = 1;
+  MPI_Comm_size(communicator, &n_ranks);
+
+  if (choice == "automatic")
+    return make_symmetric_factor(n_ranks == 1 && quasi_definite ? "cholmod" : "mumps",
+                                 quasi_definite, communicator);
+  if (choice == "mumps")
+    return std::make_unique<MumpsFactor>(quasi_definite, communicator);
+  if (choice != "cholmod" && choice != "umfpack")
+    throw std::invalid_argument("the solver '" + choice +
+                                "' is unknown; there are automatic, cholmod, mumps and umfpack");
+  if (n_ranks > 1)
+    throw std::invalid_argument("the solver '" + choice +
+                                "' works on one rank only; choose mumps or automatic");
+  if (choice == "umfpack")
+    return std::make_unique<UmfpackFactor>();
+  if (!quasi_definite)
+    throw std::invalid_argument(
+        "the solver 'cholmod' does not pivot, so it needs a compressible material everywhere "
+        "(1/K > 0); choose mumps or automatic");
+  return std::make_unique<CholmodFactor>();
+}
+} // namespace Continua
