@@ -1,0 +1,78 @@
+#ifndef continua_postprocess_power_record_h
+#define continua_postprocess_power_record_h
+
+#include <continua/base/archive.h>
+#include <continua/base/summary.h>
+#include <continua/base/table_writer.h>
+#include <continua/continuum/continuum_solver.h>
+
+#include <mpi.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * The power balance over the run (power.csv): what loads and prescribed velocities put in, where it
+ * goes in each material, what is missing, and the energies. Powers hold at the time at which the
+ * scheme balances the step, energies at the step's end. Works on every rank alike; rank 0 writes
+ * the file.
+ */
+template <int dim>
+class PowerRecord
+{
+public:
+  /// `regions`: names by material id; with more than one, each has its own columns.
+  PowerRecord(MPI_Comm communicator, const std::vector<std::string> &regions);
+
+  /// Starts the file. Throws RunError on all ranks.
+  void open(const std::string &file);
+  /// Continues it after a restart at `restart_time` [s]; call load(), too.
+  void open(const std::string &file, double restart_time);
+
+  /// Takes the energy of the initial state, with which later ones are compared; not after a
+  /// restart.
+  void start(ContinuumSolver<dim> &solver);
+  /// To be called after every step, so that the integrals over time are those of the scheme;
+  /// `write`: also adds a row to the file and compares the energy. Collective; RunError on rank 0
+  /// when the disk refuses.
+  void record(ContinuumSolver<dim> &solver, const Step &step, bool write);
+
+  /**
+   * Closes the file and adds the quantities, all of them relative: `power residual` (largest
+   * residual over the largest power exchanged), `energy residual` (integral of the residual over
+   * time over the largest energy) and `total energy change` (largest deviation of the energy from
+   * the initial one, which says something of a body without loads and losses); each only where
+   * there is something to compare with. Throws RunError on all ranks.
+   */
+  void finish(Summary &summary);
+
+  /// The sums and maxima of the steps so far, for a restart.
+  void save(ArchiveWriter &archive) const;
+  void load(const ArchiveReader &archive);
+
+private:
+  struct Totals
+  {
+    double largest_residual = 0.;      ///< [W]
+    double largest_exchanged = 0.;     ///< [W]
+    double residual_energy = 0.;       ///< [J]
+    double work = 0.;                  ///< of the loads [J]
+    double initial_energy = 0.;        ///< [J]
+    double largest_energy = 0.;        ///< [J]
+    double largest_energy_change = 0.; ///< [J]
+  };
+  std::vector<std::string> header() const;
+  void compare(double energy);
+
+  MPI_Comm communicator;
+  std::vector<std::string> regions;
+  Totals totals;
+  std::unique_ptr<TableWriter> table; ///< on the rank that writes
+  std::vector<double> row;
+};
+} // namespace Continua
+
+#endif

@@ -1,0 +1,109 @@
+#ifndef continua_postprocess_probes_h
+#define continua_postprocess_probes_h
+
+#include <continua/base/parameter_section.h>
+#include <continua/base/summary.h>
+#include <continua/base/table_writer.h>
+#include <continua/continuum/continuum_solver.h>
+#include <continua/materials/model.h>
+
+#include <mpi.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * The section Probes: a named family, each child a point of the undeformed body or a boundary at
+ * which fields are recorded over time in probes.csv (columns "NAME: FIELD [UNIT]"), and what these
+ * histories say of an oscillation. The order of calls: read() before there is a solver, attach()
+ * when it is initialised, open(), record() as often as wanted, finish(). All are collective; the
+ * histories are kept on every rank, the file is written by rank 0.
+ */
+template <int dim>
+class Probes
+{
+public:
+  explicit Probes(MPI_Comm communicator);
+
+  /// Declares and reads the section; `boundaries` and `regions` are the names by boundary and
+  /// material id. Throws InputError.
+  void read(ParameterSection section,
+            const std::vector<std::string> &boundaries,
+            const std::vector<std::string> &regions);
+  /// Asks the solver, which must live as long as this, for the values. Throws InputError for a
+  /// field that it has not and a point outside the mesh. `model` gives integrals their unit: over
+  /// a line (per metre of depth) or an area.
+  void attach(ContinuumSolver<dim> &solver, Model model);
+
+  /// Starts the file; without columns there is none. Throws RunError on all ranks.
+  void open(const std::string &file);
+  /// Continues after a restart at `restart_time` [s]: the file is cut there, and the histories are
+  /// what it then holds, double by double.
+  void open(const std::string &file, double restart_time);
+
+  /// Records the present state under `time` [s]. RunError on rank 0 when the disk refuses.
+  void record(double time);
+
+  /**
+   * Closes the file and adds the quantities of every column with signal analysis, in SI, as far as
+   * they exist: `maximum FIELD`, `time of maximum FIELD`, `minimum FIELD`, `time of minimum FIELD`,
+   * `first maximum FIELD`, `time of first maximum FIELD`, `mean FIELD`, `frequency` (zero
+   * crossings), `frequency of the fit`, `decay per oscillation` (ratio of successive maxima), `fit
+   * residual` (relative), for each start value in Modes `mode N frequency`, `mode N decay per
+   * oscillation`, `mode N amplitude` (at t = 0) and with them `modes residual`, and `final FIELD`;
+   * after a single record, `final FIELD` only. Their probe is NAME, or "NAME: FIELD" if it has
+   * several fields. Returns what the user should be warned of. Throws RunError on all ranks.
+   */
+  std::vector<std::string> finish(Summary &summary);
+
+  unsigned int n_columns() const { return static_cast<unsigned int>(columns.size()); }
+  /// The history: times [s], and the values of a column [SI].
+  const std::vector<double> &times() const { return record_times; }
+  const std::vector<double> &values(unsigned int column) const { return columns[column].values; }
+
+private:
+  /// One child of the section.
+  struct Probe
+  {
+    ParameterSection section;
+    std::vector<std::string> fields; ///< as written
+    std::vector<double> point;
+    std::string boundary;
+    std::string value = "mean";
+    std::string region;
+    bool signal_analysis = true;
+    std::vector<double> modes; ///< start values [Hz]
+    ProbeRequest<dim> request; ///< all but the field
+    unsigned int n_columns = 0;
+  };
+  struct Column
+  {
+    unsigned int probe;        ///< its place in `probes`
+    FieldComponent field;      ///< with the unit of the column
+    unsigned int solver_probe; ///< the solver's number
+    std::vector<double> values;
+  };
+
+  /// Declares and reads the entries of one child.
+  void read_entries(Probe &probe) const;
+  std::vector<std::string> header() const;
+  /// Fills the histories from a file.
+  void read_history(const std::string &file);
+  void
+  add_quantities(const Column &column, Summary &summary, std::vector<std::string> &warnings) const;
+
+  MPI_Comm communicator;
+  ContinuumSolver<dim> *solver = nullptr;
+  std::vector<Probe> probes;
+  std::vector<Column> columns;
+  std::vector<double> record_times;
+  std::unique_ptr<TableWriter> table; ///< on the rank that writes
+  std::vector<double> solver_values;
+  std::vector<double> row;
+};
+} // namespace Continua
+
+#endif

@@ -1,0 +1,56 @@
+#include <continua/postprocess/output_parameters.h>
+
+namespace Continua
+{
+void OutputParameters::read(ParameterSection section)
+{
+  const Dimension &time = Dimensions::time;
+  const Range range = Range::not_negative();
+  section.add("Probe interval", probe_interval, time,
+              "Time between two rows of probes.csv [s]; 0: a row after every step", range);
+  section.add("Power interval", power_interval, time,
+              "Time between two rows of power.csv [s]; 0: a row after every step; the balance is "
+              "kept over every step in any case",
+              range);
+  section.add("Field interval", field_interval, time,
+              "Time between two states in fields.pvd [s]; 0: none but the final one", range);
+  section.add("Final fields", final_fields,
+              "Whether the state at the end of the run is written to fields.pvd");
+  section.add("Checkpoint interval", checkpoint_interval, time,
+              "Time between two checkpoints [s]; 0: none", range);
+  section.add("Checkpoint at end", checkpoint_at_end,
+              "Whether the state at the end is saved, so that a later run can go on from there");
+  section.add("Subdivisions", subdivisions,
+              "Parts into which a cell is cut in each direction in the fields; 0: as many as the "
+              "degree of the elements");
+  section.add(
+      "Higher order cells", higher_order_cells,
+      "Whether the parts of a cell are written as one curved cell (ParaView 5.5 and later)");
+}
+
+unsigned int OutputParameters::subdivisions_for(const unsigned int element_degree) const
+{
+  return subdivisions > 0 ? subdivisions : element_degree;
+}
+
+Schedule OutputParameters::probe_schedule(const double end_time) const
+{
+  return {probe_interval, Schedule::ZeroInterval::every_step, end_time, true, true};
+}
+
+Schedule OutputParameters::power_schedule(const double end_time) const
+{
+  return {power_interval, Schedule::ZeroInterval::every_step, end_time, true, true};
+}
+
+Schedule OutputParameters::field_schedule(const double end_time) const
+{
+  return {field_interval, Schedule::ZeroInterval::never, end_time, field_interval > 0.,
+          final_fields};
+}
+
+Schedule OutputParameters::checkpoint_schedule(const double end_time) const
+{
+  return {checkpoint_interval, Schedule::ZeroInterval::never, end_time, false, checkpoint_at_end};
+}
+} // namespace Continua

@@ -1,0 +1,143 @@
+#include <continua/base/input_error.h>
+#include <continua/postprocess/power_record.h>
+#include <continua/postprocess/writing_rank.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Continua
+{
+namespace
+{
+void append(std::vector<double> &row, const Power &power)
+{
+  row.insert(row.end(), {power.kinetic, power.strain, power.viscous, power.compressive});
+}
+} // namespace
+
+template <int dim>
+PowerRecord<dim>::PowerRecord(const MPI_Comm communicator, const std::vector<std::string> &regions)
+    : communicator(communicator), regions(regions)
+{
+}
+
+template <int dim>
+std::vector<std::string> PowerRecord<dim>::header() const
+{
+  std::vector<std::string> names = {"time [s]",       "balance time [s]", "external [W]",
+                                    "kinetic [W]",    "strain [W]",       "viscous [W]",
+                                    "compressive [W]"};
+  if (regions.size() > 1)
+    for (const std::string &region : regions)
+      for (const char *const part : {"kinetic", "strain", "viscous", "compressive"})
+        names.push_back(region + ": " + part + " [W]");
+  for (const char *const name :
+       {"residual [W]", "share [1]", "kinetic energy [J]", "strain energy [J]",
+        "compressive energy [J]", "work of loads [J]"})
+    names.emplace_back(name);
+  return names;
+}
+
+template <int dim>
+void PowerRecord<dim>::open(const std::string &file)
+{
+  on_writing_rank(communicator, [&]() { table = std::make_unique<TableWriter>(file, header()); });
+}
+
+template <int dim>
+void PowerRecord<dim>::open(const std::string &file, const double restart_time)
+{
+  on_writing_rank(communicator,
+                  [&]() { table = std::make_unique<TableWriter>(file, header(), restart_time); });
+}
+
+template <int dim>
+void PowerRecord<dim>::start(ContinuumSolver<dim> &solver)
+{
+  totals.initial_energy = solver.energy().sum();
+  compare(totals.initial_energy);
+}
+
+template <int dim>
+void PowerRecord<dim>::record(ContinuumSolver<dim> &solver, const Step &step, const bool write)
+{
+  const PowerBalance balance = solver.power_balance();
+  totals.largest_residual = std::max(totals.largest_residual, std::abs(balance.residual));
+  totals.largest_exchanged = std::max(totals.largest_exchanged, balance.exchanged);
+  totals.residual_energy += step.size() * balance.residual;
+  totals.work += step.size() * balance.external;
+  if (!write)
+    return;
+
+  const Energy energy = solver.energy();
+  compare(energy.sum());
+  if (!table)
+    return;
+
+  Power whole;
+  for (const Power &power : balance.materials)
+  {
+    whole.kinetic += power.kinetic;
+    whole.strain += power.strain;
+    whole.viscous += power.viscous;
+    whole.compressive += power.compressive;
+  }
+  row.assign({step.time, balance.time, balance.external});
+  append(row, whole);
+  if (regions.size() > 1)
+    for (const Power &power : balance.materials)
+      append(row, power);
+  const double share = balance.exchanged > 0. ? balance.residual / balance.exchanged : 0.;
+  row.insert(row.end(), {balance.residual, share, energy.kinetic, energy.strain, energy.compressive,
+                         totals.work});
+  table->row(row);
+}
+
+template <int dim>
+void PowerRecord<dim>::compare(const double energy)
+{
+  totals.largest_energy = std::max(totals.largest_energy, energy);
+  totals.largest_energy_change =
+      std::max(totals.largest_energy_change, std::abs(energy - totals.initial_energy));
+}
+
+template <int dim>
+void PowerRecord<dim>::finish(Summary &summary)
+{
+  if (totals.largest_exchanged > 0.)
+    summary.add({"power residual", totals.largest_residual / totals.largest_exchanged, "1", ""});
+  if (totals.largest_energy > 0.)
+    summary.add(
+        {"energy residual", std::abs(totals.residual_energy) / totals.largest_energy, "1", ""});
+  if (totals.initial_energy > 0.)
+    summary.add(
+        {"total energy change", totals.largest_energy_change / totals.initial_energy, "1", ""});
+  on_writing_rank(communicator,
+                  [&]()
+                  {
+                    if (table)
+                      table->flush();
+                  });
+}
+
+template <int dim>
+void PowerRecord<dim>::save(ArchiveWriter &archive) const
+{
+  archive.add("power record",
+              std::vector<double>{totals.largest_residual, totals.largest_exchanged,
+                                  totals.residual_energy, totals.work, totals.initial_energy,
+                                  totals.largest_energy, totals.largest_energy_change});
+}
+
+template <int dim>
+void PowerRecord<dim>::load(const ArchiveReader &archive)
+{
+  const std::vector<double> values = archive.values("power record");
+  if (values.size() != 7)
+    throw RunError("the checkpoint's power record is that of another version of the program");
+  totals = {values[0], values[1], values[2], values[3], values[4], values[5], values[6]};
+}
+
+template class PowerRecord<2>;
+template class PowerRecord<3>;
+} // namespace Continua

@@ -1,0 +1,119 @@
+#include "../check.h"
+#include "fake_solver.h"
+#include "text_file.h"
+
+#include <continua/base/input_error.h>
+#include <continua/postprocess/field_writer.h>
+
+#include <filesystem>
+
+using namespace Continua;
+
+namespace
+{
+/// A list of times and files.
+std::string list_of(const std::string &entries)
+{
+  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  "
+         "<Collection>\n" +
+         entries + "  </Collection>\n</VTKFile>\n";
+}
+
+std::string entry(const std::string &time, const std::string &file)
+{
+  return "    <DataSet timestep=\"" + time + "\" part=\"0\" file=\"fields/" + file + "\"/>\n";
+}
+
+/// The first number of that attribute.
+unsigned int number(const std::string &text, const std::string &attribute)
+{
+  return static_cast<unsigned int>(
+      std::stoul(text.substr(text.find(attribute + "=\"") + attribute.size() + 2)));
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+    std::cout.setstate(std::ios::failbit); // one rank speaks
+  else
+  {
+    std::filesystem::remove("fields.pvd");
+    std::filesystem::create_directories("fields");
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  const std::string suffix = n_ranks > 1 ? ".pvtu" : ".vtu";
+  FakeSolver<2> solver;
+
+  // Four cells of 2 x 2 parts with 3 x 3 points each.
+  {
+    FieldWriter<2> writer(MPI_COMM_WORLD, ".", 2, false);
+    writer.resume(0.); // there is nothing yet
+    check::is_true("no list without fields", !std::filesystem::exists("fields.pvd"));
+    writer.write(solver, 0.);
+    writer.write(solver, 0.1);
+    writer.write(solver, 0.3);
+    check::equal("list", read_text("fields.pvd"),
+                 list_of(entry("0", "solution-00000" + suffix) +
+                         entry("0.1", "solution-00001" + suffix) +
+                         entry("0.3", "solution-00002" + suffix)));
+    unsigned int n_cells = 0;
+    unsigned int n_points = 0;
+    bool units = true;
+    for (unsigned int rank = 0; rank < n_ranks; ++rank)
+    {
+      const std::string text =
+          read_text("fields/solution-00002" +
+                    (n_ranks > 1 ? "." + std::to_string(rank) : std::string()) + ".vtu");
+      n_cells += number(text, "NumberOfCells");
+      n_points += number(text, "NumberOfPoints");
+      units = units && text.find("Pa") != std::string::npos;
+    }
+    check::absolute("cells", n_cells, 16., 0.);
+    check::absolute("points", n_points, 36., 0.);
+    check::is_true("units in the file", units);
+    if (n_ranks > 1)
+      check::is_true(
+          "pieces",
+          read_text("fields/solution-00002.pvtu").find("Source=\"solution-00002.1.vtu\"") !=
+              std::string::npos);
+    else
+      check::is_true("pieces", true);
+
+    Summary summary;
+    writer.finish(summary);
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      summary.write("summary.json");
+    check::is_true("units in the summary",
+                   std::regex_search(read_text("summary.json"),
+                                     std::regex("\"field units\": \\{\\s*\"pressure\": \"Pa\"")));
+  }
+
+  // From 0.1 + 0.1 = 0.2 s on, after the entry at 0.3 s was written.
+  {
+    FieldWriter<2> writer(MPI_COMM_WORLD, ".", 2, true);
+    writer.resume(0.2);
+    check::equal(
+        "list cut", read_text("fields.pvd"),
+        list_of(entry("0", "solution-00000" + suffix) + entry("0.1", "solution-00001" + suffix)));
+    writer.write(solver, 0.4);
+    writer.write(solver, 0.4);
+    check::equal("list continued", read_text("fields.pvd"),
+                 list_of(entry("0", "solution-00000" + suffix) +
+                         entry("0.1", "solution-00001" + suffix) +
+                         entry("0.4", "solution-00002" + suffix)));
+    const std::string piece = n_ranks > 1 ? ".0.vtu" : ".vtu";
+    check::absolute("curved cells",
+                    number(read_text("fields/solution-00002" + piece), "NumberOfCells"),
+                    n_ranks > 1 ? 2. : 4., 0.);
+  }
+
+  // In three dimensions, and where nothing can be written.
+  FakeSolver<3> solid;
+  check::throws<RunError>(
+      "no such folder",
+      [&]() { FieldWriter<3>(MPI_COMM_WORLD, "no such folder", 1, false).write(solid, 0.); },
+      "cannot write 'no such folder/fields/solution-00000.*No such file");
+}

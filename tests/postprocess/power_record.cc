@@ -1,0 +1,130 @@
+#include "../check.h"
+#include "fake_solver.h"
+#include "text_file.h"
+
+#include <continua/base/input_error.h>
+#include <continua/postprocess/power_record.h>
+
+using namespace Continua;
+
+namespace
+{
+/// A step of 0.5 s from `time`, balanced in its middle.
+Step step_from(const double time)
+{
+  Step step;
+  step.time_old = time;
+  step.time = time + 0.5;
+  step.balance_time = time + 0.25;
+  return step;
+}
+
+/// Sets what the solver says of the n-th step, n = 1, 2, 3, 4, and records it.
+void take_step(FakeSolver<2> &solver, PowerRecord<2> &record, const unsigned int n)
+{
+  const double residuals[] = {0.25, -0.5, 0.25, 0.125};
+  const Step step = step_from(0.5 * (n - 1));
+  solver.balance = {step.balance_time, 8., {{1., 2., 3., 0.5}, {0.25, 0.5, 0.125, 0.5}}, 0., 0.};
+  solver.balance.residual = residuals[n - 1];
+  solver.balance.exchanged = 4. * n;
+  // The energy is 10 J at the start, then 11, 12, 13, 14 J.
+  solver.present_energy = {7. + n, 2., 1.};
+  record.record(solver, step, n != 3);
+}
+
+PowerRecord<2> new_record(FakeSolver<2> &solver)
+{
+  PowerRecord<2> record(MPI_COMM_WORLD, {"fluid", "wall"});
+  solver.present_energy = {7., 2., 1.};
+  record.start(solver);
+  return record;
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+    std::cout.setstate(std::ios::failbit); // one rank speaks
+
+  const std::string expected =
+      "time [s],balance time [s],external [W],kinetic [W],strain [W],viscous [W],compressive [W],"
+      "fluid: kinetic [W],fluid: strain [W],fluid: viscous [W],fluid: compressive [W],"
+      "wall: kinetic [W],wall: strain [W],wall: viscous [W],wall: compressive [W],"
+      "residual [W],share [1],kinetic energy [J],strain energy [J],compressive energy [J],"
+      "work of loads [J]\n"
+      "0.5,0.25,8,1.25,2.5,3.125,1,1,2,3,0.5,0.25,0.5,0.125,0.5,0.25,0.0625,8,2,1,4\n"
+      "1,0.75,8,1.25,2.5,3.125,1,1,2,3,0.5,0.25,0.5,0.125,0.5,-0.5,-0.0625,9,2,1,8\n"
+      "2,1.75,8,1.25,2.5,3.125,1,1,2,3,0.5,0.25,0.5,0.125,0.5,0.125,0.0078125,11,2,1,16\n";
+  {
+    FakeSolver<2> solver;
+    PowerRecord<2> record = new_record(solver);
+    record.open("power.csv");
+    for (unsigned int n = 1; n <= 4; ++n)
+      take_step(solver, record, n);
+    Summary summary;
+    record.finish(summary);
+    check::equal("file", read_text("power.csv"), expected);
+    // 0.5 W of at most 16 W; the residuals' sum 0.125 W over 0.5 s of at most 14 J; 4 of 10 J.
+    check::relative("power residual", quantity(summary, "power residual"), 1. / 32., 1e-14);
+    check::relative("energy residual", quantity(summary, "energy residual"), 0.0625 / 14., 1e-14);
+    check::relative("energy change", quantity(summary, "total energy change"), 0.4, 1e-14);
+  }
+
+  // Saved after two steps, run on for a third that is lost, and continued.
+  {
+    FakeSolver<2> solver;
+    PowerRecord<2> record = new_record(solver);
+    record.open("restarted.csv");
+    take_step(solver, record, 1);
+    take_step(solver, record, 2);
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    {
+      ArchiveWriter archive;
+      record.save(archive);
+      archive.write("power.archive");
+    }
+    take_step(solver, record, 4);
+    Summary summary;
+    record.finish(summary);
+  }
+  {
+    FakeSolver<2> solver;
+    PowerRecord<2> record(MPI_COMM_WORLD, {"fluid", "wall"});
+    MPI_Barrier(MPI_COMM_WORLD);
+    record.load(ArchiveReader("power.archive"));
+    record.open("restarted.csv", 1.);
+    take_step(solver, record, 3);
+    take_step(solver, record, 4);
+    Summary summary;
+    record.finish(summary);
+    check::equal("file after a restart", read_text("restarted.csv"), expected);
+    check::relative("energy residual after a restart", quantity(summary, "energy residual"),
+                    0.0625 / 14., 1e-14);
+    check::relative("energy change after a restart", quantity(summary, "total energy change"), 0.4,
+                    1e-14);
+  }
+
+  // One material, at rest, nothing to compare with.
+  {
+    FakeSolver<3> solver;
+    PowerRecord<3> record(MPI_COMM_WORLD, {"body"});
+    record.open("rest.csv");
+    record.start(solver);
+    solver.balance.materials.resize(1);
+    record.record(solver, step_from(0.), true);
+    Summary summary;
+    record.finish(summary);
+    check::is_true("no quantities at rest", summary.quantities().empty());
+    check::equal("file at rest", read_text("rest.csv"),
+                 "time [s],balance time [s],external [W],kinetic [W],strain [W],viscous [W],"
+                 "compressive [W],residual [W],share [1],kinetic energy [J],strain energy [J],"
+                 "compressive energy [J],work of loads [J]\n"
+                 "0.5,0,0,0,0,0,0,0,0,0,0,0,0\n");
+  }
+
+  check::throws<RunError>(
+      "no such folder",
+      []() { PowerRecord<2>(MPI_COMM_WORLD, {"body"}).open("no such folder/power.csv"); },
+      "no such folder/power.csv");
+}

@@ -1,0 +1,245 @@
+#include "../check.h"
+#include "fake_solver.h"
+#include "text_file.h"
+
+#include <continua/base/input_error.h>
+#include <continua/base/parameter_file.h>
+#include <continua/postprocess/probes.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <filesystem>
+
+using namespace Continua;
+
+namespace
+{
+using Kind = ProbeRequest<2>::Kind;
+
+/// A section Probes in file.prm, read and attached to the solver.
+template <int dim>
+Probes<dim> make(const std::string &entries, FakeSolver<dim> &solver, const Model model)
+{
+  write_text("probes.prm", "subsection Probes\n" + entries + "end\n");
+  ParameterFile file("probes.prm");
+  Probes<dim> probes(MPI_COMM_WORLD);
+  probes.read(file.root().subsection("Probes"), {"inlet", "outlet"}, {"fluid", "wall"});
+  file.refuse_unknown();
+  probes.attach(solver, model);
+  return probes;
+}
+
+/// What is refused in a child, with the pattern that the message matches.
+void refuses(const std::string &name, const std::string &entries, const std::string &pattern)
+{
+  check::throws<InputError>(
+      name,
+      [&]()
+      {
+        FakeSolver<2> solver;
+        make("subsection tip\n" + entries + "end\n", solver, Model::plane_strain);
+      },
+      pattern);
+}
+
+const std::string two_probes = "subsection tip\n"
+                               "  set Fields = displacement, pressure\n"
+                               "  set Point = 0.5 m, 25 cm\n"
+                               "  set Region = wall\n"
+                               "end\n"
+                               "subsection out\n"
+                               "  set Fields = velocity x\n"
+                               "  set Boundary = outlet\n"
+                               "  set Value = integral\n"
+                               "end\n";
+
+/// Four columns that change in time: t, 2 t, 3 t, 4 t + 0.1.
+void set_values(FakeSolver<2> &solver, const double time)
+{
+  solver.value = [time](const ProbeRequest<2> &request)
+  {
+    if (request.kind != Kind::point)
+      return 4. * time + 0.1;
+    return time * (request.field == "displacement x" ? 1. : request.field == "pressure" ? 3. : 2.);
+  };
+}
+
+void test_requests()
+{
+  FakeSolver<2> solver;
+  // A probe of somebody else comes first.
+  solver.add_probe({});
+  Probes<2> probes = make(two_probes, solver, Model::plane_strain);
+  check::absolute("columns", probes.n_columns(), 4., 0.);
+  check::equal("expanded", solver.requests[1].field + ", " + solver.requests[2].field,
+               "displacement x, displacement y");
+  check::is_true("point", solver.requests[3].kind == Kind::point &&
+                              solver.requests[3].point == dealii::Point<2>(0.5, 0.25));
+  check::is_true("region", solver.requests[1].region_id == 1 && solver.requests[4].region_id == -1);
+  check::is_true("boundary", solver.requests[4].kind == Kind::boundary_integral &&
+                                 solver.requests[4].boundary_id == 1);
+
+  probes.open("probes.csv");
+  for (const double time : {0., 0.1, 0.2, 0.3})
+  {
+    set_values(solver, time);
+    probes.record(time);
+  }
+  Summary summary;
+  probes.finish(summary);
+  const std::string header = "time [s],tip: displacement x [m],tip: displacement y [m],"
+                             "tip: pressure [Pa],out: velocity x [m^2/s]\n";
+  check::equal("file", read_text("probes.csv").substr(0, header.size() + 24),
+               header + "0,0,0,0,0.1\n0.1,0.1,0.2,");
+  const std::string whole = read_text("probes.csv");
+  check::absolute("final of one among several",
+                  quantity(summary, "final displacement y", "tip: displacement y"), 0.6, 1e-15);
+  check::absolute("final of one", quantity(summary, "final velocity x", "out"), 1.3, 1e-15);
+
+  // Continued from 0.1 s: the histories are again what they were, bit by bit.
+  FakeSolver<2> second_solver;
+  Probes<2> second = make(two_probes, second_solver, Model::plane_strain);
+  second.open("probes.csv", 0.1);
+  check::is_true("history after a restart",
+                 second.times() == std::vector<double>{0., 0.1} &&
+                     second.values(2) == std::vector<double>{0., 0.1 * 3.} &&
+                     second.values(3) == std::vector<double>{0.1, 4. * 0.1 + 0.1});
+  for (const double time : {0.2, 0.3})
+  {
+    set_values(second_solver, time);
+    second.record(time);
+  }
+  Summary second_summary;
+  second.finish(second_summary);
+  check::equal("file after a restart", read_text("probes.csv"), whole);
+  check::is_true("histories at the end",
+                 second.times() == probes.times() && second.values(1) == probes.values(1));
+  check::is_true("columns of a run that is no other",
+                 [&]()
+                 {
+                   FakeSolver<2> other_solver;
+                   Probes<2> other =
+                       make("subsection tip\nset Fields = pressure\nset Point = 0, 0\nend\n",
+                            other_solver, Model::plane_strain);
+                   try
+                   {
+                     other.open("probes.csv", 0.1);
+                   }
+                   catch (const RunError &)
+                   {
+                     return true;
+                   }
+                   return false;
+                 }());
+}
+
+void test_oscillation()
+{
+  // exp(-0.4 t) sin(2 pi 2 t) + a second mode at 5 Hz that decays faster.
+  FakeSolver<2> solver;
+  Probes<2> probes = make("subsection tip\n"
+                          "  set Fields = displacement y\n"
+                          "  set Point = 0, 0\n"
+                          "  set Modes = 1.9 Hz, 5.2 Hz\n"
+                          "end\n"
+                          "subsection silent\n"
+                          "  set Fields = pressure\n"
+                          "  set Boundary = inlet\n"
+                          "  set Signal analysis = false\n"
+                          "end\n",
+                          solver, Model::plane_strain);
+  for (unsigned int n = 0; n <= 2000; ++n)
+  {
+    const double t = 0.002 * n;
+    solver.value = [t](const ProbeRequest<2> &)
+    {
+      const double phase = 2. * dealii::numbers::PI * t;
+      return 3e-3 * std::exp(-0.4 * t) * std::sin(2. * phase) +
+             1e-4 * std::exp(-1. * t) * std::sin(5. * phase);
+    };
+    probes.record(t);
+  }
+  Summary summary;
+  check::is_true("no warnings", probes.finish(summary).empty());
+  check::relative("frequency", quantity(summary, "frequency", "tip"), 2., 2e-3);
+  check::relative("frequency of the fit", quantity(summary, "frequency of the fit", "tip"), 2.,
+                  1e-3);
+  check::relative("decay", quantity(summary, "decay per oscillation", "tip"), std::exp(-0.2), 1e-2);
+  check::relative("mode 1 frequency", quantity(summary, "mode 1 frequency", "tip"), 2., 1e-6);
+  check::relative("mode 2 frequency", quantity(summary, "mode 2 frequency", "tip"), 5., 1e-6);
+  check::relative("mode 1 decay", quantity(summary, "mode 1 decay per oscillation", "tip"),
+                  std::exp(-0.4 / 2.), 1e-6);
+  check::relative("mode 2 amplitude", quantity(summary, "mode 2 amplitude", "tip"), 1e-4, 1e-4);
+  check::is_true("maximum after a quarter",
+                 quantity(summary, "maximum displacement y", "tip") > 2.7e-3 &&
+                     quantity(summary, "maximum displacement y", "tip") < 3e-3);
+  check::absolute("time of maximum", quantity(summary, "time of maximum displacement y", "tip"),
+                  0.125, 0.01);
+  check::equal("unit of frequency", quantity_unit(summary, "frequency"), "Hz");
+  check::is_true("no analysis where none is wanted",
+                 std::isnan(quantity(summary, "final pressure", "silent")));
+}
+
+void test_short_histories()
+{
+  FakeSolver<3> solver;
+  solver.value = [](const ProbeRequest<3> &) { return 7.; };
+  Probes<3> probes = make("subsection in\n"
+                          "  set Fields = velocity x\n"
+                          "  set Boundary = inlet\n"
+                          "  set Value = integral\n"
+                          "  set Modes = 2\n"
+                          "end\n",
+                          solver, Model::three_dimensional);
+  probes.record(0.);
+  Summary summary;
+  const std::vector<std::string> warnings = probes.finish(summary);
+  check::absolute("steady: one quantity", static_cast<double>(summary.quantities().size()), 1., 0.);
+  check::absolute("steady: value", quantity(summary, "final velocity x", "in"), 7., 0.);
+  check::equal("flow rate", quantity_unit(summary, "final velocity x"), "m^3/s");
+  check::equal("modes of too few rows", warnings.empty() ? "" : warnings.front(),
+               "the modes could not be fitted to velocity x of the probe 'in': it has too few "
+               "rows");
+
+  FakeSolver<2> unused;
+  Probes<2> none = make("", unused, Model::plane_strain);
+  none.open("none.csv");
+  none.record(0.);
+  none.finish(summary);
+  check::is_true("no file without columns", !std::filesystem::exists("none.csv"));
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+    std::cout.setstate(std::ios::failbit); // one rank speaks
+
+  test_requests();
+  test_oscillation();
+  test_short_histories();
+
+  const std::string point = "set Point = 0, 0\n";
+  refuses(
+      "unknown field", "set Fields = pressur\n" + point,
+      "probes.prm:3: 'Probes/tip/Fields': .*'pressur'.*mean 'pressure'.*velocity x, velocity y");
+  refuses("field twice", "set Fields = displacement, displacement y\n" + point, "twice");
+  refuses("no field", point, "probes.prm:2: .*no field");
+  refuses("no place", "set Fields = pressure\n", "probes.prm:2: 'Probes/tip': .*either Point or");
+  refuses("two places", "set Fields = pressure\nset Boundary = inlet\n" + point,
+          "probes.prm:4: .*either Point or");
+  refuses("coordinates", "set Fields = pressure\nset Point = 1 mm\n", "probes.prm:4: .*Give 2");
+  refuses("outside", "set Fields = pressure\nset Point = 2 m, 0 m\n",
+          "probes.prm:4: 'Probes/tip/Point': the point is outside the mesh");
+  refuses("unknown boundary", "set Fields = pressure\nset Boundary = outlt\n",
+          "probes.prm:4: .*mean 'outlet'.*inlet, outlet");
+  refuses("unknown region", "set Fields = pressure\nset Region = fluids\n" + point,
+          "probes.prm:4: .*mean 'fluid'");
+  refuses("mean of a point", "set Fields = pressure\nset Value = mean\n" + point,
+          "probes.prm:4: 'Probes/tip/Value'");
+  refuses("modes without analysis",
+          "set Fields = pressure\nset Signal analysis = false\nset Modes = 2 Hz\n" + point,
+          "probes.prm:5: 'Probes/tip/Modes'");
+  refuses("unknown entry", "set Fields = pressure\nset Pont = 0, 0\n" + point, "Point");
+}
