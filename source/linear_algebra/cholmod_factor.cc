@@ -146,10 +146,10 @@ void CholmodFactor::solve(std::vector<double> &x)
                       &d.workspace, &d.second_workspace, &d.common))
     d.check("solution");
 
-  // CHOLMOD leaves its workspace transposed and would allocate a new one in the next solve if that
-  // stayed so.
-  d.workspace->nrow = d.workspace->d = n;
-  d.workspace->ncol = 1;
+  // CHOLMOD wants its workspace for four right-hand sides and leaves it in the shape for one; in
+  // that shape it would be allocated anew in the next solve.
+  d.workspace->nrow = d.workspace->d = d.workspace->nzmax / std::max<std::size_t>(n, 1);
+  d.workspace->ncol = n;
 
   const auto *const solution = static_cast<const double *>(d.solution->x);
   for (std::size_t k = 0; k < n; ++k)

@@ -204,7 +204,7 @@ void MumpsFactor::factorize(const SymmetricTriplets &matrix, const std::vector<i
   d.icntl(7) = 5;          // METIS; a MUMPS built without it (Debian's) takes PORD instead
   d.icntl(10) = 0;         // no iterative refinement
   d.icntl(24) = 1;         // find the zero pivots of a singular matrix
-  d.mumps.cntl[2] = 1e-14; // what counts as zero, relative to the scaled matrix
+  d.mumps.cntl[2] = 1e-13; // what counts as zero, relative to the scaled matrix
   if (quasi_definite)
     d.mumps.cntl[0] = 0.; // no pivoting
   d.run(job_analyse, "analysis");

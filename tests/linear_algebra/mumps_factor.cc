@@ -32,11 +32,15 @@ int main(int argc, char **argv)
                   0, 1e-10);
   const std::vector<double> b =
       problems::multiply(incompressible, problems::manufactured(incompressible.n));
-  // On several ranks the order in which messages arrive may decide about the last bits.
   const std::vector<double> first = problems::solve(factor, b);
-  const double tolerance = problems::n_ranks() == 1 ? 0 : 1e-10 * problems::norm(first);
+  // On several ranks the order in which messages arrive decides about the last bits, so that the
+  // solutions agree as far as the matrix' condition lets them: they have the same right-hand side.
+  const double tolerance = problems::n_ranks() == 1 ? 0 : 1e-12 * problems::norm(b);
   const auto change = [&](SymmetricFactor &other)
-  { return problems::norm(problems::difference(problems::solve(other, b), first)); };
+  {
+    const std::vector<double> x = problems::solve(other, b);
+    return problems::norm(problems::multiply(incompressible, problems::difference(x, first)));
+  };
   check::absolute("repeated solves agree", change(factor), 0, tolerance);
   MumpsFactor again(false, MPI_COMM_WORLD);
   problems::factorize(again, incompressible);

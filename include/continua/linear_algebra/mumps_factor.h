@@ -15,10 +15,14 @@ namespace Continua
 class MumpsFactor : public SymmetricFactor
 {
 public:
-  /// `quasi_definite`: there is a factor in every order of elimination, so MUMPS need not pivot.
+  /// `quasi_definite`: there is a factor in every order of elimination, so MUMPS does not pivot,
+  /// which saves entries where coefficients jump; a matrix that is singular all the same may then
+  /// pass unnoticed.
   MumpsFactor(bool quasi_definite, MPI_Comm communicator);
   ~MumpsFactor() override;
 
+  /// With pivoting, a pivot of at most 1e-13 of the scaled matrix counts as zero: RunError. In
+  /// large matrices rounding can hide a singularity.
   void factorize(const SymmetricTriplets &matrix, const std::vector<int> &owned) override;
   /// Allocates nothing of its own; MUMPS does inside.
   void solve(std::vector<double> &x) override;
