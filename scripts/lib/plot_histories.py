@@ -1,0 +1,210 @@
+"""Figures over time: probes, the envelope of those that oscillate, and the power balance."""
+
+import csv
+import os
+import re
+
+import numpy
+import plot_style
+
+TOO_MANY = 20000  # points of a curve; above, each bin shows its smallest and largest value
+PROMINENCE = 0.05  # a turn counts for the envelope when it stands out by this share of the curve's range
+
+
+def read_table(path):
+    """(list of (name, unit), array with one column each), or None when the file is not there."""
+    if not os.path.exists(path):
+        return None
+    with open(path, encoding="utf-8", newline="") as stream:
+        header = next(csv.reader(stream), None)
+        if not header:
+            raise plot_style.PlotError(f"{path} is empty")
+        try:
+            data = numpy.loadtxt(stream, delimiter=",", ndmin=2)
+        except ValueError as error:
+            raise plot_style.PlotError(f"cannot read {path}: {error}") from error
+    if data.size == 0:
+        return None
+    if data.shape[1] != len(header):
+        raise plot_style.PlotError(f"{path}: {len(header)} names for {data.shape[1]} columns")
+    return [split_unit(text) for text in header], data
+
+
+def split_unit(text):
+    match = re.fullmatch(r"\s*(.*?)\s*(?:\[(.*)\])?\s*", text)
+    return match.group(1), match.group(2) or "1"
+
+
+def thinned(time, values):
+    """What is drawn of a long curve: the smallest and largest value of each bin, in order of time."""
+    if len(time) <= TOO_MANY:
+        return time, values
+    kept = []
+    for part in numpy.array_split(numpy.arange(len(time)), TOO_MANY // 4):
+        kept += sorted({part[numpy.argmin(values[part])], part[numpy.argmax(values[part])]})
+    kept = numpy.unique([0, *kept, len(time) - 1])
+    return time[kept], values[kept]
+
+
+def turning_points(time, values):
+    """(times and values of the maxima, those of the minima) that stand out by PROMINENCE of the range."""
+    threshold = PROMINENCE * (values.max() - values.min())
+    maxima, minima = [], []
+    if not threshold > 0:
+        return maxima, minima
+    lowest = highest = 0
+    rising = None
+    for i in range(len(values)):
+        if values[i] > values[highest]:
+            highest = i
+        if values[i] < values[lowest]:
+            lowest = i
+        if rising is not False and values[i] < values[highest] - threshold:
+            if rising:
+                maxima.append(peak(time, values, highest))
+            rising, lowest = False, i
+        elif rising is not True and values[i] > values[lowest] + threshold:
+            if rising is False:
+                minima.append(peak(time, values, lowest))
+            rising, highest = True, i
+    return maxima, minima
+
+
+def peak(time, values, i):
+    """The vertex of the parabola through a sample and its two neighbours, which need not be evenly spaced."""
+    if 0 < i < len(values) - 1:
+        a, b, c = numpy.polyfit(time[i - 1:i + 2] - time[i], values[i - 1:i + 2] - values[i], 2)
+        if a != 0 and time[i - 1] <= time[i] - b / (2 * a) <= time[i + 1]:
+            return time[i] - b / (2 * a), values[i] + c - b * b / (4 * a)
+    return time[i], values[i]
+
+
+def draw_probes(sheet, runs):
+    """One figure a field (and unit), and one of its envelope where something oscillates."""
+    curves = {}
+    for run in runs:
+        table = read_table(os.path.join(run["folder"], "probes.csv"))
+        if table is None:
+            sheet.notes.append(f"probes of {run['folder']} (no rows in probes.csv)")
+            continue
+        columns, data = table
+        for column, (name, unit) in enumerate(columns[1:], 1):
+            probe, colon, field = name.rpartition(": ")
+            finite = numpy.isfinite(data[:, column])
+            if finite.any():
+                curves.setdefault((field, unit), []).append(
+                    (run["title"], probe if colon else "", data[finite, 0], data[finite, column]))
+    for (field, unit), entries in curves.items():
+        draw_field(sheet, field, unit, entries, len(runs) > 1)
+
+
+def label_of(title, probe, several):
+    return ", ".join(part for part in ((title if several else ""), probe) if part)
+
+
+def draw_field(sheet, field, unit, entries, several):
+    """The histories of one field and its envelope."""
+    probes = list(dict.fromkeys(probe for _, probe, _, _ in entries))
+    titles = list(dict.fromkeys(title for title, _, _, _ in entries))
+    end = max(time.max() for _, _, time, _ in entries)
+    largest = max(abs(values).max() for _, _, _, values in entries)
+    time_factor, time_unit = plot_style.readable(end, "s")
+    factor, axis_unit = plot_style.readable(largest, unit)
+
+    figure, axes = sheet.figure()
+    header, columns, envelopes = [], [], []
+    for title, probe, time, values in entries:
+        colour = plot_style.COLOURS[(titles.index(title) if len(probes) == 1 else probes.index(probe))
+                                    % len(plot_style.COLOURS)]
+        line = plot_style.LINES[titles.index(title) % len(plot_style.LINES)]
+        label = label_of(title, probe, several)
+        drawn_time, drawn = thinned(time, values)
+        axes.plot(time_factor * drawn_time, factor * drawn, line, color=colour, label=label)
+        header += [f"{label}: time [s]" if label else "time [s]", f"{label}: {field} [{unit}]" if label
+                   else f"{field} [{unit}]"]
+        columns += [drawn_time, drawn]
+        maxima, minima = turning_points(time, values)
+        if len(maxima) >= 3 and len(minima) >= 2:
+            envelopes.append((label, colour, line, maxima, minima))
+    finish(sheet, axes, time_factor * end, time_unit, field, axis_unit, len(entries))
+    sheet.save(figure, "history-" + plot_style.file_name(field))
+    sheet.save_data("history-" + plot_style.file_name(field), header, columns)
+    if envelopes:
+        draw_envelope(sheet, field, unit, envelopes, (time_factor, time_unit, factor, axis_unit, end))
+
+
+def draw_envelope(sheet, field, unit, envelopes, scales):
+    time_factor, time_unit, factor, axis_unit, end = scales
+    figure, axes = sheet.figure()
+    header, columns = [], []
+    for label, colour, line, maxima, minima in envelopes:
+        for kind, points in (("maxima", maxima), ("minima", minima)):
+            time, values = numpy.array(points).T
+            axes.plot(time_factor * time, factor * values, line, color=colour, marker="o", markersize=2.2,
+                      linewidth=0.8, label=label if kind == "maxima" else None)
+            prefix = f"{label}: " if label else ""
+            header += [f"{prefix}time of {kind} [s]", f"{prefix}{field}, {kind} [{unit}]"]
+            columns += [time, values]
+    finish(sheet, axes, time_factor * end, time_unit, f"{field}, maxima and minima", axis_unit, len(envelopes))
+    sheet.save(figure, "envelope-" + plot_style.file_name(field))
+    sheet.save_data("envelope-" + plot_style.file_name(field), header, columns)
+
+
+def finish(sheet, axes, end, time_unit, name, unit, n_entries):
+    axes.set_xlim(0, end if end > 0 else 1)
+    axes.set_xlabel(plot_style.axis_label("time", time_unit))
+    axes.set_ylabel(plot_style.axis_label(name, unit))
+    sheet.legend(axes, n_entries)
+
+
+def draw_power(sheet, runs):
+    """The terms of the power balance in all, by colour (runs by line), and the residual in a panel of its own."""
+    terms, residuals = [], []
+    for run in runs:
+        table = read_table(os.path.join(run["folder"], "power.csv"))
+        if table is None:
+            sheet.notes.append(f"power balance of {run['folder']} (no rows in power.csv)")
+            continue
+        columns, data = table
+        watts = [(i, name, unit) for i, (name, unit) in enumerate(columns) if i and unit.startswith("W")]
+        # "fluid: kinetic" is one material's share of "kinetic".
+        totals = [entry for entry in watts if ": " not in entry[1]] or watts
+        for i, name, unit in totals:
+            finite = numpy.isfinite(data[:, i])
+            if finite.any():
+                target = residuals if "residual" in name.lower() else terms
+                target.append((run["title"], name, unit, data[finite, 0], data[finite, i]))
+    # A term that is zero throughout (no fluid, say) would only fill the legend.
+    shown = [entry for entry in terms if numpy.abs(entry[4]).max() > 0]
+    if not shown:
+        if terms:
+            sheet.notes.append("power balance (every term is zero)")
+        return
+    draw_balance(sheet, shown, residuals, len(runs) > 1)
+
+
+def draw_balance(sheet, terms, residuals, several):
+    panels = [terms] + ([residuals] if residuals else [])
+    figure, all_axes = sheet.figure(0.72 if residuals else 0.55, nrows=len(panels), sharex=True, squeeze=False,
+                                    gridspec_kw={"height_ratios": [3, 1][:len(panels)]})
+    end = max(entry[3].max() for entry in terms)
+    time_factor, time_unit = plot_style.readable(end, "s")
+    names = list(dict.fromkeys(entry[1] for entry in terms))
+    titles = list(dict.fromkeys(entry[0] for entry in terms + residuals))
+    header, columns = [], []
+    for axes, entries, title in zip(all_axes[:, 0], panels, ("power", "residual")):
+        factor, unit = plot_style.readable(max(abs(entry[4]).max() for entry in entries), entries[0][2])
+        for run, name, _, time, values in entries:
+            drawn_time, drawn = thinned(time, values)
+            colour = plot_style.COLOURS[names.index(name) % len(plot_style.COLOURS)] if name in names else "#000000"
+            label = label_of(run, name, several)
+            axes.plot(time_factor * drawn_time, factor * drawn,
+                      plot_style.LINES[titles.index(run) % len(plot_style.LINES)], color=colour, label=label)
+            header += [f"{label}: time [s]", f"{label} [{entries[0][2]}]"]
+            columns += [drawn_time, drawn]
+        axes.set_ylabel(plot_style.axis_label(title, unit))
+        axes.set_xlim(0, time_factor * end if end > 0 else 1)
+    all_axes[-1, 0].set_xlabel(plot_style.axis_label("time", time_unit))
+    sheet.legend(all_axes[0, 0], len(terms))
+    sheet.save(figure, "power")
+    sheet.save_data("power", header, columns)

@@ -1,0 +1,114 @@
+"""How the figures look and where they go."""
+
+import csv
+import math
+import os
+import re
+import textwrap
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+# Okabe and Ito's palette, which colour-blind readers can tell apart.
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
+LINES = ["-", "--", ":", "-."]
+
+plt.rcParams.update({
+    "font.family": "sans-serif",
+    "font.size": 8.5,
+    "axes.linewidth": 0.6,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.prop_cycle": plt.cycler(color=COLOURS),
+    "axes.formatter.useoffset": False,
+    "lines.linewidth": 1.1,
+    "legend.frameon": False,
+    "legend.fontsize": 8,
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+    "xtick.direction": "out",
+    "ytick.direction": "out",
+    "svg.hashsalt": "continua",
+    "svg.fonttype": "none",
+    "pdf.fonttype": 42,
+    "savefig.dpi": 200,
+})
+
+# Units that take a prefix on an axis.
+SCALABLE = {"m", "s", "Pa", "W", "N", "J", "m/s", "Hz", "W/m", "N/m", "J/m"}
+PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
+
+
+class PlotError(Exception):
+    """Something that is there cannot be read."""
+
+
+def readable(largest, unit):
+    """(factor, unit) that make the largest magnitude a number between 0.5 and 500 or so."""
+    if unit not in SCALABLE or not largest > 0 or not math.isfinite(largest):
+        return 1.0, unit
+    exponent = 3 * math.floor((math.log10(largest) + 0.3) / 3)
+    exponent = min(max(exponent, -12), 9)
+    return 10.0**-exponent, PREFIXES[exponent] + unit
+
+
+def axis_label(name, unit):
+    name = name[:1].upper() + name[1:]
+    # Powers as the reader knows them, "m^3/s" as m³/s.
+    unit = re.sub(r"\^(-?\d+)", lambda match: match.group(1).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")),
+                  unit)
+    return name if unit in ("", "1") else f"{name} [{unit}]"
+
+
+def file_name(text):
+    return re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")
+
+
+class Sheet:
+    """Where figures go: the folder, the width and the formats; remembers what was written and what left out."""
+
+    def __init__(self, folder, width, pdf):
+        self.folder = folder
+        self.width = width
+        self.formats = ["png", "svg"] + (["pdf"] if pdf else [])
+        self.written = []
+        self.notes = []
+
+    def figure(self, height_ratio=0.55, **arguments):
+        return plt.subplots(figsize=(self.width, self.width * height_ratio), constrained_layout=True, **arguments)
+
+    def legend(self, axes, n_entries):
+        """None for one curve alone; above the axes otherwise, in room added for it, so that it hides nothing."""
+        if n_entries < 2:
+            return
+        handles, labels = axes.get_legend_handles_labels()
+        letter, line, row = 0.066, 0.55, 0.17  # inches
+        labels = [textwrap.fill(label, int((self.width - 1.2) / letter)) for label in labels]
+        longest = max(len(part) for label in labels for part in label.splitlines())
+        columns = min(len(labels), max(1, int((self.width - 0.6) / (letter * longest + line))), 4)
+        rows = math.ceil(sum(label.count("\n") + 1 for label in labels) / columns)
+        figure = axes.get_figure()
+        figure.set_size_inches(self.width, figure.get_size_inches()[1] + row * rows)
+        axes.legend(handles, labels, loc="lower left", bbox_to_anchor=(0, 1.0), ncol=columns, borderaxespad=0.3,
+                    handlelength=1.8)
+
+    def save(self, figure, name):
+        # Without dates, so that the same data make the same file.
+        metadata = {"png": {"Software": None}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}
+        for kind in self.formats:
+            path = os.path.join(self.folder, f"{name}.{kind}")
+            figure.savefig(path, metadata=metadata[kind])
+            self.written.append(path)
+        plt.close(figure)
+
+    def save_data(self, name, header, columns):
+        """Columns of different length are filled up with empty cells."""
+        path = os.path.join(self.folder, f"{name}.csv")
+        with open(path, "w", encoding="utf-8", newline="") as stream:
+            writer = csv.writer(stream, lineterminator="\n")
+            writer.writerow(header)
+            for i in range(max((len(column) for column in columns), default=0)):
+                writer.writerow([repr(float(column[i])) if i < len(column) else "" for column in columns])
+        self.written.append(path)
