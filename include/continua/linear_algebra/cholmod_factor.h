@@ -21,7 +21,7 @@ public:
 
   /**
    * `owned` must hold every index of the matrix once. A pivot that lost all its digits, |d_k| <=
-   * 1e-14 |a_kk|, counts as zero: RunError. In large matrices rounding can hide a singularity.
+   * 1e-13 |a_kk|, counts as zero: RunError. In large matrices rounding can hide a singularity.
    */
   void factorize(const SymmetricTriplets &matrix, const std::vector<int> &owned) override;
   void solve(std::vector<double> &x) override;
