@@ -119,11 +119,7 @@ def compose(sheet, run, picture, folder, at):
 
 def unit_of(summary, field):
     """The unit the summary gives, else that of the fields every run has."""
-    for key in ("field units", "field_units", "fields", "units"):
-        units = summary.get(key)
-        if isinstance(units, dict) and isinstance(units.get(field), str):
-            return units[field]
-    return UNITS.get(field, "1")
+    return summary.get("field units", {}).get(field, UNITS.get(field, "1"))
 
 
 if __name__ == "__main__":

@@ -166,6 +166,8 @@ def draw_power(sheet, runs):
             sheet.notes.append(f"power balance of {run['folder']} (no rows in power.csv)")
             continue
         columns, data = table
+        # The scheme may balance the powers between two steps; the table says when.
+        at = next((i for i, (name, _) in enumerate(columns) if name == "balance time"), 0)
         watts = [(i, name, unit) for i, (name, unit) in enumerate(columns) if i and unit.startswith("W")]
         # "fluid: kinetic" is one material's share of "kinetic".
         totals = [entry for entry in watts if ": " not in entry[1]] or watts
@@ -173,7 +175,7 @@ def draw_power(sheet, runs):
             finite = numpy.isfinite(data[:, i])
             if finite.any():
                 target = residuals if "residual" in name.lower() else terms
-                target.append((run["title"], name, unit, data[finite, 0], data[finite, i]))
+                target.append((run["title"], name, unit, data[finite, at], data[finite, i]))
     # A term that is zero throughout (no fluid, say) would only fill the legend.
     shown = [entry for entry in terms if numpy.abs(entry[4]).max() > 0]
     if not shown:
