@@ -1,4 +1,4 @@
-# Writes the git revision and whether the tree differs from it; the file is touched only when that changes.
+# Writes the version, the git revision and whether the tree differs from it; the file is touched only when that changes.
 execute_process(COMMAND git -C ${SOURCE_DIR} rev-parse HEAD
                 OUTPUT_VARIABLE revision OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE no_git)
 execute_process(COMMAND git -C ${SOURCE_DIR} status --porcelain --untracked-files=no
@@ -11,5 +11,5 @@ if(changes STREQUAL "")
 else()
   set(dirty true)
 endif()
-file(WRITE ${OUTPUT}.new "#define CONTINUA_REVISION \"${revision}\"\n#define CONTINUA_DIRTY ${dirty}\n")
+file(WRITE ${OUTPUT}.new "#define CONTINUA_VERSION \"${VERSION}\"\n#define CONTINUA_REVISION \"${revision}\"\n#define CONTINUA_DIRTY ${dirty}\n")
 execute_process(COMMAND ${CMAKE_COMMAND} -E copy_if_different ${OUTPUT}.new ${OUTPUT})

@@ -1,0 +1,61 @@
+#ifndef continua_materials_material_h
+#define continua_materials_material_h
+
+#include <continua/base/parameter_section.h>
+#include <continua/materials/model.h>
+
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * One spring (with its dash pot) of a solid: stress 2 mu dev(sym grad D), dD/dt = U - D / tau. An
+ * infinite tau makes it a Hookean spring and D the displacement.
+ */
+struct Branch
+{
+  double shear_modulus = 0.;                                        ///< mu [Pa]
+  double relaxation_time = std::numeric_limits<double>::infinity(); ///< tau [s]
+};
+
+/**
+ * What tells one part of the continuum from another: density, bulk modulus, viscosity and branches,
+ * nothing else. A fluid has no branches, a Hookean solid one that never relaxes and no viscosity;
+ * the operator does not know which it is.
+ */
+struct Material
+{
+  std::string type;                 ///< the row of the table it was read from
+  double density = 0.;              ///< rho [kg/m^3]
+  double inverse_bulk_modulus = 0.; ///< 1/K [1/Pa]; 0 is incompressible
+  double viscosity = 0.;            ///< eta [Pa s]
+  std::vector<Branch> branches;
+  /// Mean pressure over the unknown p: 1, but in plane stress (1+nu)/(1+2nu), where p is an
+  /// auxiliary.
+  double pressure_factor = 1.;
+  /// eps_zz over eps_xx + eps_yy in plane stress: -nu/(1-nu); not used elsewhere.
+  double thickness_strain_factor = 0.;
+
+  /// The phase field: 1 where the material has branches, 0 where it has none (equation 7.5 of the
+  /// thesis).
+  double phase() const { return branches.empty() ? 0. : 1.; }
+  /// Sum of the moduli of the branches that never relax [Pa].
+  double long_term_shear_modulus() const;
+  /// Sum of the moduli of all branches [Pa].
+  double instantaneous_shear_modulus() const;
+  /// Speed of longitudinal waves sqrt((K + 4/3 mu)/rho) [m/s]; infinite if incompressible.
+  double longitudinal_speed() const;
+};
+
+/// The laws that exist: name and a line of description, for the manual and `Type`.
+std::vector<std::pair<std::string, std::string>> material_types();
+
+/// Reads a child of the section Materials; only the entries of its `Type` are declared. Throws
+/// InputError.
+Material read_material(ParameterSection section, Model model);
+} // namespace Continua
+
+#endif

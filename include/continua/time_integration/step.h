@@ -1,0 +1,63 @@
+#ifndef continua_time_integration_step_h
+#define continua_time_integration_step_h
+
+namespace Continua
+{
+/// How the branches' internal displacements and the pressure follow the velocity within a step.
+enum class Update
+{
+  trapezoidal, ///< by the mean of old and new velocity (equations 2.16, 2.25)
+  implicit,    ///< by the same formula as the velocity
+  midpoint     ///< implicit over half a step, then extrapolated: Crank-Nicolson
+};
+
+/**
+ * One internal displacement over a step: D_new = velocity D_U + old D_old + older D_older +
+ * velocity_old U_old, where D_new and U stand for the level at which the equations are balanced
+ * (for Crank-Nicolson the middle of the step).
+ */
+struct BranchCoefficients
+{
+  double velocity = 0.;     ///< of U at the balanced level [s]
+  double old = 0.;          ///< of D at the step's start
+  double older = 0.;        ///< of D one step before
+  double velocity_old = 0.; ///< of U at the step's start [s]
+};
+
+/**
+ * One time step as coefficients: dU/dt = a0 U + a1 U_old + a2 U_older at the balanced level. Made
+ * by the factory functions below and checked on its own; the solver only multiplies and adds.
+ */
+struct Step
+{
+  double time_old = 0.;             ///< [s] at the start
+  double time = 0.;                 ///< [s] at the end
+  double balance_time = 0.;         ///< [s] at which the equations are balanced and the loads taken
+  double a0 = 0., a1 = 0., a2 = 0.; ///< [1/s]
+  /// The time b in p = p_plus - K b div U (and C = M_p / (K b)) [s].
+  double pressure_time = 0.;
+  double pressure_old = 1.;   ///< weight of p_old in p_plus
+  double pressure_older = 0.; ///< weight of p_older in p_plus
+  /// Whether p_plus also has - K b div U_old (the trapezoidal rule).
+  bool divergence_old = false;
+  /// Whether x_new = 2 x - x_old follows the solve.
+  bool extrapolate = false;
+  Update update = Update::implicit;
+
+  double size() const { return time - time_old; }
+  /// The coefficients of a branch of relaxation time tau [s]; infinite tau is allowed.
+  BranchCoefficients branch(double relaxation_time) const;
+  /// Whether that branch relaxes so fast within the step that the exponential update is taken.
+  bool branch_is_exponential(double relaxation_time) const;
+};
+
+/// Backward Euler from `time_old` over `size` (equation 3.44).
+Step euler_step(double time_old, double size, Update update);
+/// Second-order backward differencing after a step of `size_old` (equation 3.45, for changed steps
+/// too).
+Step backward_differencing_step(double time_old, double size, double size_old, Update update);
+/// Crank-Nicolson: backward Euler over half of `size`, then extrapolation.
+Step crank_nicolson_step(double time_old, double size);
+} // namespace Continua
+
+#endif

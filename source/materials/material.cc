@@ -1,0 +1,219 @@
+#include <continua/materials/material.h>
+
+#include <cmath>
+
+namespace Continua
+{
+namespace
+{
+/// Declares an entry that has no sensible default.
+double required(ParameterSection &section,
+                const std::string &key,
+                const Dimension &dimension,
+                const std::string &text,
+                const Range &range)
+{
+  double value = std::numeric_limits<double>::quiet_NaN();
+  section.add(key, value, dimension, text + " Required.", range);
+  section.require(key);
+  return value;
+}
+
+double read_density(ParameterSection &section)
+{
+  return required(section, "Density", Dimensions::density, "Density rho.", Range::positive());
+}
+
+/// Bulk modulus of a material that is described by it, or incompressible.
+double read_inverse_bulk_modulus(ParameterSection &section)
+{
+  bool incompressible = false;
+  section.add("Incompressible", incompressible,
+              "Whether the volume cannot change (1/K = 0); then no bulk modulus is given.");
+  double bulk_modulus = std::numeric_limits<double>::quiet_NaN();
+  section.add("Bulk modulus", bulk_modulus, Dimensions::pressure,
+              "Bulk modulus K. Required unless incompressible.", Range::positive());
+  if (incompressible && section.given("Bulk modulus"))
+    section.refuse("Bulk modulus", "a bulk modulus is given for an incompressible material",
+                   "Remove it, or set Incompressible = false");
+  if (!incompressible)
+    section.require("Bulk modulus");
+  return incompressible ? 0. : 1. / bulk_modulus;
+}
+
+/// Young's modulus and Poisson's ratio -> shear and bulk modulus (equations 2.4, 2.5); returns mu.
+double read_elasticity(ParameterSection &section, const Model model, Material &material)
+{
+  const double young =
+      required(section, "Young's modulus", Dimensions::pressure,
+               "Young's modulus Y; of a viscoelastic solid the long-term one.", Range::positive());
+  const double nu =
+      required(section, "Poisson's ratio", Dimensions::none,
+               "Poisson's ratio nu; 0.5 is incompressible.", Range{-1., 0.5, true, false});
+  const double mu = young / (2. * (1. + nu));
+  if (model == Model::plane_stress)
+  {
+    const double lambda = young * nu / ((1. + nu) * (1. - nu));
+    material.inverse_bulk_modulus = 1. / (lambda + 2. / 3. * mu);
+    material.pressure_factor = (1. + nu) / (1. + 2. * nu);
+    material.thickness_strain_factor = -nu / (1. - nu);
+    if (material.inverse_bulk_modulus <= 0.)
+      section.refuse("Poisson's ratio",
+                     "in plane stress the velocity-pressure form needs a ratio above -0.5",
+                     "Give a ratio between -0.5 and 0.5");
+  }
+  else
+    material.inverse_bulk_modulus = 3. * (1. - 2. * nu) / young;
+  return mu;
+}
+
+void refuse_plane_stress(const ParameterSection &section, const Model model)
+{
+  if (model == Model::plane_stress)
+    section.refuse("Type",
+                   "plane stress is for Hookean solids only: with viscosity or relaxation the "
+                   "strain across the "
+                   "plane depends on history",
+                   "Use 'hookean' here, or Model = plane strain or three-dimensional");
+}
+
+Material newtonian(ParameterSection &section, const Model model)
+{
+  refuse_plane_stress(section, model);
+  Material material;
+  material.density = read_density(section);
+  material.viscosity = required(section, "Viscosity", Dimensions::viscosity,
+                                "Dynamic viscosity eta.", Range::not_negative());
+  material.inverse_bulk_modulus = read_inverse_bulk_modulus(section);
+  return material;
+}
+
+Material hookean(ParameterSection &section, const Model model)
+{
+  Material material;
+  material.density = read_density(section);
+  const double mu = read_elasticity(section, model, material);
+  material.branches = {Branch{mu, std::numeric_limits<double>::infinity()}};
+  return material;
+}
+
+Material kelvin_voigt(ParameterSection &section, const Model model)
+{
+  refuse_plane_stress(section, model);
+  Material material = hookean(section, model);
+  material.viscosity =
+      required(section, "Viscosity", Dimensions::viscosity,
+               "Viscosity eta of the dash pot beside the spring (stress 2 eta dev sym grad U).",
+               Range::not_negative());
+  return material;
+}
+
+Material maxwell(ParameterSection &section, const Model model)
+{
+  refuse_plane_stress(section, model);
+  Material material;
+  material.density = read_density(section);
+  material.inverse_bulk_modulus = read_inverse_bulk_modulus(section);
+  Branch branch;
+  branch.shear_modulus = required(section, "Shear modulus", Dimensions::pressure,
+                                  "Shear modulus mu.", Range::positive());
+  branch.relaxation_time = required(section, "Relaxation time", Dimensions::time,
+                                    "Relaxation time tau.", Range::positive());
+  material.branches = {branch};
+  return material;
+}
+
+Material prony(ParameterSection &section, const Model model)
+{
+  refuse_plane_stress(section, model);
+  Material material = hookean(section, model);
+  std::vector<double> moduli, times;
+  section.add("Shear moduli", moduli, Dimensions::pressure,
+              "Shear moduli mu_k of the branches that relax.", Range::positive());
+  section.add("Relaxation times", times, Dimensions::time,
+              "Relaxation times tau_k of these branches.", Range::positive());
+  section.require("Shear moduli");
+  if (moduli.size() != times.size())
+    section.refuse("Relaxation times",
+                   std::to_string(moduli.size()) + " shear moduli stand beside " +
+                       std::to_string(times.size()) + " relaxation times",
+                   "Give as many of the one as of the other");
+  for (unsigned int k = 0; k < moduli.size(); ++k)
+    material.branches.push_back(Branch{moduli[k], times[k]});
+  return material;
+}
+
+struct Row
+{
+  const char *name;
+  const char *description;
+  Material (*read)(ParameterSection &, Model);
+};
+
+const std::vector<Row> &table()
+{
+  static const std::vector<Row> rows = {
+      {"newtonian", "Viscous fluid, compressible by its bulk modulus or incompressible.",
+       newtonian},
+      {"hookean", "Linear elastic solid.", hookean},
+      {"kelvin-voigt", "Elastic solid with a viscosity beside the spring.", kelvin_voigt},
+      {"maxwell", "Elastic volume change, shear stress that relaxes to zero.", maxwell},
+      {"prony", "Elastic solid with further springs that relax (generalised Maxwell).", prony}};
+  return rows;
+}
+} // namespace
+
+double Material::long_term_shear_modulus() const
+{
+  double sum = 0.;
+  for (const Branch &branch : branches)
+    if (std::isinf(branch.relaxation_time))
+      sum += branch.shear_modulus;
+  return sum;
+}
+
+double Material::instantaneous_shear_modulus() const
+{
+  double sum = 0.;
+  for (const Branch &branch : branches)
+    sum += branch.shear_modulus;
+  return sum;
+}
+
+double Material::longitudinal_speed() const
+{
+  if (inverse_bulk_modulus == 0.)
+    return std::numeric_limits<double>::infinity();
+  return std::sqrt((1. / inverse_bulk_modulus + 4. / 3. * instantaneous_shear_modulus()) / density);
+}
+
+std::vector<std::pair<std::string, std::string>> material_types()
+{
+  std::vector<std::pair<std::string, std::string>> types;
+  for (const Row &row : table())
+    types.emplace_back(row.name, row.description);
+  return types;
+}
+
+Material read_material(ParameterSection section, const Model model)
+{
+  std::vector<std::string> names;
+  std::string text = "The constitutive law:";
+  for (const Row &row : table())
+  {
+    names.emplace_back(row.name);
+    text += std::string(" ") + row.name + " - " + row.description;
+  }
+  std::string type = "hookean";
+  section.add_choice("Type", type, names, text);
+  section.require("Type");
+  for (const Row &row : table())
+    if (type == row.name)
+    {
+      Material material = row.read(section, model);
+      material.type = type;
+      return material;
+    }
+  section.refuse("Type", "unknown law '" + type + "'", "Choose one of the laws of the manual");
+}
+} // namespace Continua

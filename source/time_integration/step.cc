@@ -1,0 +1,106 @@
+#include <continua/time_integration/step.h>
+
+#include <cmath>
+
+namespace Continua
+{
+bool Step::branch_is_exponential(const double relaxation_time) const
+{
+  // A backward Euler or backward differencing update damps a fast branch as it should; only updates
+  // that average old and new ring there. Rannacher's half steps share the factor with
+  // Crank-Nicolson's, so its branches decide alike.
+  return update != Update::implicit && !std::isinf(relaxation_time) &&
+         (update == Update::trapezoidal ? size() : 1. / a0 * 2.) > relaxation_time;
+}
+
+BranchCoefficients Step::branch(const double relaxation_time) const
+{
+  BranchCoefficients result;
+  const bool relaxes = !std::isinf(relaxation_time);
+  if (branch_is_exponential(relaxation_time))
+  {
+    // Exact for a velocity that is linear over the step.
+    const double tau = relaxation_time;
+    const double full = update == Update::trapezoidal ? size() : 2. / a0;
+    const double x = full / tau;
+    const double decay = std::exp(-x);
+    const double mean = -std::expm1(-x) / x;
+    result.velocity = tau * (1. - mean);
+    if (update == Update::trapezoidal)
+    {
+      result.old = decay;
+      result.velocity_old = tau * (mean - decay);
+    }
+    else if (extrapolate)
+    {
+      // D in the middle is the mean of both ends, with U_new = 2 U - U_old.
+      result.old = 0.5 * (1. + decay);
+      result.velocity_old = tau * (mean - 0.5 * (1. + decay));
+    }
+    else
+    {
+      // A half step of its own (Rannacher's start) that keeps the factor of the full one.
+      const double half_decay = std::exp(-0.5 * x);
+      result.old = half_decay;
+      result.velocity_old = tau * (mean - half_decay);
+    }
+    return result;
+  }
+  const double rate = relaxes ? 1. / relaxation_time : 0.;
+  if (update == Update::trapezoidal)
+  {
+    const double half = 0.5 * size();
+    result.velocity = half / (1. + half * rate);
+    result.old = (1. - half * rate) / (1. + half * rate);
+    result.velocity_old = result.velocity;
+  }
+  else
+  {
+    result.velocity = 1. / (a0 + rate);
+    result.old = -a1 * result.velocity;
+    result.older = -a2 * result.velocity;
+  }
+  return result;
+}
+
+Step euler_step(const double time_old, const double size, const Update update)
+{
+  Step step;
+  step.time_old = time_old;
+  step.time = time_old + size;
+  step.balance_time = step.time;
+  step.a0 = 1. / size;
+  step.a1 = -1. / size;
+  step.update = update;
+  step.pressure_time = update == Update::trapezoidal ? 0.5 * size : size;
+  step.divergence_old = update == Update::trapezoidal;
+  return step;
+}
+
+Step backward_differencing_step(const double time_old,
+                                const double size,
+                                const double size_old,
+                                const Update update)
+{
+  Step step = euler_step(time_old, size, update);
+  const double r = size / size_old;
+  step.a0 = (1. + 2. * r) / (1. + r) / size;
+  step.a1 = -(1. + r) / size;
+  step.a2 = r * r / (1. + r) / size;
+  if (update == Update::implicit)
+  {
+    step.pressure_time = 1. / step.a0;
+    step.pressure_old = -step.a1 / step.a0;
+    step.pressure_older = -step.a2 / step.a0;
+  }
+  return step;
+}
+
+Step crank_nicolson_step(const double time_old, const double size)
+{
+  Step step = euler_step(time_old, 0.5 * size, Update::midpoint);
+  step.time = time_old + size;
+  step.extrapolate = true;
+  return step;
+}
+} // namespace Continua
