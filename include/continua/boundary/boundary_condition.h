@@ -1,0 +1,63 @@
+#ifndef continua_boundary_boundary_condition_h
+#define continua_boundary_boundary_condition_h
+
+#include <continua/base/parameter_section.h>
+#include <continua/signal/waveform.h>
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * Either the normal or the tangential half of what holds on a boundary. Its value is the vector
+ * `vector + along_normal n` of which the half's own part counts; n is the outward normal.
+ */
+struct BoundaryPart
+{
+  enum class Kind
+  {
+    velocity, ///< prescribed [m/s]
+    traction  ///< natural [Pa]
+  };
+  Kind kind = Kind::traction;
+  std::vector<Waveform> vector; ///< Cartesian components; empty is zero
+  Waveform along_normal; ///< normal part only; a pressure p stands here as -p with `negative`
+  bool negative = false;
+
+  bool is_zero() const;
+  bool depends_on_time() const;
+  bool depends_on_space() const;
+};
+
+/// What holds on one boundary (of one region, or of all that touch it).
+struct BoundaryCondition
+{
+  std::string name; ///< the child of Boundaries it was read from
+  std::string type;
+  unsigned int boundary_id = 0;
+  std::set<unsigned int> region_ids; ///< regions whose faces it holds for
+  BoundaryPart normal;
+  BoundaryPart tangential;
+};
+
+/// The types that exist: name and a line of description, for the manual and `Type`.
+std::vector<std::pair<std::string, std::string>> boundary_types();
+
+/**
+ * Reads the section Boundaries: one child for each boundary, named after it; or a child of any name
+ * with `Boundary` and `Region`. `pairs` are the (boundary, region) pairs that the mesh has: each
+ * must get exactly one condition. Throws InputError.
+ */
+std::vector<BoundaryCondition>
+read_boundary_conditions(ParameterSection section,
+                         const std::vector<std::string> &boundaries,
+                         const std::vector<std::string> &regions,
+                         const std::set<std::pair<unsigned int, unsigned int>> &pairs,
+                         unsigned int n_dimensions,
+                         bool axisymmetric);
+} // namespace Continua
+
+#endif

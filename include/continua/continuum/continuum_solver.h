@@ -1,0 +1,153 @@
+#ifndef continua_continuum_continuum_solver_h
+#define continua_continuum_continuum_solver_h
+
+#include <continua/base/archive.h>
+#include <continua/signal/expression.h>
+#include <continua/time_integration/step.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/lac/vector.h>
+#include <deal.II/numerics/data_out.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/// A field that can be probed or drawn, by the word of the parameter file.
+struct FieldComponent
+{
+  std::string name; ///< "displacement y"
+  std::string unit; ///< "m"
+};
+
+/// A number that is a linear function of the state: a field's value at a point, or its mean or
+/// integral over a boundary.
+template <int dim>
+struct ProbeRequest
+{
+  enum class Kind
+  {
+    point,
+    boundary_mean,
+    boundary_integral
+  };
+  Kind kind = Kind::point;
+  std::string field;            ///< one of the solver's fields()
+  dealii::Point<dim> point;     ///< [m]; for points
+  unsigned int boundary_id = 0; ///< for boundaries
+  int region_id = -1; ///< the region whose side counts (a field may jump); -1: any that is there
+};
+
+/// The power of one material, or of the whole, at the level at which the scheme balances it [W].
+struct Power
+{
+  double kinetic = 0.;
+  double strain = 0.; ///< of the branches: stored, and lost by relaxation
+  double viscous = 0.;
+  double compressive = 0.;
+  double sum() const { return kinetic + strain + viscous + compressive; }
+};
+
+/// The power balance of one step.
+struct PowerBalance
+{
+  double time = 0.;             ///< [s] at which the scheme balances
+  double external = 0.;         ///< of loads and prescribed velocities
+  std::vector<Power> materials; ///< by material id
+  double residual = 0.;         ///< external - sum of the materials' (TP, equation 4.21)
+  double exchanged = 0.;        ///< sum of the absolute values, to which the residual compares
+};
+
+/// The energy held by the body [J].
+struct Energy
+{
+  double kinetic = 0.;
+  double strain = 0.; ///< of the springs
+  double compressive = 0.;
+  double sum() const { return kinetic + strain + compressive; }
+};
+
+/// What a step tells.
+struct StepReport
+{
+  bool factored = false; ///< a new factor had to be made
+  double largest_velocity =
+      0.; ///< [m/s], largest component of the step's velocity; never NaN: that throws
+  double largest_change = 0.; ///< [m/s], largest component of its change in the step
+};
+
+/// Sizes of the discrete problem.
+struct SolverSizes
+{
+  unsigned long long n_cells = 0;
+  std::map<std::string, unsigned long long> n_dofs; ///< by field
+  double factor_entries = 0.;
+  double factor_memory = 0.; ///< bytes over all ranks
+  std::string linear_solver;
+};
+
+/**
+ * A discretisation of the continuum: what analyses and postprocessors know. Methods are collective
+ * over the communicator. State and time: the solver holds the fields; when to step, write, refine
+ * or save is the analysis's business.
+ */
+template <int dim>
+class ContinuumSolver
+{
+public:
+  virtual ~ContinuumSolver() = default;
+
+  /// Sets the spaces and operators up on the present mesh and the initial state on it.
+  virtual void initialise() = 0;
+  /// One step; throws RunError if the result is not finite or the solve failed.
+  virtual StepReport advance(const Step &step) = 0;
+  /// One solve without time for a body that is all solid (displacement) or all fluid (velocity),
+  /// loads taken at `time`.
+  virtual void solve_steady(double time) = 0;
+  /// Whether solve_steady applies, or the mixture has to be stepped to rest.
+  virtual bool steady_is_direct() const = 0;
+  /// Whether a load or prescribed velocity jumps within a millionth of the step about this time.
+  virtual bool data_jump(double time, double step_size) const = 0;
+
+  /// What can be probed.
+  virtual std::vector<FieldComponent> fields() const = 0;
+  /// Adds a probe and returns its number; throws std::invalid_argument (on all ranks) if the point
+  /// is outside the mesh or the field unknown. Probes stay when the mesh changes.
+  virtual unsigned int add_probe(const ProbeRequest<dim> &request) = 0;
+  /// The values of all probes, in SI, on every rank.
+  virtual void evaluate_probes(std::vector<double> &values) = 0;
+
+  /// Of the last step.
+  virtual PowerBalance power_balance() = 0;
+  virtual Energy energy() = 0;
+  /// Largest |div U| weakly (|B U| over M_p, [1/s]): what an incompressible material must keep at
+  /// round-off.
+  virtual double divergence() = 0;
+
+  /// Adds the output fields to `data_out` (they stay valid until the next call); returns name ->
+  /// unit.
+  virtual std::map<std::string, std::string> add_output(dealii::DataOut<dim> &data_out) = 0;
+
+  /// Square root of the traction-jump indicator for each active cell [N/m^(1/2) in 2-D].
+  virtual void indicators(dealii::Vector<float> &per_cell) = 0;
+  /// Call after cells are flagged and before the triangulation refines, and after; all history is
+  /// transferred.
+  virtual void prepare_refinement() = 0;
+  virtual void transfer() = 0;
+
+  /// This rank's state, bit by bit.
+  virtual void save(ArchiveWriter &archive) const = 0;
+  virtual void load(const ArchiveReader &archive) = 0;
+
+  /// L2 norm of the difference between a vector field ("velocity", "displacement") or "pressure",
+  /// "stress" and given functions of (x, y, z, t), one a component; absolute, SI.
+  virtual double
+  error_norm(const std::string &field, const std::vector<Expression> &exact, double time) = 0;
+
+  virtual SolverSizes sizes() const = 0;
+};
+} // namespace Continua
+
+#endif

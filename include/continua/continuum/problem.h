@@ -1,0 +1,45 @@
+#ifndef continua_continuum_problem_h
+#define continua_continuum_problem_h
+
+#include <continua/boundary/boundary_condition.h>
+#include <continua/materials/material.h>
+#include <continua/materials/model.h>
+#include <continua/signal/waveform.h>
+
+#include <mpi.h>
+
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/// What is given inside the body: loads and the state at the start, each by Cartesian components.
+struct InteriorData
+{
+  std::vector<Waveform> body_force;             ///< rho b [N/m^3]; empty is none
+  std::vector<Expression> initial_velocity;     ///< [m/s]; empty is rest
+  std::vector<Expression> initial_displacement; ///< [m] of branches that never relax; empty is none
+  std::vector<Expression> initial_pressure;     ///< [Pa] one for each region; empty is none
+
+  /// Reads the sections `Body force` and `Initial state`. Throws InputError.
+  void read(ParameterSection body_force_section,
+            ParameterSection initial_state,
+            const std::vector<std::string> &regions,
+            unsigned int n_dimensions);
+};
+
+/// The physical problem on one mesh, the same for every discretisation. Regions are numbered by
+/// material id.
+struct Problem
+{
+  MPI_Comm communicator = MPI_COMM_WORLD;
+  Model model = Model::plane_strain;
+  std::vector<std::string> regions;    ///< names by material id
+  std::vector<std::string> boundaries; ///< names by boundary id
+  std::vector<Material> materials;     ///< by material id
+  std::vector<BoundaryCondition> conditions;
+  InteriorData interior;
+};
+} // namespace Continua
+
+#endif

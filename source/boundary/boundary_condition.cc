@@ -1,0 +1,261 @@
+#include <continua/boundary/boundary_condition.h>
+
+#include <algorithm>
+#include <map>
+
+namespace Continua
+{
+namespace
+{
+std::string joined(const std::vector<std::string> &names)
+{
+  std::string text;
+  for (const std::string &name : names)
+    text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+using Kind = BoundaryPart::Kind;
+
+std::vector<Waveform> read_vector(ParameterSection &section,
+                                  const std::string &key,
+                                  const unsigned int n_components,
+                                  const Dimension &dimension,
+                                  const std::string &text,
+                                  const bool required)
+{
+  std::vector<Expression> expressions(n_components);
+  add_expressions(section, key, expressions, n_components, dimension, text);
+  if (required)
+    section.require(key);
+  std::vector<Waveform> components;
+  for (const Expression &expression : expressions)
+    components.emplace_back(expression);
+  return components;
+}
+
+void read_fixed(ParameterSection &, BoundaryCondition &condition, unsigned int)
+{
+  condition.normal.kind = condition.tangential.kind = Kind::velocity;
+}
+
+void read_velocity(ParameterSection &section, BoundaryCondition &condition, const unsigned int dim)
+{
+  condition.normal.kind = condition.tangential.kind = Kind::velocity;
+  condition.normal.vector = condition.tangential.vector =
+      read_vector(section, "Velocity", dim, Dimensions::velocity,
+                  "Cartesian components of the velocity.", true);
+}
+
+void read_traction(ParameterSection &section, BoundaryCondition &condition, const unsigned int dim)
+{
+  condition.normal.vector = condition.tangential.vector = read_vector(
+      section, "Traction", dim, Dimensions::pressure,
+      "Cartesian components of the traction n.sigma (force per area on the body).", true);
+}
+
+void read_pressure(ParameterSection &section, BoundaryCondition &condition, unsigned int)
+{
+  condition.normal.along_normal =
+      Waveform::read(section, "Pressure", Dimensions::pressure,
+                     "Outside pressure: the normal traction is -p n.", true);
+  condition.normal.negative = true;
+  std::string tangential = "free";
+  section.add_choice("Tangential", tangential, {"free", "fixed"},
+                     "Along the boundary: free of traction, or fixed (no velocity along it).");
+  condition.tangential.kind = tangential == "fixed" ? Kind::velocity : Kind::traction;
+}
+
+void read_roller(ParameterSection &, BoundaryCondition &condition, unsigned int)
+{
+  condition.normal.kind = Kind::velocity;
+}
+
+void read_free(ParameterSection &, BoundaryCondition &, unsigned int) {}
+
+void read_mixed(ParameterSection &section, BoundaryCondition &condition, const unsigned int dim)
+{
+  std::string normal = "traction", tangential = "traction";
+  section.add_choice("Normal", normal, {"velocity", "pressure", "traction"},
+                     "What is given along the outward normal.");
+  section.add_choice("Tangential", tangential, {"velocity", "traction"},
+                     "What is given along the boundary.");
+  if (normal == "velocity")
+  {
+    condition.normal.kind = Kind::velocity;
+    condition.normal.along_normal = Waveform::read(section, "Normal velocity", Dimensions::velocity,
+                                                   "Velocity along the outward normal.", true);
+  }
+  else if (normal == "pressure")
+  {
+    condition.normal.along_normal =
+        Waveform::read(section, "Pressure", Dimensions::pressure,
+                       "Outside pressure: the normal traction is -p n.", true);
+    condition.normal.negative = true;
+  }
+  else
+  {
+    Expression value;
+    add_expression(section, "Normal traction", value, Dimensions::pressure,
+                   "Traction along the outward normal, positive when it pulls.");
+    condition.normal.along_normal = Waveform(value);
+  }
+  if (tangential == "velocity")
+  {
+    condition.tangential.kind = Kind::velocity;
+    condition.tangential.vector = read_vector(
+        section, "Tangential velocity", dim, Dimensions::velocity,
+        "Cartesian components of a velocity, whose part along the boundary counts.", true);
+  }
+  else
+    condition.tangential.vector = read_vector(
+        section, "Tangential traction", dim, Dimensions::pressure,
+        "Cartesian components of a traction, whose part along the boundary counts.", false);
+}
+
+struct Row
+{
+  const char *name;
+  const char *description;
+  void (*read)(ParameterSection &, BoundaryCondition &, unsigned int);
+};
+
+const std::vector<Row> &table()
+{
+  static const std::vector<Row> rows = {
+      {"fixed", "No velocity: normal and tangential velocity are zero.", read_fixed},
+      {"velocity", "Prescribed velocity, normal and tangential.", read_velocity},
+      {"traction", "Prescribed traction, normal and tangential.", read_traction},
+      {"pressure", "Outside pressure along the normal; along the boundary free or fixed.",
+       read_pressure},
+      {"roller", "No velocity along the normal, no traction along the boundary.", read_roller},
+      {"axis", "The axis of an axisymmetric model: as roller.", read_roller},
+      {"free", "No traction, normal and tangential.", read_free},
+      {"mixed", "Any pair of a normal and a tangential part.", read_mixed}};
+  return rows;
+}
+
+unsigned int index_of(const ParameterSection &section,
+                      const std::string &key,
+                      const std::string &what,
+                      const std::string &name,
+                      const std::vector<std::string> &names)
+{
+  const auto place = std::find(names.begin(), names.end(), name);
+  if (place == names.end())
+    section.refuse(key, "the geometry has no " + what + " called '" + name + "'",
+                   "It has: " + joined(names));
+  return place - names.begin();
+}
+} // namespace
+
+bool BoundaryPart::is_zero() const
+{
+  for (const Waveform &component : vector)
+    if (!component.is_zero())
+      return false;
+  return along_normal.is_zero();
+}
+
+bool BoundaryPart::depends_on_time() const
+{
+  for (const Waveform &component : vector)
+    if (component.depends_on_time())
+      return true;
+  return along_normal.depends_on_time();
+}
+
+bool BoundaryPart::depends_on_space() const
+{
+  for (const Waveform &component : vector)
+    if (component.depends_on_space())
+      return true;
+  return along_normal.depends_on_space();
+}
+
+std::vector<std::pair<std::string, std::string>> boundary_types()
+{
+  std::vector<std::pair<std::string, std::string>> types;
+  for (const Row &row : table())
+    types.emplace_back(row.name, row.description);
+  return types;
+}
+
+std::vector<BoundaryCondition>
+read_boundary_conditions(ParameterSection section,
+                         const std::vector<std::string> &boundaries,
+                         const std::vector<std::string> &regions,
+                         const std::set<std::pair<unsigned int, unsigned int>> &pairs,
+                         const unsigned int n_dimensions,
+                         const bool axisymmetric)
+{
+  std::vector<std::string> type_names;
+  std::string type_text = "What holds on the boundary:";
+  for (const Row &row : table())
+  {
+    type_names.emplace_back(row.name);
+    type_text += std::string(" ") + row.name + " - " + row.description;
+  }
+
+  std::vector<BoundaryCondition> conditions;
+  std::map<std::pair<unsigned int, unsigned int>, std::string> taken;
+  for (const std::string &child_name : section.subsections())
+  {
+    ParameterSection child = section.subsection(child_name);
+    BoundaryCondition condition;
+    condition.name = child_name;
+
+    std::string boundary = child_name;
+    child.add("Boundary", boundary,
+              "Name of the boundary, where the subsection is not called after it (two conditions "
+              "on the parts of one "
+              "boundary that belong to different regions).");
+    condition.boundary_id = index_of(child, child.given("Boundary") ? "Boundary" : "", "boundary",
+                                     boundary, boundaries);
+
+    std::string region;
+    child.add("Region", region,
+              "The one region whose part of the boundary is meant; empty: all of it.");
+    for (const auto &pair : pairs)
+      if (pair.first == condition.boundary_id &&
+          (region.empty() || pair.second == index_of(child, "Region", "region", region, regions)))
+        condition.region_ids.insert(pair.second);
+    if (condition.region_ids.empty())
+      child.refuse(region.empty() ? "" : "Region",
+                   "the boundary '" + boundary + "' has no face" +
+                       (region.empty() ? "" : " in the region '" + region + "'"),
+                   "Remove the subsection, or name a region that touches the boundary");
+
+    condition.type = "free";
+    child.add_choice("Type", condition.type, type_names, type_text);
+    child.require("Type");
+    if (condition.type == "axis" && !axisymmetric)
+      child.refuse("Type", "there is no axis in this model",
+                   "Use 'roller', or Model = axisymmetric");
+    for (const Row &row : table())
+      if (condition.type == row.name)
+        row.read(child, condition, n_dimensions);
+
+    for (const unsigned int id : condition.region_ids)
+    {
+      const auto inserted = taken.insert({{condition.boundary_id, id}, child_name});
+      if (!inserted.second)
+        child.refuse("",
+                     "the boundary '" + boundary + "' of the region '" + regions[id] +
+                         "' has two conditions, here and in 'Boundaries/" + inserted.first->second +
+                         "'",
+                     "Keep one of the two");
+    }
+    conditions.push_back(condition);
+  }
+  for (const auto &pair : pairs)
+    if (taken.count(pair) == 0)
+      section.refuse(
+          "",
+          "the boundary '" + boundaries[pair.first] + "' has no condition" +
+              (regions.size() > 1 ? " in the region '" + regions[pair.second] + "'" : ""),
+          "Add 'subsection " + boundaries[pair.first] +
+              "' with a Type (such as free) to Boundaries");
+  return conditions;
+}
+} // namespace Continua
