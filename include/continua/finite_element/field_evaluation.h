@@ -1,0 +1,102 @@
+#ifndef continua_finite_element_field_evaluation_h
+#define continua_finite_element_field_evaluation_h
+
+#include <continua/continuum/continuum_solver.h>
+#include <continua/continuum/problem.h>
+#include <continua/finite_element/branch_history.h>
+#include <continua/finite_element/space.h>
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/// The vectors that a field is computed from, at the present time; owned entries, hanging nodes not
+/// set.
+template <int dim>
+struct State
+{
+  const DistributedVector &velocity;
+  const DistributedVector &pressure;
+  const BranchHistory &history;
+};
+
+/**
+ * Stress of a material from the gradient of its nodal mixture w = eta U + sum_k mu_k D_k, since s =
+ * 2 dev sym grad w: xx, yy, zz, xy, and in three dimensions xz, yz. zz is the hoop stress in
+ * axisymmetry, the stress across the plane in plane strain, 0 in plane stress. [Pa]
+ */
+template <int dim>
+std::array<double, 6> stress(const dealii::Tensor<2, dim> &mixture_gradient,
+                             double mixture_hoop,
+                             double pressure,
+                             Model model);
+
+/// n.sigma from the same [Pa].
+template <int dim>
+dealii::Tensor<1, dim> traction(const std::array<double, 6> &stress,
+                                const dealii::Tensor<1, dim> &normal);
+
+/**
+ * Fields of the discrete solution as numbers: probes are linear in the state, so each is set up
+ * once on a mesh as sparse weights on the owned dofs (hanging nodes resolved), and reading it is a
+ * short sum.
+ */
+template <int dim>
+class FieldEvaluation
+{
+public:
+  FieldEvaluation(const Space<dim> &space, const Problem &problem);
+
+  /// What there is to probe, with units.
+  static std::vector<FieldComponent> fields();
+  unsigned int add(const ProbeRequest<dim> &request);
+  /// Sets the probes up again on a new mesh.
+  void rebuild();
+  void evaluate(const State<dim> &state, std::vector<double> &values) const;
+
+  /// The mixture eta U + sum_k mu_k D_k of a material with ghosts, for evaluation on cells [Pa m].
+  DistributedVector ghosted_mixture(const State<dim> &state, unsigned int region) const;
+  /// L2 norm of the difference to functions; see ContinuumSolver::error_norm.
+  double error_norm(const State<dim> &state,
+                    const std::string &field,
+                    const std::vector<Expression> &exact,
+                    double time) const;
+
+private:
+  enum class Source
+  {
+    velocity,
+    displacement,
+    mixture, ///< of one region
+    pressure
+  };
+  /// Weights on the owned entries of one vector.
+  struct Weights
+  {
+    Source source;
+    unsigned int region;               ///< of a mixture
+    std::vector<unsigned int> indices; ///< local
+    std::vector<double> values;
+  };
+  struct Probe
+  {
+    ProbeRequest<dim> request;
+    std::vector<Weights> weights;
+  };
+  const Space<dim> &space;
+  const Problem &problem;
+  std::vector<Probe> probes;
+  mutable std::vector<double> sums; ///< work space
+
+  class Collector;
+  void build(Probe &probe) const;
+  static unsigned int field_index(const std::string &name);
+};
+} // namespace Continua
+
+#endif

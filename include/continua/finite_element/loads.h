@@ -1,0 +1,60 @@
+#ifndef continua_finite_element_loads_h
+#define continua_finite_element_loads_h
+
+#include <continua/continuum/problem.h>
+#include <continua/finite_element/space.h>
+
+#include <vector>
+
+namespace Continua
+{
+/**
+ * The loads on the velocity's test functions: prescribed tractions int v . t and the body force int
+ * v . rho b. What is constant is assembled once; what is a function of time alone is one unit
+ * vector times that function; only what depends on both time and place is integrated again at each
+ * time.
+ */
+template <int dim>
+class Loads
+{
+public:
+  Loads(const Space<dim> &space, const Problem &problem);
+
+  /// Assembles on the present mesh.
+  void build();
+  /// Adds the loads at this time to `residual` (hanging nodes condensed) [N].
+  void add(double time, DistributedVector &residual) const;
+  /// Whether a load jumps within a millionth of the step about this time.
+  bool jumps(double time, double step_size) const;
+  /// The traction that is prescribed on a face at a point [Pa], of the parts that are natural;
+  /// others are zero.
+  static dealii::Tensor<1, dim> prescribed_traction(const BoundaryCondition &condition,
+                                                    const dealii::Point<dim> &point,
+                                                    const dealii::Tensor<1, dim> &normal,
+                                                    double time);
+
+private:
+  /// One waveform with where it acts.
+  struct Item
+  {
+    const Waveform *waveform;
+    int condition;    ///< -1: body force
+    bool normal_part; ///< of the condition; else its tangential part
+    int component;    ///< Cartesian, or -1: along the normal
+    double sign;
+    DistributedVector unit; ///< only of items that depend on time alone
+  };
+  const Space<dim> &space;
+  const Problem &problem;
+  std::vector<Item> items; ///< time-dependent ones
+  DistributedVector constant;
+
+  /// Adds int v . direction w(point, time), with w = 1 if `waveform` is null.
+  void assemble(const Item &item,
+                const Waveform *waveform,
+                double time,
+                DistributedVector &target) const;
+};
+} // namespace Continua
+
+#endif

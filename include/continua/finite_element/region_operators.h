@@ -1,0 +1,38 @@
+#ifndef continua_finite_element_region_operators_h
+#define continua_finite_element_region_operators_h
+
+#include <continua/finite_element/space.h>
+
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <vector>
+
+namespace Continua
+{
+/**
+ * The matrices of one region, free of material data and time step; with the hanging nodes of the
+ * mesh condensed and no boundary condition in them. u, v are velocities (or internal
+ * displacements), p, q pressures:
+ *
+ *   mass             int v . u
+ *   stiffness        int 2 dev sym grad v : dev sym grad u
+ *   divergence       int q div u               (rows: pressure)
+ *   pressure_mass    int q p
+ *
+ * dev takes a third of the three-dimensional trace off, in axisymmetry with the hoop strain u_r /
+ * r; integrals in axisymmetry are over the whole circumference.
+ */
+struct RegionOperators
+{
+  dealii::TrilinosWrappers::SparseMatrix mass;
+  dealii::TrilinosWrappers::SparseMatrix stiffness;
+  dealii::TrilinosWrappers::SparseMatrix divergence;
+  dealii::TrilinosWrappers::SparseMatrix pressure_mass;
+};
+
+/// Assembles the operators of every region, by material id.
+template <int dim>
+void assemble_region_operators(const Space<dim> &space, std::vector<RegionOperators> &operators);
+} // namespace Continua
+
+#endif

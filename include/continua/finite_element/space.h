@@ -1,0 +1,94 @@
+#ifndef continua_finite_element_space_h
+#define continua_finite_element_space_h
+
+#include <continua/base/parameter_section.h>
+#include <continua/materials/model.h>
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/distributed/tria_base.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/hp/fe_collection.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <mpi.h>
+
+#include <string>
+
+namespace Continua
+{
+using DistributedVector = dealii::TrilinosWrappers::MPI::Vector;
+
+/// The section Finite element.
+struct SpaceParameters
+{
+  unsigned int velocity_degree = 2;
+  std::string pressure_space = "broken";
+
+  void read(ParameterSection section);
+};
+
+/**
+ * The Taylor-Hood pair on one mesh: velocity Q_k, one vector of it also for every internal
+ * displacement, and pressure Q_(k-1), continuous inside a region and broken between regions (or
+ * continuous throughout).
+ *
+ * Two DoFHandlers on one triangulation. The broken pressure is an hp space with one component for
+ * each region: FE_Q in the region itself, FE_Nothing elsewhere, so that the dofs on an interface
+ * are doubled and hanging nodes are constrained inside each region only. Velocity is not part of
+ * it: in one common hp system deal.II 9.4 pins interface pressures to zero where the interface has
+ * hanging nodes.
+ */
+template <int dim>
+class Space
+{
+public:
+  Space(dealii::parallel::TriangulationBase<dim> &triangulation,
+        const SpaceParameters &parameters,
+        Model model,
+        unsigned int n_regions);
+
+  /// Numbers the dofs on the present mesh and makes the constraints of its hanging nodes.
+  void distribute();
+
+  DistributedVector velocity_vector() const
+  {
+    return DistributedVector(velocity_owned, communicator);
+  }
+  DistributedVector pressure_vector() const
+  {
+    return DistributedVector(pressure_owned, communicator);
+  }
+  /// Copies with ghost entries and hanging nodes set, for evaluation on cells.
+  DistributedVector ghosted_velocity(const DistributedVector &owned) const;
+  DistributedVector ghosted_pressure(const DistributedVector &owned) const;
+
+  /// 2 pi r in axisymmetry, else 1: the measure of a point of the mesh [m or 1].
+  double measure(const dealii::Point<dim> &point) const;
+  /// The component of the pressure space in which a region's pressure lives.
+  unsigned int pressure_component(const unsigned int region) const { return broken ? region : 0; }
+  bool is_axisymmetric() const { return axisymmetric; }
+  unsigned int degree() const { return velocity_element.degree; }
+  /// Gauss points a direction that integrate the products of shape functions exactly on
+  /// parallelograms.
+  unsigned int n_quadrature_points() const { return degree() + 1 + (axisymmetric ? 1 : 0); }
+
+  MPI_Comm communicator;
+  dealii::parallel::TriangulationBase<dim> &triangulation;
+  dealii::FESystem<dim> velocity_element;
+  dealii::hp::FECollection<dim> pressure_elements; ///< by region, or one if continuous
+  dealii::DoFHandler<dim> velocity_dofs;
+  dealii::DoFHandler<dim> pressure_dofs;
+  dealii::IndexSet velocity_owned, velocity_relevant;
+  dealii::IndexSet pressure_owned, pressure_relevant;
+  dealii::AffineConstraints<double> velocity_hanging, pressure_hanging;
+
+private:
+  bool broken;
+  bool axisymmetric;
+};
+} // namespace Continua
+
+#endif

@@ -1,0 +1,110 @@
+#ifndef continua_finite_element_taylor_hood_solver_h
+#define continua_finite_element_taylor_hood_solver_h
+
+#include <continua/base/log.h>
+#include <continua/continuum/continuum_solver.h>
+#include <continua/continuum/problem.h>
+#include <continua/finite_element/boundary_constraints.h>
+#include <continua/finite_element/branch_history.h>
+#include <continua/finite_element/field_evaluation.h>
+#include <continua/finite_element/field_output.h>
+#include <continua/finite_element/loads.h>
+#include <continua/finite_element/region_operators.h>
+#include <continua/finite_element/space.h>
+#include <continua/finite_element/step_system.h>
+
+#include <deal.II/distributed/solution_transfer.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/// What the Taylor-Hood path reads of the parameter file.
+struct TaylorHoodParameters
+{
+  SpaceParameters space;
+  LinearSolverParameters linear_solver;
+};
+
+/**
+ * The Taylor-Hood discretisation of the continuum. It puts tested parts together: space, operators
+ * by region, constraints, loads, branch history and the step's system; see the chapter on the
+ * numerics in the manual.
+ */
+template <int dim>
+class TaylorHoodSolver : public ContinuumSolver<dim>
+{
+public:
+  /// `problem` and `log` must outlive the solver.
+  TaylorHoodSolver(dealii::parallel::TriangulationBase<dim> &triangulation,
+                   const Problem &problem,
+                   const TaylorHoodParameters &parameters,
+                   Log &log);
+
+  void initialise() override;
+  StepReport advance(const Step &step) override;
+  void solve_steady(double time) override;
+  bool steady_is_direct() const override;
+  bool data_jump(double time, double step_size) const override;
+  std::vector<FieldComponent> fields() const override;
+  unsigned int add_probe(const ProbeRequest<dim> &request) override;
+  void evaluate_probes(std::vector<double> &values) override;
+  PowerBalance power_balance() override;
+  Energy energy() override;
+  double divergence() override;
+  std::map<std::string, std::string> add_output(dealii::DataOut<dim> &data_out) override;
+  void indicators(dealii::Vector<float> &per_cell) override;
+  void prepare_refinement() override;
+  void transfer() override;
+  void save(ArchiveWriter &archive) const override;
+  void load(const ArchiveReader &archive) override;
+  double
+  error_norm(const std::string &field, const std::vector<Expression> &exact, double time) override;
+  SolverSizes sizes() const override;
+
+private:
+  const Problem &problem;
+  Log &log;
+  Space<dim> space;
+  std::vector<RegionOperators> operators;
+  BoundaryConstraints<dim> constraints;
+  Loads<dim> loads;
+  BranchHistory history;
+  StepSystem<dim> system;
+  FieldEvaluation<dim> evaluation;
+  FieldOutput<dim> output;
+
+  // The state: at the present time, and one step before.
+  DistributedVector velocity, velocity_older, pressure, pressure_older;
+  double present_time = 0.;
+  // What the last step balanced, for the power ledger.
+  Step last_step;
+  DistributedVector velocity_balanced, pressure_balanced, acceleration, prescribed,
+      prescribed_balanced;
+  // The last pressure known at a time of its own, from which that of an incompressible material is
+  // extrapolated.
+  DistributedVector pressure_known;
+  double pressure_known_time = 0.;
+  std::vector<unsigned int> incompressible_pressures; ///< local indices
+  // Work space of the step.
+  DistributedVector momentum, mass, velocity_work, mixture, pressure_work;
+
+  std::unique_ptr<dealii::parallel::distributed::SolutionTransfer<dim, DistributedVector>>
+      velocity_transfer, pressure_transfer;
+  std::vector<DistributedVector> velocities_in_transfer, pressures_in_transfer;
+
+  void setup();
+  void set_initial_state();
+  /// Pressure in equilibrium with the displacement: M_p p / K = - B D in every compressible region.
+  void set_consistent_pressure();
+  SystemCoefficients coefficients(const Step &step) const;
+  void extrapolate_pressure(const Step &step);
+  State<dim> state() const;
+  std::vector<DistributedVector *> velocity_vectors();
+  std::vector<DistributedVector *> pressure_vectors();
+};
+} // namespace Continua
+
+#endif

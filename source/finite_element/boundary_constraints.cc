@@ -1,0 +1,428 @@
+#include <continua/finite_element/boundary_constraints.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace Continua
+{
+using namespace dealii;
+
+namespace
+{
+/// One condition at one node, with the mean normal of its faces there.
+template <int dim>
+struct NodeFace
+{
+  unsigned int condition;
+  Tensor<1, dim> normal;
+};
+
+/// A boundary node: its dofs by component, where it is, and the faces that meet there.
+template <int dim>
+struct Node
+{
+  std::array<types::global_dof_index, dim> dofs;
+  Point<dim> point;
+  std::vector<NodeFace<dim>> faces;
+};
+
+/// Faces of one condition whose normals differ by less than about 25 degrees are one smooth
+/// boundary at a node.
+constexpr double same_face_cosine = 0.9;
+/// An equation of which less than this is left after elimination depends on the earlier ones.
+constexpr double dependent_remainder = 0.1;
+
+/// Directions that complete the normal to an orthonormal basis.
+template <int dim>
+std::vector<Tensor<1, dim>> tangents(const Tensor<1, dim> &normal)
+{
+  std::vector<Tensor<1, dim>> result;
+  // Start from the axis that is least along the normal, so that tangents of axis-parallel faces are
+  // axes.
+  if constexpr (dim == 2)
+  {
+    Tensor<1, dim> tangent;
+    tangent[0] = -normal[1];
+    tangent[1] = normal[0];
+    result.push_back(tangent);
+  }
+  else
+  {
+    unsigned int least = 0;
+    for (unsigned int c = 1; c < dim; ++c)
+      if (std::abs(normal[c]) < std::abs(normal[least]))
+        least = c;
+    Tensor<1, dim> first;
+    first[least] = 1.;
+    first -= (first * normal) * normal;
+    first /= first.norm();
+    result.push_back(first);
+    result.push_back(cross_product_3d(normal, first));
+  }
+  return result;
+}
+
+template <int dim>
+std::map<types::global_dof_index, Node<dim>>
+collect_nodes(const Space<dim> &space, const std::vector<BoundaryCondition> &conditions)
+{
+  std::map<std::pair<unsigned int, unsigned int>, unsigned int> condition_of;
+  for (unsigned int c = 0; c < conditions.size(); ++c)
+    for (const unsigned int region : conditions[c].region_ids)
+      condition_of[{conditions[c].boundary_id, region}] = c;
+
+  // The support points of the face are its quadrature points, so that the normals are the ones at
+  // the nodes.
+  const FE_Q<dim> scalar_element(space.degree());
+  const Quadrature<dim - 1> nodes_of_face(scalar_element.get_unit_face_support_points());
+  FEFaceValues<dim> values(scalar_element, nodes_of_face,
+                           update_quadrature_points | update_normal_vectors);
+  std::vector<types::global_dof_index> face_dofs(space.velocity_element.n_dofs_per_face());
+
+  std::map<types::global_dof_index, Node<dim>> nodes;
+  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+    if (!cell->is_artificial() && cell->at_boundary())
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary())
+        {
+          const auto found = condition_of.find({cell->face(f)->boundary_id(), cell->material_id()});
+          AssertThrow(found != condition_of.end(), ExcInternalError());
+          const BoundaryCondition &condition = conditions[found->second];
+          if (condition.normal.kind != BoundaryPart::Kind::velocity &&
+              condition.tangential.kind != BoundaryPart::Kind::velocity)
+            continue;
+          values.reinit(static_cast<typename Triangulation<dim>::active_cell_iterator>(cell), f);
+          cell->face(f)->get_dof_indices(face_dofs, cell->active_fe_index());
+          // place on the face -> dofs of all components
+          std::vector<std::array<types::global_dof_index, dim>> dofs(nodes_of_face.size());
+          for (unsigned int i = 0; i < face_dofs.size(); ++i)
+          {
+            const auto component = space.velocity_element.face_system_to_component_index(i, f);
+            dofs[component.second][component.first] = face_dofs[i];
+          }
+          for (unsigned int k = 0; k < nodes_of_face.size(); ++k)
+          {
+            if (!space.velocity_owned.is_element(dofs[k][0]) ||
+                space.velocity_hanging.is_constrained(dofs[k][0]))
+              continue;
+            Node<dim> &node = nodes[dofs[k][0]];
+            node.dofs = dofs[k];
+            node.point = values.quadrature_point(k);
+            const Tensor<1, dim> normal = values.normal_vector(k);
+            bool merged = false;
+            for (NodeFace<dim> &face : node.faces)
+              if (face.condition == found->second &&
+                  face.normal * normal > same_face_cosine * face.normal.norm())
+              {
+                // Summed here, brought to unit length when all faces are known.
+                face.normal += normal;
+                merged = true;
+                break;
+              }
+            if (!merged)
+              node.faces.push_back({static_cast<unsigned int>(found->second), normal});
+          }
+        }
+  for (auto &entry : nodes)
+  {
+    for (NodeFace<dim> &face : entry.second.faces)
+      face.normal /= face.normal.norm();
+    // The order of the conditions in the file decides at conflicts, on any number of ranks; among
+    // faces of one condition the order of the normals.
+    std::sort(entry.second.faces.begin(), entry.second.faces.end(),
+              [](const NodeFace<dim> &a, const NodeFace<dim> &b)
+              {
+                if (a.condition != b.condition)
+                  return a.condition < b.condition;
+                for (unsigned int c = 0; c < dim; ++c)
+                  if (std::abs(a.normal[c] - b.normal[c]) > 1e-6)
+                    return a.normal[c] < b.normal[c];
+                return false;
+              });
+  }
+  return nodes;
+}
+
+/// One equation at a node while it is being reduced: sum_c direction[c] u_c = sum weights *
+/// sources.
+template <int dim>
+struct Equation
+{
+  Tensor<1, dim> direction;
+  std::map<unsigned int, double> weights;
+  unsigned int pivot = 0;
+  unsigned int condition = 0;
+};
+
+template <int dim>
+void subtract(Equation<dim> &equation, const double factor, const Equation<dim> &other)
+{
+  equation.direction -= factor * other.direction;
+  for (const auto &weight : other.weights)
+    equation.weights[weight.first] -= factor * weight.second;
+}
+} // namespace
+
+template <int dim>
+BoundaryConstraints<dim>::BoundaryConstraints(const Space<dim> &space,
+                                              const std::vector<BoundaryCondition> &conditions)
+    : space(space), conditions(conditions)
+{
+}
+
+template <int dim>
+double BoundaryConstraints<dim>::Source::value(const double time) const
+{
+  double sum = 0.;
+  for (unsigned int c = 0; c < part->vector.size(); ++c)
+    if (direction[c] != 0.)
+      sum += direction[c] * part->vector[c](point, time);
+  const double along = direction * normal;
+  if (std::abs(along) > 1e-12)
+    sum += (part->negative ? -along : along) * part->along_normal(point, time);
+  return sum;
+}
+
+template <int dim>
+void BoundaryConstraints<dim>::build()
+{
+  sources.clear();
+  constrained.clear();
+  hanging.clear();
+  conflict_texts.clear();
+  homogeneous = true;
+  time_dependent = false;
+  constants_are_set = false;
+  std::set<std::pair<unsigned int, unsigned int>> conflicts;
+
+  AffineConstraints<double> boundary(space.velocity_relevant);
+  for (const auto index : space.velocity_owned)
+    if (space.velocity_hanging.is_constrained(index))
+      hanging.push_back(space.velocity_owned.index_within_set(index));
+
+  for (const auto &entry : collect_nodes(space, conditions))
+  {
+    const Node<dim> &node = entry.second;
+    std::vector<Equation<dim>> equations;
+    for (const NodeFace<dim> &face : node.faces)
+    {
+      const BoundaryCondition &condition = conditions[face.condition];
+      const bool normal = condition.normal.kind == BoundaryPart::Kind::velocity;
+      const bool tangential = condition.tangential.kind == BoundaryPart::Kind::velocity;
+      std::vector<std::pair<const BoundaryPart *, Tensor<1, dim>>> asked;
+      if (normal && tangential && condition.normal.along_normal.is_zero())
+        // The whole vector: its Cartesian components, free of round-off from normals.
+        for (unsigned int c = 0; c < dim; ++c)
+        {
+          Tensor<1, dim> axis;
+          axis[c] = 1.;
+          asked.emplace_back(condition.tangential.vector.empty() ? &condition.normal
+                                                                 : &condition.tangential,
+                             axis);
+        }
+      else
+      {
+        if (normal)
+          asked.emplace_back(&condition.normal, face.normal);
+        if (tangential)
+          for (const Tensor<1, dim> &tangent : tangents(face.normal))
+            asked.emplace_back(&condition.tangential, tangent);
+      }
+      for (const auto &[part, direction] : asked)
+      {
+        Equation<dim> equation;
+        equation.direction = direction;
+        equation.condition = face.condition;
+        if (!part->is_zero())
+        {
+          Source source{part, direction, face.normal, {0., 0., 0.}};
+          for (unsigned int c = 0; c < dim; ++c)
+            source.point[c] = node.point[c];
+          equation.weights[sources.size()] = 1.;
+          sources.push_back(source);
+        }
+        for (const Equation<dim> &earlier : equations)
+          subtract(equation, equation.direction[earlier.pivot], earlier);
+        if (equation.direction.norm() < dependent_remainder)
+        {
+          // What is left of the right-hand side must vanish. A few times tell functions of time
+          // apart.
+          for (const double time : {0., 0.0123, 0.517, 3.7})
+          {
+            double value = 0., scale = 0.;
+            for (const auto &weight : equation.weights)
+            {
+              const double term = weight.second * sources[weight.first].value(time);
+              value += term;
+              scale += std::abs(term);
+            }
+            if (std::abs(value) > 1e-8 * scale)
+              for (const Equation<dim> &earlier : equations)
+                if (earlier.condition != equation.condition)
+                  conflicts.insert({earlier.condition, equation.condition});
+          }
+          continue;
+        }
+        // Pivot on the largest component, eliminate it from the earlier equations.
+        for (unsigned int c = 1; c < dim; ++c)
+          if (std::abs(equation.direction[c]) >
+              std::abs(equation.direction[equation.pivot]) + 1e-12)
+            equation.pivot = c;
+        const double scale = 1. / equation.direction[equation.pivot];
+        equation.direction *= scale;
+        for (auto &weight : equation.weights)
+          weight.second *= scale;
+        for (Equation<dim> &earlier : equations)
+          subtract(earlier, earlier.direction[equation.pivot], equation);
+        equations.push_back(equation);
+      }
+    }
+    for (const Equation<dim> &equation : equations)
+    {
+      Constrained entry_of_dof;
+      entry_of_dof.index = space.velocity_owned.index_within_set(node.dofs[equation.pivot]);
+      entry_of_dof.time_dependent = false;
+      boundary.add_line(node.dofs[equation.pivot]);
+      for (unsigned int c = 0; c < dim; ++c)
+        if (c != equation.pivot && std::abs(equation.direction[c]) > 1e-12)
+        {
+          boundary.add_entry(node.dofs[equation.pivot], node.dofs[c], -equation.direction[c]);
+          entry_of_dof.masters.push_back(
+              {static_cast<unsigned int>(space.velocity_owned.index_within_set(node.dofs[c])),
+               -equation.direction[c]});
+        }
+      for (const auto &weight : equation.weights)
+        if (std::abs(weight.second) > 1e-14)
+        {
+          entry_of_dof.sources.emplace_back(weight.first, weight.second);
+          homogeneous = false;
+          if (sources[weight.first].part->depends_on_time())
+            entry_of_dof.time_dependent = time_dependent = true;
+        }
+      constrained.push_back(entry_of_dof);
+    }
+  }
+  // Hanging nodes on the boundary follow masters that are on it too and constrained themselves.
+  constraints.clear();
+  constraints.reinit(space.velocity_relevant);
+  constraints.merge(space.velocity_hanging, AffineConstraints<double>::no_conflicts_allowed, true);
+  constraints.merge(boundary, AffineConstraints<double>::no_conflicts_allowed, true);
+  if (Utilities::MPI::n_mpi_processes(space.communicator) > 1)
+    constraints.make_consistent_in_parallel(space.velocity_owned, space.velocity_relevant,
+                                            space.communicator);
+  constraints.close();
+
+  homogeneous = Utilities::MPI::min(homogeneous ? 1 : 0, space.communicator) == 1;
+  time_dependent = Utilities::MPI::max(time_dependent ? 1 : 0, space.communicator) == 1;
+  const auto all_conflicts = Utilities::MPI::all_gather(
+      space.communicator,
+      std::vector<std::pair<unsigned int, unsigned int>>(conflicts.begin(), conflicts.end()));
+  for (const auto &of_rank : all_conflicts)
+    conflicts.insert(of_rank.begin(), of_rank.end());
+  for (const auto &pair : conflicts)
+    conflict_texts.push_back("the boundaries '" + conditions[pair.first].name + "' and '" +
+                             conditions[pair.second].name + "' meet with different velocities; '" +
+                             conditions[pair.first].name +
+                             "' holds at the nodes they share (it stands first)");
+}
+
+template <int dim>
+void BoundaryConstraints<dim>::restrict_to_free(DistributedVector &residual) const
+{
+  double *const values = residual.begin();
+  for (const Constrained &dof : constrained)
+  {
+    for (const Master &master : dof.masters)
+      values[master.index] += master.coefficient * values[dof.index];
+    values[dof.index] = 0.;
+  }
+  for (const unsigned int index : hanging)
+    values[index] = 0.;
+}
+
+template <int dim>
+void BoundaryConstraints<dim>::set_constrained(DistributedVector &velocity,
+                                               const DistributedVector &values) const
+{
+  double *const u = velocity.begin();
+  const double *const g = values.begin();
+  for (const Constrained &dof : constrained)
+  {
+    double sum = g[dof.index];
+    for (const Master &master : dof.masters)
+      sum += master.coefficient * u[master.index];
+    u[dof.index] = sum;
+  }
+  for (const unsigned int index : hanging)
+    u[index] = 0.;
+}
+
+template <int dim>
+void BoundaryConstraints<dim>::prescribed_part(const DistributedVector &velocity,
+                                               DistributedVector &values) const
+{
+  const double *const u = velocity.begin();
+  double *const g = values.begin();
+  for (const Constrained &dof : constrained)
+  {
+    double value = u[dof.index];
+    for (const Master &master : dof.masters)
+      value -= master.coefficient * u[master.index];
+    g[dof.index] = value;
+  }
+}
+
+template <int dim>
+void BoundaryConstraints<dim>::evaluate(const double time, DistributedVector &values) const
+{
+  double *const g = values.begin();
+  for (const Constrained &dof : constrained)
+    if (dof.time_dependent || !constants_are_set)
+    {
+      double sum = 0.;
+      for (const auto &source : dof.sources)
+        sum += source.second * sources[source.first].value(time);
+      g[dof.index] = sum;
+    }
+  constants_are_set = true;
+}
+
+template <int dim>
+bool BoundaryConstraints<dim>::jumps(const double time, const double step_size) const
+{
+  double change = 0., scale = 0.;
+  if (time_dependent)
+    for (const Constrained &dof : constrained)
+      if (dof.time_dependent)
+        for (const auto &source : dof.sources)
+        {
+          const Source &given = sources[source.first];
+          change = std::max(change, std::abs(given.value(time + 1e-6 * step_size) -
+                                             given.value(time - 1e-6 * step_size)));
+          scale = std::max({scale, std::abs(given.value(time - step_size)),
+                            std::abs(given.value(time + step_size))});
+        }
+  change = Utilities::MPI::max(change, space.communicator);
+  scale = Utilities::MPI::max(scale, space.communicator);
+  return change > 1e-2 * scale;
+}
+
+template <int dim>
+bool BoundaryConstraints<dim>::normal_velocity_is_free_somewhere() const
+{
+  for (const BoundaryCondition &condition : conditions)
+    if (condition.normal.kind == BoundaryPart::Kind::traction)
+      return true;
+  return false;
+}
+
+template class BoundaryConstraints<2>;
+template class BoundaryConstraints<3>;
+} // namespace Continua

@@ -1,0 +1,189 @@
+#include <continua/finite_element/region_operators.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/hp/fe_values.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+
+namespace Continua
+{
+using namespace dealii;
+
+namespace
+{
+/// Sparsity of the four matrices of every region, from that region's cells only.
+template <int dim>
+void reinit_matrices(const Space<dim> &space, std::vector<RegionOperators> &operators)
+{
+  struct Patterns
+  {
+    TrilinosWrappers::SparsityPattern mass, stiffness, divergence, pressure_mass;
+  };
+  std::vector<Patterns> patterns(operators.size());
+  for (Patterns &pattern : patterns)
+  {
+    pattern.mass.reinit(space.velocity_owned, space.velocity_owned, space.velocity_relevant,
+                        space.communicator);
+    pattern.stiffness.reinit(space.velocity_owned, space.velocity_owned, space.velocity_relevant,
+                             space.communicator);
+    pattern.divergence.reinit(space.pressure_owned, space.velocity_owned, space.pressure_relevant,
+                              space.communicator);
+    pattern.pressure_mass.reinit(space.pressure_owned, space.pressure_owned,
+                                 space.pressure_relevant, space.communicator);
+  }
+  // Mass couples a component with itself only.
+  const unsigned int n_velocity = space.velocity_element.n_dofs_per_cell();
+  Table<2, bool> same_component(n_velocity, n_velocity);
+  for (unsigned int i = 0; i < n_velocity; ++i)
+    for (unsigned int j = 0; j < n_velocity; ++j)
+      same_component(i, j) = space.velocity_element.system_to_component_index(i).first ==
+                             space.velocity_element.system_to_component_index(j).first;
+
+  std::vector<types::global_dof_index> velocity_indices(n_velocity), pressure_indices;
+  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+    if (cell->is_locally_owned())
+    {
+      const typename DoFHandler<dim>::active_cell_iterator pressure_cell(
+          &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs);
+      cell->get_dof_indices(velocity_indices);
+      pressure_indices.resize(pressure_cell->get_fe().n_dofs_per_cell());
+      pressure_cell->get_dof_indices(pressure_indices);
+      Patterns &pattern = patterns[cell->material_id()];
+      space.velocity_hanging.add_entries_local_to_global(velocity_indices, pattern.mass, false,
+                                                         same_component);
+      space.velocity_hanging.add_entries_local_to_global(velocity_indices, pattern.stiffness,
+                                                         false);
+      space.pressure_hanging.add_entries_local_to_global(
+          pressure_indices, space.velocity_hanging, velocity_indices, pattern.divergence, false);
+      space.pressure_hanging.add_entries_local_to_global(pressure_indices, pattern.pressure_mass,
+                                                         false);
+    }
+  for (unsigned int region = 0; region < operators.size(); ++region)
+  {
+    Patterns &pattern = patterns[region];
+    pattern.mass.compress();
+    pattern.stiffness.compress();
+    pattern.divergence.compress();
+    pattern.pressure_mass.compress();
+    operators[region].mass.reinit(pattern.mass);
+    operators[region].stiffness.reinit(pattern.stiffness);
+    operators[region].divergence.reinit(pattern.divergence);
+    operators[region].pressure_mass.reinit(pattern.pressure_mass);
+  }
+}
+} // namespace
+
+template <int dim>
+void assemble_region_operators(const Space<dim> &space, std::vector<RegionOperators> &operators)
+{
+  reinit_matrices(space, operators);
+
+  // The velocity's shape functions are those of one scalar element, once for each component.
+  const FE_Q<dim> scalar_element(space.degree());
+  const QGauss<dim> quadrature(space.n_quadrature_points());
+  FEValues<dim> values(scalar_element, quadrature,
+                       update_values | update_gradients | update_quadrature_points |
+                           update_JxW_values);
+  hp::FEValues<dim> hp_pressure_values(space.pressure_elements, hp::QCollection<dim>(quadrature),
+                                       update_values);
+
+  const unsigned int n_scalar = scalar_element.n_dofs_per_cell();
+  const unsigned int n_velocity = space.velocity_element.n_dofs_per_cell();
+  // place[c][a]: the cell's dof of component c and scalar function a.
+  std::array<std::vector<unsigned int>, dim> place;
+  for (auto &indices : place)
+    indices.resize(n_scalar);
+  for (unsigned int i = 0; i < n_velocity; ++i)
+  {
+    const auto component = space.velocity_element.system_to_component_index(i);
+    place[component.first][component.second] = i;
+  }
+
+  FullMatrix<double> mass(n_velocity, n_velocity), stiffness(n_velocity, n_velocity), divergence,
+      pressure_mass;
+  std::vector<types::global_dof_index> velocity_indices(n_velocity), pressure_indices;
+  // Trace of the strain of each velocity dof at one point, and its hoop part.
+  std::vector<double> trace(n_velocity), hoop(n_velocity);
+
+  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+    if (cell->is_locally_owned())
+    {
+      values.reinit(static_cast<typename Triangulation<dim>::active_cell_iterator>(cell));
+      const typename DoFHandler<dim>::active_cell_iterator pressure_cell(
+          &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs);
+      hp_pressure_values.reinit(pressure_cell);
+      const FEValues<dim> &pressure_values = hp_pressure_values.get_present_fe_values();
+      const unsigned int n_pressure = pressure_cell->get_fe().n_dofs_per_cell();
+
+      mass = 0.;
+      stiffness = 0.;
+      divergence.reinit(n_pressure, n_velocity);
+      pressure_mass.reinit(n_pressure, n_pressure);
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
+      {
+        const Point<dim> &point = values.quadrature_point(q);
+        const double weight = values.JxW(q) * space.measure(point);
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int a = 0; a < n_scalar; ++a)
+          {
+            const unsigned int i = place[c][a];
+            hoop[i] =
+                (space.is_axisymmetric() && c == 1) ? values.shape_value(a, q) / point[1] : 0.;
+            trace[i] = values.shape_grad(a, q)[c] + hoop[i];
+          }
+        for (unsigned int a = 0; a < n_scalar; ++a)
+          for (unsigned int b = 0; b < n_scalar; ++b)
+          {
+            const Tensor<1, dim> &gradient_a = values.shape_grad(a, q);
+            const Tensor<1, dim> &gradient_b = values.shape_grad(b, q);
+            const double scalar_mass = values.shape_value(a, q) * values.shape_value(b, q) * weight;
+            const double scalar_laplacian = gradient_a * gradient_b;
+            for (unsigned int c = 0; c < dim; ++c)
+            {
+              const unsigned int i = place[c][a];
+              mass(i, place[c][b]) += scalar_mass;
+              for (unsigned int d = 0; d < dim; ++d)
+              {
+                const unsigned int j = place[d][b];
+                stiffness(i, j) +=
+                    weight * ((c == d ? scalar_laplacian : 0.) + gradient_a[d] * gradient_b[c] +
+                              2. * hoop[i] * hoop[j] - 2. / 3. * trace[i] * trace[j]);
+              }
+            }
+          }
+        for (unsigned int k = 0; k < n_pressure; ++k)
+        {
+          const double shape = pressure_values.shape_value(k, q) * weight;
+          for (unsigned int i = 0; i < n_velocity; ++i)
+            divergence(k, i) += shape * trace[i];
+          for (unsigned int l = 0; l < n_pressure; ++l)
+            pressure_mass(k, l) += shape * pressure_values.shape_value(l, q);
+        }
+      }
+
+      cell->get_dof_indices(velocity_indices);
+      pressure_indices.resize(n_pressure);
+      pressure_cell->get_dof_indices(pressure_indices);
+      RegionOperators &target = operators[cell->material_id()];
+      space.velocity_hanging.distribute_local_to_global(mass, velocity_indices, target.mass);
+      space.velocity_hanging.distribute_local_to_global(stiffness, velocity_indices,
+                                                        target.stiffness);
+      space.pressure_hanging.distribute_local_to_global(divergence, pressure_indices,
+                                                        space.velocity_hanging, velocity_indices,
+                                                        target.divergence);
+      space.pressure_hanging.distribute_local_to_global(pressure_mass, pressure_indices,
+                                                        target.pressure_mass);
+    }
+  for (RegionOperators &target : operators)
+  {
+    target.mass.compress(VectorOperation::add);
+    target.stiffness.compress(VectorOperation::add);
+    target.divergence.compress(VectorOperation::add);
+    target.pressure_mass.compress(VectorOperation::add);
+  }
+}
+
+template void assemble_region_operators(const Space<2> &, std::vector<RegionOperators> &);
+template void assemble_region_operators(const Space<3> &, std::vector<RegionOperators> &);
+} // namespace Continua

@@ -1,0 +1,97 @@
+#include <continua/finite_element/space.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_nothing.h>
+
+namespace Continua
+{
+using namespace dealii;
+
+void SpaceParameters::read(ParameterSection section)
+{
+  section.add("Velocity degree", velocity_degree,
+              "Polynomial degree k of the velocity; the pressure has degree k - 1 [1].", 2, 5);
+  section.add_choice("Pressure space", pressure_space, {"broken", "continuous"},
+                     "Whether the pressure may jump between regions (broken), as it does at a "
+                     "loaded wall, or is one "
+                     "continuous field.");
+}
+
+template <int dim>
+Space<dim>::Space(parallel::TriangulationBase<dim> &triangulation,
+                  const SpaceParameters &parameters,
+                  const Model model,
+                  const unsigned int n_regions)
+    : communicator(triangulation.get_communicator()),
+      triangulation(triangulation),
+      velocity_element(FE_Q<dim>(parameters.velocity_degree), dim),
+      velocity_dofs(triangulation),
+      pressure_dofs(triangulation),
+      broken(parameters.pressure_space == "broken"),
+      axisymmetric(model == Model::axisymmetric)
+{
+  const FE_Q<dim> pressure(parameters.velocity_degree - 1);
+  const FE_Nothing<dim> nothing;
+  if (broken)
+    for (unsigned int region = 0; region < n_regions; ++region)
+    {
+      std::vector<const FiniteElement<dim> *> elements(n_regions, &nothing);
+      elements[region] = &pressure;
+      pressure_elements.push_back(FESystem<dim>(elements, std::vector<unsigned int>(n_regions, 1)));
+    }
+  else
+    pressure_elements.push_back(FESystem<dim>(pressure, 1));
+}
+
+template <int dim>
+void Space<dim>::distribute()
+{
+  velocity_dofs.distribute_dofs(velocity_element);
+  velocity_owned = velocity_dofs.locally_owned_dofs();
+  DoFTools::extract_locally_relevant_dofs(velocity_dofs, velocity_relevant);
+  velocity_hanging.reinit(velocity_relevant);
+  DoFTools::make_hanging_node_constraints(velocity_dofs, velocity_hanging);
+  velocity_hanging.close();
+
+  if (broken)
+    for (const auto &cell : pressure_dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        cell->set_active_fe_index(cell->material_id());
+  pressure_dofs.distribute_dofs(pressure_elements);
+  pressure_owned = pressure_dofs.locally_owned_dofs();
+  DoFTools::extract_locally_relevant_dofs(pressure_dofs, pressure_relevant);
+  pressure_hanging.reinit(pressure_relevant);
+  DoFTools::make_hanging_node_constraints(pressure_dofs, pressure_hanging);
+  pressure_hanging.close();
+}
+
+template <int dim>
+DistributedVector Space<dim>::ghosted_velocity(const DistributedVector &owned) const
+{
+  DistributedVector complete(owned);
+  velocity_hanging.distribute(complete);
+  DistributedVector ghosted(velocity_owned, velocity_relevant, communicator);
+  ghosted = complete;
+  return ghosted;
+}
+
+template <int dim>
+DistributedVector Space<dim>::ghosted_pressure(const DistributedVector &owned) const
+{
+  DistributedVector complete(owned);
+  pressure_hanging.distribute(complete);
+  DistributedVector ghosted(pressure_owned, pressure_relevant, communicator);
+  ghosted = complete;
+  return ghosted;
+}
+
+template <int dim>
+double Space<dim>::measure(const Point<dim> &point) const
+{
+  return axisymmetric ? 2. * numbers::PI * point[1] : 1.;
+}
+
+template class Space<2>;
+template class Space<3>;
+} // namespace Continua

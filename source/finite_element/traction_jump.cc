@@ -1,0 +1,213 @@
+#include <continua/finite_element/traction_jump.h>
+
+#include <continua/finite_element/loads.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/hp/fe_values.h>
+
+#include <cmath>
+#include <map>
+
+namespace Continua
+{
+using namespace dealii;
+
+namespace
+{
+const UpdateFlags flags = update_values | update_gradients | update_quadrature_points |
+                          update_JxW_values | update_normal_vectors;
+
+/// Tractions on one side of a face, from the fields of the cell on that side.
+template <int dim>
+class SideTractions
+{
+public:
+  SideTractions(const Space<dim> &space,
+                const Problem &problem,
+                const std::vector<DistributedVector> &mixtures,
+                const DistributedVector &pressure)
+      : space(space),
+        problem(problem),
+        mixtures(mixtures),
+        pressure(pressure),
+        quadrature(space.degree() + 1),
+        face_values(space.velocity_element, quadrature, flags),
+        subface_values(space.velocity_element, quadrature, flags),
+        pressure_face_values(
+            space.pressure_elements, hp::QCollection<dim - 1>(quadrature), update_values),
+        pressure_subface_values(
+            space.pressure_elements, hp::QCollection<dim - 1>(quadrature), update_values),
+        values(quadrature.size(), Vector<double>(dim)),
+        gradients(quadrature.size(), std::vector<Tensor<1, dim>>(dim)),
+        pressures(quadrature.size(), Vector<double>(space.pressure_elements.n_components())),
+        tractions(quadrature.size())
+  {
+  }
+
+  using Cell = typename DoFHandler<dim>::active_cell_iterator;
+
+  /// n.sigma of this cell with its own outward normal, on a face or on one of its children.
+  const std::vector<Tensor<1, dim>> &face(const Cell &cell, const unsigned int f)
+  {
+    face_values.reinit(cell, f);
+    pressure_face_values.reinit(pressure_cell(cell), f);
+    return compute(cell, face_values, pressure_face_values.get_present_fe_values());
+  }
+  const std::vector<Tensor<1, dim>> &
+  subface(const Cell &cell, const unsigned int f, const unsigned int subface)
+  {
+    subface_values.reinit(cell, f, subface);
+    pressure_subface_values.reinit(pressure_cell(cell), f, subface);
+    return compute(cell, subface_values, pressure_subface_values.get_present_fe_values());
+  }
+  /// Of the face or child looked at last.
+  const FEValuesBase<dim> &last() const { return *last_values; }
+
+private:
+  const Space<dim> &space;
+  const Problem &problem;
+  const std::vector<DistributedVector> &mixtures;
+  const DistributedVector &pressure;
+  QGauss<dim - 1> quadrature;
+  FEFaceValues<dim> face_values;
+  FESubfaceValues<dim> subface_values;
+  hp::FEFaceValues<dim> pressure_face_values;
+  hp::FESubfaceValues<dim> pressure_subface_values;
+  std::vector<Vector<double>> values;
+  std::vector<std::vector<Tensor<1, dim>>> gradients;
+  std::vector<Vector<double>> pressures;
+  std::vector<Tensor<1, dim>> tractions;
+  const FEValuesBase<dim> *last_values = nullptr;
+
+  Cell pressure_cell(const Cell &cell) const
+  {
+    return Cell(&space.triangulation, cell->level(), cell->index(), &space.pressure_dofs);
+  }
+  const std::vector<Tensor<1, dim>> &compute(const Cell &cell,
+                                             const FEValuesBase<dim> &fe_values,
+                                             const FEValuesBase<dim> &pressure_values)
+  {
+    const unsigned int region = cell->material_id();
+    fe_values.get_function_values(mixtures[region], values);
+    fe_values.get_function_gradients(mixtures[region], gradients);
+    pressure_values.get_function_values(pressure, pressures);
+    for (unsigned int q = 0; q < tractions.size(); ++q)
+    {
+      Tensor<2, dim> gradient;
+      for (unsigned int c = 0; c < dim; ++c)
+        gradient[c] = gradients[q][c];
+      const double r = fe_values.quadrature_point(q)[1];
+      const double hoop =
+          space.is_axisymmetric() ? (r > 0. ? values[q][1] / r : gradient[1][1]) : 0.;
+      tractions[q] =
+          traction<dim>(stress<dim>(gradient, hoop, pressures[q][space.pressure_component(region)],
+                                    problem.model),
+                        fe_values.normal_vector(q));
+    }
+    last_values = &fe_values;
+    return tractions;
+  }
+};
+} // namespace
+
+template <int dim>
+void traction_jump_indicators(const Space<dim> &space,
+                              const Problem &problem,
+                              const FieldEvaluation<dim> &evaluation,
+                              const State<dim> &state,
+                              const double time,
+                              Vector<float> &per_cell)
+{
+  const DistributedVector pressure = space.ghosted_pressure(state.pressure);
+  std::vector<DistributedVector> mixtures;
+  for (unsigned int region = 0; region < problem.regions.size(); ++region)
+    mixtures.push_back(evaluation.ghosted_mixture(state, region));
+  SideTractions<dim> here(space, problem, mixtures, pressure),
+      there(space, problem, mixtures, pressure);
+
+  std::map<std::pair<unsigned int, unsigned int>, const BoundaryCondition *> condition_of;
+  for (const BoundaryCondition &condition : problem.conditions)
+    for (const unsigned int region : condition.region_ids)
+      condition_of[{condition.boundary_id, region}] = &condition;
+
+  // int |n.sigma + n'.sigma'|^2 over a face; the normals of the two sides are opposite.
+  const auto jump =
+      [&](const std::vector<Tensor<1, dim>> &one, const std::vector<Tensor<1, dim>> &other)
+  {
+    double sum = 0.;
+    for (unsigned int q = 0; q < one.size(); ++q)
+      sum += (one[q] + other[q]).norm_square() * here.last().JxW(q) *
+             space.measure(here.last().quadrature_point(q));
+    return sum;
+  };
+
+  per_cell.reinit(space.triangulation.n_active_cells());
+  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+    if (cell->is_locally_owned())
+    {
+      double square = 0.;
+      for (const unsigned int f : cell->face_indices())
+      {
+        const double length = cell->face(f)->diameter();
+        if (cell->face(f)->at_boundary())
+        {
+          const BoundaryCondition &condition =
+              *condition_of.at({cell->face(f)->boundary_id(), cell->material_id()});
+          const auto &present = here.face(cell, f);
+          const FEValuesBase<dim> &values = here.last();
+          for (const unsigned int q : values.quadrature_point_indices())
+          {
+            const Tensor<1, dim> &normal = values.normal_vector(q);
+            Tensor<1, dim> difference;
+            // Only the halves that are given as a traction can be missed.
+            const Tensor<1, dim> along = (present[q] * normal) * normal;
+            if (condition.normal.kind == BoundaryPart::Kind::traction)
+              difference += along;
+            if (condition.tangential.kind == BoundaryPart::Kind::traction)
+              difference += present[q] - along;
+            difference -= Loads<dim>::prescribed_traction(condition, values.quadrature_point(q),
+                                                          normal, time);
+            square += length * difference.norm_square() * values.JxW(q) *
+                      space.measure(values.quadrature_point(q));
+          }
+        }
+        else if (cell->face(f)->has_children())
+          for (unsigned int s = 0; s < cell->face(f)->n_active_descendants(); ++s)
+          {
+            const auto neighbor = cell->neighbor_child_on_subface(f, s);
+            const auto &present = here.subface(cell, f, s);
+            square +=
+                0.5 * length * jump(present, there.face(neighbor, cell->neighbor_of_neighbor(f)));
+          }
+        else if (cell->neighbor_is_coarser(f))
+        {
+          const auto place = cell->neighbor_of_coarser_neighbor(f);
+          const auto &present = here.face(cell, f);
+          square += 0.5 * length *
+                    jump(present, there.subface(cell->neighbor(f), place.first, place.second));
+        }
+        else
+        {
+          const auto &present = here.face(cell, f);
+          square += 0.5 * length *
+                    jump(present, there.face(cell->neighbor(f), cell->neighbor_of_neighbor(f)));
+        }
+      }
+      per_cell[cell->active_cell_index()] = std::sqrt(square);
+    }
+}
+
+template void traction_jump_indicators(const Space<2> &,
+                                       const Problem &,
+                                       const FieldEvaluation<2> &,
+                                       const State<2> &,
+                                       double,
+                                       Vector<float> &);
+template void traction_jump_indicators(const Space<3> &,
+                                       const Problem &,
+                                       const FieldEvaluation<3> &,
+                                       const State<3> &,
+                                       double,
+                                       Vector<float> &);
+} // namespace Continua
