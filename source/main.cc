@@ -1,1 +1,138 @@
-int main() { return 0; }
+#include <continua/analysis/analyses.h>
+#include <continua/analysis/case.h>
+#include <continua/analysis/documentation.h>
+#include <continua/analysis/run.h>
+#include <continua/base/command_line.h>
+#include <continua/base/input_error.h>
+#include <continua/base/version.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+namespace
+{
+using namespace Continua;
+
+constexpr int status_done = 0, status_run_failed = 1, status_input_wrong = 2;
+
+ParameterFile::Style style_of(const std::string &name)
+{
+  if (name == "json")
+    return ParameterFile::Style::json;
+  return name == "markdown" ? ParameterFile::Style::markdown : ParameterFile::Style::prm;
+}
+
+std::string output_path(const CommandLine &command_line)
+{
+  if (!command_line.output_directory.empty())
+    return command_line.output_directory;
+  return "output/" + std::filesystem::path(command_line.parameter_file).stem().string();
+}
+
+template <int dim>
+void run_case(ParameterFile &file, const CommandLine &command_line, const MPI_Comm communicator)
+{
+  Case<dim> input(file, communicator);
+  const bool is_writer = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+  if (!command_line.print_parameters.empty())
+  {
+    if (is_writer)
+      file.print(std::cout, style_of(command_line.print_parameters));
+    return;
+  }
+  if (command_line.validate)
+  {
+    if (is_writer)
+      std::cout << command_line.parameter_file << ": valid" << std::endl;
+    return;
+  }
+  const OutputDirectory directory(output_path(command_line),
+                                  command_line.restart     ? OutputDirectory::Mode::restart
+                                  : command_line.overwrite ? OutputDirectory::Mode::overwrite
+                                                           : OutputDirectory::Mode::fresh,
+                                  communicator, file.input_files());
+  Log log(communicator);
+  log.open(directory.file("log.txt"), command_line.restart);
+  if (is_writer && !command_line.restart)
+  {
+    std::ofstream resolved(directory.file("parameters.prm"));
+    file.print(resolved, ParameterFile::Style::prm);
+    if (!resolved)
+      throw RunError("cannot write " + directory.file("parameters.prm"));
+  }
+  directory.copy_inputs(file.input_files());
+  log.line("Continua " + version() +
+           (input.general.title.empty() ? "" : ": " + input.general.title));
+  Run<dim> run(input, file, command_line, directory, log);
+  try
+  {
+    perform_analysis(run);
+  }
+  catch (const InputError &)
+  {
+    throw;
+  }
+  catch (const std::exception &error)
+  {
+    // What was computed stays; the summary says that and why the run failed.
+    log.end_progress();
+    run.fail(error.what());
+    throw;
+  }
+}
+
+int run(const CommandLine &command_line, const MPI_Comm communicator)
+{
+  const bool is_writer = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+  if (command_line.help || command_line.version)
+  {
+    if (is_writer)
+      std::cout << (command_line.help ? CommandLine::usage()
+                                      : "Continua " + version() + " (" + revision() + ")\n");
+    return status_done;
+  }
+  if (command_line.parameter_file.empty())
+  {
+    if (is_writer)
+      print_documentation(std::cout, style_of(command_line.print_parameters));
+    return status_done;
+  }
+  ParameterFile file(command_line.parameter_file, command_line.overrides);
+  GeneralParameters general;
+  general.read(file.root());
+  if (n_dimensions(model_of(general.model)) == 2)
+    run_case<2>(file, command_line, communicator);
+  else
+    run_case<3>(file, command_line, communicator);
+  return status_done;
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const MPI_Comm communicator = MPI_COMM_WORLD;
+  const bool is_writer = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+  try
+  {
+    return run(CommandLine::parse(argc, argv), communicator);
+  }
+  catch (const Continua::InputError &error)
+  {
+    // Every rank reads the same input and finds the same mistake.
+    if (is_writer)
+      std::cerr << "error: " << error.what() << std::endl;
+    return status_input_wrong;
+  }
+  catch (const std::exception &error)
+  {
+    std::cerr << "error: " << error.what() << std::endl;
+    // The other ranks may be waiting for this one.
+    if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
+      MPI_Abort(communicator, status_run_failed);
+    return status_run_failed;
+  }
+}

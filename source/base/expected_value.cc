@@ -66,7 +66,8 @@ double tolerance_in_unit_of_value(const NumberWithUnit &tolerance, const Expecte
 ExpectedValue parse_expected_value(const std::string &key, const std::string &text)
 {
   ExpectedValue result;
-  const std::size_t colon = key.find(':');
+  // The last colon: a probe of several fields is called "PROBE: FIELD" itself.
+  const std::size_t colon = key.rfind(':');
   if (colon != std::string::npos)
     result.probe = trimmed(key.substr(0, colon));
   result.name = trimmed(colon == std::string::npos ? key : key.substr(colon + 1));

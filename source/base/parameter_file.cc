@@ -87,11 +87,15 @@ bool lies_in(const std::string &path, std::string place)
 }
 } // namespace
 
-ParameterFile::ParameterFile() : store(std::make_unique<ParameterStore>()) {}
+ParameterFile::ParameterFile() : store(std::make_unique<ParameterStore>())
+{
+  store->is_documentation = true;
+}
 
 ParameterFile::ParameterFile(const std::string &path, const std::vector<std::string> &overrides)
-    : ParameterFile()
+    : store(std::make_unique<ParameterStore>())
 {
+  store->is_documentation = path.empty();
   store->text = ParameterText(path, overrides);
 }
 

@@ -403,6 +403,12 @@ bool ParameterSection::given(const std::string &key) const
   return entry != nullptr && !entry->value().empty();
 }
 
+void ParameterSection::require(const std::string &key) const
+{
+  if (!given(key) && !store->is_documentation)
+    refuse("", "the entry '" + key + "' is missing", "Add 'set " + key + " = ...'");
+}
+
 Origin ParameterSection::origin(const std::string &key) const
 {
   // The entry, or else its section, or else the nearest section around it that the user has, at

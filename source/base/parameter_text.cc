@@ -143,7 +143,8 @@ ParameterText::ParameterText(const std::string &path, const std::vector<std::str
 {
   top.origin = {path, 0};
   std::vector<std::string> stack;
-  read(path, {}, top, {n_inclusions++}, stack);
+  if (!path.empty())
+    read(path, {}, top, {n_inclusions++}, stack);
   for (const std::string &text : overrides)
     set_from_command_line(text);
   settle(top, "");

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <stdexcept>
 
 namespace Continua
 {
@@ -254,7 +255,16 @@ std::vector<std::string> Summary::check(const std::vector<ExpectedValue> &expect
   implementation->checks = Json::array();
   for (const ExpectedValue &value : expected)
   {
-    const Verdict verdict = judge(value, implementation->quantities);
+    Verdict verdict;
+    try
+    {
+      verdict = judge(value, implementation->quantities);
+    }
+    catch (const std::invalid_argument &error)
+    {
+      // The unit of the square root of a volume, say, is a text that no entry can name.
+      verdict.text = std::string("FAILED: ") + error.what();
+    }
     all_passed = all_passed && verdict.passed;
     lines.push_back("check: " + label(value.name, verdict.probe) + ": " + verdict.text);
 

@@ -1,6 +1,7 @@
 #include <continua/base/input_error.h>
 #include <continua/base/nearest_name.h>
 #include <continua/base/parameter_text.h>
+#include <continua/mesh/cell_point.h>
 #include <continua/postprocess/probes.h>
 #include <continua/postprocess/writing_rank.h>
 #include <continua/signal/signal_analysis.h>
@@ -17,6 +18,14 @@ namespace Continua
 {
 namespace
 {
+/// The first row of probes.csv.
+std::vector<std::string> header(const std::vector<std::string> &column_names)
+{
+  std::vector<std::string> names = {"time [s]"};
+  names.insert(names.end(), column_names.begin(), column_names.end());
+  return names;
+}
+
 std::string joined(const std::vector<std::string> &names)
 {
   std::string text;
@@ -186,9 +195,32 @@ void Probes<dim>::attach(ContinuumSolver<dim> &continuum_solver, const Model mod
 }
 
 template <int dim>
-std::vector<std::string> Probes<dim>::header() const
+void Probes<dim>::check(const dealii::Triangulation<dim> &coarse_mesh,
+                        const std::vector<FieldComponent> &fields) const
 {
-  std::vector<std::string> names = {"time [s]"};
+  for (const Probe &probe : probes)
+  {
+    for (const std::string &word : probe.fields)
+      expand(probe.section, collapse_blanks(word), fields);
+    if (!probe.boundary.empty())
+      continue;
+    bool inside = false;
+    dealii::Point<dim> unit_point;
+    for (const auto &cell : coarse_mesh.cell_iterators_on_level(0))
+      inside =
+          inside || ((probe.request.region_id < 0 ||
+                      cell->material_id() == static_cast<unsigned int>(probe.request.region_id)) &&
+                     cell_holds_point<dim>(cell, probe.request.point, unit_point));
+    if (!inside)
+      probe.section.refuse("Point", "the point is not inside the mesh",
+                           "Give a point of the undeformed body, in the Region if there is one");
+  }
+}
+
+template <int dim>
+std::vector<std::string> Probes<dim>::column_names() const
+{
+  std::vector<std::string> names;
   for (const Column &column : columns)
     names.push_back(probes[column.probe].section.name() + ": " + column.field.name + " [" +
                     column.field.unit + "]");
@@ -200,7 +232,8 @@ void Probes<dim>::open(const std::string &file)
 {
   if (columns.empty())
     return;
-  on_writing_rank(communicator, [&]() { table = std::make_unique<TableWriter>(file, header()); });
+  on_writing_rank(communicator,
+                  [&]() { table = std::make_unique<TableWriter>(file, header(column_names())); });
 }
 
 template <int dim>
@@ -211,7 +244,8 @@ void Probes<dim>::open(const std::string &file, const double restart_time)
   on_writing_rank(communicator,
                   [&]()
                   {
-                    table = std::make_unique<TableWriter>(file, header(), restart_time);
+                    table =
+                        std::make_unique<TableWriter>(file, header(column_names()), restart_time);
                     read_history(file);
                   });
   record_times = dealii::Utilities::MPI::broadcast(communicator, record_times);

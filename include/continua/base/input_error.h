@@ -9,7 +9,8 @@ namespace Continua
 /// Where a piece of the user's input stands.
 struct Origin
 {
-  std::string file; ///< as the user named it; empty where there is none (a default, the command line)
+  std::string
+      file; ///< as the user named it; empty where there is none (a default, the command line)
   unsigned int line = 0; ///< first line is 1; 0 where there is none
 };
 

@@ -23,8 +23,8 @@ class ParameterFile
 public:
   /// An empty file: every entry has its default (for printing the documentation).
   ParameterFile();
-  /// Reads `path`; `overrides` are "Section/Subsection/Key=value" as given to --set. Throws
-  /// InputError.
+  /// Reads `path`; `overrides` are "Section/Subsection/Key=value" as given to --set. An empty
+  /// `path` makes documentation of what the overrides choose (types). Throws InputError.
   ParameterFile(const std::string &path, const std::vector<std::string> &overrides = {});
   ~ParameterFile();
   ParameterFile(ParameterFile &&) noexcept;

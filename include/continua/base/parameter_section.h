@@ -90,6 +90,9 @@ public:
 
   /// Whether the user set the entry to something (`set KEY =` is nothing, as in a printed file).
   bool given(const std::string &key) const;
+  /// Throws InputError if the user did not set an entry that has no sensible default; not while the
+  /// documentation of the entries is made.
+  void require(const std::string &key) const;
   /// Where the entry stands (or, where it is not given, the section, or the file).
   Origin origin(const std::string &key = "") const;
   /// "Materials/fluid".

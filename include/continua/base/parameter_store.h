@@ -33,6 +33,7 @@ struct ParameterStore
   };
 
   ParameterText text;
+  bool is_documentation = false; ///< there is no user's file: entries are declared to be described
   std::vector<Declaration> declarations;          ///< in the order in which they were declared
   std::vector<std::vector<std::string>> sections; ///< those declared, parents before children
   std::vector<std::string> input_files;           ///< besides those of `text`

@@ -51,7 +51,7 @@ public:
   static const std::string command_line;
 
   ParameterText() = default;
-  /// Throws InputError.
+  /// No file is read if `path` is empty. Throws InputError.
   ParameterText(const std::string &path, const std::vector<std::string> &overrides);
 
   /// The section of that path; null if the user has none.

@@ -13,9 +13,10 @@
 namespace Continua
 {
 /**
- * A named geometry: makes the coarse mesh and publishes what its regions and boundaries are called. A cell's material id is its
- * region's place in `regions()`, a face's boundary id its boundary's place in `boundaries()`. The coarse cells fit the
- * interfaces. In axisymmetry x is the axial and y >= 0 the radial coordinate.
+ * A named geometry: makes the coarse mesh and publishes what its regions and boundaries are called.
+ * A cell's material id is its region's place in `regions()`, a face's boundary id its boundary's
+ * place in `boundaries()`. The coarse cells fit the interfaces. In axisymmetry x is the axial and y
+ * >= 0 the radial coordinate.
  */
 template <int dim>
 class Geometry
@@ -32,9 +33,10 @@ template <int dim>
 std::vector<std::pair<std::string, std::string>> geometry_types();
 
 /**
- * Reads the sections Geometry and Mesh, makes the geometry of that `Type` (a row of the table in geometry.cc) and wraps it with the
- * painted regions, if the section Geometry/Regions has any: `set NAME = EXPRESSION`, each evaluated at the centre of every coarse
- * cell; the first one that is positive takes the cell. `axisymmetric`: some types and names depend on it (an `axis` boundary).
+ * Reads the sections Geometry and Mesh, makes the geometry of that `Type` (a row of the table in
+ * geometry.cc) and wraps it with the painted regions, if the section Geometry/Regions has any: `set
+ * NAME = EXPRESSION`, each evaluated at the centre of every coarse cell; the first one that is
+ * positive takes the cell. `axisymmetric`: some types and names depend on it (an `axis` boundary).
  */
 template <int dim>
 std::unique_ptr<Geometry<dim>>

@@ -7,6 +7,8 @@
 #include <continua/continuum/continuum_solver.h>
 #include <continua/materials/model.h>
 
+#include <deal.II/grid/tria.h>
+
 #include <mpi.h>
 
 #include <memory>
@@ -33,6 +35,10 @@ public:
   void read(ParameterSection section,
             const std::vector<std::string> &boundaries,
             const std::vector<std::string> &regions);
+  /// Refuses, before there is a solver, a field that is not among `fields` and a point that no cell
+  /// of the coarse mesh holds (in the region, if one is named). Throws InputError.
+  void check(const dealii::Triangulation<dim> &coarse_mesh,
+             const std::vector<FieldComponent> &fields) const;
   /// Asks the solver, which must live as long as this, for the values. Throws InputError for a
   /// field that it has not and a point outside the mesh. `model` gives integrals their unit: over
   /// a line (per metre of depth) or an area.
@@ -59,6 +65,8 @@ public:
    */
   std::vector<std::string> finish(Summary &summary);
 
+  /// "NAME: FIELD [UNIT]" of every column.
+  std::vector<std::string> column_names() const;
   unsigned int n_columns() const { return static_cast<unsigned int>(columns.size()); }
   /// The history: times [s], and the values of a column [SI].
   const std::vector<double> &times() const { return record_times; }
@@ -89,7 +97,6 @@ private:
 
   /// Declares and reads the entries of one child.
   void read_entries(Probe &probe) const;
-  std::vector<std::string> header() const;
   /// Fills the histories from a file.
   void read_history(const std::string &file);
   void

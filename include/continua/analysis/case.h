@@ -1,0 +1,75 @@
+#ifndef continua_analysis_case_h
+#define continua_analysis_case_h
+
+#include <continua/base/command_line.h>
+#include <continua/base/expected_value.h>
+#include <continua/base/parameter_file.h>
+#include <continua/continuum/problem.h>
+#include <continua/finite_element/taylor_hood_solver.h>
+#include <continua/mesh/adaptation.h>
+#include <continua/mesh/geometry.h>
+#include <continua/mesh/mesh_parameters.h>
+#include <continua/postprocess/error_norms.h>
+#include <continua/postprocess/output_parameters.h>
+#include <continua/postprocess/probes.h>
+#include <continua/time_integration/time_control.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/// The entries at the top of a parameter file, which decide what else is read.
+struct GeneralParameters
+{
+  std::string title;
+  std::string analysis = "transient";
+  std::string model = "plane strain";
+  std::string discretisation = "taylor hood";
+
+  void read(ParameterSection root);
+};
+
+/// How a body of fluid and solid is brought to rest in a steady analysis.
+struct RestParameters
+{
+  double time_step = 1.; ///< [s]
+  double tolerance =
+      1e-8; ///< largest change of the velocity in a step over the largest velocity of all steps
+  unsigned int maximum_steps = 1000;
+
+  void read(ParameterSection section);
+};
+
+/**
+ * A parameter file, read and checked: every struct of the run, the coarse mesh with its names, and
+ * the physical problem. No work is done yet but the coarse mesh; whatever is wrong with the input
+ * has been said by an InputError.
+ */
+template <int dim>
+struct Case
+{
+  Case(ParameterFile &file, MPI_Comm communicator);
+
+  MPI_Comm communicator;
+  GeneralParameters general;
+  MeshParameters mesh;
+  AdaptationParameters adaptation;
+  TaylorHoodParameters taylor_hood;
+  TimeParameters time;
+  RestParameters rest;
+  OutputParameters output;
+  std::vector<ExpectedValue> expected;
+  ErrorNorms<dim> error_norms;
+  Probes<dim> probes;
+  std::unique_ptr<Geometry<dim>> geometry;
+  std::unique_ptr<dealii::parallel::distributed::Triangulation<dim>> triangulation; ///< coarse
+  Problem problem;
+
+private:
+  void check_pressure_level(ParameterSection root) const;
+};
+} // namespace Continua
+
+#endif

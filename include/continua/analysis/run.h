@@ -1,0 +1,57 @@
+#ifndef continua_analysis_run_h
+#define continua_analysis_run_h
+
+#include <continua/analysis/case.h>
+#include <continua/base/citations.h>
+#include <continua/base/log.h>
+#include <continua/base/output_directory.h>
+#include <continua/base/summary.h>
+#include <continua/continuum/continuum_solver.h>
+
+#include <memory>
+#include <string>
+
+namespace Continua
+{
+/**
+ * What every analysis has in common: the case, its solver on the refined mesh, where it writes, and
+ * the summary that it ends with.
+ */
+template <int dim>
+class Run
+{
+public:
+  Run(Case<dim> &input,
+      const ParameterFile &file,
+      const CommandLine &command_line,
+      const OutputDirectory &directory,
+      Log &log);
+
+  /// Refines the mesh as the file asks, sets the solver up and attaches the probes. `mesh_file`:
+  /// instead, the mesh of a checkpoint.
+  void initialise(const std::string &mesh_file = "");
+  /// Changes the mesh by the solution's indicators and carries the state over; returns whether it
+  /// changed.
+  bool adapt();
+  /// The quantities, checks and summary of a finished run.
+  void finish(unsigned int n_steps, double time);
+  /// The summary of a run that failed, with the reason.
+  void fail(const std::string &reason);
+
+  Case<dim> &input;
+  const ParameterFile &file;
+  const CommandLine &command_line;
+  const OutputDirectory &directory;
+  Log &log;
+  std::unique_ptr<ContinuumSolver<dim>> solver;
+  Summary summary;
+  Citations citations;
+  bool is_writer; ///< rank 0
+
+private:
+  void describe_run();
+  void write_summary(const std::string &status);
+};
+} // namespace Continua
+
+#endif

@@ -1,0 +1,30 @@
+#ifndef continua_analysis_steady_h
+#define continua_analysis_steady_h
+
+#include <continua/analysis/run.h>
+
+namespace Continua
+{
+/**
+ * The state at rest under the loads at t = 0: one solve for a body that is all solid (static) or
+ * all fluid (Stokes); a mixture steps to rest with backward Euler. With refinement cycles the mesh
+ * is refined by the traction jump and solved again; refinement.csv has a row for each cycle.
+ */
+template <int dim>
+class Steady
+{
+public:
+  explicit Steady(Run<dim> &run) : run(run) {}
+  void perform();
+
+private:
+  Run<dim> &run;
+  unsigned int n_steps = 0;
+  double time = 0.;
+
+  void solve();
+  void step_to_rest();
+};
+} // namespace Continua
+
+#endif

@@ -1,0 +1,38 @@
+#ifndef continua_analysis_transient_h
+#define continua_analysis_transient_h
+
+#include <continua/analysis/checkpoint.h>
+#include <continua/analysis/run.h>
+#include <continua/postprocess/field_writer.h>
+#include <continua/postprocess/power_record.h>
+#include <continua/time_integration/time_control.h>
+
+namespace Continua
+{
+/// Steps through time, with probes, power ledger, fields, adaptive mesh and checkpoints on the way.
+template <int dim>
+class Transient
+{
+public:
+  explicit Transient(Run<dim> &run);
+  void perform();
+
+private:
+  Run<dim> &run;
+  TimeControl time_control;
+  PowerRecord<dim> power;
+  FieldWriter<dim> fields;
+  Checkpoint checkpoint;
+  Schedule probe_schedule, power_schedule, field_schedule, checkpoint_schedule;
+  bool mesh_has_changed = false;
+  unsigned int tenths_reported = 0;
+
+  void start();
+  void restart();
+  void step();
+  void write_checkpoint();
+  void report_progress();
+};
+} // namespace Continua
+
+#endif

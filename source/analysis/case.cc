@@ -1,0 +1,130 @@
+#include <continua/analysis/case.h>
+
+#include <continua/analysis/analyses.h>
+#include <continua/mesh/distortion.h>
+#include <continua/mesh/regions_of_boundary.h>
+
+#include <algorithm>
+
+namespace Continua
+{
+using namespace dealii;
+
+void GeneralParameters::read(ParameterSection root)
+{
+  root.add("Title", title, "What the run is called in summaries and legends.");
+  std::vector<std::string> names;
+  std::string text = "What is done:";
+  for (const auto &type : analysis_types())
+  {
+    names.push_back(type.first);
+    text += " " + type.first + " - " + type.second;
+  }
+  root.add_choice("Analysis", analysis, names, text);
+  root.add_choice("Model", model, model_names(),
+                  "The kinematics: plane strain, plane stress (Hookean solids only), axisymmetric "
+                  "(x axial, y radial), "
+                  "three-dimensional.");
+  root.add_choice("Discretisation", discretisation, {"taylor hood"},
+                  "taylor hood: finite elements, velocity Q_k, pressure Q_(k-1).");
+}
+
+void RestParameters::read(ParameterSection section)
+{
+  section.add("Time step", time_step, Dimensions::time,
+              "Backward Euler step by which a body of fluid and solid is brought to rest.",
+              Range::positive());
+  section.add("Tolerance", tolerance, Dimensions::none,
+              "At rest when the velocity changes in a step by less than this fraction of the "
+              "largest velocity so far.",
+              Range::positive());
+  section.add("Maximum steps", maximum_steps, "Steps after which the run gives up [1].", 1);
+}
+
+template <int dim>
+Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator)
+    : communicator(communicator), probes(communicator)
+{
+  ParameterSection root = file.root();
+  general.read(root);
+  problem.communicator = communicator;
+  problem.model = model_of(general.model);
+  const bool axisymmetric = problem.model == Model::axisymmetric;
+  const bool transient = general.analysis == "transient";
+
+  geometry = make_geometry<dim>(root.subsection("Geometry"), root.subsection("Mesh"), axisymmetric);
+  mesh = MeshParameters::read(root.subsection("Mesh"));
+  problem.regions = geometry->regions();
+  problem.boundaries = geometry->boundaries();
+
+  ParameterSection materials = root.subsection("Materials");
+  for (const std::string &region : problem.regions)
+  {
+    if (!materials.has_subsection(region))
+      materials.refuse("", "the region '" + region + "' has no material",
+                       "Add 'subsection " + region + "' with a Type to Materials");
+    problem.materials.push_back(read_material(materials.subsection(region), problem.model));
+  }
+  problem.interior.read(root.subsection("Body force"), root.subsection("Initial state"),
+                        problem.regions, dim);
+  std::string convection = "none";
+  root.add_choice("Convection", convection, {"none"},
+                  "Convective terms of the equations; there are none so far.");
+
+  taylor_hood.space.read(root.subsection("Finite element"));
+  taylor_hood.linear_solver.read(root.subsection("Linear solver"));
+  if (transient)
+    time.read(root.subsection("Time"));
+  else
+    rest.read(root.subsection("Steady"));
+  adaptation.read(root.subsection("Adaptivity"), transient);
+  output.read(root.subsection("Output"));
+  probes.read(root.subsection("Probes"), problem.boundaries, problem.regions);
+  error_norms.read(root.subsection("Exact solution"));
+  expected = read_expected(root.subsection("Expected"));
+
+  triangulation = std::make_unique<parallel::distributed::Triangulation<dim>>(
+      communicator, Triangulation<dim>::limit_level_difference_at_vertices);
+  geometry->create(*triangulation);
+  distort_coarse_mesh(*triangulation, mesh.distortion);
+
+  std::set<std::pair<unsigned int, unsigned int>> pairs;
+  for (unsigned int boundary = 0; boundary < problem.boundaries.size(); ++boundary)
+    for (const unsigned int region : regions_of_boundary<dim>(*triangulation, boundary))
+      pairs.insert({boundary, region});
+  problem.conditions = read_boundary_conditions(root.subsection("Boundaries"), problem.boundaries,
+                                                problem.regions, pairs, dim, axisymmetric);
+
+  // Before the checks across entries: a misspelt key is the likelier reason for them to fail.
+  file.refuse_unknown();
+  check_pressure_level(root);
+  probes.check(*triangulation, FieldEvaluation<dim>::fields());
+}
+
+template <int dim>
+void Case<dim>::check_pressure_level(ParameterSection root) const
+{
+  const bool incompressible =
+      std::all_of(problem.materials.begin(), problem.materials.end(),
+                  [this](const Material &material)
+                  {
+                    return material.inverse_bulk_modulus == 0. ||
+                           (general.analysis == "steady" && material.branches.empty());
+                  });
+  const bool enclosed = std::all_of(problem.conditions.begin(), problem.conditions.end(),
+                                    [](const BoundaryCondition &condition) {
+                                      return condition.normal.kind == BoundaryPart::Kind::velocity;
+                                    });
+  if (incompressible && enclosed)
+    root.subsection("Boundaries")
+        .refuse(
+            "",
+            "the body is incompressible and the normal velocity is prescribed on all of its "
+            "boundary, so that the "
+            "pressure is determined up to a constant only",
+            "Give one boundary a pressure, a traction or 'free', or the material a bulk modulus");
+}
+
+template struct Case<2>;
+template struct Case<3>;
+} // namespace Continua

@@ -1,0 +1,143 @@
+#include <continua/analysis/run.h>
+
+#include <continua/base/version.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <sstream>
+
+namespace Continua
+{
+using namespace dealii;
+
+template <int dim>
+Run<dim>::Run(Case<dim> &input,
+              const ParameterFile &file,
+              const CommandLine &command_line,
+              const OutputDirectory &directory,
+              Log &log)
+    : input(input),
+      file(file),
+      command_line(command_line),
+      directory(directory),
+      log(log),
+      is_writer(Utilities::MPI::this_mpi_process(input.communicator) == 0)
+{
+  describe_run();
+}
+
+template <int dim>
+void Run<dim>::describe_run()
+{
+  summary.set("title", input.general.title);
+  summary.set("status", "running");
+  summary.set("version", version());
+  summary.set("revision", revision());
+  summary.set("revision has uncommitted changes", revision_is_dirty() ? 1. : 0.);
+  summary.set("command line", command_line.text);
+  summary.set("parameter file", command_line.parameter_file);
+  summary.set("analysis", input.general.analysis);
+  summary.set("model", input.general.model);
+  summary.set("ranks", static_cast<double>(Utilities::MPI::n_mpi_processes(input.communicator)));
+  summary.set("libraries", library_versions());
+  if (blas_is_reference())
+    log.warning("the BLAS linked is the slow reference implementation: factorisation takes 3 to 7 "
+                "times as long as "
+                "with OpenBLAS (Debian: apt-get install libopenblas0-pthread)");
+}
+
+template <int dim>
+void Run<dim>::initialise(const std::string &mesh_file)
+{
+  {
+    TimerOutput::Scope scope(log.timer(), "mesh");
+    if (mesh_file.empty())
+      input.triangulation->refine_global(input.mesh.refinements);
+    else
+      input.triangulation->load(mesh_file);
+  }
+  solver = std::make_unique<TaylorHoodSolver<dim>>(*input.triangulation, input.problem,
+                                                   input.taylor_hood, log);
+  solver->initialise();
+  input.probes.attach(*solver, input.problem.model);
+
+  const SolverSizes sizes = solver->sizes();
+  std::ostringstream text;
+  text << "Mesh: " << sizes.n_cells << " cells; unknowns:";
+  for (const auto &dofs : sizes.n_dofs)
+    text << ' ' << dofs.first << ' ' << dofs.second;
+  log.line(text.str());
+  citations.add("hoodtaylor1973");
+  citations.add("p4est");
+  citations.add("trilinos");
+}
+
+template <int dim>
+bool Run<dim>::adapt()
+{
+  TimerOutput::Scope scope(log.timer(), "adapt mesh");
+  Vector<float> indicators;
+  solver->indicators(indicators);
+  if (!flag_cells(*input.triangulation, indicators, input.adaptation))
+    return false;
+  input.triangulation->prepare_coarsening_and_refinement();
+  solver->prepare_refinement();
+  input.triangulation->execute_coarsening_and_refinement();
+  solver->transfer();
+  return true;
+}
+
+template <int dim>
+void Run<dim>::finish(const unsigned int n_steps, const double time)
+{
+  for (const std::string &text : input.probes.finish(summary))
+    log.warning(text);
+  if (!input.error_norms.empty())
+    input.error_norms.finish(*solver, time, input.problem.model, summary);
+  summary.set("steps", static_cast<double>(n_steps));
+
+  bool all_passed = true;
+  for (const std::string &verdict : summary.check(input.expected, all_passed))
+    log.line(verdict);
+  write_summary("finished");
+}
+
+template <int dim>
+void Run<dim>::fail(const std::string &reason)
+{
+  summary.set("failure", reason);
+  write_summary("failed");
+}
+
+template <int dim>
+void Run<dim>::write_summary(const std::string &status)
+{
+  summary.set("status", status);
+  if (solver)
+  {
+    const SolverSizes sizes = solver->sizes();
+    summary.set("cells", static_cast<double>(sizes.n_cells));
+    std::map<std::string, double> dofs;
+    for (const auto &entry : sizes.n_dofs)
+      dofs[entry.first] = entry.second;
+    summary.set("degrees of freedom", dofs);
+    summary.set("linear solver", sizes.linear_solver);
+    summary.set("factor entries", sizes.factor_entries);
+    summary.set("factor memory [bytes]", sizes.factor_memory);
+    for (const char *name : {"cholmod", "mumps"})
+      if (sizes.linear_solver.find(name) != std::string::npos)
+        citations.add(name);
+  }
+  summary.set("wall time [s]", log.wall_times());
+  summary.set("warnings", log.warnings());
+  log.timing_summary();
+  if (is_writer)
+  {
+    summary.write(directory.file("summary.json"));
+    citations.write(directory.file("citation.bib"));
+  }
+}
+
+template class Run<2>;
+template class Run<3>;
+} // namespace Continua

@@ -1,0 +1,108 @@
+#include <continua/analysis/steady.h>
+
+#include <continua/base/input_error.h>
+#include <continua/base/table_writer.h>
+#include <continua/postprocess/field_writer.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace Continua
+{
+template <int dim>
+void Steady<dim>::perform()
+{
+  run.initialise();
+  Case<dim> &input = run.input;
+  input.probes.open(run.directory.file("probes.csv"));
+
+  std::unique_ptr<TableWriter> table;
+  for (unsigned int cycle = 0; cycle <= input.adaptation.cycles; ++cycle)
+  {
+    if (cycle > 0 && !run.adapt())
+    {
+      run.log.line("No cell is left to refine");
+      break;
+    }
+    solve();
+    const SolverSizes sizes = run.solver->sizes();
+    std::vector<double> probe_values;
+    run.solver->evaluate_probes(probe_values);
+    if (input.adaptation.cycles > 0)
+    {
+      std::ostringstream text;
+      text << "Cycle " << cycle << ": " << sizes.n_cells << " cells";
+      run.log.line(text.str());
+      if (run.is_writer)
+      {
+        if (!table)
+        {
+          std::vector<std::string> header = {"cycle [1]", "cells [1]"};
+          for (const auto &dofs : sizes.n_dofs)
+            header.push_back("unknowns of " + dofs.first + " [1]");
+          for (const std::string &name : input.probes.column_names())
+            header.push_back(name);
+          table = std::make_unique<TableWriter>(run.directory.file("refinement.csv"), header);
+        }
+        std::vector<double> row = {static_cast<double>(cycle), static_cast<double>(sizes.n_cells)};
+        for (const auto &dofs : sizes.n_dofs)
+          row.push_back(dofs.second);
+        row.insert(row.end(), probe_values.begin(), probe_values.end());
+        table->row(row);
+      }
+    }
+  }
+  if (table)
+    table->flush();
+  input.probes.record(time);
+  if (input.output.final_fields)
+  {
+    FieldWriter<dim> writer(input.communicator, run.directory.path(),
+                            input.output.subdivisions_for(input.taylor_hood.space.velocity_degree),
+                            input.output.higher_order_cells);
+    writer.write(*run.solver, time);
+    writer.finish(run.summary);
+  }
+  run.finish(n_steps, time);
+}
+
+template <int dim>
+void Steady<dim>::solve()
+{
+  if (run.solver->steady_is_direct())
+    run.solver->solve_steady(0.);
+  else
+    step_to_rest();
+}
+
+template <int dim>
+void Steady<dim>::step_to_rest()
+{
+  const RestParameters &rest = run.input.rest;
+  double largest_velocity = 0.;
+  for (unsigned int step = 0; step < rest.maximum_steps; ++step)
+  {
+    Step euler = euler_step(time, rest.time_step, Update::implicit);
+    // The loads are those of t = 0, however long it takes.
+    euler.balance_time = 0.;
+    const StepReport report = run.solver->advance(euler);
+    time = euler.time;
+    ++n_steps;
+    largest_velocity = std::max(largest_velocity, report.largest_velocity);
+    if (report.largest_change <= rest.tolerance * largest_velocity)
+    {
+      std::ostringstream text;
+      text << "At rest after " << step + 1 << " steps";
+      run.log.line(text.str());
+      return;
+    }
+  }
+  std::ostringstream text;
+  text << "the body did not come to rest in " << rest.maximum_steps << " steps of "
+       << rest.time_step << " s; raise Steady/Maximum steps or Steady/Time step";
+  throw RunError(text.str());
+}
+
+template class Steady<2>;
+template class Steady<3>;
+} // namespace Continua

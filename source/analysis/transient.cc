@@ -1,0 +1,179 @@
+#include <continua/analysis/transient.h>
+
+#include <continua/base/input_error.h>
+
+#include <sstream>
+
+namespace Continua
+{
+using namespace dealii;
+
+template <int dim>
+Transient<dim>::Transient(Run<dim> &run)
+    : run(run),
+      time_control(run.input.time),
+      power(run.input.communicator, run.input.problem.regions),
+      fields(run.input.communicator,
+             run.directory.path(),
+             run.input.output.subdivisions_for(run.input.taylor_hood.space.velocity_degree),
+             run.input.output.higher_order_cells),
+      checkpoint(run.input.communicator,
+                 run.directory.file("checkpoint"),
+                 run.file.identity({"Title", "Time/End time", "Output", "Expected"})),
+      probe_schedule(run.input.output.probe_schedule(run.input.time.end_time)),
+      power_schedule(run.input.output.power_schedule(run.input.time.end_time)),
+      field_schedule(run.input.output.field_schedule(run.input.time.end_time)),
+      checkpoint_schedule(run.input.output.checkpoint_schedule(run.input.time.end_time))
+{
+}
+
+template <int dim>
+void Transient<dim>::perform()
+{
+  if (run.command_line.restart)
+    restart();
+  else
+    start();
+  while (!time_control.at_end())
+    step();
+  run.log.end_progress();
+  if (run.input.output.checkpoint_at_end)
+    write_checkpoint();
+  power.finish(run.summary);
+  fields.finish(run.summary);
+  run.summary.add({"weak divergence at the end", run.solver->divergence(), "1/s", ""});
+  if (run.input.time.scheme_type() == Scheme::crank_nicolson && run.input.time.smooth_start)
+    run.citations.add("rannacher1984");
+  run.finish(time_control.n_steps(), time_control.time());
+}
+
+template <int dim>
+void Transient<dim>::start()
+{
+  run.initialise();
+  run.input.probes.open(run.directory.file("probes.csv"));
+  power.open(run.directory.file("power.csv"));
+  power.start(*run.solver);
+  if (probe_schedule.due(0., 0.))
+    run.input.probes.record(0.);
+  if (field_schedule.due(0., 0.))
+    fields.write(*run.solver, 0.);
+}
+
+template <int dim>
+void Transient<dim>::restart()
+{
+  const ArchiveReader archive = checkpoint.read();
+  const std::string mesh_file = checkpoint.mesh_file();
+  mesh_has_changed = !mesh_file.empty();
+  run.initialise(mesh_file);
+  time_control.load(archive);
+  run.solver->load(archive);
+  power.load(archive);
+  const double time = time_control.time();
+  run.input.probes.open(run.directory.file("probes.csv"), time);
+  power.open(run.directory.file("power.csv"), time);
+  fields.resume(time);
+  std::ostringstream text;
+  text << "Restart at t = " << time << " s, step " << time_control.n_steps();
+  run.log.line(text.str());
+}
+
+template <int dim>
+void Transient<dim>::step()
+{
+  const double start = time_control.time();
+  const double size = time_control.next_size();
+  if (time_control.n_steps() > 0 && run.solver->data_jump(start, size))
+  {
+    std::ostringstream text;
+    text << "A load or prescribed velocity jumps at t = " << start << " s: the scheme starts anew";
+    run.log.line(text.str());
+    time_control.restart();
+  }
+  const std::vector<Step> steps = time_control.next();
+  const double time = time_control.time();
+  for (const Step &part : steps)
+  {
+    const StepReport report = run.solver->advance(part);
+    if (report.largest_velocity > run.input.time.velocity_limit)
+    {
+      std::ostringstream text;
+      text << "the run diverges: the largest velocity in the step to t = " << part.time << " s is "
+           << report.largest_velocity
+           << " m/s, above Time/Velocity limit = " << run.input.time.velocity_limit << " m/s";
+      throw RunError(text.str());
+    }
+    TimerOutput::Scope scope(run.log.timer(), "power ledger");
+    power.record(*run.solver, part, &part == &steps.back() && power_schedule.due(time, size));
+  }
+  if (probe_schedule.due(time, size))
+  {
+    TimerOutput::Scope scope(run.log.timer(), "probes");
+    run.input.probes.record(time);
+  }
+  if (field_schedule.due(time, size))
+  {
+    TimerOutput::Scope scope(run.log.timer(), "fields");
+    fields.write(*run.solver, time);
+  }
+  const AdaptationParameters &adaptation = run.input.adaptation;
+  if (adaptation.every_n_steps > 0 && time_control.n_steps() % adaptation.every_n_steps == 0 &&
+      time < adaptation.end_time && !time_control.at_end())
+  {
+    const double before = run.solver->energy().sum();
+    if (run.adapt())
+    {
+      mesh_has_changed = true;
+      time_control.restart();
+      const double after = run.solver->energy().sum();
+      std::ostringstream text;
+      text << "t = " << time << " s: mesh of " << run.solver->sizes().n_cells << " cells";
+      run.log.line(text.str());
+      std::ostringstream detail;
+      detail << "the transfer changed the energy by "
+             << (before > 0. ? (after - before) / before : 0.) << " of itself";
+      run.log.detail(detail.str());
+    }
+  }
+  if (checkpoint_schedule.due(time, size))
+    write_checkpoint();
+  report_progress();
+}
+
+template <int dim>
+void Transient<dim>::write_checkpoint()
+{
+  TimerOutput::Scope scope(run.log.timer(), "checkpoint");
+  checkpoint.write(
+      time_control.n_steps(),
+      [this](ArchiveWriter &archive)
+      {
+        time_control.save(archive);
+        run.solver->save(archive);
+        power.save(archive);
+      },
+      mesh_has_changed
+          ? std::function<void(const std::string &)>([this](const std::string &name)
+                                                     { run.input.triangulation->save(name); })
+          : nullptr);
+}
+
+template <int dim>
+void Transient<dim>::report_progress()
+{
+  const double time = time_control.time(), end = run.input.time.end_time;
+  run.log.progress(time, end, time_control.n_steps());
+  const unsigned int tenths = static_cast<unsigned int>(10. * time / end + 1e-6);
+  if (tenths > tenths_reported)
+  {
+    tenths_reported = tenths;
+    std::ostringstream text;
+    text << "t = " << time << " s of " << end << " s (step " << time_control.n_steps() << ")";
+    run.log.line(text.str());
+  }
+}
+
+template class Transient<2>;
+template class Transient<3>;
+} // namespace Continua
