@@ -1,8 +1,8 @@
 #ifndef continua_tests_check_h
 #define continua_tests_check_h
 
-// What the unit tests print: "NAME: ok" without digits when a check holds, so that the reference output is the same on
-// every machine, and the numbers when it does not.
+// What the unit tests print: "NAME: ok" without digits when a check holds, so that the reference
+// output is the same on every machine, and the numbers when it does not.
 
 #include <cmath>
 #include <exception>
@@ -50,25 +50,27 @@ inline void equal(const std::string &name, const std::string &value, const std::
 
 /// `function` throws an Exception whose text matches the regular expression.
 template <typename Exception>
-void throws(const std::string &name, const std::function<void()> &function, const std::string &pattern)
+void throws(const std::string &name,
+            const std::function<void()> &function,
+            const std::string &pattern)
 {
   try
-    {
-      function();
-      std::cout << name << ": FAILED, nothing was thrown" << std::endl;
-    }
+  {
+    function();
+    std::cout << name << ": FAILED, nothing was thrown" << std::endl;
+  }
   catch (const Exception &exception)
-    {
-      if (std::regex_search(std::string(exception.what()), std::regex(pattern)))
-        std::cout << name << ": ok" << std::endl;
-      else
-        std::cout << name << ": FAILED, '" << exception.what() << "' does not match '" << pattern
-                  << "'" << std::endl;
-    }
+  {
+    if (std::regex_search(std::string(exception.what()), std::regex(pattern)))
+      std::cout << name << ": ok" << std::endl;
+    else
+      std::cout << name << ": FAILED, '" << exception.what() << "' does not match '" << pattern
+                << "'" << std::endl;
+  }
   catch (const std::exception &exception)
-    {
-      std::cout << name << ": FAILED, another exception: " << exception.what() << std::endl;
-    }
+  {
+    std::cout << name << ": FAILED, another exception: " << exception.what() << std::endl;
+  }
 }
 } // namespace check
 

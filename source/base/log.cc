@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iomanip>
@@ -46,7 +47,10 @@ struct Log::Implementation
 {
   explicit Implementation(const MPI_Comm communicator)
       : writes(dealii::Utilities::MPI::this_mpi_process(communicator) == 0),
-        on_terminal(writes && isatty(STDOUT_FILENO) == 1),
+        // Open MPI's launcher gives rank 0 a terminal of its own, whether there is one behind it or
+        // not.
+        on_terminal(writes && isatty(STDOUT_FILENO) == 1 &&
+                    std::getenv("OMPI_COMM_WORLD_RANK") == nullptr),
         start(Clock::now()),
         // Without a communicator: with one, every scope would be a barrier.
         timer(nowhere, dealii::TimerOutput::never, dealii::TimerOutput::wall_times)

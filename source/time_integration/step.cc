@@ -68,6 +68,7 @@ Step euler_step(const double time_old, const double size, const Update update)
   Step step;
   step.time_old = time_old;
   step.time = time_old + size;
+  step.duration = size;
   step.balance_time = step.time;
   step.a0 = 1. / size;
   step.a1 = -1. / size;
@@ -100,6 +101,7 @@ Step crank_nicolson_step(const double time_old, const double size)
 {
   Step step = euler_step(time_old, 0.5 * size, Update::midpoint);
   step.time = time_old + size;
+  step.duration = size;
   step.extrapolate = true;
   return step;
 }

@@ -30,8 +30,11 @@ struct BranchCoefficients
  */
 struct Step
 {
-  double time_old = 0.;             ///< [s] at the start
-  double time = 0.;                 ///< [s] at the end
+  double time_old = 0.; ///< [s] at the start
+  double time = 0.;     ///< [s] at the end
+  /// Its size [s] as it was asked for: time - time_old has another round-off in every step, and so
+  /// would the matrix.
+  double duration = 0.;
   double balance_time = 0.;         ///< [s] at which the equations are balanced and the loads taken
   double a0 = 0., a1 = 0., a2 = 0.; ///< [1/s]
   /// The time b in p = p_plus - K b div U (and C = M_p / (K b)) [s].
@@ -44,7 +47,7 @@ struct Step
   bool extrapolate = false;
   Update update = Update::implicit;
 
-  double size() const { return time - time_old; }
+  double size() const { return duration; }
   /// The coefficients of a branch of relaxation time tau [s]; infinite tau is allowed.
   BranchCoefficients branch(double relaxation_time) const;
   /// Whether that branch relaxes so fast within the step that the exponential update is taken.
