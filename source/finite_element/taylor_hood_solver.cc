@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 namespace Continua
@@ -84,6 +85,12 @@ struct PressureCompressibility
     set_idle_to_zero(target);
   }
 };
+
+/// This rank's part of a scalar product.
+double local_product(const DistributedVector &a, const DistributedVector &b)
+{
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
+}
 
 struct DiagonalInverse
 {
@@ -234,6 +241,19 @@ SystemCoefficients TaylorHoodSolver<dim>::coefficients(const Step &step) const
 }
 
 template <int dim>
+void TaylorHoodSolver<dim>::report_exponential_branches(const Step &step)
+{
+  for (const double relaxation_time : history.exponential_branches(step))
+    if (exponential_branches_reported.insert(relaxation_time).second)
+    {
+      std::ostringstream text;
+      text << "The time step is longer than the relaxation time " << relaxation_time
+           << " s: its branches take the exponential update";
+      log.line(text.str());
+    }
+}
+
+template <int dim>
 StepReport TaylorHoodSolver<dim>::advance(const Step &step)
 {
   StepReport report;
@@ -242,6 +262,8 @@ StepReport TaylorHoodSolver<dim>::advance(const Step &step)
     TimerOutput::Scope scope(log.timer(), "factor");
     report.factored = system.prepare(wanted);
   }
+  if (report.factored)
+    report_exponential_branches(step);
   {
     TimerOutput::Scope scope(log.timer(), "right-hand side");
     // Momentum: inertia of the past, force of the branches, loads.
@@ -445,45 +467,62 @@ PowerBalance TaylorHoodSolver<dim>::power_balance()
   PowerBalance balance;
   balance.time = last_step.balance_time;
   balance.materials.resize(operators.size());
+  // Numbers of this rank; all are summed over the ranks at once.
+  std::vector<double> sums;
 
-  // `momentum` collects what the equations leave at the nodes: inertia + inner forces - loads.
+  // What the equations leave at the nodes - inertia + inner forces - loads - is the force that
+  // moves those of prescribed velocity; without such nodes nobody asks for it.
+  const bool reactions = !constraints.is_homogeneous();
   momentum = 0.;
   loads.add(last_step.balance_time, momentum);
-  balance.external = momentum * velocity_balanced;
+  sums.push_back(local_product(momentum, velocity_balanced));
   momentum *= -1.;
   for (unsigned int region = 0; region < operators.size(); ++region)
   {
     const Material &material = problem.materials[region];
-    Power &power = balance.materials[region];
+    // The power of the nodal forces in velocity_work.
+    const auto add_power = [&](const double factor)
+    {
+      sums.push_back(factor * local_product(velocity_work, velocity_balanced));
+      if (reactions)
+        momentum.add(factor, velocity_work);
+    };
     operators[region].mass.vmult(velocity_work, acceleration);
-    power.kinetic = material.density * (velocity_work * velocity_balanced);
-    momentum.add(material.density, velocity_work);
+    add_power(material.density);
     if (history.mix_balanced(material, mixture))
-    {
       operators[region].stiffness.vmult(velocity_work, mixture);
-      power.strain = velocity_work * velocity_balanced;
-      momentum.add(1., velocity_work);
-    }
+    else
+      velocity_work = 0.;
+    add_power(1.);
     if (material.viscosity != 0.)
-    {
       operators[region].stiffness.vmult(velocity_work, velocity_balanced);
-      power.viscous = material.viscosity * (velocity_work * velocity_balanced);
-      momentum.add(material.viscosity, velocity_work);
+    else
+      velocity_work = 0.;
+    add_power(material.viscosity);
+    if (reactions)
+    {
+      operators[region].divergence.Tvmult(velocity_work, pressure_balanced);
+      add_power(-1.);
     }
-    operators[region].divergence.Tvmult(velocity_work, pressure_balanced);
-    power.compressive = -(velocity_work * velocity_balanced);
-    momentum.add(-1., velocity_work);
+    else
+    {
+      operators[region].divergence.vmult(pressure_work, velocity_balanced);
+      sums.push_back(-local_product(pressure_work, pressure_balanced));
+    }
   }
-  // What is left at nodes of prescribed velocity is the force that moves them.
-  if (!constraints.is_homogeneous())
-    balance.external += momentum * prescribed_balanced;
+  sums.push_back(reactions ? local_product(momentum, prescribed_balanced) : 0.);
+  Utilities::MPI::sum(sums, space.communicator, sums);
+
+  balance.external = sums.front() + sums.back();
   balance.residual = balance.external;
   balance.exchanged = std::abs(balance.external);
-  for (const Power &power : balance.materials)
+  for (unsigned int region = 0; region < operators.size(); ++region)
   {
-    balance.residual -= power.sum();
-    balance.exchanged += std::abs(power.kinetic) + std::abs(power.strain) +
-                         std::abs(power.viscous) + std::abs(power.compressive);
+    const double *const of_region = &sums[1 + 4 * region];
+    balance.materials[region] = {of_region[0], of_region[1], of_region[2], of_region[3]};
+    balance.residual -= balance.materials[region].sum();
+    for (unsigned int i = 0; i < 4; ++i)
+      balance.exchanged += std::abs(of_region[i]);
   }
   return balance;
 }
@@ -491,22 +530,23 @@ PowerBalance TaylorHoodSolver<dim>::power_balance()
 template <int dim>
 Energy TaylorHoodSolver<dim>::energy()
 {
-  Energy energy;
+  std::vector<double> sums(3, 0.);
   for (unsigned int region = 0; region < operators.size(); ++region)
   {
     const Material &material = problem.materials[region];
     operators[region].mass.vmult(velocity_work, velocity);
-    energy.kinetic += 0.5 * material.density * (velocity_work * velocity);
+    sums[0] += 0.5 * material.density * local_product(velocity_work, velocity);
     for (const Branch &branch : material.branches)
     {
       const DistributedVector &internal = history.internal_displacement(branch.relaxation_time);
       operators[region].stiffness.vmult(velocity_work, internal);
-      energy.strain += 0.5 * branch.shear_modulus * (velocity_work * internal);
+      sums[1] += 0.5 * branch.shear_modulus * local_product(velocity_work, internal);
     }
     operators[region].pressure_mass.vmult(pressure_work, pressure);
-    energy.compressive += 0.5 * material.inverse_bulk_modulus * (pressure_work * pressure);
+    sums[2] += 0.5 * material.inverse_bulk_modulus * local_product(pressure_work, pressure);
   }
-  return energy;
+  Utilities::MPI::sum(sums, space.communicator, sums);
+  return {sums[0], sums[1], sums[2]};
 }
 
 template <int dim>
