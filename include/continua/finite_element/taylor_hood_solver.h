@@ -16,6 +16,7 @@
 #include <deal.II/distributed/solution_transfer.h>
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -88,6 +89,8 @@ private:
   DistributedVector pressure_known;
   double pressure_known_time = 0.;
   std::vector<unsigned int> incompressible_pressures; ///< local indices
+  /// Relaxation times whose exponential update the log has told of.
+  std::set<double> exponential_branches_reported;
   // Work space of the step.
   DistributedVector momentum, mass, velocity_work, mixture, pressure_work;
 
@@ -100,6 +103,7 @@ private:
   /// Pressure in equilibrium with the displacement: M_p p / K = - B D in every compressible region.
   void set_consistent_pressure();
   SystemCoefficients coefficients(const Step &step) const;
+  void report_exponential_branches(const Step &step);
   void extrapolate_pressure(const Step &step);
   State<dim> state() const;
   std::vector<DistributedVector *> velocity_vectors();
