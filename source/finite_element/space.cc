@@ -8,6 +8,20 @@ namespace Continua
 {
 using namespace dealii;
 
+namespace
+{
+/// Local indices of the owned dofs that have a constraint.
+std::vector<unsigned int> owned_and_constrained(const IndexSet &owned,
+                                                const AffineConstraints<double> &constraints)
+{
+  std::vector<unsigned int> indices;
+  for (const auto index : owned)
+    if (constraints.is_constrained(index))
+      indices.push_back(owned.index_within_set(index));
+  return indices;
+}
+} // namespace
+
 void SpaceParameters::read(ParameterSection section)
 {
   section.add("Velocity degree", velocity_degree,
@@ -64,6 +78,9 @@ void Space<dim>::distribute()
   pressure_hanging.reinit(pressure_relevant);
   DoFTools::make_hanging_node_constraints(pressure_dofs, pressure_hanging);
   pressure_hanging.close();
+
+  hanging_velocities = owned_and_constrained(velocity_owned, velocity_hanging);
+  hanging_pressures = owned_and_constrained(pressure_owned, pressure_hanging);
 }
 
 template <int dim>
@@ -84,6 +101,20 @@ DistributedVector Space<dim>::ghosted_pressure(const DistributedVector &owned) c
   DistributedVector ghosted(pressure_owned, pressure_relevant, communicator);
   ghosted = complete;
   return ghosted;
+}
+
+template <int dim>
+void Space<dim>::set_hanging_velocities_to_zero(DistributedVector &owned) const
+{
+  for (const unsigned int index : hanging_velocities)
+    owned.begin()[index] = 0.;
+}
+
+template <int dim>
+void Space<dim>::set_hanging_pressures_to_zero(DistributedVector &owned) const
+{
+  for (const unsigned int index : hanging_pressures)
+    owned.begin()[index] = 0.;
 }
 
 template <int dim>

@@ -2,6 +2,8 @@
 
 #include <continua/base/input_error.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <Epetra_CrsMatrix.h>
 
 #include <algorithm>
@@ -102,6 +104,39 @@ void StepSystem<dim>::reinit()
 }
 
 template <int dim>
+AffineConstraints<double> StepSystem<dim>::constraints_of_columns() const
+{
+  IndexSet columns = space.velocity_relevant;
+  std::vector<types::global_dof_index> others;
+  const auto collect = [&](const TrilinosWrappers::SparseMatrix &matrix, const unsigned int n_rows)
+  {
+    for (unsigned int i = 0; i < n_rows; ++i)
+      for_row(matrix, i,
+              [&](const types::global_dof_index j, double)
+              {
+                if (!space.velocity_relevant.is_element(j))
+                  others.push_back(j);
+              });
+  };
+  for (const RegionOperators &region : operators)
+  {
+    // The stiffness has all the columns that the mass has.
+    collect(region.stiffness, space.velocity_owned.n_elements());
+    collect(region.divergence, space.pressure_owned.n_elements());
+  }
+  std::sort(others.begin(), others.end());
+  columns.add_indices(others.begin(), std::unique(others.begin(), others.end()));
+  columns.compress();
+
+  AffineConstraints<double> lines(columns);
+  lines.merge(constraints.all(), AffineConstraints<double>::no_conflicts_allowed, true);
+  if (Utilities::MPI::n_mpi_processes(space.communicator) > 1)
+    lines.make_consistent_in_parallel(space.velocity_owned, columns, space.communicator);
+  lines.close();
+  return lines;
+}
+
+template <int dim>
 SymmetricTriplets StepSystem<dim>::triplets() const
 {
   const int n_velocity = space.velocity_dofs.n_dofs();
@@ -116,16 +151,16 @@ SymmetricTriplets StepSystem<dim>::triplets() const
       result.values.push_back(value);
     }
   };
-  // The free dofs that a velocity dof stands for, with their weights: the rows of T.
-  const auto masters = [this](const int index, Entries &entries)
+  const AffineConstraints<double> lines = constraints_of_columns();
+  // The free dofs that a velocity dof stands for, with their weights: the rows of T. Hanging nodes
+  // are condensed already: they stand in no row but their own.
+  const auto masters = [&lines](const int index, Entries &entries)
   {
     entries.clear();
-    if (space.velocity_hanging.is_constrained(index))
-      return;
-    if (!constraints.all().is_constrained(index))
+    if (!lines.is_constrained(index))
       entries.emplace_back(index, 1.);
     else
-      for (const auto &entry : *constraints.all().get_constraint_entries(index))
+      for (const auto &entry : *lines.get_constraint_entries(index))
         entries.emplace_back(entry.first, entry.second);
   };
 
@@ -133,8 +168,10 @@ SymmetricTriplets StepSystem<dim>::triplets() const
   for (unsigned int i = 0; i < space.velocity_owned.n_elements(); ++i)
   {
     const int global = space.velocity_owned.nth_index_in_set(i);
-    if (constraints.all().is_constrained(global))
+    if (lines.is_constrained(global))
       add(global, global, 1.);
+    if (space.velocity_hanging.is_constrained(global))
+      continue;
     masters(global, row_masters);
     if (row_masters.empty())
       continue;
@@ -179,10 +216,7 @@ SymmetricTriplets StepSystem<dim>::triplets() const
       if (compressibility != 0.)
         for_row(operators[region].pressure_mass, k,
                 [&](const int l, const double value)
-                {
-                  if (!space.pressure_hanging.is_constrained(l))
-                    add(n_velocity + global, n_velocity + l, -compressibility * value);
-                });
+                { add(n_velocity + global, n_velocity + l, -compressibility * value); });
     }
   }
   return result;

@@ -16,6 +16,7 @@
 #include <mpi.h>
 
 #include <string>
+#include <vector>
 
 namespace Continua
 {
@@ -65,6 +66,10 @@ public:
   DistributedVector ghosted_velocity(const DistributedVector &owned) const;
   DistributedVector ghosted_pressure(const DistributedVector &owned) const;
 
+  /// Owned vectors have no values of their own at hanging nodes: the matrices have those condensed.
+  void set_hanging_velocities_to_zero(DistributedVector &owned) const;
+  void set_hanging_pressures_to_zero(DistributedVector &owned) const;
+
   /// 2 pi r in axisymmetry, else 1: the measure of a point of the mesh [m or 1].
   double measure(const dealii::Point<dim> &point) const;
   /// The component of the pressure space in which a region's pressure lives.
@@ -88,6 +93,7 @@ public:
 private:
   bool broken;
   bool axisymmetric;
+  std::vector<unsigned int> hanging_velocities, hanging_pressures; ///< local indices of owned ones
 };
 } // namespace Continua
 

@@ -85,6 +85,9 @@ private:
   DistributedVector velocity_product, pressure_product, velocity_residual, pressure_residual,
       velocity_correction, pressure_correction;
 
+  /// The constraints of every column of this rank's rows. Where hanging nodes lie on the border of
+  /// two ranks a row couples with dofs that are on none of this rank's cells, ghost cells included.
+  dealii::AffineConstraints<double> constraints_of_columns() const;
   SymmetricTriplets triplets() const;
   void solve_packed(const DistributedVector &momentum,
                     const DistributedVector &mass,

@@ -9,13 +9,12 @@
 #include <continua/finite_element/field_evaluation.h>
 #include <continua/finite_element/field_output.h>
 #include <continua/finite_element/loads.h>
+#include <continua/finite_element/mesh_transfer.h>
+#include <continua/finite_element/power_ledger.h>
 #include <continua/finite_element/region_operators.h>
 #include <continua/finite_element/space.h>
 #include <continua/finite_element/step_system.h>
 
-#include <deal.II/distributed/solution_transfer.h>
-
-#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -74,16 +73,16 @@ private:
   Loads<dim> loads;
   BranchHistory history;
   StepSystem<dim> system;
+  PowerLedger<dim> power_ledger;
+  MeshTransfer<dim> mesh_transfer;
   FieldEvaluation<dim> evaluation;
   FieldOutput<dim> output;
 
   // The state: at the present time, and one step before.
   DistributedVector velocity, velocity_older, pressure, pressure_older;
   double present_time = 0.;
-  // What the last step balanced, for the power ledger.
-  Step last_step;
-  DistributedVector velocity_balanced, pressure_balanced, acceleration, prescribed,
-      prescribed_balanced;
+  BalancedStep balanced;        ///< by the last step
+  DistributedVector prescribed; ///< velocities at constrained dofs, constants set once [m/s]
   // The last pressure known at a time of its own, from which that of an incompressible material is
   // extrapolated.
   DistributedVector pressure_known;
@@ -94,14 +93,7 @@ private:
   // Work space of the step.
   DistributedVector momentum, mass, velocity_work, mixture, pressure_work;
 
-  std::unique_ptr<dealii::parallel::distributed::SolutionTransfer<dim, DistributedVector>>
-      velocity_transfer, pressure_transfer;
-  std::vector<DistributedVector> velocities_in_transfer, pressures_in_transfer;
-
   void setup();
-  void set_initial_state();
-  /// Pressure in equilibrium with the displacement: M_p p / K = - B D in every compressible region.
-  void set_consistent_pressure();
   SystemCoefficients coefficients(const Step &step) const;
   void report_exponential_branches(const Step &step);
   void extrapolate_pressure(const Step &step);

@@ -1,0 +1,199 @@
+#include <continua/finite_element/initial_state.h>
+
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/numerics/vector_tools.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace Continua
+{
+using namespace dealii;
+
+namespace
+{
+/// Expressions as a deal.II function, component by component.
+template <int dim>
+class ExpressionFunction : public Function<dim>
+{
+public:
+  explicit ExpressionFunction(const std::vector<Expression> &components)
+      : Function<dim>(components.size()), components(components)
+  {
+  }
+  double value(const Point<dim> &point, const unsigned int component) const override
+  {
+    double coordinates[3] = {0., 0., 0.};
+    for (unsigned int c = 0; c < dim; ++c)
+      coordinates[c] = point[c];
+    return components[component](coordinates, 0.);
+  }
+
+private:
+  const std::vector<Expression> &components;
+};
+/// sum M_p / K on the pressures that it determines; the identity on the idle ones (incompressible,
+/// or hanging).
+template <int dim>
+struct PressureCompressibility
+{
+  const Space<dim> &space;
+  const Problem &problem;
+  const std::vector<RegionOperators> &operators;
+  DistributedVector diagonal;
+  std::vector<unsigned int> idle; ///< local indices
+
+  void reinit()
+  {
+    diagonal = space.pressure_vector();
+    for (unsigned int i = 0; i < space.pressure_owned.n_elements(); ++i)
+    {
+      const auto global = space.pressure_owned.nth_index_in_set(i);
+      double &entry = diagonal.begin()[i];
+      for (unsigned int region = 0; region < operators.size(); ++region)
+        entry += problem.materials[region].inverse_bulk_modulus *
+                 operators[region].pressure_mass.diag_element(global);
+      if (entry == 0. || space.pressure_hanging.is_constrained(global))
+      {
+        entry = 1.;
+        idle.push_back(i);
+      }
+    }
+  }
+  void set_idle_to_zero(DistributedVector &vector) const
+  {
+    for (const unsigned int i : idle)
+      vector.begin()[i] = 0.;
+  }
+  void vmult(DistributedVector &target, const DistributedVector &source) const
+  {
+    DistributedVector product(source);
+    target = 0.;
+    for (unsigned int region = 0; region < operators.size(); ++region)
+      if (problem.materials[region].inverse_bulk_modulus > 0.)
+      {
+        operators[region].pressure_mass.vmult(product, source);
+        target.add(problem.materials[region].inverse_bulk_modulus, product);
+      }
+    set_idle_to_zero(target);
+  }
+};
+
+struct DiagonalInverse
+{
+  const DistributedVector &diagonal;
+  void vmult(DistributedVector &target, const DistributedVector &source) const
+  {
+    for (unsigned int i = 0; i < source.locally_owned_size(); ++i)
+      target.begin()[i] = source.begin()[i] / diagonal.begin()[i];
+  }
+};
+} // namespace
+
+template <int dim>
+void solve_equilibrium_pressure(const Space<dim> &space,
+                                const Problem &problem,
+                                const std::vector<RegionOperators> &operators,
+                                const DistributedVector &displacement,
+                                DistributedVector &pressure)
+{
+  PressureCompressibility<dim> matrix{space, problem, operators, {}, {}};
+  matrix.reinit();
+  DistributedVector right_hand_side = space.pressure_vector(), product = right_hand_side;
+  for (const RegionOperators &region : operators)
+  {
+    region.divergence.vmult(product, displacement);
+    right_hand_side.add(-1., product);
+  }
+  matrix.set_idle_to_zero(right_hand_side);
+  pressure = 0.;
+  SolverControl control(1000, 1e-14 * right_hand_side.l2_norm());
+  SolverCG<DistributedVector> solver(control);
+  solver.solve(matrix, pressure, right_hand_side, DiagonalInverse{matrix.diagonal});
+}
+
+template <int dim>
+void set_initial_state(const Space<dim> &space,
+                       const Problem &problem,
+                       const std::vector<RegionOperators> &operators,
+                       Log &log,
+                       DistributedVector &velocity,
+                       DistributedVector &displacement,
+                       DistributedVector &pressure)
+{
+  const InteriorData &data = problem.interior;
+  if (!data.initial_velocity.empty())
+    VectorTools::interpolate(space.velocity_dofs, ExpressionFunction<dim>(data.initial_velocity),
+                             velocity);
+  if (!data.initial_displacement.empty())
+    VectorTools::interpolate(space.velocity_dofs,
+                             ExpressionFunction<dim>(data.initial_displacement), displacement);
+  if (!data.initial_pressure.empty())
+  {
+    std::vector<Expression> by_component = data.initial_pressure;
+    by_component.resize(space.pressure_elements.n_components());
+    VectorTools::interpolate(space.pressure_dofs, ExpressionFunction<dim>(by_component), pressure);
+  }
+  space.set_hanging_velocities_to_zero(velocity);
+  space.set_hanging_velocities_to_zero(displacement);
+  space.set_hanging_pressures_to_zero(pressure);
+  if (data.initial_displacement.empty())
+    return;
+  if (data.initial_pressure.empty())
+  {
+    solve_equilibrium_pressure(space, problem, operators, displacement, pressure);
+    log.line("Initial pressure: in equilibrium with the initial displacement");
+    return;
+  }
+  // What was given must obey p = -K div D in the solids, or they start with a shock that nobody
+  // asked for. Measured by M_p, region by region, since elsewhere the pressure has no displacement
+  // to obey.
+  DistributedVector difference = space.pressure_vector(), product = difference;
+  solve_equilibrium_pressure(space, problem, operators, displacement, difference);
+  difference.add(-1., pressure);
+  double square = 0., scale = 0.;
+  for (unsigned int region = 0; region < operators.size(); ++region)
+    if (problem.materials[region].phase() == 1. &&
+        problem.materials[region].inverse_bulk_modulus > 0.)
+    {
+      operators[region].pressure_mass.vmult(product, difference);
+      square += product * difference;
+      operators[region].pressure_mass.vmult(product, pressure);
+      scale += product * pressure;
+    }
+  if (square > 0.05 * 0.05 * scale)
+  {
+    std::ostringstream text;
+    text
+        << "the initial pressure of a solid is not that of its initial displacement (p = -K div D)";
+    if (scale > 0.)
+      text << ": they differ by " << 100. * std::sqrt(square / scale) << " %";
+    log.warning(text.str());
+  }
+}
+
+template void solve_equilibrium_pressure(const Space<2> &,
+                                         const Problem &,
+                                         const std::vector<RegionOperators> &,
+                                         const DistributedVector &,
+                                         DistributedVector &);
+template void set_initial_state(const Space<2> &,
+                                const Problem &,
+                                const std::vector<RegionOperators> &,
+                                Log &,
+                                DistributedVector &,
+                                DistributedVector &,
+                                DistributedVector &);
+template void solve_equilibrium_pressure(const Space<3> &,
+                                         const Problem &,
+                                         const std::vector<RegionOperators> &,
+                                         const DistributedVector &,
+                                         DistributedVector &);
+template void set_initial_state(const Space<3> &,
+                                const Problem &,
+                                const std::vector<RegionOperators> &,
+                                Log &,
+                                DistributedVector &,
+                                DistributedVector &,
+                                DistributedVector &);
+} // namespace Continua

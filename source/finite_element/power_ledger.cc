@@ -1,0 +1,131 @@
+#include <continua/finite_element/power_ledger.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <numeric>
+
+namespace Continua
+{
+using namespace dealii;
+
+namespace
+{
+/// This rank's part of a scalar product.
+double local_product(const DistributedVector &a, const DistributedVector &b)
+{
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
+}
+} // namespace
+
+template <int dim>
+PowerLedger<dim>::PowerLedger(const Space<dim> &space,
+                              const Problem &problem,
+                              const std::vector<RegionOperators> &operators,
+                              const BoundaryConstraints<dim> &constraints,
+                              const Loads<dim> &loads)
+    : space(space), problem(problem), operators(operators), constraints(constraints), loads(loads)
+{
+}
+
+template <int dim>
+void PowerLedger<dim>::reinit()
+{
+  nodal_forces = space.velocity_vector();
+  velocity_work = nodal_forces;
+  mixture = nodal_forces;
+  pressure_work = space.pressure_vector();
+}
+
+template <int dim>
+PowerBalance PowerLedger<dim>::balance(const BalancedStep &step, const BranchHistory &history)
+{
+  PowerBalance balance;
+  balance.time = step.step.balance_time;
+  balance.materials.resize(operators.size());
+  // Numbers of this rank; all are summed over the ranks at once.
+  std::vector<double> sums;
+
+  // What the equations leave at the nodes - inertia + inner forces - loads - is the force that
+  // moves those of prescribed velocity; without such nodes nobody asks for it.
+  const bool reactions = !constraints.is_homogeneous();
+  nodal_forces = 0.;
+  loads.add(step.step.balance_time, nodal_forces);
+  sums.push_back(local_product(nodal_forces, step.velocity));
+  nodal_forces *= -1.;
+  for (unsigned int region = 0; region < operators.size(); ++region)
+  {
+    const Material &material = problem.materials[region];
+    // The power of the nodal forces in velocity_work.
+    const auto add_power = [&](const double factor)
+    {
+      sums.push_back(factor * local_product(velocity_work, step.velocity));
+      if (reactions)
+        nodal_forces.add(factor, velocity_work);
+    };
+    operators[region].mass.vmult(velocity_work, step.acceleration);
+    add_power(material.density);
+    if (history.mix_balanced(material, mixture))
+      operators[region].stiffness.vmult(velocity_work, mixture);
+    else
+      velocity_work = 0.;
+    add_power(1.);
+    if (material.viscosity != 0.)
+      operators[region].stiffness.vmult(velocity_work, step.velocity);
+    else
+      velocity_work = 0.;
+    add_power(material.viscosity);
+    if (reactions)
+    {
+      operators[region].divergence.Tvmult(velocity_work, step.pressure);
+      add_power(-1.);
+    }
+    else
+    {
+      operators[region].divergence.vmult(pressure_work, step.velocity);
+      sums.push_back(-local_product(pressure_work, step.pressure));
+    }
+  }
+  sums.push_back(reactions ? local_product(nodal_forces, step.prescribed) : 0.);
+  Utilities::MPI::sum(sums, space.communicator, sums);
+
+  balance.external = sums.front() + sums.back();
+  balance.residual = balance.external;
+  balance.exchanged = std::abs(balance.external);
+  for (unsigned int region = 0; region < operators.size(); ++region)
+  {
+    const double *const of_region = &sums[1 + 4 * region];
+    balance.materials[region] = {of_region[0], of_region[1], of_region[2], of_region[3]};
+    balance.residual -= balance.materials[region].sum();
+    for (unsigned int i = 0; i < 4; ++i)
+      balance.exchanged += std::abs(of_region[i]);
+  }
+  return balance;
+}
+
+template <int dim>
+Energy PowerLedger<dim>::energy(const State<dim> &state)
+{
+  std::vector<double> sums(3, 0.);
+  for (unsigned int region = 0; region < operators.size(); ++region)
+  {
+    const Material &material = problem.materials[region];
+    operators[region].mass.vmult(velocity_work, state.velocity);
+    sums[0] += 0.5 * material.density * local_product(velocity_work, state.velocity);
+    for (const Branch &branch : material.branches)
+    {
+      const DistributedVector &internal =
+          state.history.internal_displacement(branch.relaxation_time);
+      operators[region].stiffness.vmult(velocity_work, internal);
+      sums[1] += 0.5 * branch.shear_modulus * local_product(velocity_work, internal);
+    }
+    operators[region].pressure_mass.vmult(pressure_work, state.pressure);
+    sums[2] += 0.5 * material.inverse_bulk_modulus * local_product(pressure_work, state.pressure);
+  }
+  Utilities::MPI::sum(sums, space.communicator, sums);
+  return {sums[0], sums[1], sums[2]};
+}
+
+template class PowerLedger<2>;
+template class PowerLedger<3>;
+} // namespace Continua
