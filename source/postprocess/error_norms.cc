@@ -31,19 +31,22 @@ template <int dim>
 void ErrorNorms<dim>::read(ParameterSection section)
 {
   const auto add = [&](const std::string &key, const std::string &name, const Dimension &dimension,
-                       const unsigned int n_components)
+                       const unsigned int n_components, const std::string &components)
   {
     Field field{name, dimension, std::vector<Expression>(n_components)};
     add_expressions(section, key, field.exact, n_components, dimension,
-                    "Exact " + name + (n_components > 1 ? ", one expression a component" : "") +
-                        " of (x, y, z, t) [" + dimension.unit() +
+                    "Exact " + name + components + " of (x, y, z, t) [" + dimension.unit() +
                         "], with which the state at the end is compared");
     if (section.given(key))
       fields.push_back(field);
   };
-  add("Velocity", "velocity", Dimensions::velocity, dim);
-  add("Displacement", "displacement", Dimensions::length, dim);
-  add("Pressure", "pressure", Dimensions::pressure, 1);
+  const std::string each = ", one expression a component";
+  add("Velocity", "velocity", Dimensions::velocity, dim, each);
+  add("Displacement", "displacement", Dimensions::length, dim, each);
+  add("Pressure", "pressure", Dimensions::pressure, 1, "");
+  add("Stress", "stress", Dimensions::pressure, dim == 2 ? 4 : 6,
+      std::string(", the components xx, yy, zz, xy") + (dim == 2 ? "" : ", xz, yz") +
+          " (zz is the hoop stress in axisymmetry)");
 }
 
 template <int dim>

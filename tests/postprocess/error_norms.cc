@@ -54,6 +54,18 @@ int main(int argc, char **argv)
   check::absolute("nothing relative to zero", static_cast<double>(space.quantities().size()), 1.,
                   0.);
 
+  // From (5, 5, 5, 5) it is sqrt(9 + 4 + 16 + 1) away.
+  const Summary stress = run<2>("  set Stress = x, y, z - 4, 2*t\n", Model::axisymmetric);
+  check::relative("stress", quantity(stress, "L2 error of stress"), std::sqrt(30.), 1e-14);
+  check::equal("unit of stress", quantity_unit(stress, "L2 error of stress"), "Pa m^(3/2)");
+  check::relative("stress of six components",
+                  quantity(run<3>("  set Stress = 5, 4, 3, 2, 1, 0\n", Model::three_dimensional),
+                           "L2 error of stress"),
+                  std::sqrt(55.), 1e-14);
+  check::throws<InputError>(
+      "components of stress",
+      []() { run<3>("  set Stress = 1, 2, 3, 4\n", Model::three_dimensional); }, "exact.prm:2");
+
   check::throws<InputError>(
       "components", []() { run<2>("  set Velocity = x\n", Model::plane_strain); }, "exact.prm:2");
 }

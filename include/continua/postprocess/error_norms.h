@@ -24,7 +24,8 @@ public:
   /**
    * Compares at `time` [s] and adds `L2 error of FIELD` (absolute: the unit of the field times the
    * square root of an area, or of a volume) and, unless the exact solution is zero, `relative L2
-   * error of FIELD`, for velocity, displacement and pressure. Collective.
+   * error of FIELD`, for velocity, displacement, pressure and stress (with the components xx, yy,
+   * zz, xy and in three dimensions xz, yz, each counted once). Collective.
    */
   void finish(ContinuumSolver<dim> &solver, double time, Model model, Summary &summary) const;
 
