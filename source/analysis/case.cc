@@ -27,6 +27,8 @@ void GeneralParameters::read(ParameterSection root)
                   "three-dimensional.");
   root.add_choice("Discretisation", discretisation, {"taylor hood"},
                   "taylor hood: finite elements, velocity Q_k, pressure Q_(k-1).");
+  root.add_choice("Convection", convection, {"none"},
+                  "Convective terms of the equations; there are none so far.");
 }
 
 void RestParameters::read(ParameterSection section)
@@ -67,9 +69,6 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator)
   }
   problem.interior.read(root.subsection("Body force"), root.subsection("Initial state"),
                         problem.regions, dim);
-  std::string convection = "none";
-  root.add_choice("Convection", convection, {"none"},
-                  "Convective terms of the equations; there are none so far.");
 
   taylor_hood.space.read(root.subsection("Finite element"));
   taylor_hood.linear_solver.read(root.subsection("Linear solver"));

@@ -1,11 +1,8 @@
 #include <continua/analysis/documentation.h>
 
-#include <continua/analysis/analyses.h>
-#include <continua/analysis/case.h>
-#include <continua/base/input_error.h>
-#include <continua/boundary/boundary_condition.h>
-#include <continua/materials/material.h>
-#include <continua/mesh/geometry.h>
+#include <continua/analysis/parameter_catalogue.h>
+#include <continua/base/parameter_text.h>
+#include <continua/materials/model.h>
 
 #include <nlohmann/json.hpp>
 
@@ -17,223 +14,193 @@ namespace Continua
 {
 namespace
 {
-using Types = std::vector<std::pair<std::string, std::string>>;
-using Overrides = std::vector<std::string>;
+using Entries = std::vector<CatalogueEntry>;
 
-/// One section of the documentation. Its entries are those that `read`, the function of a run,
-/// declares.
-struct Section
+/// Calls `print` for the entries of each subsection, in the order in which these first occur.
+void for_each_subsection(
+    const Entries &entries,
+    const std::function<void(const std::vector<std::string> &, const Entries &)> &print)
 {
-  std::string title;
-  std::string introduction;
-  Overrides overrides; ///< what must be set for anything to be declared: members of families
-  std::function<void(ParameterSection root, const GeneralParameters &general)> read;
-  std::string type_key; ///< the entry that picks a row of a table; empty: there is no table
-  Types types;
-};
-
-/// An entry as ParameterFile prints it in json, and the other entries on which it depends.
-struct Entry
-{
-  nlohmann::ordered_json data;
-  std::string condition; ///< "Waveform = table"
-
-  std::string path() const { return data["path"]; }
-  bool operator==(const Entry &other) const
-  {
-    return data == other.data && condition == other.condition;
-  }
-};
-
-/// The entries of one type, or of a section without types.
-struct Part
-{
-  std::string type;
-  std::string description;
-  std::string models; ///< where not every Model has it: those that have it
-  std::vector<Entry> entries;
-};
-
-const std::vector<Section> &sections()
-{
-  const auto geometry = [](ParameterSection root, const GeneralParameters &general)
-  {
-    const Model model = model_of(general.model);
-    ParameterSection mesh = root.subsection("Mesh");
-    if (n_dimensions(model) == 3)
-      make_geometry<3>(root.subsection("Geometry"), mesh, false);
-    else
-      make_geometry<2>(root.subsection("Geometry"), mesh, model == Model::axisymmetric);
-    MeshParameters::read(mesh);
-  };
-  static const std::vector<Section> list = {
-      {"General", "At the top of the file, outside all subsections.", {}, {}, "", {}},
-      {"Geometry and mesh",
-       "The shape, whose type decides how its regions and boundaries are called, and the coarse "
-       "mesh.",
-       {},
-       geometry,
-       "Geometry/Type",
-       geometry_types<2>()},
-      {"Painted regions",
-       "A family of entries, one a region: parts of any geometry that are to have a material of "
-       "their own.",
-       {"Geometry/Regions/<region>=1"},
-       geometry,
-       "",
-       {}},
-      {"Materials",
-       "A family: one subsection for each region of the geometry, called after it.",
-       {},
-       [](ParameterSection root, const GeneralParameters &general)
-       {
-         read_material(root.subsection("Materials").subsection("<region>"),
-                       model_of(general.model));
-       },
-       "Materials/<region>/Type",
-       material_types()},
-      {"Boundaries",
-       "A family: one subsection for each boundary of the geometry, called after it.",
-       {},
-       [](ParameterSection root, const GeneralParameters &general)
-       {
-         const Model model = model_of(general.model);
-         read_boundary_conditions(root.subsection("Boundaries"), {"<boundary>"}, {"<region>"},
-                                  {{0, 0}}, n_dimensions(model), model == Model::axisymmetric);
-       },
-       "Boundaries/<boundary>/Type",
-       boundary_types()},
-      {"Body force and initial state",
-       "What acts inside the body, and the state at t = 0, which is rest unless it is given.",
-       {},
-       [](ParameterSection root, const GeneralParameters &general)
-       {
-         InteriorData().read(root.subsection("Body force"), root.subsection("Initial state"),
-                             {"<region>"}, n_dimensions(model_of(general.model)));
-       },
-       "",
-       {}},
-      {"Finite elements and linear solver",
-       "How the equations are discretised in space, and how the systems are solved.",
-       {},
-       [](ParameterSection root, const GeneralParameters &)
-       {
-         TaylorHoodParameters parameters;
-         parameters.space.read(root.subsection("Finite element"));
-         parameters.linear_solver.read(root.subsection("Linear solver"));
-       },
-       "",
-       {}},
-      {"Time",
-       "Of an analysis that steps through time.",
-       {},
-       [](ParameterSection root, const GeneralParameters &)
-       { TimeParameters().read(root.subsection("Time")); },
-       "",
-       {}},
-      {"Steady",
-       "Of a steady analysis of fluid and solid together, which is stepped to rest.",
-       {},
-       [](ParameterSection root, const GeneralParameters &)
-       { RestParameters().read(root.subsection("Steady")); },
-       "",
-       {}},
-      {"Adaptivity",
-       "How the mesh follows the solution.",
-       {},
-       [](ParameterSection root, const GeneralParameters &general) {
-         AdaptationParameters().read(root.subsection("Adaptivity"),
-                                     general.analysis == "transient");
-       },
-       "",
-       {}},
-      {"Output",
-       "What is written, and when.",
-       {},
-       [](ParameterSection root, const GeneralParameters &)
-       { OutputParameters().read(root.subsection("Output")); },
-       "",
-       {}},
-      {"Probes",
-       "A family: one subsection for each probe, called as you like.",
-       {"Probes/<probe>/Fields=velocity", "Probes/<probe>/Boundary=<boundary>"},
-       [](ParameterSection root, const GeneralParameters &)
-       { Probes<2>(MPI_COMM_SELF).read(root.subsection("Probes"), {"<boundary>"}, {"<region>"}); },
-       "",
-       {}},
-      {"Exact solution",
-       "Functions with which the state at the end is compared.",
-       {},
-       [](ParameterSection root, const GeneralParameters &)
-       { ErrorNorms<2>().read(root.subsection("Exact solution")); },
-       "",
-       {}},
-      {"Expected",
-       "A family of entries: values that the run must meet, each with a verdict at its end.",
-       {"Expected/<quantity>=1 +- 1 %"},
-       [](ParameterSection root, const GeneralParameters &)
-       { read_expected(root.subsection("Expected")); },
-       "",
-       {}}};
-  return list;
-}
-
-/// What a run with these entries would declare; nothing if it would refuse them.
-std::vector<Entry> declared(const Section &section, const Overrides &overrides)
-{
-  ParameterFile file("", overrides);
-  try
-  {
-    GeneralParameters general;
-    general.read(file.root());
-    if (section.read)
-      section.read(file.root(), general);
-  }
-  catch (const InputError &)
-  {
-    return {};
-  }
-  std::stringstream text;
-  file.print(text, ParameterFile::Style::json);
-  std::vector<Entry> entries;
-  for (const auto &data : nlohmann::ordered_json::parse(text))
-    entries.push_back({data, ""});
-  return entries;
-}
-
-std::vector<std::string> choices_of(const Entry &entry)
-{
-  const std::string values = entry.data["values"];
-  std::vector<std::string> choices;
-  for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 2)
-  {
-    end = values.find(", ", begin);
-    choices.push_back(values.substr(begin, end - begin));
-  }
-  return choices;
-}
-
-/// Adds the entries that exist with `overrides`, and those that appear when a choice among them is
-/// made otherwise, with the condition under which they exist.
-void explore(const Section &section,
-             const Overrides &overrides,
-             const std::string &condition,
-             std::vector<Entry> &entries)
-{
-  std::vector<Entry> found;
-  for (Entry &entry : declared(section, overrides))
-    if (std::none_of(entries.begin(), entries.end(),
-                     [&](const Entry &other) { return other.path() == entry.path(); }))
+  std::vector<std::vector<std::string>> done;
+  for (const CatalogueEntry &first : entries)
+    if (std::find(done.begin(), done.end(), first.section) == done.end())
     {
-      entry.condition = condition;
-      found.push_back(entry);
+      done.push_back(first.section);
+      Entries together;
+      std::copy_if(entries.begin(), entries.end(), std::back_inserter(together),
+                   [&first](const CatalogueEntry &entry)
+                   { return entry.section == first.section; });
+      print(first.section, together);
     }
-  const auto is_fixed = [&](const Entry &entry)
+}
+
+/// " Only with Model = axisymmetric"; empty where every model will do.
+std::string restriction(const CataloguePart &part)
+{
+  if (part.type.empty() || part.models.size() == model_names().size())
+    return "";
+  std::string text;
+  for (const std::string &model : part.models)
+    text += (text.empty() ? " Only with Model = " : ", ") + model;
+  return text + ".";
+}
+
+std::string sentence(const std::string &text)
+{
+  return text.empty() || text.back() == '.' ? text : text + ".";
+}
+
+void print_comment(std::ostream &out, const std::string &indent, const std::string &text)
+{
+  constexpr std::size_t width = 100;
+  std::istringstream words(text);
+  std::string line = indent + "#", word;
+  while (words >> word)
   {
-    return std::any_of(overrides.begin(), overrides.end(),
-                       [&](const std::string &text)
-                       { return text.compare(0, entry.path().size() + 1, entry.path() + "=") == 0; });
-  };
+    if (line.size() + 1 + word.size() > width)
+    {
+      out << line << '\n';
+      line = indent + "#";
+    }
+    line += " " + word;
+  }
+  out << line << '\n';
+}
+
+std::string with_condition(const CatalogueEntry &entry)
+{
+  return entry.condition.empty() ? "" : "Only with " + entry.condition + ". ";
+}
+
+void print_prm(std::ostream &out, const CatalogueSection &section, const CataloguePart &part)
+{
+  print_comment(out, "",
+                section.title +
+                    (part.type.empty() ? "" : ", " + section.type_key + " = " + part.type) + ": " +
+                    sentence(part.description) + restriction(part));
+  for (const std::string &line : part.names)
+    print_comment(out, "", line);
+  for_each_subsection(
+      part.entries,
+      [&](const std::vector<std::string> &path, const Entries &entries)
+      {
+        std::string indent;
+        for (const std::string &name : path)
+        {
+          out << indent << "subsection " << name << '\n';
+          indent += "  ";
+        }
+        for (const CatalogueEntry &entry : entries)
+        {
+          print_comment(out, indent,
+                        with_condition(entry) + entry.text + " (" + entry.values + ")");
+          out << indent << "set " << entry.key << " ="
+              << (entry.default_value.empty() ? "" : " " + entry.default_value) << '\n';
+        }
+        while (!indent.empty())
+        {
+          indent.resize(indent.size() - 2);
+          out << indent << "end\n";
+        }
+      });
+  out << '\n';
+}
+
+/// Text in a cell of a markdown table, in which nothing is to be taken as markup.
+std::string plain(const std::string &text)
+{
+  std::string escaped;
+  for (const char letter : text)
+  {
+    if (std::string("\\|<>*_`$[]").find(letter) != std::string::npos)
+      escaped += '\\';
+    escaped += letter;
+  }
+  return escaped;
+}
+
+std::string code(const std::string &text)
+{
+  std::string escaped;
+  for (const char letter : text)
+    escaped += letter == '|' ? "\\|" : std::string(1, letter);
+  return text.empty() ? "" : "`" + escaped + "`";
+}
+
+void print_markdown(std::ostream &out, const CataloguePart &part)
+{
+  if (!part.type.empty())
+    out << "### " << part.type << '\n' << '\n';
+  out << plain(sentence(part.description) + restriction(part)) << '\n' << '\n';
+  for (const std::string &line : part.names)
+    out << "* " << plain(line) << '\n';
+  if (!part.names.empty())
+    out << '\n';
+  if (part.entries.empty())
+    out << "No entries of its own.\n\n";
+  for_each_subsection(part.entries,
+                      [&](const std::vector<std::string> &path, const Entries &entries)
+                      {
+                        if (!path.empty())
+                          out << "In " << code(join_path(path)) << ":\n\n";
+                        out << "| Entry | Default | Values | Meaning |\n|---|---|---|---|\n";
+                        for (const CatalogueEntry &entry : entries)
+                          out << "| " << code(entry.key) << " | " << code(entry.default_value)
+                              << " | " << plain(entry.values) << " | "
+                              << plain(with_condition(entry) + entry.text) << " |\n";
+                        out << '\n';
+                      });
+}
+
+void add_json(nlohmann::ordered_json &list,
+              const CatalogueSection &section,
+              const CataloguePart &part)
+{
+  for (const CatalogueEntry &entry : part.entries)
+  {
+    std::vector<std::string> path = entry.section;
+    path.push_back(entry.key);
+    list.push_back({{"section", section.title},
+                    {"type", part.type},
+                    {"path", join_path(path)},
+                    {"default", entry.default_value},
+                    {"values", entry.values},
+                    {"unit", entry.unit},
+                    {"condition", entry.condition},
+                    {"text", entry.text}});
+  }
 }
 } // namespace
+
+void print_documentation(std::ostream &out, const ParameterFile::Style style)
+{
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  if (style == ParameterFile::Style::prm)
+    out << "# Every entry that exists, with its default. This is no case: the types of a section "
+           "follow one another.\n\n";
+  if (style == ParameterFile::Style::markdown)
+    out << "# Every entry\n\nAn entry without a default is left out unless its text says that it "
+           "is required. Names in angle brackets stand for those of a family's members.\n\n";
+  for (const CatalogueSection &section : parameter_catalogue())
+  {
+    if (style == ParameterFile::Style::prm)
+      print_prm(out, section, section.shared);
+    else if (style == ParameterFile::Style::markdown)
+    {
+      out << "## " << section.title << '\n' << '\n';
+      print_markdown(out, section.shared);
+    }
+    else
+      add_json(list, section, section.shared);
+    for (const CataloguePart &part : section.types)
+      if (style == ParameterFile::Style::prm)
+        print_prm(out, section, part);
+      else if (style == ParameterFile::Style::markdown)
+        print_markdown(out, part);
+      else
+        add_json(list, section, part);
+  }
+  if (style == ParameterFile::Style::json)
+    out << list.dump(2) << '\n';
+}
 } // namespace Continua

@@ -18,7 +18,8 @@ std::string quoted_list(const std::vector<std::string> &names)
 
 std::string ParameterStore::Declaration::documentation() const
 {
-  if (unit.empty())
+  // Some texts name a unit themselves, in the place where it is read best.
+  if (unit.empty() || text.find('[') != std::string::npos)
     return text;
   return text + (text.empty() ? "[" : " [") + unit + "]";
 }

@@ -190,7 +190,7 @@ read_boundary_conditions(ParameterSection section,
                          const bool axisymmetric)
 {
   std::vector<std::string> type_names;
-  std::string type_text = "What holds on the boundary:";
+  std::string type_text = "What holds on the boundary; required.";
   for (const Row &row : table())
   {
     type_names.emplace_back(row.name);

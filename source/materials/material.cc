@@ -198,7 +198,7 @@ std::vector<std::pair<std::string, std::string>> material_types()
 Material read_material(ParameterSection section, const Model model)
 {
   std::vector<std::string> names;
-  std::string text = "The constitutive law:";
+  std::string text = "The constitutive law; required.";
   for (const Row &row : table())
   {
     names.emplace_back(row.name);

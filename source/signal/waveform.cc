@@ -26,8 +26,10 @@ read_table(ParameterSection &section, const std::string &key, const Dimension &d
   section.add_choice("After the table", after, {"hold", "repeat", "zero"},
                      "After the last row: its value, the table again with the period last time - "
                      "first time, or zero without the offset.");
+  section.require("Table");
+  // Without a table only where the documentation of the entries is made.
   if (path.empty())
-    section.refuse("Table", "is missing, with 'Waveform = table'", "Name a csv file");
+    return nullptr;
 
   return std::make_shared<const TimeTable>(
       path, dimension,
@@ -64,8 +66,8 @@ Waveform Waveform::read(ParameterSection &section,
       section.refuse(entry, "is of use with 'Waveform = table' only",
                      "Set that, or remove the entry");
   add_expression(section, key, waveform.expression, dimension, text);
-  if (required && !section.given(key))
-    section.refuse(key, "is missing", "Set '" + key + "', or 'Waveform = table' with a 'Table'");
+  if (required)
+    section.require(key);
   return waveform;
 }
 

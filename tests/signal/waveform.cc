@@ -63,11 +63,11 @@ int main()
       read(by_file + "set Column = b\n set Offset = 1 kPa\n set After the table = zero\n");
   check::absolute("zero after the table", zero(point, 2.5), 0., 0.);
 
-  refused("missing", "", "waveform-test.prm.*Pressure.*missing.*table");
+  refused("missing", "", "waveform-test.prm.*Pressure.*missing");
   refused("both", by_file + "set Pressure = 1 Pa\n",
           "waveform-test.prm:4: .*Pressure.*Waveform = table.*Remove");
   refused("table without the choice", "set Table = " + csv + "\n", ":2: .*Table.*Waveform = table");
-  refused("no table", "set Waveform = table\n", "waveform-test.prm.*Table.*missing.*csv");
+  refused("no table", "set Waveform = table\n", "waveform-test.prm.*Table.*missing");
   refused("missing table", "set Waveform = table\n set Table = no.csv\n", ":3: .*Table.*no.csv");
   refused("no column chosen", by_file, "waveform-test.csv:1: .*'a', 'b'.*Column");
   refused("unknown kind", "set Waveform = tabel\n", ":2: .*Waveform");

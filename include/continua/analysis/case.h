@@ -27,6 +27,7 @@ struct GeneralParameters
   std::string analysis = "transient";
   std::string model = "plane strain";
   std::string discretisation = "taylor hood";
+  std::string convection = "none";
 
   void read(ParameterSection root);
 };
