@@ -278,22 +278,30 @@ double StepSystem<dim>::residual(const DistributedVector &momentum,
   constraints.set_constrained(velocity_correction, zero);
   velocity_residual = 0.;
   add_velocity_product(velocity_correction, velocity_residual);
-  // The size of the terms that cancel: what round-off leaves is relative to them.
-  const double momentum_scale = std::max(momentum.l2_norm(), velocity_residual.l2_norm());
+  // What round-off leaves is relative to the terms that cancel. Those within B U and B^T p count:
+  // in a motion without change of volume B U itself is nothing but round-off.
+  double divergence_size = 0., gradient_size = 0.;
+  for (const RegionOperators &region : operators)
+  {
+    divergence_size += region.divergence.linfty_norm() * velocity_correction.linfty_norm();
+    gradient_size += region.divergence.l1_norm() * pressure.linfty_norm();
+  }
+  const double momentum_scale =
+      std::max({momentum.linfty_norm(), velocity_residual.linfty_norm(), gradient_size});
   add_gradient(-1., pressure, velocity_residual);
   constraints.restrict_to_free(velocity_residual);
   velocity_residual.sadd(-1., 1., momentum);
   pressure_residual = 0.;
   add_divergence(1., velocity_correction, pressure_residual);
-  const double mass_scale = std::max(mass.l2_norm(), pressure_residual.l2_norm());
+  const double mass_scale = std::max(mass.linfty_norm(), divergence_size);
   add_compression(pressure, pressure_residual);
   pressure_residual.add(1., mass);
   for (const unsigned int index : pressure_hanging)
     pressure_residual.begin()[index] = 0.;
   // Both halves of the system are in units of their own.
-  double relative = momentum_scale > 0. ? velocity_residual.l2_norm() / momentum_scale : 0.;
+  double relative = momentum_scale > 0. ? velocity_residual.linfty_norm() / momentum_scale : 0.;
   if (mass_scale > 0.)
-    relative = std::max(relative, pressure_residual.l2_norm() / mass_scale);
+    relative = std::max(relative, pressure_residual.linfty_norm() / mass_scale);
   return relative;
 }
 
