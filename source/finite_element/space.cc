@@ -1,6 +1,7 @@
 #include <continua/finite_element/space.h>
 
 #include <deal.II/base/numbers.h>
+#include <deal.II/dofs/dof_renumbering.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_nothing.h>
 
@@ -61,7 +62,10 @@ Space<dim>::Space(parallel::TriangulationBase<dim> &triangulation,
 template <int dim>
 void Space<dim>::distribute()
 {
+  // Numbers that follow the cells' places in the tree: deal.II's own follow the order in which cells
+  // were made, so that a mesh read from a checkpoint would have others than the run that wrote it.
   velocity_dofs.distribute_dofs(velocity_element);
+  DoFRenumbering::hierarchical(velocity_dofs);
   velocity_owned = velocity_dofs.locally_owned_dofs();
   DoFTools::extract_locally_relevant_dofs(velocity_dofs, velocity_relevant);
   velocity_hanging.reinit(velocity_relevant);
@@ -73,6 +77,7 @@ void Space<dim>::distribute()
       if (cell->is_locally_owned())
         cell->set_active_fe_index(cell->material_id());
   pressure_dofs.distribute_dofs(pressure_elements);
+  DoFRenumbering::hierarchical(pressure_dofs);
   pressure_owned = pressure_dofs.locally_owned_dofs();
   DoFTools::extract_locally_relevant_dofs(pressure_dofs, pressure_relevant);
   pressure_hanging.reinit(pressure_relevant);
