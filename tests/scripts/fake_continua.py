@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """Stands in for the program in the tests of the drivers and scripts: the same command line, y = sin(t) for a result.
 
-Keys of its parameter files: `Cells` (the error is Cells^-2), `End time`, `Misbehave` (what the drivers must notice).
+Keys of its parameter files: `Cells` (the error is Cells^-2), `End time`, `Amplitude` (then y is a constant and a sign that
+alternates with this amplitude), `Misbehave` (what the drivers must notice).
 """
 
 import json
@@ -58,6 +59,8 @@ def main():
             stream.write("time [s],tip: displacement y [m]\n")
         for i in range(first, n + 1):
             value = math.sin(i) * (1 + (1e-6 * (ranks - 1) if misbehave == "ranks" else 0))
+            if "Amplitude" in keys:
+                value = 1 + (-1)**i * float(keys["Amplitude"])
             stream.write(f"{i},{value!r}\n")
     with open(checkpoint, "w", encoding="utf-8") as stream:
         stream.write(str(n))

@@ -16,6 +16,7 @@ CONVERGENCE = ("# level: Mesh/Cells = 4\n# level: Mesh/Cells = 8\n# level: Mesh/
                "# order: velocity error >= 1.99\n# order: tip: frequency >= 1.99, reference 3\n"
                "# order: tip: frequency >= 1.99, differences\n# bound: velocity error <= 0.0040\nset Cells = 1\n")
 RANKS = "# ranks: 1, 2, 3\nset Cells = 4\n"
+RINGING = "# run: Amplitude = 0.01\n# rings: tip: displacement y <= 0.02\nset Cells = 4\nset End time = 20\n"
 RESTART = "# stop: Time/End time = 5\nset Cells = 4\nset End time = 10\n"
 
 
@@ -65,6 +66,14 @@ class Drivers(unittest.TestCase):
         self.assert_passes("restart", RESTART)
         self.assert_fails("restart", RESTART + "set Misbehave = restart\n", "line 8 differs")
         self.assert_fails("restart", RESTART.replace("= 5", "= 10"), "nothing is left to restart")
+
+    def test_ringing(self):
+        loud = "# ringing run: Amplitude = 0.1\n"
+        self.assert_passes("ringing", RINGING + loud + "# bound: velocity error <= 0.0626\n")
+        self.assert_fails("ringing", RINGING.replace("0.01", "0.1"), "rings with 0.0909, expected at most 0.02")
+        self.assert_fails("ringing", RINGING + loud.replace("0.1", "0.01"), "nothing rings, and should")
+        self.assert_fails("ringing", RINGING + "# bound: velocity error <= 0.0624\n", "expected at most 0.0624")
+        self.assert_fails("ringing", RINGING.replace("displacement y", "pressure"), "no column 'tip: pressure'")
 
     def verify(self, text, *options):
         with tempfile.TemporaryDirectory() as folder:
