@@ -83,9 +83,11 @@ def main():
         if model == "axisymmetric":
             diagonal[2] = values[1] / radius
         mean = sum(diagonal) / 3
+        normal = [2 * (d - mean) - p for d in diagonal]
+        if model == "plane stress":
+            normal[2] = 0. * p
         pairs = [(0, 1)] if dim == 2 else [(0, 1), (0, 2), (1, 2)]
-        return numpy.array([2 * (d - mean) - p for d in diagonal]
-                           + [gradients[i][j] + gradients[j][i] for i, j in pairs])
+        return numpy.array(normal + [gradients[i][j] + gradients[j][i] for i, j in pairs])
 
     errors, norms = {}, {}
 

@@ -10,7 +10,8 @@ solution, of the boundaries with a given traction, and of Initial state. The dis
     s = 2 eta dev(sym grad U) + 2 mu dev(sym grad D),    sigma = s - p I,
     rho b = rho dU/dt - div sigma,
 
-with the three-dimensional deviator and, in axisymmetry (x axial, y radial), the hoop strain D_y/y. Needs python3-sympy;
+with the three-dimensional deviator and, in axisymmetry (x axial, y radial), the hoop strain D_y/y; in plane stress p is
+-(sigma_xx + sigma_yy)/3 in the end. Needs python3-sympy;
 the constants are those of the parameter files and stay exact fractions up to the printed text.
 """
 
@@ -23,6 +24,8 @@ x, y, z, t = sympy.symbols("x y z t", real=True)
 
 # Young's modulus 2600 Pa and Poisson's ratio 0.3: mu = 1000 Pa, K = 6500/3 Pa.
 SOLID = {"rho": 1000, "eta": 0, "mu": 1000, "K": Rational(6500, 3)}
+# The same in plane stress, where lambda = Y nu/((1 + nu)(1 - nu)) and K = lambda + 2 mu/3 in a form without eps_zz.
+SHEET = {"rho": 1000, "eta": 0, "mu": 1000, "K": Rational(32000, 21)}
 INCOMPRESSIBLE = {"rho": 1000, "eta": 0, "mu": 1000, "K": None}
 FLUID = {"rho": 1000, "eta": 100, "mu": 0, "K": 1000}
 VISCOUS = {"rho": 1000, "eta": 100, "mu": 1000, "K": Rational(6500, 3)}
@@ -50,6 +53,13 @@ CASES = {
     "3d": ("space", SOLID, SPACE_SHAPE, EVEN, None),
     "incompressible": ("plane", INCOMPRESSIBLE, SHEAR_WAVES, EVEN, 10 * t * cos(x - y)),
     "fluid": ("plane", FLUID, PLANE_SHAPE, EVEN, None),
+    "plane-stress": ("plane stress", SHEET, PLANE_SHAPE, EVEN, None),
+    "patch-plane-strain": ("plane", VISCOUS, QUADRATIC, EVEN, None),
+    "patch-plane-stress": ("plane stress", SHEET, QUADRATIC, EVEN, None),
+    "patch-axisymmetric": ("axisymmetric", SOLID, QUADRATIC_AXIAL, EVEN, None),
+    "patch-3d": ("space", SOLID, QUADRATIC_SPACE, EVEN, None),
+    "patch-incompressible": ("plane", INCOMPRESSIBLE, QUADRATIC_SOLENOIDAL, EVEN, 10 * t * (1 + x - 2 * y)),
+    "patch-fluid": ("plane", FLUID, QUADRATIC, EVEN, None),
     "time-plane-strain": ("plane", SOLID, QUADRATIC, WAVE, None),
     "time-viscous": ("plane", VISCOUS, QUADRATIC, WAVE, None),
     "time-axisymmetric": ("axisymmetric", SOLID, QUADRATIC_AXIAL, WAVE, None),
@@ -115,6 +125,9 @@ def derive(name):
     stress = (2 * material["eta"] * deviator(gradient(velocity, model))
               + 2 * material["mu"] * deviator(gradient(displacement, model)) - pressure * sympy.eye(3))
     force = [material["rho"] * sympy.diff(velocity[i], t) - divergence(stress, model)[i] for i in range(dim)]
+    if model == "plane stress":
+        stress[2, 2] = 0
+        pressure = -stress.trace() / 3
     components = [stress[0, 0], stress[1, 1], stress[2, 2], stress[0, 1]]
     if dim == 3:
         components += [stress[0, 2], stress[1, 2]]
