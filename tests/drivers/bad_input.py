@@ -10,10 +10,13 @@ Header comments of the case:
     # file: missing.prm                 run this file (beside the case) instead of the case; `none` for no file
     # existing: run/summary.json        make this file in the working folder first; it must still be there, unchanged
     # ranks: 2
+    # left: probes.csv                  none or more; tables of a run that failed, which must have rows
+    # failed: REGEX                     summary.json says that the run failed, for a reason that matches
 
 The output folder is WORKING_FOLDER/run. With status 2 nothing may have been made there.
 """
 
+import json
 import os
 import re
 import shlex
@@ -65,6 +68,13 @@ def case(program, parameter_file, folder):
         with open(path, encoding="utf-8") as stream:
             if stream.read() != CONTENT:
                 raise driver.TestFailure(f"{path} was changed")
+    for name in entries.get("left", []):
+        driver.read_table(os.path.join(output, name))
+    for pattern in entries.get("failed", []):
+        with open(os.path.join(output, "summary.json"), encoding="utf-8") as stream:
+            summary = json.load(stream)
+        if summary["status"] != "failed" or not re.search(pattern, summary["failure"]):
+            raise driver.TestFailure(f"summary.json says '{summary['status']}', '{summary.get('failure', '')}'")
     if status == 2:
         made = [os.path.join(at, name) for at, folders, files in os.walk(folder) for name in folders + files]
         kept = set(existing) | {os.path.dirname(path) for path in existing}
