@@ -71,7 +71,7 @@ void BranchHistory::finish(const Step &step)
       branch.present.add(-1., branch.older);
     }
     else
-      branch.present = branch.balanced;
+      branch.present.equ(1., branch.balanced);
   }
 }
 

@@ -72,7 +72,7 @@ struct PressureCompressibility
     for (unsigned int region = 0; region < operators.size(); ++region)
       if (problem.materials[region].inverse_bulk_modulus > 0.)
       {
-        operators[region].pressure_mass.vmult(product, source);
+        multiply(operators[region].pressure_mass, product, source);
         target.add(problem.materials[region].inverse_bulk_modulus, product);
       }
     set_idle_to_zero(target);
@@ -102,7 +102,7 @@ void solve_equilibrium_pressure(const Space<dim> &space,
   DistributedVector right_hand_side = space.pressure_vector(), product = right_hand_side;
   for (const RegionOperators &region : operators)
   {
-    region.divergence.vmult(product, displacement);
+    multiply(region.divergence, product, displacement);
     right_hand_side.add(-1., product);
   }
   matrix.set_idle_to_zero(right_hand_side);
@@ -156,9 +156,9 @@ void set_initial_state(const Space<dim> &space,
     if (problem.materials[region].phase() == 1. &&
         problem.materials[region].inverse_bulk_modulus > 0.)
     {
-      operators[region].pressure_mass.vmult(product, difference);
+      multiply(operators[region].pressure_mass, product, difference);
       square += product * difference;
-      operators[region].pressure_mass.vmult(product, pressure);
+      multiply(operators[region].pressure_mass, product, pressure);
       scale += product * pressure;
     }
   if (square > 0.05 * 0.05 * scale)

@@ -45,6 +45,7 @@ PowerBalance PowerLedger<dim>::balance(const BalancedStep &step, const BranchHis
   balance.materials.resize(operators.size());
   // Numbers of this rank; all are summed over the ranks at once.
   std::vector<double> sums;
+  sums.reserve(2 + 4 * operators.size());
 
   // What the equations leave at the nodes - inertia + inner forces - loads - is the force that
   // moves those of prescribed velocity; without such nodes nobody asks for it.
@@ -52,7 +53,8 @@ PowerBalance PowerLedger<dim>::balance(const BalancedStep &step, const BranchHis
   nodal_forces = 0.;
   loads.add(step.step.balance_time, nodal_forces);
   sums.push_back(local_product(nodal_forces, step.velocity));
-  nodal_forces *= -1.;
+  if (reactions)
+    nodal_forces *= -1.;
   for (unsigned int region = 0; region < operators.size(); ++region)
   {
     const Material &material = problem.materials[region];
@@ -63,26 +65,30 @@ PowerBalance PowerLedger<dim>::balance(const BalancedStep &step, const BranchHis
       if (reactions)
         nodal_forces.add(factor, velocity_work);
     };
-    operators[region].mass.vmult(velocity_work, step.acceleration);
+    multiply(operators[region].mass, velocity_work, step.acceleration);
     add_power(material.density);
     if (history.mix_balanced(material, mixture))
-      operators[region].stiffness.vmult(velocity_work, mixture);
+    {
+      multiply(operators[region].stiffness, velocity_work, mixture);
+      add_power(1.);
+    }
     else
-      velocity_work = 0.;
-    add_power(1.);
+      sums.push_back(0.);
     if (material.viscosity != 0.)
-      operators[region].stiffness.vmult(velocity_work, step.velocity);
+    {
+      multiply(operators[region].stiffness, velocity_work, step.velocity);
+      add_power(material.viscosity);
+    }
     else
-      velocity_work = 0.;
-    add_power(material.viscosity);
+      sums.push_back(0.);
     if (reactions)
     {
-      operators[region].divergence.Tvmult(velocity_work, step.pressure);
+      multiply_transposed(operators[region].divergence, velocity_work, step.pressure);
       add_power(-1.);
     }
     else
     {
-      operators[region].divergence.vmult(pressure_work, step.velocity);
+      multiply(operators[region].divergence, pressure_work, step.velocity);
       sums.push_back(-local_product(pressure_work, step.pressure));
     }
   }
@@ -110,16 +116,16 @@ Energy PowerLedger<dim>::energy(const State<dim> &state)
   for (unsigned int region = 0; region < operators.size(); ++region)
   {
     const Material &material = problem.materials[region];
-    operators[region].mass.vmult(velocity_work, state.velocity);
+    multiply(operators[region].mass, velocity_work, state.velocity);
     sums[0] += 0.5 * material.density * local_product(velocity_work, state.velocity);
     for (const Branch &branch : material.branches)
     {
       const DistributedVector &internal =
           state.history.internal_displacement(branch.relaxation_time);
-      operators[region].stiffness.vmult(velocity_work, internal);
+      multiply(operators[region].stiffness, velocity_work, internal);
       sums[1] += 0.5 * branch.shear_modulus * local_product(velocity_work, internal);
     }
-    operators[region].pressure_mass.vmult(pressure_work, state.pressure);
+    multiply(operators[region].pressure_mass, pressure_work, state.pressure);
     sums[2] += 0.5 * material.inverse_bulk_modulus * local_product(pressure_work, state.pressure);
   }
   Utilities::MPI::sum(sums, space.communicator, sums);

@@ -3,8 +3,12 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/hp/fe_values.h>
+#include <deal.II/lac/exceptions.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
+
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_FEVector.h>
 
 namespace Continua
 {
@@ -182,6 +186,24 @@ void assemble_region_operators(const Space<dim> &space, std::vector<RegionOperat
     target.divergence.compress(VectorOperation::add);
     target.pressure_mass.compress(VectorOperation::add);
   }
+}
+
+void multiply(const TrilinosWrappers::SparseMatrix &matrix,
+              DistributedVector &target,
+              const DistributedVector &source)
+{
+  const int status =
+      matrix.trilinos_matrix().Multiply(false, source.trilinos_vector(), target.trilinos_vector());
+  AssertThrow(status == 0, LACExceptions::ExcTrilinosError(status));
+}
+
+void multiply_transposed(const TrilinosWrappers::SparseMatrix &matrix,
+                         DistributedVector &target,
+                         const DistributedVector &source)
+{
+  const int status =
+      matrix.trilinos_matrix().Multiply(true, source.trilinos_vector(), target.trilinos_vector());
+  AssertThrow(status == 0, LACExceptions::ExcTrilinosError(status));
 }
 
 template void assemble_region_operators(const Space<2> &, std::vector<RegionOperators> &);

@@ -8,6 +8,7 @@
 #include <deal.II/distributed/tria.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -72,7 +73,7 @@ void TaylorHoodSolver<dim>::setup()
     if (problem.materials[region].inverse_bulk_modulus > 0.)
     {
       pressure_work = 1.;
-      operators[region].pressure_mass.vmult(mass, pressure_work);
+      multiply(operators[region].pressure_mass, mass, pressure_work);
       compressible.add(1., mass);
     }
   incompressible_pressures.clear();
@@ -83,16 +84,17 @@ void TaylorHoodSolver<dim>::setup()
 }
 
 template <int dim>
-SystemCoefficients TaylorHoodSolver<dim>::coefficients(const Step &step) const
+void TaylorHoodSolver<dim>::set_coefficients(const Step &step)
 {
-  SystemCoefficients result;
+  coefficients.mass.clear();
+  coefficients.stiffness.clear();
+  coefficients.compressibility.clear();
   for (const Material &material : problem.materials)
   {
-    result.mass.push_back(step.a0 * material.density);
-    result.stiffness.push_back(material.viscosity + history.step_stiffness(material, step));
-    result.compressibility.push_back(material.inverse_bulk_modulus / step.pressure_time);
+    coefficients.mass.push_back(step.a0 * material.density);
+    coefficients.stiffness.push_back(material.viscosity + history.step_stiffness(material, step));
+    coefficients.compressibility.push_back(material.inverse_bulk_modulus / step.pressure_time);
   }
-  return result;
 }
 
 template <int dim>
@@ -113,9 +115,9 @@ StepReport TaylorHoodSolver<dim>::advance(const Step &step)
 {
   StepReport report;
   {
-    const SystemCoefficients wanted = coefficients(step);
     TimerOutput::Scope scope(log.timer(), "factor");
-    report.factored = system.prepare(wanted);
+    set_coefficients(step);
+    report.factored = system.prepare(coefficients);
   }
   if (report.factored)
     report_exponential_branches(step);
@@ -131,11 +133,11 @@ StepReport TaylorHoodSolver<dim>::advance(const Step &step)
     for (unsigned int region = 0; region < operators.size(); ++region)
     {
       const Material &material = problem.materials[region];
-      operators[region].mass.vmult(balanced.velocity, velocity_work);
+      multiply(operators[region].mass, balanced.velocity, velocity_work);
       momentum.add(material.density, balanced.velocity);
       if (history.mix_balanced(material, mixture))
       {
-        operators[region].stiffness.vmult(balanced.velocity, mixture);
+        multiply(operators[region].stiffness, balanced.velocity, mixture);
         momentum.add(-1., balanced.velocity);
       }
     }
@@ -152,7 +154,7 @@ StepReport TaylorHoodSolver<dim>::advance(const Step &step)
           problem.materials[region].inverse_bulk_modulus / step.pressure_time;
       if (compressibility != 0.)
       {
-        operators[region].pressure_mass.vmult(balanced.pressure, pressure_work);
+        multiply(operators[region].pressure_mass, balanced.pressure, pressure_work);
         mass.add(-compressibility, balanced.pressure);
       }
     }
@@ -170,7 +172,7 @@ StepReport TaylorHoodSolver<dim>::advance(const Step &step)
         balanced.prescribed.sadd(0.5, 0.5, prescribed);
       }
       else
-        balanced.prescribed = prescribed;
+        balanced.prescribed.equ(1., prescribed);
       balanced.velocity = 0.;
       system.add_velocity_product(balanced.prescribed, balanced.velocity);
       momentum.add(-1., balanced.velocity);
@@ -184,13 +186,7 @@ StepReport TaylorHoodSolver<dim>::advance(const Step &step)
     constraints.set_constrained(balanced.velocity, balanced.prescribed);
   }
   TimerOutput::Scope scope(log.timer(), "update");
-  report.largest_velocity = balanced.velocity.linfty_norm();
-  if (!std::isfinite(report.largest_velocity) || !std::isfinite(balanced.pressure.linfty_norm()))
-  {
-    std::ostringstream text;
-    text << "the solution is not finite in the step to t = " << step.time << " s";
-    throw RunError(text.str());
-  }
+  set_extremes(step, report);
   balanced.acceleration.add(step.a0, balanced.velocity);
   history.correct(step, balanced.velocity);
   history.finish(step);
@@ -206,20 +202,47 @@ StepReport TaylorHoodSolver<dim>::advance(const Step &step)
   }
   else
   {
-    velocity = balanced.velocity;
-    pressure = balanced.pressure;
+    // An assignment would build a plan of exchange between ranks.
+    velocity.equ(1., balanced.velocity);
+    pressure.equ(1., balanced.pressure);
   }
   if (!incompressible_pressures.empty())
   {
-    pressure_known = balanced.pressure;
+    pressure_known.equ(1., balanced.pressure);
     pressure_known_time = step.balance_time;
   }
   present_time = step.time;
   balanced.step = step;
-  velocity_work = velocity;
-  velocity_work.add(-1., velocity_older);
-  report.largest_change = velocity_work.linfty_norm();
   return report;
+}
+
+template <int dim>
+void TaylorHoodSolver<dim>::set_extremes(const Step &step, StepReport &report) const
+{
+  double largest_velocity = 0., largest_change = 0.;
+  // A maximum passes over what is no number; 0 times it is no number either.
+  double zero = 0.;
+  const double *const solved = balanced.velocity.begin();
+  const double *const old = velocity.begin();
+  for (unsigned int i = 0; i < velocity.locally_owned_size(); ++i)
+  {
+    const double next = step.extrapolate ? 2. * solved[i] - old[i] : solved[i];
+    largest_velocity = std::max(largest_velocity, std::abs(solved[i]));
+    largest_change = std::max(largest_change, std::abs(next - old[i]));
+    zero += 0. * solved[i];
+  }
+  for (const double pressure_entry : balanced.pressure)
+    zero += 0. * pressure_entry;
+  std::array<double, 3> extremes = {{largest_velocity, largest_change, zero == 0. ? 0. : 1.}};
+  MPI_Allreduce(MPI_IN_PLACE, extremes.data(), 3, MPI_DOUBLE, MPI_MAX, space.communicator);
+  if (extremes[2] > 0.)
+  {
+    std::ostringstream text;
+    text << "the solution is not finite in the step to t = " << step.time << " s";
+    throw RunError(text.str());
+  }
+  report.largest_velocity = extremes[0];
+  report.largest_change = extremes[1];
 }
 
 template <int dim>
@@ -340,7 +363,7 @@ double TaylorHoodSolver<dim>::divergence()
   one.compress(VectorOperation::insert);
   for (const RegionOperators &region : operators)
   {
-    region.pressure_mass.vmult(pressure_work, one);
+    multiply(region.pressure_mass, pressure_work, one);
     volume.add(1., pressure_work);
   }
   double largest = 0.;

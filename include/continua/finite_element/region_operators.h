@@ -33,6 +33,15 @@ struct RegionOperators
 /// Assembles the operators of every region, by material id.
 template <int dim>
 void assemble_region_operators(const Space<dim> &space, std::vector<RegionOperators> &operators);
+
+/// target = matrix source, on owned entries: as deal.II's vmult, which allocates in every call.
+void multiply(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+              DistributedVector &target,
+              const DistributedVector &source);
+/// target = matrix^T source.
+void multiply_transposed(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+                         DistributedVector &target,
+                         const DistributedVector &source);
 } // namespace Continua
 
 #endif

@@ -91,10 +91,14 @@ private:
   /// Relaxation times whose exponential update the log has told of.
   std::set<double> exponential_branches_reported;
   // Work space of the step.
+  SystemCoefficients coefficients;
   DistributedVector momentum, mass, velocity_work, mixture, pressure_work;
 
   void setup();
-  SystemCoefficients coefficients(const Step &step) const;
+  void set_coefficients(const Step &step);
+  /// The largest velocity and its change of a step that is solved but not finished; throws RunError
+  /// if the solution is not finite.
+  void set_extremes(const Step &step, StepReport &report) const;
   void report_exponential_branches(const Step &step);
   void extrapolate_pressure(const Step &step);
   State<dim> state() const;
