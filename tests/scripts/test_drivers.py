@@ -56,6 +56,9 @@ class Drivers(unittest.TestCase):
         self.assert_fails("convergence", CONVERGENCE + "# bound: velocity error <= 0.0039\n", "at most 0.0039")
         self.assert_fails("convergence", CONVERGENCE + "# order: drag >= 1\n", "0 quantities match 'drag'")
         self.assert_fails("convergence", "# order: velocity error >= 1\n", "two or more lines")
+        bound = "# level: Mesh/Cells = 16\nset Cells = 1\n# bound: velocity error <= "
+        self.assert_passes("convergence", bound + "0.0040\n")
+        self.assert_fails("convergence", bound + "0.0039\n", "at most 0.0039")
 
     def test_ranks(self):
         self.assert_passes("ranks", RANKS)
