@@ -65,8 +65,8 @@ void LinearSolverParameters::read(ParameterSection section)
 {
   section.add_choice("Type", type, {"automatic", "cholmod", "mumps", "umfpack"},
                      "Direct solver of the step's system: automatic takes cholmod on one rank "
-                     "where every material is "
-                     "compressible, else mumps; umfpack is there for comparison.");
+                     "where every material is compressible and the matrix has no more than 2 "
+                     "million entries, else mumps; umfpack is there for comparison.");
   section.add("Refinement steps", refinement_steps,
               "Steps of iterative refinement after each solve [1].", 0, 5);
 }
@@ -237,15 +237,17 @@ bool StepSystem<dim>::prepare(const SystemCoefficients &wanted)
     owned.push_back(index);
   for (const auto index : space.pressure_owned)
     owned.push_back(space.velocity_dofs.n_dofs() + index);
+  const SymmetricTriplets matrix = triplets();
   try
   {
-    symmetric_factor = make_symmetric_factor(parameters.type, quasi_definite, space.communicator);
+    symmetric_factor = make_symmetric_factor(parameters.type, quasi_definite, matrix.values.size(),
+                                             space.communicator);
   }
   catch (const std::invalid_argument &error)
   {
     throw RunError(error.what());
   }
-  symmetric_factor->factorize(triplets(), owned);
+  symmetric_factor->factorize(matrix, owned);
   is_factored = true;
   residual_is_checked = false;
   return true;
@@ -351,12 +353,12 @@ void StepSystem<dim>::add_velocity_product(const DistributedVector &velocity,
   {
     if (coefficients.mass[region] != 0.)
     {
-      operators[region].mass.vmult(velocity_product, velocity);
+      multiply(operators[region].mass, velocity_product, velocity);
       result.add(coefficients.mass[region], velocity_product);
     }
     if (coefficients.stiffness[region] != 0.)
     {
-      operators[region].stiffness.vmult(velocity_product, velocity);
+      multiply(operators[region].stiffness, velocity_product, velocity);
       result.add(coefficients.stiffness[region], velocity_product);
     }
   }
@@ -369,7 +371,7 @@ void StepSystem<dim>::add_divergence(const double factor,
 {
   for (const RegionOperators &region : operators)
   {
-    region.divergence.vmult(pressure_product, velocity);
+    multiply(region.divergence, pressure_product, velocity);
     result.add(factor, pressure_product);
   }
 }
@@ -381,7 +383,7 @@ void StepSystem<dim>::add_gradient(const double factor,
 {
   for (const RegionOperators &region : operators)
   {
-    region.divergence.Tvmult(velocity_product, pressure);
+    multiply_transposed(region.divergence, velocity_product, pressure);
     result.add(factor, velocity_product);
   }
 }
@@ -392,7 +394,7 @@ void StepSystem<dim>::add_compression(const DistributedVector &pressure, Distrib
   for (unsigned int region = 0; region < operators.size(); ++region)
     if (coefficients.compressibility[region] != 0.)
     {
-      operators[region].pressure_mass.vmult(pressure_product, pressure);
+      multiply(operators[region].pressure_mass, pressure_product, pressure);
       result.add(coefficients.compressibility[region], pressure_product);
     }
 }

@@ -24,14 +24,19 @@ void SymmetricTriplets::check(const std::vector<int> &owned) const
 
 std::unique_ptr<SymmetricFactor> make_symmetric_factor(const std::string &choice,
                                                        const bool quasi_definite,
+                                                       const std::size_t n_entries,
                                                        const MPI_Comm communicator)
 {
   int n_ranks = 1;
   MPI_Comm_size(communicator, &n_ranks);
 
   if (choice == "automatic")
-    return make_symmetric_factor(n_ranks == 1 && quasi_definite ? "cholmod" : "mumps",
-                                 quasi_definite, communicator);
+  {
+    const bool simplicial =
+        n_ranks == 1 && quasi_definite && n_entries <= largest_simplicial_matrix;
+    return make_symmetric_factor(simplicial ? "cholmod" : "mumps", quasi_definite, n_entries,
+                                 communicator);
+  }
   if (choice == "mumps")
     return std::make_unique<MumpsFactor>(quasi_definite, communicator);
   if (choice != "cholmod" && choice != "umfpack")

@@ -59,9 +59,12 @@ int main(int argc, char **argv)
       },
       "owns every index");
 
-  const auto made = [](const std::string &choice, const bool quasi_definite)
-  { return make_symmetric_factor(choice, quasi_definite, MPI_COMM_WORLD)->name(); };
+  const auto made =
+      [](const std::string &choice, const bool quasi_definite, const std::size_t n_entries = 1)
+  { return make_symmetric_factor(choice, quasi_definite, n_entries, MPI_COMM_WORLD)->name(); };
   check::equal("automatic", made("automatic", true), "CHOLMOD, simplicial L D L^T");
+  check::equal("automatic, large", made("automatic", true, 2000001),
+               "MUMPS, L D L^T without pivoting");
   check::equal("automatic, incompressible", made("automatic", false),
                "MUMPS, L D L^T with pivoting");
   check::throws<std::invalid_argument>(

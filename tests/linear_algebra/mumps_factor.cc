@@ -69,6 +69,6 @@ int main(int argc, char **argv)
       "an index without owner",
       [&]() { factor.factorize(problems::strewn(problems::small_indefinite()), {}); },
       "owned by one rank");
-  check::equal("made by name", make_symmetric_factor("mumps", true, MPI_COMM_WORLD)->name(),
+  check::equal("made by name", make_symmetric_factor("mumps", true, 1, MPI_COMM_WORLD)->name(),
                "MUMPS, L D L^T without pivoting");
 }

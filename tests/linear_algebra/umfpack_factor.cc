@@ -40,6 +40,6 @@ int main(int argc, char **argv)
         factor.factorize(problems::small_indefinite(), {0, 1});
       },
       "owns every index");
-  check::equal("made by name", make_symmetric_factor("umfpack", true, MPI_COMM_WORLD)->name(),
+  check::equal("made by name", make_symmetric_factor("umfpack", true, 1, MPI_COMM_WORLD)->name(),
                "UMFPACK, L U");
 }

@@ -3,6 +3,7 @@
 
 #include <mpi.h>
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -49,15 +50,24 @@ public:
   virtual std::string name() const = 0;
 };
 
+/// Up to so many entries of the lower triangle `automatic` takes CHOLMOD on one rank: about 100,000
+/// unknowns in two dimensions, 20,000 in three. There its solve is a quarter faster than MUMPS's or
+/// better and its factorisation no matter; beyond, MUMPS factors many times faster (the manual's
+/// chapter on performance has the measurements).
+constexpr std::size_t largest_simplicial_matrix = 2000000;
+
 /**
  * `automatic`: CHOLMOD's simplicial factor on one rank where the matrix is quasi-definite (1/K > 0
- * everywhere), MUMPS otherwise - a fixed rule, so that runs and restarts are bit-equal on one rank
- * (on several, MUMPS's last bits vary). `cholmod`,
- * `mumps`, and (for comparison) `umfpack` choose. `quasi_definite` false makes MUMPS pivot and
- * refuses cholmod. Unusable choices throw std::invalid_argument with the reason.
+ * everywhere) and has no more than `largest_simplicial_matrix` entries, MUMPS otherwise - a fixed
+ * rule, so that runs and restarts are bit-equal on one rank (on several, MUMPS's last bits vary).
+ * `cholmod`, `mumps`, and (for comparison) `umfpack` choose. `quasi_definite` false makes MUMPS
+ * pivot and refuses cholmod. `n_entries`: of the lower triangle, on this rank. Unusable choices
+ * throw std::invalid_argument with the reason.
  */
-std::unique_ptr<SymmetricFactor>
-make_symmetric_factor(const std::string &choice, bool quasi_definite, MPI_Comm communicator);
+std::unique_ptr<SymmetricFactor> make_symmetric_factor(const std::string &choice,
+                                                       bool quasi_definite,
+                                                       std::size_t n_entries,
+                                                       MPI_Comm communicator);
 } // namespace Continua
 
 #endif
