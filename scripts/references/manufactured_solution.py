@@ -28,6 +28,7 @@ SOLID = {"rho": 1000, "eta": 0, "mu": 1000, "K": Rational(6500, 3)}
 SHEET = {"rho": 1000, "eta": 0, "mu": 1000, "K": Rational(32000, 21)}
 INCOMPRESSIBLE = {"rho": 1000, "eta": 0, "mu": 1000, "K": None}
 FLUID = {"rho": 1000, "eta": 100, "mu": 0, "K": 1000}
+INCOMPRESSIBLE_FLUID = {"rho": 1000, "eta": 100, "mu": 0, "K": None}
 VISCOUS = {"rho": 1000, "eta": 100, "mu": 1000, "K": Rational(6500, 3)}
 
 # Accelerated evenly from rest: exact in time for backward Euler with the trapezoidal update.
@@ -60,6 +61,8 @@ CASES = {
     "patch-3d": ("space", SOLID, QUADRATIC_SPACE, EVEN, None),
     "patch-incompressible": ("plane", INCOMPRESSIBLE, QUADRATIC_SOLENOIDAL, EVEN, 10 * t * (1 + x - 2 * y)),
     "patch-fluid": ("plane", FLUID, QUADRATIC, EVEN, None),
+    "patch-fluid-axisymmetric": ("axisymmetric", FLUID, QUADRATIC_AXIAL, EVEN, None),
+    "patch-fluid-incompressible": ("plane", INCOMPRESSIBLE_FLUID, QUADRATIC_SOLENOIDAL, EVEN, 10 * t * (1 + x - 2 * y)),
     "time-plane-strain": ("plane", SOLID, QUADRATIC, WAVE, None),
     "time-viscous": ("plane", VISCOUS, QUADRATIC, WAVE, None),
     "time-axisymmetric": ("axisymmetric", SOLID, QUADRATIC_AXIAL, WAVE, None),
