@@ -1,0 +1,123 @@
+// Every type of boundary condition, conditions of one region, and what is refused.
+
+#include <continua/boundary/boundary_condition.h>
+
+#include "../check.h"
+#include "../parameter_text.h"
+
+using namespace Continua;
+
+namespace
+{
+using Kind = BoundaryPart::Kind;
+const double place[3] = {2., 3., 0.};
+
+/// Boundary 0 "inlet" touches region 0, boundary 1 "end" both regions.
+std::vector<BoundaryCondition> read(const std::string &text, const bool axisymmetric = false)
+{
+  ParameterFile file = parameters_of(text);
+  const auto conditions = read_boundary_conditions(file.root(), {"inlet", "end"}, {"fluid", "wall"},
+                                                   {{0, 0}, {1, 0}, {1, 1}}, 2, axisymmetric);
+  file.refuse_unknown();
+  return conditions;
+}
+std::string child(const std::string &name, const std::string &entries)
+{
+  return "subsection " + name + "\n" + entries + "\nend\n";
+}
+BoundaryCondition inlet(const std::string &entries, const bool axisymmetric = false)
+{
+  return read(child("inlet", entries) + child("end", "set Type = free"), axisymmetric).front();
+}
+void refused(const std::string &name, const std::string &text, const std::string &pattern)
+{
+  check::throws<InputError>(
+      name, [&] { read(text); }, "parameters_of_the_test.prm.*" + pattern);
+}
+} // namespace
+
+int main()
+{
+  const BoundaryCondition fixed = inlet("set Type = fixed");
+  check::is_true("fixed", fixed.normal.kind == Kind::velocity && fixed.normal.is_zero() &&
+                              fixed.tangential.kind == Kind::velocity &&
+                              fixed.tangential.is_zero());
+  check::is_true("names and ids", fixed.name == "inlet" && fixed.type == "fixed" &&
+                                      fixed.boundary_id == 0 &&
+                                      fixed.region_ids == std::set<unsigned int>{0});
+  const BoundaryCondition velocity = inlet("set Type = velocity\nset Velocity = 2 m/s, x*t");
+  check::is_true("velocity", velocity.normal.kind == Kind::velocity &&
+                                 velocity.tangential.kind == Kind::velocity &&
+                                 velocity.normal.vector.size() == 2 &&
+                                 velocity.normal.vector[1](place, 5.) == 10.);
+  check::is_true("velocity: in time",
+                 velocity.normal.depends_on_time() && !velocity.normal.is_zero());
+  const BoundaryCondition traction = inlet("set Type = traction\nset Traction = 0, 1 MPa");
+  check::is_true("traction", traction.normal.kind == Kind::traction &&
+                                 traction.tangential.kind == Kind::traction &&
+                                 traction.tangential.vector[1](place, 0.) == 1e6 &&
+                                 !traction.normal.depends_on_time());
+  const BoundaryCondition pressure = inlet("set Type = pressure\nset Pressure = 3 kPa");
+  check::is_true("pressure", pressure.normal.kind == Kind::traction && pressure.normal.negative &&
+                                 pressure.normal.along_normal(place, 0.) == 3000. &&
+                                 pressure.tangential.kind == Kind::traction);
+  check::is_true(
+      "pressure with fixed tangential velocity",
+      inlet("set Type = pressure\nset Pressure = 1\nset Tangential = fixed").tangential.kind ==
+          Kind::velocity);
+  const BoundaryCondition roller = inlet("set Type = roller");
+  check::is_true("roller", roller.normal.kind == Kind::velocity && roller.normal.is_zero() &&
+                               roller.tangential.kind == Kind::traction);
+  check::is_true("axis", inlet("set Type = axis", true).normal.kind == Kind::velocity);
+  const BoundaryCondition free = inlet("set Type = free");
+  check::is_true("free", free.normal.kind == Kind::traction && free.normal.is_zero() &&
+                             free.tangential.kind == Kind::traction && free.tangential.is_zero());
+  const BoundaryCondition mixed =
+      inlet("set Type = mixed\nset Normal = velocity\nset Normal velocity = 2*t\n"
+            "set Tangential = traction\nset Tangential traction = 1, 2");
+  check::is_true("mixed: velocity and traction", mixed.normal.kind == Kind::velocity &&
+                                                     mixed.normal.along_normal(place, 3.) == 6. &&
+                                                     mixed.tangential.kind == Kind::traction &&
+                                                     mixed.tangential.vector[1](place, 0.) == 2.);
+  const BoundaryCondition sliding =
+      inlet("set Type = mixed\nset Normal = pressure\nset Pressure = 5\n"
+            "set Tangential = velocity\nset Tangential velocity = 0, 4");
+  check::is_true("mixed: pressure and velocity", sliding.normal.negative &&
+                                                     sliding.normal.along_normal(place, 0.) == 5. &&
+                                                     sliding.tangential.kind == Kind::velocity);
+
+  const auto two =
+      read(child("inlet", "set Type = free") +
+           child("fluid end", "set Boundary = end\nset Region = fluid\nset Type = fixed") +
+           child("wall end", "set Boundary = end\nset Region = wall\nset Type = free"));
+  check::is_true("one boundary, two regions", two.size() == 3 && two[1].boundary_id == 1 &&
+                                                  two[1].region_ids == std::set<unsigned int>{0} &&
+                                                  two[2].region_ids == std::set<unsigned int>{1});
+  check::is_true("all types", boundary_types().size() >= 8);
+
+  const std::string end = child("end", "set Type = free");
+  refused("missing", child("inlet", "set Type = free"),
+          "the boundary 'end' has no condition in the region 'fluid'.*subsection end");
+  refused("two on one boundary",
+          child("inlet", "set Type = free") + end +
+              child("again", "set Boundary = end\nset Region = wall\nset Type = fixed"),
+          ":7: 'again'.*'end' of the region 'wall' has two conditions.*Keep one");
+  refused("unknown boundary", child("outlet", "set Type = free") + end, ":1: 'outlet'.*inlet, end");
+  refused("unknown region", child("inlet", "set Region = gel\nset Type = free") + end,
+          ":2: 'inlet/Region'.*fluid, wall");
+  refused("region that does not touch", child("inlet", "set Region = wall\nset Type = free") + end,
+          ":2: 'inlet/Region'.*no face in the region 'wall'");
+  refused("no type", child("inlet", "") + end, "'inlet'.*'Type' is missing");
+  refused("unknown type", child("inlet", "set Type = open") + end, ":2: 'inlet/Type'.*fixed");
+  refused("axis without axisymmetry", child("inlet", "set Type = axis") + end,
+          ":2: 'inlet/Type'.*roller");
+  refused("velocity missing", child("inlet", "set Type = velocity") + end,
+          "'inlet'.*'Velocity' is missing");
+  refused("three components in 2-D",
+          child("inlet", "set Type = traction\nset Traction = 1, 2, 3") + end,
+          ":3: 'inlet/Traction'");
+  refused("wrong unit", child("inlet", "set Type = pressure\nset Pressure = 3 m") + end,
+          ":3: 'inlet/Pressure'");
+  refused("entry of another type", child("inlet", "set Type = fixed\nset Pressure = 3") + end,
+          ":3: 'inlet/Pressure'");
+}
