@@ -64,8 +64,8 @@ void run_case(ParameterFile &file, const CommandLine &command_line, const MPI_Co
       throw RunError("cannot write " + directory.file("parameters.prm"));
   }
   directory.copy_inputs(file.input_files());
-  log.line("Continua " + version() +
-           (input.general.title.empty() ? "" : ": " + input.general.title));
+  log.line("Continua" + (input.general.title.empty() ? "" : ": " + input.general.title));
+  log.detail("version " + version() + ", revision " + revision());
   Run<dim> run(input, file, command_line, directory, log);
   try
   {

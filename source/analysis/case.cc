@@ -1,4 +1,5 @@
 #include <continua/analysis/case.h>
+#include <continua/analysis/case_checks.h>
 
 #include <continua/analysis/analyses.h>
 #include <continua/mesh/distortion.h>
@@ -96,32 +97,8 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator)
 
   // Before the checks across entries: a misspelt key is the likelier reason for them to fail.
   file.refuse_unknown();
-  check_pressure_level(root);
-  probes.check(*triangulation, FieldEvaluation<dim>::fields());
-}
-
-template <int dim>
-void Case<dim>::check_pressure_level(ParameterSection root) const
-{
-  const bool incompressible =
-      std::all_of(problem.materials.begin(), problem.materials.end(),
-                  [this](const Material &material)
-                  {
-                    return material.inverse_bulk_modulus == 0. ||
-                           (general.analysis == "steady" && material.branches.empty());
-                  });
-  const bool enclosed = std::all_of(problem.conditions.begin(), problem.conditions.end(),
-                                    [](const BoundaryCondition &condition) {
-                                      return condition.normal.kind == BoundaryPart::Kind::velocity;
-                                    });
-  if (incompressible && enclosed)
-    root.subsection("Boundaries")
-        .refuse(
-            "",
-            "the body is incompressible and the normal velocity is prescribed on all of its "
-            "boundary, so that the "
-            "pressure is determined up to a constant only",
-            "Give one boundary a pressure, a traction or 'free', or the material a bulk modulus");
+  check_case(*this, root);
+  probes.check(*triangulation, FieldEvaluation<dim>::fields(), pairs);
 }
 
 template struct Case<2>;

@@ -340,18 +340,12 @@ make_part(const Source &source, const std::string &type, const std::string &desc
     if (source.type_path == "Geometry/Type")
       add_names(overrides, model, part.names);
   }
+  // Else the members of a family in the row of sources() are not what its reader accepts.
+  Assert(!part.models.empty(), dealii::ExcInternalError());
   return part;
 }
-} // namespace
 
-bool CatalogueEntry::operator==(const CatalogueEntry &other) const
-{
-  return section == other.section && key == other.key && default_value == other.default_value &&
-         values == other.values && unit == other.unit && text == other.text &&
-         condition == other.condition;
-}
-
-std::vector<CatalogueSection> parameter_catalogue()
+std::vector<CatalogueSection> make_catalogue()
 {
   Entries listed;
   const auto remove_listed = [&listed](Entries &entries)
@@ -392,6 +386,20 @@ std::vector<CatalogueSection> parameter_catalogue()
     listed.insert(listed.end(), of_types.begin(), of_types.end());
     catalogue.push_back(section);
   }
+  return catalogue;
+}
+} // namespace
+
+bool CatalogueEntry::operator==(const CatalogueEntry &other) const
+{
+  return section == other.section && key == other.key && default_value == other.default_value &&
+         values == other.values && unit == other.unit && text == other.text &&
+         condition == other.condition;
+}
+
+const std::vector<CatalogueSection> &parameter_catalogue()
+{
+  static const std::vector<CatalogueSection> catalogue = make_catalogue();
   return catalogue;
 }
 } // namespace Continua

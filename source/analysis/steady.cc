@@ -54,16 +54,16 @@ void Steady<dim>::perform()
   }
   if (table)
     table->flush();
-  input.probes.record(time);
+  input.probes.record(0.);
   if (input.output.final_fields)
   {
     FieldWriter<dim> writer(input.communicator, run.directory.path(),
                             input.output.subdivisions_for(input.taylor_hood.space.velocity_degree),
                             input.output.higher_order_cells);
-    writer.write(*run.solver, time);
+    writer.write(*run.solver, 0.);
     writer.finish(run.summary);
   }
-  run.finish(n_steps, time);
+  run.finish(n_steps, 0.);
 }
 
 template <int dim>
@@ -82,11 +82,11 @@ void Steady<dim>::step_to_rest()
   double largest_velocity = 0.;
   for (unsigned int step = 0; step < rest.maximum_steps; ++step)
   {
-    Step euler = euler_step(time, rest.time_step, Update::implicit);
-    // The loads are those of t = 0, however long it takes.
+    Step euler = euler_step(0., rest.time_step, Update::implicit);
+    // Loads and pictures are those of t = 0, however long it takes.
     euler.balance_time = 0.;
+    euler.time = 0.;
     const StepReport report = run.solver->advance(euler);
-    time = euler.time;
     ++n_steps;
     largest_velocity = std::max(largest_velocity, report.largest_velocity);
     if (report.largest_change <= rest.tolerance * largest_velocity)

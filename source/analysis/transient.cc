@@ -2,6 +2,7 @@
 
 #include <continua/base/input_error.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace Continua
@@ -30,6 +31,10 @@ Transient<dim>::Transient(Run<dim> &run)
 template <int dim>
 void Transient<dim>::perform()
 {
+  const double steps_to_end = run.input.time.end_time / run.input.time.time_step;
+  if (run.input.time.changes.empty() && std::abs(steps_to_end - std::round(steps_to_end)) > 1e-6)
+    run.log.warning("the end time is not a whole number of time steps: the run ends with the first "
+                    "step beyond it");
   if (run.command_line.restart)
     restart();
   else
@@ -71,9 +76,17 @@ void Transient<dim>::restart()
   run.solver->load(archive);
   power.load(archive);
   const double time = time_control.time();
-  run.input.probes.open(run.directory.file("probes.csv"), time);
-  power.open(run.directory.file("power.csv"), time);
-  fields.resume(time);
+  // A row that stands there only because the first part of the run ended there is not one of the
+  // whole run.
+  const double size = archive.value("size of the last step");
+  const auto kept = [&](const Schedule &schedule)
+  { return schedule.due(time, size) ? time : time - 0.5 * size; };
+  run.input.probes.open(run.directory.file("probes.csv"), kept(probe_schedule));
+  power.open(run.directory.file("power.csv"), kept(power_schedule));
+  fields.resume(kept(field_schedule));
+  // The mesh does not change at the end of a run; if the run goes on it does.
+  if (archive.integer("adaptation is due") == 1)
+    adapt();
   std::ostringstream text;
   text << "Restart at t = " << time << " s, step " << time_control.n_steps();
   run.log.line(text.str());
@@ -84,10 +97,18 @@ void Transient<dim>::step()
 {
   const double start = time_control.time();
   const double size = time_control.next_size();
-  if (time_control.n_steps() > 0 && run.solver->data_jump(start, size))
+  // A jump anywhere in the step: at its end it is the next step's.
+  bool jumps = false;
+  if (time_control.n_steps() > 0 && run.input.time.scheme_type() != Scheme::euler_implicit)
+  {
+    TimerOutput::Scope scope(run.log.timer(), "search for jumps");
+    jumps = run.solver->data_jump(start - 1e-6 * size, start + (1. - 1e-6) * size);
+  }
+  if (jumps)
   {
     std::ostringstream text;
-    text << "A load or prescribed velocity jumps at t = " << start << " s: the scheme starts anew";
+    text << "A load or prescribed velocity jumps in the step from t = " << start
+         << " s: the scheme starts anew";
     run.log.line(text.str());
     time_control.restart();
   }
@@ -117,28 +138,39 @@ void Transient<dim>::step()
     TimerOutput::Scope scope(run.log.timer(), "fields");
     fields.write(*run.solver, time);
   }
-  const AdaptationParameters &adaptation = run.input.adaptation;
-  if (adaptation.every_n_steps > 0 && time_control.n_steps() % adaptation.every_n_steps == 0 &&
-      time < adaptation.end_time && !time_control.at_end())
-  {
-    const double before = run.solver->energy().sum();
-    if (run.adapt())
-    {
-      mesh_has_changed = true;
-      time_control.restart();
-      const double after = run.solver->energy().sum();
-      std::ostringstream text;
-      text << "t = " << time << " s: mesh of " << run.solver->sizes().n_cells << " cells";
-      run.log.line(text.str());
-      std::ostringstream detail;
-      detail << "the transfer changed the energy by "
-             << (before > 0. ? (after - before) / before : 0.) << " of itself";
-      run.log.detail(detail.str());
-    }
-  }
+  last_size = size;
+  if (adaptation_is_due() && !time_control.at_end())
+    adapt();
   if (checkpoint_schedule.due(time, size))
     write_checkpoint();
   report_progress();
+}
+
+template <int dim>
+bool Transient<dim>::adaptation_is_due() const
+{
+  const AdaptationParameters &adaptation = run.input.adaptation;
+  return adaptation.every_n_steps > 0 && time_control.n_steps() % adaptation.every_n_steps == 0 &&
+         time_control.time() < adaptation.end_time;
+}
+
+template <int dim>
+void Transient<dim>::adapt()
+{
+  const double before = run.solver->energy().sum();
+  if (!run.adapt())
+    return;
+  mesh_has_changed = true;
+  time_control.restart();
+  const double after = run.solver->energy().sum();
+  std::ostringstream text;
+  text << "t = " << time_control.time() << " s: mesh of " << run.solver->sizes().n_cells
+       << " cells";
+  run.log.line(text.str());
+  std::ostringstream detail;
+  detail << "the transfer changed the energy by " << (before > 0. ? (after - before) / before : 0.)
+         << " of itself";
+  run.log.detail(detail.str());
 }
 
 template <int dim>
@@ -150,6 +182,9 @@ void Transient<dim>::write_checkpoint()
       [this](ArchiveWriter &archive)
       {
         time_control.save(archive);
+        archive.add("size of the last step", last_size);
+        archive.add("adaptation is due", static_cast<unsigned long>(
+                                             adaptation_is_due() && time_control.at_end() ? 1 : 0));
         run.solver->save(archive);
         power.save(archive);
       },

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 
 namespace Continua
 {
@@ -154,6 +157,15 @@ std::string ParameterFile::identity(const std::vector<std::string> &left_out) co
     if (std::none_of(left_out.begin(), left_out.end(),
                      [&path](const std::string &place) { return lies_in(path, place); }))
       lines.push_back(path + "=" + entry.resolved + "\n");
+  }
+  // A table is part of the case by what it says, not by its name.
+  for (const std::string &name : store->input_files)
+  {
+    std::ifstream file(name, std::ios::binary);
+    std::ostringstream content;
+    content << file.rdbuf();
+    lines.push_back(std::filesystem::path(name).filename().string() + "=" + hash(content.str()) +
+                    "\n");
   }
   std::sort(lines.begin(), lines.end());
   std::string text;

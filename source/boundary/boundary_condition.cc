@@ -29,6 +29,7 @@ std::vector<Waveform> read_vector(ParameterSection &section,
   if (required)
     section.require(key);
   std::vector<Waveform> components;
+  components.reserve(n_components);
   for (const Expression &expression : expressions)
     components.emplace_back(expression);
   return components;
@@ -42,16 +43,15 @@ void read_fixed(ParameterSection &, BoundaryCondition &condition, unsigned int)
 void read_velocity(ParameterSection &section, BoundaryCondition &condition, const unsigned int dim)
 {
   condition.normal.kind = condition.tangential.kind = Kind::velocity;
-  condition.normal.vector = condition.tangential.vector =
-      read_vector(section, "Velocity", dim, Dimensions::velocity,
-                  "Cartesian components of the velocity.", true);
+  condition.normal.vector = condition.tangential.vector = Waveform::read_vector(
+      section, "Velocity", dim, Dimensions::velocity, "Cartesian components of the velocity.");
 }
 
 void read_traction(ParameterSection &section, BoundaryCondition &condition, const unsigned int dim)
 {
-  condition.normal.vector = condition.tangential.vector = read_vector(
+  condition.normal.vector = condition.tangential.vector = Waveform::read_vector(
       section, "Traction", dim, Dimensions::pressure,
-      "Cartesian components of the traction n.sigma (force per area on the body).", true);
+      "Cartesian components of the traction n.sigma (force per area on the body).");
 }
 
 void read_pressure(ParameterSection &section, BoundaryCondition &condition, unsigned int)
@@ -163,14 +163,6 @@ bool BoundaryPart::depends_on_time() const
     if (component.depends_on_time())
       return true;
   return along_normal.depends_on_time();
-}
-
-bool BoundaryPart::depends_on_space() const
-{
-  for (const Waveform &component : vector)
-    if (component.depends_on_space())
-      return true;
-  return along_normal.depends_on_space();
 }
 
 std::vector<std::pair<std::string, std::string>> boundary_types()

@@ -11,6 +11,14 @@ void InteriorData::read(ParameterSection body_force_section,
   add_expressions(body_force_section, "Force density", force, n_dimensions,
                   Dimensions::force_density,
                   "Cartesian components of the force per volume rho b on all regions.");
+  std::vector<Expression> of_mass(n_dimensions);
+  add_expressions(body_force_section, "Acceleration", of_mass, n_dimensions,
+                  Dimensions::acceleration,
+                  "Cartesian components of the force per mass b, such as gravity; each region's "
+                  "density times it.");
+  if (body_force_section.given("Acceleration"))
+    for (const Expression &component : of_mass)
+      acceleration.emplace_back(component);
   if (body_force_section.given("Force density"))
     for (const Expression &component : force)
       body_force.emplace_back(component);
@@ -26,8 +34,8 @@ void InteriorData::read(ParameterSection body_force_section,
                                  "Cartesian components of the velocity at t = 0.");
   initial_displacement =
       read_vector("Displacement", Dimensions::length,
-                  "Cartesian components of the displacement at t = 0 of every spring that "
-                  "does not relax; the pressure that goes with it must be given too.");
+                  "Cartesian components of the displacement at t = 0 of every spring that does not "
+                  "relax; without a pressure the one in equilibrium with it is taken.");
   Expression pressure;
   add_expression(initial_state, "Pressure", pressure, Dimensions::pressure,
                  "Pressure at t = 0 in all regions, but those of the subsection Pressures.");

@@ -1,4 +1,5 @@
 #include <continua/finite_element/boundary_constraints.h>
+#include <continua/signal/jump.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature.h>
@@ -82,7 +83,7 @@ collect_nodes(const Space<dim> &space, const std::vector<BoundaryCondition> &con
   // the nodes.
   const FE_Q<dim> scalar_element(space.degree());
   const Quadrature<dim - 1> nodes_of_face(scalar_element.get_unit_face_support_points());
-  FEFaceValues<dim> values(scalar_element, nodes_of_face,
+  FEFaceValues<dim> values(space.mapping, scalar_element, nodes_of_face,
                            update_quadrature_points | update_normal_vectors);
   std::vector<types::global_dof_index> face_dofs(space.velocity_element.n_dofs_per_face());
 
@@ -198,7 +199,6 @@ void BoundaryConstraints<dim>::build()
   hanging.clear();
   conflict_texts.clear();
   homogeneous = true;
-  time_dependent = false;
   constants_are_set = false;
   std::set<std::pair<unsigned int, unsigned int>> conflicts;
 
@@ -217,15 +217,16 @@ void BoundaryConstraints<dim>::build()
       const bool normal = condition.normal.kind == BoundaryPart::Kind::velocity;
       const bool tangential = condition.tangential.kind == BoundaryPart::Kind::velocity;
       std::vector<std::pair<const BoundaryPart *, Tensor<1, dim>>> asked;
-      if (normal && tangential && condition.normal.along_normal.is_zero())
-        // The whole vector: its Cartesian components, free of round-off from normals.
+      const bool whole_vector =
+          normal && tangential && condition.normal.along_normal.is_zero() &&
+          condition.normal.vector.size() == condition.tangential.vector.size();
+      if (whole_vector)
+        // Both halves are of one vector: its Cartesian components, free of round-off from normals.
         for (unsigned int c = 0; c < dim; ++c)
         {
           Tensor<1, dim> axis;
           axis[c] = 1.;
-          asked.emplace_back(condition.tangential.vector.empty() ? &condition.normal
-                                                                 : &condition.tangential,
-                             axis);
+          asked.emplace_back(&condition.tangential, axis);
         }
       else
       {
@@ -252,10 +253,10 @@ void BoundaryConstraints<dim>::build()
           subtract(equation, equation.direction[earlier.pivot], earlier);
         if (equation.direction.norm() < dependent_remainder)
         {
-          // What is left of the right-hand side must vanish. A few times tell functions of time
-          // apart.
-          for (const double time : {0., 0.0123, 0.517, 3.7})
+          // What is left of the right-hand side must vanish, at t = 0 and over many scales of time.
+          for (int i = -1; i < 72; ++i)
           {
+            const double time = i < 0 ? 0. : 1e-6 * std::pow(10., i / 8.);
             double value = 0., scale = 0.;
             for (const auto &weight : equation.weights)
             {
@@ -304,7 +305,7 @@ void BoundaryConstraints<dim>::build()
           entry_of_dof.sources.emplace_back(weight.first, weight.second);
           homogeneous = false;
           if (sources[weight.first].part->depends_on_time())
-            entry_of_dof.time_dependent = time_dependent = true;
+            entry_of_dof.time_dependent = true;
         }
       constrained.push_back(entry_of_dof);
     }
@@ -319,8 +320,19 @@ void BoundaryConstraints<dim>::build()
                                             space.communicator);
   constraints.close();
 
+  // A few nodes of each part tell whether it jumps.
+  watched_sources.clear();
+  std::map<const BoundaryPart *, std::vector<unsigned int>> of_part;
+  for (unsigned int i = 0; i < sources.size(); ++i)
+    if (sources[i].part->depends_on_time())
+      of_part[sources[i].part].push_back(i);
+  constexpr unsigned int n_watched = 8;
+  for (const auto &[part, indices] : of_part)
+    for (unsigned int i = 0; i < std::min<std::size_t>(n_watched, indices.size()); ++i)
+      watched_sources.push_back(
+          indices[i * indices.size() / std::min<std::size_t>(n_watched, indices.size())]);
+
   homogeneous = Utilities::MPI::min(homogeneous ? 1 : 0, space.communicator) == 1;
-  time_dependent = Utilities::MPI::max(time_dependent ? 1 : 0, space.communicator) == 1;
   const auto all_conflicts = Utilities::MPI::all_gather(
       space.communicator,
       std::vector<std::pair<unsigned int, unsigned int>>(conflicts.begin(), conflicts.end()));
@@ -395,32 +407,13 @@ void BoundaryConstraints<dim>::evaluate(const double time, DistributedVector &va
 }
 
 template <int dim>
-bool BoundaryConstraints<dim>::jumps(const double time, const double step_size) const
+bool BoundaryConstraints<dim>::jumps(const double begin, const double end) const
 {
-  double change = 0., scale = 0.;
-  if (time_dependent)
-    for (const Constrained &dof : constrained)
-      if (dof.time_dependent)
-        for (const auto &source : dof.sources)
-        {
-          const Source &given = sources[source.first];
-          change = std::max(change, std::abs(given.value(time + 1e-6 * step_size) -
-                                             given.value(time - 1e-6 * step_size)));
-          scale = std::max({scale, std::abs(given.value(time - step_size)),
-                            std::abs(given.value(time + step_size))});
-        }
-  change = Utilities::MPI::max(change, space.communicator);
-  scale = Utilities::MPI::max(scale, space.communicator);
-  return change > 1e-2 * scale;
-}
-
-template <int dim>
-bool BoundaryConstraints<dim>::normal_velocity_is_free_somewhere() const
-{
-  for (const BoundaryCondition &condition : conditions)
-    if (condition.normal.kind == BoundaryPart::Kind::traction)
-      return true;
-  return false;
+  bool found = false;
+  for (const unsigned int index : watched_sources)
+    found = found ||
+            jumps_within([&](const double time) { return sources[index].value(time); }, begin, end);
+  return Utilities::MPI::max(found ? 1 : 0, space.communicator) == 1;
 }
 
 template class BoundaryConstraints<2>;

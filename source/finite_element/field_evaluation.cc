@@ -257,7 +257,7 @@ void FieldEvaluation<dim>::build(Probe &probe) const
       if (cell->is_locally_owned() && counts(cell->material_id()))
       {
         Point<dim> candidate;
-        if (cell_holds_point<dim>(cell, request.point, candidate) &&
+        if (cell_holds_point<dim>(space.mapping, cell, request.point, candidate) &&
             (!found || cell->id() < chosen_id))
         {
           found = true;
@@ -280,10 +280,10 @@ void FieldEvaluation<dim>::build(Probe &probe) const
     if (mine)
     {
       const Quadrature<dim> quadrature(std::vector<Point<dim>>{unit_point});
-      FEValues<dim> values(space.velocity_element, quadrature, flags);
+      FEValues<dim> values(space.mapping, space.velocity_element, quadrature, flags);
       values.reinit(chosen);
-      hp::FEValues<dim> pressure_values(space.pressure_elements, hp::QCollection<dim>(quadrature),
-                                        update_values);
+      hp::FEValues<dim> pressure_values(space.mappings, space.pressure_elements,
+                                        hp::QCollection<dim>(quadrature), update_values);
       pressure_values.reinit(typename DoFHandler<dim>::active_cell_iterator(
           &space.triangulation, chosen->level(), chosen->index(), &space.pressure_dofs));
       add_point(chosen, values, pressure_values.get_present_fe_values(), 0, 1.);
@@ -292,8 +292,9 @@ void FieldEvaluation<dim>::build(Probe &probe) const
   else
   {
     const QGauss<dim - 1> quadrature(space.n_quadrature_points());
-    FEFaceValues<dim> values(space.velocity_element, quadrature, flags | update_JxW_values);
-    hp::FEFaceValues<dim> pressure_values(space.pressure_elements,
+    FEFaceValues<dim> values(space.mapping, space.velocity_element, quadrature,
+                             flags | update_JxW_values);
+    hp::FEFaceValues<dim> pressure_values(space.mappings, space.pressure_elements,
                                           hp::QCollection<dim - 1>(quadrature), update_values);
     double area = 0.;
     for (const auto &cell : space.velocity_dofs.active_cell_iterators())
@@ -394,11 +395,11 @@ double FieldEvaluation<dim>::error_norm(const State<dim> &state,
 
   // Well above the degree of the fields, so that the number is the error and not the quadrature's.
   const QGauss<dim> quadrature(space.degree() + 3);
-  FEValues<dim> values(space.velocity_element, quadrature,
+  FEValues<dim> values(space.mapping, space.velocity_element, quadrature,
                        update_values | update_gradients | update_quadrature_points |
                            update_JxW_values);
-  hp::FEValues<dim> hp_pressure_values(space.pressure_elements, hp::QCollection<dim>(quadrature),
-                                       update_values);
+  hp::FEValues<dim> hp_pressure_values(space.mappings, space.pressure_elements,
+                                       hp::QCollection<dim>(quadrature), update_values);
   std::vector<Vector<double>> vector_values(quadrature.size(), Vector<double>(dim));
   std::vector<std::vector<Tensor<1, dim>>> gradients(quadrature.size(),
                                                      std::vector<Tensor<1, dim>>(dim));

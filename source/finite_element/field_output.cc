@@ -49,10 +49,10 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State<dim> &state
   cell_dofs.distribute_dofs(cell_element);
   cell_fields.reinit(cell_dofs.locally_owned_dofs(), space.communicator);
   const Quadrature<dim> nodes(cell_element.base_element(0).get_unit_support_points());
-  FEValues<dim> values(space.velocity_element, nodes,
+  FEValues<dim> values(space.mapping, space.velocity_element, nodes,
                        update_values | update_gradients | update_quadrature_points);
-  hp::FEValues<dim> hp_pressure_values(space.pressure_elements, hp::QCollection<dim>(nodes),
-                                       update_values);
+  hp::FEValues<dim> hp_pressure_values(space.mappings, space.pressure_elements,
+                                       hp::QCollection<dim>(nodes), update_values);
   std::vector<Vector<double>> mixture_values(nodes.size(), Vector<double>(dim));
   std::vector<std::vector<Tensor<1, dim>>> gradients(nodes.size(),
                                                      std::vector<Tensor<1, dim>>(dim));

@@ -1,5 +1,6 @@
 #include <continua/finite_element/initial_state.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/numerics/vector_tools.h>
 
@@ -17,8 +18,9 @@ template <int dim>
 class ExpressionFunction : public Function<dim>
 {
 public:
-  explicit ExpressionFunction(const std::vector<Expression> &components)
-      : Function<dim>(components.size()), components(components)
+  explicit ExpressionFunction(const std::vector<Expression> &components,
+                              const std::vector<double> &divisors = {})
+      : Function<dim>(components.size()), components(components), divisors(divisors)
   {
   }
   double value(const Point<dim> &point, const unsigned int component) const override
@@ -26,11 +28,12 @@ public:
     double coordinates[3] = {0., 0., 0.};
     for (unsigned int c = 0; c < dim; ++c)
       coordinates[c] = point[c];
-    return components[component](coordinates, 0.);
+    return components[component](coordinates, 0.) / (divisors.empty() ? 1. : divisors[component]);
   }
 
 private:
   const std::vector<Expression> &components;
+  std::vector<double> divisors; ///< one a component, or none
 };
 /// sum M_p / K on the pressures that it determines; the identity on the idle ones (incompressible,
 /// or hanging).
@@ -112,6 +115,42 @@ void solve_equilibrium_pressure(const Space<dim> &space,
   solver.solve(matrix, pressure, right_hand_side, DiagonalInverse{matrix.diagonal});
 }
 
+namespace
+{
+/// Warns if an initial field changes the volume of an incompressible material: no later step takes
+/// that back.
+template <int dim>
+void warn_of_volume_change(const Space<dim> &space,
+                           const Problem &problem,
+                           const std::vector<RegionOperators> &operators,
+                           const DistributedVector &field,
+                           const std::string &name,
+                           Log &log)
+{
+  DistributedVector divergence = space.pressure_vector(), strain = space.velocity_vector();
+  for (unsigned int region = 0; region < operators.size(); ++region)
+    if (problem.materials[region].inverse_bulk_modulus == 0.)
+    {
+      multiply(operators[region].divergence, divergence, field);
+      multiply(operators[region].stiffness, strain, field);
+      // int (div u)^2, with the diagonal of the mass matrix, against int 2 dev sym grad u : dev sym
+      // grad u.
+      double square = 0.;
+      for (unsigned int i = 0; i < space.pressure_owned.n_elements(); ++i)
+      {
+        const double mass =
+            operators[region].pressure_mass.diag_element(space.pressure_owned.nth_index_in_set(i));
+        if (mass > 0.)
+          square += divergence.begin()[i] * divergence.begin()[i] / mass;
+      }
+      square = Utilities::MPI::sum(square, space.communicator);
+      if (square > 0.05 * 0.05 * (strain * field))
+        log.warning("the initial " + name + " changes the volume of the incompressible region '" +
+                    problem.regions[region] + "', which no later step takes back");
+    }
+}
+} // namespace
+
 template <int dim>
 void set_initial_state(const Space<dim> &space,
                        const Problem &problem,
@@ -123,22 +162,29 @@ void set_initial_state(const Space<dim> &space,
 {
   const InteriorData &data = problem.interior;
   if (!data.initial_velocity.empty())
-    VectorTools::interpolate(space.velocity_dofs, ExpressionFunction<dim>(data.initial_velocity),
-                             velocity);
+    VectorTools::interpolate(space.mapping, space.velocity_dofs,
+                             ExpressionFunction<dim>(data.initial_velocity), velocity);
   if (!data.initial_displacement.empty())
-    VectorTools::interpolate(space.velocity_dofs,
+    VectorTools::interpolate(space.mapping, space.velocity_dofs,
                              ExpressionFunction<dim>(data.initial_displacement), displacement);
   if (!data.initial_pressure.empty())
   {
     std::vector<Expression> by_component = data.initial_pressure;
     by_component.resize(space.pressure_elements.n_components());
-    VectorTools::interpolate(space.pressure_dofs, ExpressionFunction<dim>(by_component), pressure);
+    // The mean pressure is given; in plane stress the unknown is another multiple of it.
+    std::vector<double> factors;
+    for (unsigned int component = 0; component < by_component.size(); ++component)
+      factors.push_back(problem.materials[component].pressure_factor);
+    VectorTools::interpolate(space.mapping, space.pressure_dofs,
+                             ExpressionFunction<dim>(by_component, factors), pressure);
   }
   space.set_hanging_velocities_to_zero(velocity);
   space.set_hanging_velocities_to_zero(displacement);
   space.set_hanging_pressures_to_zero(pressure);
+  warn_of_volume_change(space, problem, operators, velocity, "velocity", log);
   if (data.initial_displacement.empty())
     return;
+  warn_of_volume_change(space, problem, operators, displacement, "displacement", log);
   if (data.initial_pressure.empty())
   {
     solve_equilibrium_pressure(space, problem, operators, displacement, pressure);

@@ -1,4 +1,5 @@
 #include <continua/finite_element/loads.h>
+#include <continua/signal/jump.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -30,6 +31,13 @@ std::array<double, 3> coordinates(const Point<dim> &point)
     result[c] = point[c];
   return result;
 }
+template <typename Cell>
+bool has_condition(const Cell &cell, const unsigned int face, const BoundaryCondition &condition)
+{
+  return cell->face(face)->at_boundary() &&
+         cell->face(face)->boundary_id() == condition.boundary_id &&
+         condition.region_ids.count(cell->material_id()) > 0;
+}
 } // namespace
 
 template <int dim>
@@ -43,7 +51,11 @@ void Loads<dim>::build()
   items.clear();
   std::vector<Item> all;
   for (unsigned int c = 0; c < problem.interior.body_force.size(); ++c)
-    all.push_back({&problem.interior.body_force[c], -1, false, static_cast<int>(c), 1., {}});
+    all.push_back(
+        {&problem.interior.body_force[c], -1, false, static_cast<int>(c), 1., false, {}, {}});
+  for (unsigned int c = 0; c < problem.interior.acceleration.size(); ++c)
+    all.push_back(
+        {&problem.interior.acceleration[c], -1, false, static_cast<int>(c), 1., true, {}, {}});
   for (unsigned int i = 0; i < problem.conditions.size(); ++i)
     for (const bool normal_part : {true, false})
     {
@@ -52,11 +64,23 @@ void Loads<dim>::build()
       if (part.kind != BoundaryPart::Kind::traction)
         continue;
       for (unsigned int c = 0; c < part.vector.size(); ++c)
-        all.push_back(
-            {&part.vector[c], static_cast<int>(i), normal_part, static_cast<int>(c), 1., {}});
+        all.push_back({&part.vector[c],
+                       static_cast<int>(i),
+                       normal_part,
+                       static_cast<int>(c),
+                       1.,
+                       false,
+                       {},
+                       {}});
       if (normal_part)
-        all.push_back(
-            {&part.along_normal, static_cast<int>(i), true, -1, part.negative ? -1. : 1., {}});
+        all.push_back({&part.along_normal,
+                       static_cast<int>(i),
+                       true,
+                       -1,
+                       part.negative ? -1. : 1.,
+                       false,
+                       {},
+                       {}});
     }
 
   constant = space.velocity_vector();
@@ -73,6 +97,7 @@ void Loads<dim>::build()
         item.unit = space.velocity_vector();
         assemble(item, nullptr, 0., item.unit);
       }
+      watch_points(item);
       items.push_back(item);
     }
   }
@@ -89,14 +114,14 @@ void Loads<dim>::assemble(const Item &item,
   const QGauss<dim> cell_quadrature(space.n_quadrature_points() + 1);
   const QGauss<dim - 1> face_quadrature(space.n_quadrature_points() + 1);
   const UpdateFlags flags = update_values | update_quadrature_points | update_JxW_values;
-  FEValues<dim> cell_values(space.velocity_element, cell_quadrature, flags);
-  FEFaceValues<dim> face_values(space.velocity_element, face_quadrature,
+  FEValues<dim> cell_values(space.mapping, space.velocity_element, cell_quadrature, flags);
+  FEFaceValues<dim> face_values(space.mapping, space.velocity_element, face_quadrature,
                                 flags | update_normal_vectors);
   Vector<double> local(n_velocity);
   std::vector<types::global_dof_index> indices(n_velocity);
 
   // Adds the integral over what `values` is initialised to.
-  const auto integrate = [&](const FEValuesBase<dim> &values)
+  const auto integrate = [&](const FEValuesBase<dim> &values, const double density)
   {
     for (const unsigned int q : values.quadrature_point_indices())
     {
@@ -110,7 +135,7 @@ void Loads<dim>::assemble(const Item &item,
       const Point<dim> &point = values.quadrature_point(q);
       const double amplitude =
           waveform == nullptr ? 1. : (*waveform)(coordinates(point).data(), time);
-      direction *= item.sign * amplitude * values.JxW(q) * space.measure(point);
+      direction *= item.sign * density * amplitude * values.JxW(q) * space.measure(point);
       for (unsigned int i = 0; i < n_velocity; ++i)
         local[i] += values.shape_value(i, q) *
                     direction[space.velocity_element.system_to_component_index(i).first];
@@ -124,7 +149,8 @@ void Loads<dim>::assemble(const Item &item,
       {
         local = 0.;
         cell_values.reinit(cell);
-        integrate(cell_values);
+        integrate(cell_values,
+                  item.times_density ? problem.materials[cell->material_id()].density : 1.);
         touched = true;
       }
       else if (cell->at_boundary())
@@ -132,12 +158,10 @@ void Loads<dim>::assemble(const Item &item,
         const BoundaryCondition &condition = problem.conditions[item.condition];
         local = 0.;
         for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() &&
-              cell->face(f)->boundary_id() == condition.boundary_id &&
-              condition.region_ids.count(cell->material_id()) > 0)
+          if (has_condition(cell, f, condition))
           {
             face_values.reinit(cell, f);
-            integrate(face_values);
+            integrate(face_values, 1.);
             touched = true;
           }
       }
@@ -163,34 +187,40 @@ void Loads<dim>::add(const double time, DistributedVector &residual) const
 }
 
 template <int dim>
-bool Loads<dim>::jumps(const double time, const double step_size) const
+bool Loads<dim>::jumps(const double begin, const double end) const
 {
-  const double origin[3] = {0., 0., 0.};
+  bool found = false;
   for (const Item &item : items)
+    for (const std::array<double, 3> &point : item.watched_points)
+      found = found ||
+              jumps_within([&](const double time) { return (*item.waveform)(point.data(), time); },
+                           begin, end);
+  return Utilities::MPI::max(found ? 1 : 0, space.communicator) == 1;
+}
+
+template <int dim>
+void Loads<dim>::watch_points(Item &item) const
+{
+  if (!item.waveform->depends_on_space())
   {
-    if (item.waveform->depends_on_space())
-    {
-      DistributedVector before = space.velocity_vector(), after = before, earlier = before,
-                        later = before;
-      assemble(item, item.waveform, time - 1e-6 * step_size, before);
-      assemble(item, item.waveform, time + 1e-6 * step_size, after);
-      assemble(item, item.waveform, time - step_size, earlier);
-      assemble(item, item.waveform, time + step_size, later);
-      after.add(-1., before);
-      if (after.linfty_norm() > 1e-2 * std::max(earlier.linfty_norm(), later.linfty_norm()))
-        return true;
-    }
-    else
-    {
-      const Waveform &waveform = *item.waveform;
-      const double change = std::abs(waveform(origin, time + 1e-6 * step_size) -
-                                     waveform(origin, time - 1e-6 * step_size));
-      if (change > 1e-2 * std::max(std::abs(waveform(origin, time - step_size)),
-                                   std::abs(waveform(origin, time + step_size))))
-        return true;
-    }
+    item.watched_points.push_back({{0., 0., 0.}});
+    return;
   }
-  return false;
+  constexpr unsigned int n_watched = 8;
+  std::vector<std::array<double, 3>> points;
+  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+    if (cell->is_locally_owned())
+    {
+      if (item.condition < 0)
+        points.push_back(coordinates(cell->center()));
+      else
+        for (const unsigned int f : cell->face_indices())
+          if (has_condition(cell, f, problem.conditions[item.condition]))
+            points.push_back(coordinates(cell->face(f)->center()));
+    }
+  const std::size_t n_points = std::min<std::size_t>(n_watched, points.size());
+  for (std::size_t i = 0; i < n_points; ++i)
+    item.watched_points.push_back(points[i * points.size() / n_points]);
 }
 
 template <int dim>

@@ -86,11 +86,11 @@ void assemble_region_operators(const Space<dim> &space, std::vector<RegionOperat
   // The velocity's shape functions are those of one scalar element, once for each component.
   const FE_Q<dim> scalar_element(space.degree());
   const QGauss<dim> quadrature(space.n_quadrature_points());
-  FEValues<dim> values(scalar_element, quadrature,
+  FEValues<dim> values(space.mapping, scalar_element, quadrature,
                        update_values | update_gradients | update_quadrature_points |
                            update_JxW_values);
-  hp::FEValues<dim> hp_pressure_values(space.pressure_elements, hp::QCollection<dim>(quadrature),
-                                       update_values);
+  hp::FEValues<dim> hp_pressure_values(space.mappings, space.pressure_elements,
+                                       hp::QCollection<dim>(quadrature), update_values);
 
   const unsigned int n_scalar = scalar_element.n_dofs_per_cell();
   const unsigned int n_velocity = space.velocity_element.n_dofs_per_cell();

@@ -40,6 +40,8 @@ Space<dim>::Space(parallel::TriangulationBase<dim> &triangulation,
                   const unsigned int n_regions)
     : communicator(triangulation.get_communicator()),
       triangulation(triangulation),
+      mapping(parameters.velocity_degree),
+      mappings(mapping),
       velocity_element(FE_Q<dim>(parameters.velocity_degree), dim),
       velocity_dofs(triangulation),
       pressure_dofs(triangulation),
@@ -62,8 +64,9 @@ Space<dim>::Space(parallel::TriangulationBase<dim> &triangulation,
 template <int dim>
 void Space<dim>::distribute()
 {
-  // Numbers that follow the cells' places in the tree: deal.II's own follow the order in which cells
-  // were made, so that a mesh read from a checkpoint would have others than the run that wrote it.
+  // Numbers that follow the cells' places in the tree: deal.II's own follow the order in which
+  // cells were made, so that a mesh read from a checkpoint would have others than the run that
+  // wrote it.
   velocity_dofs.distribute_dofs(velocity_element);
   DoFRenumbering::hierarchical(velocity_dofs);
   velocity_owned = velocity_dofs.locally_owned_dofs();

@@ -310,9 +310,9 @@ void TaylorHoodSolver<dim>::solve_steady(const double time)
 }
 
 template <int dim>
-bool TaylorHoodSolver<dim>::data_jump(const double time, const double step_size) const
+bool TaylorHoodSolver<dim>::data_jump(const double begin, const double end) const
 {
-  return loads.jumps(time, step_size) || constraints.jumps(time, step_size);
+  return loads.jumps(begin, end) || constraints.jumps(begin, end);
 }
 
 template <int dim>

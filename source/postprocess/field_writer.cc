@@ -128,7 +128,7 @@ void FieldWriter<dim>::write(ContinuumSolver<dim> &solver, const double time)
   flags.write_higher_order_cells = higher_order_cells && subdivisions > 1;
   flags.physical_units = units;
   data_out.set_flags(flags);
-  data_out.build_patches(subdivisions);
+  data_out.build_patches(solver.mapping(), subdivisions, dealii::DataOut<dim>::curved_inner_cells);
 
   const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(communicator);
   agree(communicator, write_stream(path + piece(rank),

@@ -3,8 +3,10 @@
 #include <continua/base/parameter_text.h>
 #include <continua/mesh/cell_point.h>
 #include <continua/postprocess/probes.h>
+
 #include <continua/postprocess/writing_rank.h>
 #include <continua/signal/signal_analysis.h>
+#include <deal.II/fe/mapping_q.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -195,22 +197,37 @@ void Probes<dim>::attach(ContinuumSolver<dim> &continuum_solver, const Model mod
 }
 
 template <int dim>
-void Probes<dim>::check(const dealii::Triangulation<dim> &coarse_mesh,
-                        const std::vector<FieldComponent> &fields) const
+void Probes<dim>::check(
+    const dealii::Triangulation<dim> &coarse_mesh,
+    const std::vector<FieldComponent> &fields,
+    const std::set<std::pair<unsigned int, unsigned int>> &boundary_regions) const
 {
+  // Of a high degree, since a coarse cell may stand for a large part of a circle.
+  const dealii::MappingQ<dim> mapping(6);
   for (const Probe &probe : probes)
   {
     for (const std::string &word : probe.fields)
       expand(probe.section, collapse_blanks(word), fields);
     if (!probe.boundary.empty())
+    {
+      bool exists = false;
+      for (const auto &pair : boundary_regions)
+        exists = exists || (pair.first == probe.request.boundary_id &&
+                            (probe.request.region_id < 0 ||
+                             pair.second == static_cast<unsigned int>(probe.request.region_id)));
+      if (!exists)
+        probe.section.refuse("Region",
+                             "the boundary '" + probe.boundary + "' has no face in this region",
+                             "Name a region that touches the boundary, or none");
       continue;
+    }
     bool inside = false;
     dealii::Point<dim> unit_point;
     for (const auto &cell : coarse_mesh.cell_iterators_on_level(0))
       inside =
           inside || ((probe.request.region_id < 0 ||
                       cell->material_id() == static_cast<unsigned int>(probe.request.region_id)) &&
-                     cell_holds_point<dim>(cell, probe.request.point, unit_point));
+                     cell_holds_point<dim>(mapping, cell, probe.request.point, unit_point));
     if (!inside)
       probe.section.refuse("Point", "the point is not inside the mesh",
                            "Give a point of the undeformed body, in the Region if there is one");

@@ -39,6 +39,15 @@ read_table(ParameterSection &section, const std::string &key, const Dimension &d
                         : TimeTable::After::hold,
       offset, column);
 }
+
+void refuse_table_entries(const ParameterSection &section)
+{
+  for (const char *const entry :
+       {"Table", "Column", "Interpolation", "Offset", "After the table", "Direction"})
+    if (section.given(entry))
+      section.refuse(entry, "is of use with 'Waveform = table' only",
+                     "Set that, or remove the entry");
+}
 } // namespace
 
 Waveform::Waveform(const double constant) : expression(constant) {}
@@ -58,36 +67,69 @@ Waveform Waveform::read(ParameterSection &section,
   if (kind == "table")
   {
     waveform.table = read_table(section, key, dimension);
+    waveform.expression = Expression(1.);
     return waveform;
   }
 
-  for (const char *const entry : {"Table", "Column", "Interpolation", "Offset", "After the table"})
-    if (section.given(entry))
-      section.refuse(entry, "is of use with 'Waveform = table' only",
-                     "Set that, or remove the entry");
+  refuse_table_entries(section);
   add_expression(section, key, waveform.expression, dimension, text);
   if (required)
     section.require(key);
   return waveform;
 }
 
+std::vector<Waveform> Waveform::read_vector(ParameterSection &section,
+                                            const std::string &key,
+                                            const unsigned int n_components,
+                                            const Dimension &dimension,
+                                            const std::string &text)
+{
+  std::string kind = "formula";
+  section.add_choice("Waveform", kind, {"formula", "table"},
+                     "Whether '" + key +
+                         "' is an expression or comes from a table of its size over time.");
+  std::vector<Expression> components(n_components);
+  std::shared_ptr<const TimeTable> table;
+  if (kind == "table")
+  {
+    table = read_table(section, key, dimension);
+    add_expressions(section, "Direction", components, n_components, Dimensions::none,
+                    "What the table's value is multiplied by in each direction.");
+    section.require("Direction");
+  }
+  else
+  {
+    refuse_table_entries(section);
+    add_expressions(section, key, components, n_components, dimension, text);
+    section.require(key);
+  }
+  std::vector<Waveform> waveforms;
+  waveforms.reserve(n_components);
+  for (const Expression &component : components)
+  {
+    waveforms.emplace_back(component);
+    waveforms.back().table = table;
+  }
+  return waveforms;
+}
+
 double Waveform::operator()(const double *point, const double time) const
 {
-  return table ? (*table)(time) : expression(point, time);
+  return table ? (*table)(time)*expression(point, time) : expression(point, time);
 }
 
 bool Waveform::depends_on_time() const
 {
-  return table || expression.depends_on_time();
+  return table != nullptr || expression.depends_on_time();
 }
 
 bool Waveform::depends_on_space() const
 {
-  return !table && expression.depends_on_space();
+  return expression.depends_on_space();
 }
 
 bool Waveform::is_zero() const
 {
-  return !table && expression.is_zero();
+  return expression.is_zero();
 }
 } // namespace Continua

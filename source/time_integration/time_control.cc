@@ -38,6 +38,9 @@ void TimeParameters::read(ParameterSection section)
               Range::positive());
   section.require("Time step");
   section.require("End time");
+  if (time_step > end_time * (1. + 1e-9))
+    section.refuse("Time step", "the time step is larger than the end time",
+                   "Give a smaller step, or a later end");
   if (scheme == "crank nicolson" && update != "automatic")
     section.refuse("Update", "crank nicolson has its own update of displacement and pressure",
                    "Remove the entry, or choose another scheme");
@@ -56,6 +59,9 @@ void TimeParameters::read(ParameterSection section)
       section.refuse("Time step changes", error.what(),
                      "Write a list of TIME : STEP, such as 0.5 s : 2 ms");
     }
+    if (changes.back().first < 0.)
+      section.refuse("Time step changes", "the time in '" + text + "' is negative",
+                     "Give a time >= 0 s");
     if (changes.back().second <= 0.)
       section.refuse("Time step changes", "the time step in '" + text + "' is not positive",
                      "Give a step > 0 s");

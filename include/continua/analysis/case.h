@@ -67,9 +67,6 @@ struct Case
   std::unique_ptr<Geometry<dim>> geometry;
   std::unique_ptr<dealii::parallel::distributed::Triangulation<dim>> triangulation; ///< coarse
   Problem problem;
-
-private:
-  void check_pressure_level(ParameterSection root) const;
 };
 } // namespace Continua
 

@@ -43,9 +43,10 @@ struct CatalogueSection
 /**
  * Every entry that exists. Nothing is listed here by hand but the functions that read the sections
  * of a file: each is called without a file once for every type and every choice among its entries,
- * and what it then declares is the catalogue. An entry stands where it was declared first.
+ * and what it then declares is the catalogue, made once. An entry stands where it was declared
+ * first.
  */
-std::vector<CatalogueSection> parameter_catalogue();
+const std::vector<CatalogueSection> &parameter_catalogue();
 } // namespace Continua
 
 #endif

@@ -20,7 +20,6 @@ public:
 private:
   Run<dim> &run;
   unsigned int n_steps = 0;
-  double time = 0.;
 
   void solve();
   void step_to_rest();

@@ -25,11 +25,14 @@ private:
   Checkpoint checkpoint;
   Schedule probe_schedule, power_schedule, field_schedule, checkpoint_schedule;
   bool mesh_has_changed = false;
+  double last_size = 0.; ///< [s] of the step that led here
   unsigned int tenths_reported = 0;
 
   void start();
   void restart();
   void step();
+  bool adaptation_is_due() const;
+  void adapt();
   void write_checkpoint();
   void report_progress();
 };

@@ -56,7 +56,7 @@ public:
   /// A hash (FNV-1a, 64 bit, 16 hexadecimal digits) of all resolved entries but those that are, or
   /// lie in, one of `left_out` ("Output", "Time/End time"): a checkpoint's case identity. It does
   /// not depend on the unit or the order in which values were written, nor on the directory of an
-  /// input file.
+  /// input file, but on what it contains.
   std::string identity(const std::vector<std::string> &left_out = {}) const;
 
 private:

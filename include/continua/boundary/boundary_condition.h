@@ -29,7 +29,6 @@ struct BoundaryPart
 
   bool is_zero() const;
   bool depends_on_time() const;
-  bool depends_on_space() const;
 };
 
 /// What holds on one boundary (of one region, or of all that touch it).

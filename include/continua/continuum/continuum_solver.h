@@ -6,6 +6,7 @@
 #include <continua/time_integration/step.h>
 
 #include <deal.II/base/point.h>
+#include <deal.II/fe/mapping_q1.h>
 #include <deal.II/lac/vector.h>
 #include <deal.II/numerics/data_out.h>
 
@@ -108,8 +109,8 @@ public:
   virtual void solve_steady(double time) = 0;
   /// Whether solve_steady applies, or the mixture has to be stepped to rest.
   virtual bool steady_is_direct() const = 0;
-  /// Whether a load or prescribed velocity jumps within a millionth of the step about this time.
-  virtual bool data_jump(double time, double step_size) const = 0;
+  /// Whether a load or prescribed velocity jumps between the two times [s].
+  virtual bool data_jump(double begin, double end) const = 0;
 
   /// What can be probed.
   virtual std::vector<FieldComponent> fields() const = 0;
@@ -126,6 +127,11 @@ public:
   /// round-off.
   virtual double divergence() = 0;
 
+  /// The shape of the cells, for drawing: straight unless the discretisation has another.
+  virtual const dealii::Mapping<dim> &mapping() const
+  {
+    return dealii::StaticMappingQ1<dim>::mapping;
+  }
   /// Adds the output fields to `data_out` (they stay valid until the next call); returns name ->
   /// unit.
   virtual std::map<std::string, std::string> add_output(dealii::DataOut<dim> &data_out) = 0;

@@ -16,7 +16,9 @@ namespace Continua
 /// What is given inside the body: loads and the state at the start, each by Cartesian components.
 struct InteriorData
 {
-  std::vector<Waveform> body_force;             ///< rho b [N/m^3]; empty is none
+  std::vector<Waveform>
+      acceleration;                 ///< b [m/s^2], times the density of each region; empty is none
+  std::vector<Waveform> body_force; ///< rho b [N/m^3]; empty is none
   std::vector<Expression> initial_velocity;     ///< [m/s]; empty is rest
   std::vector<Expression> initial_displacement; ///< [m] of branches that never relax; empty is none
   std::vector<Expression> initial_pressure;     ///< [Pa] one for each region; empty is none

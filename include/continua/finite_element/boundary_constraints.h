@@ -45,15 +45,10 @@ public:
 
   /// Whether every prescribed velocity is zero for ever.
   bool is_homogeneous() const { return homogeneous; }
-  bool depends_on_time() const { return time_dependent; }
-  /// Whether a prescribed velocity jumps within a millionth of the step about this time (it does if
-  /// that changes it by more than 1 % of what it is a step before or after).
-  bool jumps(double time, double step_size) const;
+  /// Whether a prescribed velocity jumps between the two times [s].
+  bool jumps(double begin, double end) const;
   /// One line for each pair of conditions that ask for different velocities at a node.
   const std::vector<std::string> &conflicts() const { return conflict_texts; }
-  /// Whether some part of the boundary leaves the normal velocity free, so that the pressure level
-  /// is determined.
-  bool normal_velocity_is_free_somewhere() const;
 
 private:
   /// direction . (value of one half of a condition) at a point.
@@ -82,11 +77,11 @@ private:
   const std::vector<BoundaryCondition> &conditions;
   dealii::AffineConstraints<double> constraints;
   std::vector<Source> sources;
+  std::vector<unsigned int> watched_sources; ///< a few that depend on time, for jumps()
   std::vector<Constrained> constrained;
   std::vector<unsigned int> hanging; ///< local indices of owned hanging nodes' dofs
   std::vector<std::string> conflict_texts;
   bool homogeneous = true;
-  bool time_dependent = false;
   mutable bool constants_are_set = false;
 };
 } // namespace Continua

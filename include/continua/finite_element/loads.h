@@ -4,6 +4,7 @@
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/space.h>
 
+#include <array>
 #include <vector>
 
 namespace Continua
@@ -24,8 +25,8 @@ public:
   void build();
   /// Adds the loads at this time to `residual` (hanging nodes condensed) [N].
   void add(double time, DistributedVector &residual) const;
-  /// Whether a load jumps within a millionth of the step about this time.
-  bool jumps(double time, double step_size) const;
+  /// Whether a load jumps between the two times [s].
+  bool jumps(double begin, double end) const;
   /// The traction that is prescribed on a face at a point [Pa], of the parts that are natural;
   /// others are zero.
   static dealii::Tensor<1, dim> prescribed_traction(const BoundaryCondition &condition,
@@ -42,13 +43,16 @@ private:
     bool normal_part; ///< of the condition; else its tangential part
     int component;    ///< Cartesian, or -1: along the normal
     double sign;
-    DistributedVector unit; ///< only of items that depend on time alone
+    bool times_density;                                ///< a body force given as an acceleration
+    DistributedVector unit;                            ///< only of items that depend on time alone
+    std::vector<std::array<double, 3>> watched_points; ///< where jumps() looks
   };
   const Space<dim> &space;
   const Problem &problem;
   std::vector<Item> items; ///< time-dependent ones
   DistributedVector constant;
 
+  void watch_points(Item &item) const;
   /// Adds int v . direction w(point, time), with w = 1 if `waveform` is null.
   void assemble(const Item &item,
                 const Waveform *waveform,

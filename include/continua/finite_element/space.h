@@ -9,7 +9,9 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_q.h>
 #include <deal.II/hp/fe_collection.h>
+#include <deal.II/hp/mapping_collection.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/trilinos_vector.h>
 
@@ -82,6 +84,9 @@ public:
 
   MPI_Comm communicator;
   dealii::parallel::TriangulationBase<dim> &triangulation;
+  /// Of the velocity's degree, so that curved boundaries (manifolds) cost no order of convergence.
+  dealii::MappingQ<dim> mapping;
+  dealii::hp::MappingCollection<dim> mappings; ///< the same, for the hp space
   dealii::FESystem<dim> velocity_element;
   dealii::hp::FECollection<dim> pressure_elements; ///< by region, or one if continuous
   dealii::DoFHandler<dim> velocity_dofs;

@@ -47,7 +47,8 @@ public:
   StepReport advance(const Step &step) override;
   void solve_steady(double time) override;
   bool steady_is_direct() const override;
-  bool data_jump(double time, double step_size) const override;
+  bool data_jump(double begin, double end) const override;
+  const dealii::Mapping<dim> &mapping() const override { return space.mapping; }
   std::vector<FieldComponent> fields() const override;
   unsigned int add_probe(const ProbeRequest<dim> &request) override;
   void evaluate_probes(std::vector<double> &values) override;

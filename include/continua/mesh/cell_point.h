@@ -2,6 +2,7 @@
 #define continua_mesh_cell_point_h
 
 #include <deal.II/base/point.h>
+#include <deal.II/fe/mapping.h>
 #include <deal.II/grid/tria.h>
 
 namespace Continua
@@ -11,7 +12,8 @@ namespace Continua
  * if so the point in the coordinates of the unit cell.
  */
 template <int dim>
-bool cell_holds_point(const typename dealii::Triangulation<dim>::cell_iterator &cell,
+bool cell_holds_point(const dealii::Mapping<dim> &mapping,
+                      const typename dealii::Triangulation<dim>::cell_iterator &cell,
                       const dealii::Point<dim> &point,
                       dealii::Point<dim> &unit_point);
 } // namespace Continua

@@ -12,7 +12,9 @@
 #include <mpi.h>
 
 #include <memory>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Continua
@@ -35,10 +37,12 @@ public:
   void read(ParameterSection section,
             const std::vector<std::string> &boundaries,
             const std::vector<std::string> &regions);
-  /// Refuses, before there is a solver, a field that is not among `fields` and a point that no cell
-  /// of the coarse mesh holds (in the region, if one is named). Throws InputError.
+  /// Refuses, before there is a solver, a field that is not among `fields`, a point that no cell
+  /// of the coarse mesh holds (in the region, if one is named), and a boundary that the region does
+  /// not touch; `boundary_regions` are the (boundary, region) pairs that exist. Throws InputError.
   void check(const dealii::Triangulation<dim> &coarse_mesh,
-             const std::vector<FieldComponent> &fields) const;
+             const std::vector<FieldComponent> &fields,
+             const std::set<std::pair<unsigned int, unsigned int>> &boundary_regions) const;
   /// Asks the solver, which must live as long as this, for the values. Throws InputError for a
   /// field that it has not and a point outside the mesh. `model` gives integrals their unit: over
   /// a line (per metre of depth) or an area.

@@ -33,15 +33,23 @@ public:
                        const std::string &text,
                        bool required);
 
+  /// A vector of `n_components`: KEY with one expression a component, or a table of its size over
+  /// time and `Direction`, the components' factors as functions of (x, y, z).
+  static std::vector<Waveform> read_vector(ParameterSection &section,
+                                           const std::string &key,
+                                           unsigned int n_components,
+                                           const Dimension &dimension,
+                                           const std::string &text);
+
   /// The value in SI at a point with three coordinates [m] and a time [s].
   double operator()(const double *point, double time) const;
-  /// A table depends on time but not on space, and counts as not zero, whatever its values are.
+  /// A table depends on time, and counts as not zero, whatever its values are.
   bool depends_on_time() const;
   bool depends_on_space() const;
   bool is_zero() const;
 
 private:
-  Expression expression;
+  Expression expression; ///< the value, or what the table's value is multiplied by
   std::shared_ptr<const TimeTable> table;
 };
 } // namespace Continua

@@ -1,0 +1,17 @@
+#ifndef continua_signal_jump_h
+#define continua_signal_jump_h
+
+#include <functional>
+
+namespace Continua
+{
+/**
+ * Whether a function of time [s] jumps somewhere in an interval: halving it towards the larger
+ * change down to a millionth, what is left of the change there exceeds 1 % of the largest value met
+ * on the way. A steep but continuous function changes by a millionth of the change over the
+ * interval and is not taken for a jump.
+ */
+bool jumps_within(const std::function<double(double)> &function, double begin, double end);
+} // namespace Continua
+
+#endif

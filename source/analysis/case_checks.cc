@@ -1,0 +1,150 @@
+#include <continua/analysis/case_checks.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Continua
+{
+using namespace dealii;
+
+namespace
+{
+template <int dim>
+bool is_steady(const Case<dim> &input)
+{
+  return input.general.analysis == "steady";
+}
+
+/// An enclosed incompressible body has a pressure up to a constant only.
+template <int dim>
+void check_pressure_level(const Case<dim> &input, ParameterSection root)
+{
+  const bool incompressible =
+      std::all_of(input.problem.materials.begin(), input.problem.materials.end(),
+                  [&](const Material &material) {
+                    return material.inverse_bulk_modulus == 0. ||
+                           (is_steady(input) && material.branches.empty());
+                  });
+  const bool enclosed =
+      std::all_of(input.problem.conditions.begin(), input.problem.conditions.end(),
+                  [](const BoundaryCondition &condition)
+                  { return condition.normal.kind == BoundaryPart::Kind::velocity; });
+  if (incompressible && enclosed)
+    root.subsection("Boundaries")
+        .refuse(
+            "",
+            "the body is incompressible and the normal velocity is prescribed on all of its "
+            "boundary, so that the pressure is determined up to a constant only",
+            "Give one boundary a pressure, a traction or 'free', or the material a bulk modulus");
+}
+
+/// A state at rest needs something that holds the body, and has no use for what moves it.
+template <int dim>
+void check_steady(const Case<dim> &input, ParameterSection root)
+{
+  const std::vector<Material> &materials = input.problem.materials;
+  const bool has_solid =
+      std::any_of(materials.begin(), materials.end(),
+                  [](const Material &material) { return !material.branches.empty(); });
+  for (unsigned int region = 0; region < materials.size(); ++region)
+    if (!materials[region].branches.empty() && materials[region].long_term_shear_modulus() == 0.)
+      root.subsection("Materials")
+          .subsection(input.problem.regions[region])
+          .refuse("Type",
+                  "the shear stress of this solid relaxes to zero, so that it has no state at rest",
+                  "Use a law with a long-term modulus, or Analysis = transient");
+  bool held = false;
+  for (const BoundaryCondition &condition : input.problem.conditions)
+    for (const BoundaryPart *part : {&condition.normal, &condition.tangential})
+      if (part->kind == BoundaryPart::Kind::velocity)
+      {
+        held = true;
+        const bool touches_solid = std::any_of(
+            condition.region_ids.begin(), condition.region_ids.end(),
+            [&](const unsigned int region) { return !materials[region].branches.empty(); });
+        if (touches_solid && !part->is_zero())
+          root.subsection("Boundaries")
+              .subsection(condition.name)
+              .refuse("", "a solid at rest cannot have a prescribed velocity",
+                      "Prescribe zero, or use Analysis = transient");
+      }
+  if (!held)
+    root.subsection("Boundaries")
+        .refuse("", "nothing holds the body: no boundary has a prescribed velocity",
+                "Make one boundary 'fixed' or 'roller'");
+  ParameterSection initial_state = root.subsection("Initial state");
+  for (const char *key : {"Velocity", "Displacement", "Pressure"})
+    if (has_solid && initial_state.given(key))
+      initial_state.refuse(key, "a steady analysis has no initial state",
+                           "Remove the entry, or use Analysis = transient");
+  ParameterSection output = root.subsection("Output");
+  for (const char *key : {"Checkpoint interval", "Checkpoint at end"})
+    if (output.given(key) &&
+        (input.output.checkpoint_at_end || input.output.checkpoint_interval > 0.))
+      output.refuse(key, "a steady analysis has no checkpoints", "Remove the entry");
+}
+
+/// The axis of an axisymmetric model: there and only there the radial velocity is zero by symmetry.
+template <int dim>
+void check_axis(const Case<dim> &input, ParameterSection root)
+{
+  for (const auto &cell : input.triangulation->cell_iterators_on_level(0))
+    for (const unsigned int f : cell->face_indices())
+      if (cell->face(f)->at_boundary())
+      {
+        bool on_axis = true;
+        for (const unsigned int v : cell->face(f)->vertex_indices())
+          on_axis = on_axis && std::abs(cell->face(f)->vertex(v)[1]) < 1e-10 * cell->diameter();
+        for (const BoundaryCondition &condition : input.problem.conditions)
+          if (condition.boundary_id == cell->face(f)->boundary_id() &&
+              condition.region_ids.count(cell->material_id()) > 0)
+          {
+            ParameterSection section = root.subsection("Boundaries").subsection(condition.name);
+            if (on_axis && (condition.normal.kind != BoundaryPart::Kind::velocity ||
+                            !condition.normal.is_zero()))
+              section.refuse("Type",
+                             "on the axis of an axisymmetric model the radial velocity is zero",
+                             "Set Type = axis");
+            if (!on_axis && condition.type == "axis")
+              section.refuse("Type", "this boundary is not on the axis (y = 0)",
+                             "Set Type = roller if that is meant");
+          }
+      }
+}
+
+template <int dim>
+void check_linear_solver(const Case<dim> &input, ParameterSection root)
+{
+  const std::string &type = input.taylor_hood.linear_solver.type;
+  ParameterSection section = root.subsection("Linear solver");
+  const bool incompressible =
+      std::any_of(input.problem.materials.begin(), input.problem.materials.end(),
+                  [&](const Material &material) {
+                    return material.inverse_bulk_modulus == 0. ||
+                           (is_steady(input) && material.branches.empty());
+                  });
+  if (type == "cholmod" && incompressible)
+    section.refuse("Type", "cholmod does not pivot, which an incompressible material needs",
+                   "Use automatic or mumps");
+  if ((type == "cholmod" || type == "umfpack") &&
+      Utilities::MPI::n_mpi_processes(input.communicator) > 1)
+    section.refuse("Type", type + " works on one rank only", "Use automatic or mumps");
+}
+} // namespace
+
+template <int dim>
+void check_case(const Case<dim> &input, ParameterSection root)
+{
+  check_pressure_level(input, root);
+  if (is_steady(input))
+    check_steady(input, root);
+  if (input.problem.model == Model::axisymmetric)
+    check_axis(input, root);
+  check_linear_solver(input, root);
+}
+
+template void check_case(const Case<2> &, ParameterSection);
+template void check_case(const Case<3> &, ParameterSection);
+} // namespace Continua

@@ -1,0 +1,27 @@
+// What is a jump in an interval and what is merely steep.
+
+#include "../check.h"
+
+#include <continua/signal/jump.h>
+
+#include <cmath>
+
+using namespace Continua;
+
+int main()
+{
+  const auto step_at = [](const double place)
+  { return [place](const double t) { return t < place ? 0. : 1.; }; };
+  check::is_true("a step inside the interval", jumps_within(step_at(0.3), 0., 1.));
+  check::is_true("a step near its end", jumps_within(step_at(0.999), 0., 1.));
+  check::is_true("a step at its begin", jumps_within(step_at(0.), -1e-6, 1.));
+  check::is_true("a step outside", !jumps_within(step_at(1.5), 0., 1.));
+  check::is_true("a step on a large offset is found by its size",
+                 jumps_within([](const double t) { return t < 0.4 ? 10. : 11.; }, 0., 1.));
+  check::is_true(
+      "a sine that is zero at both ends",
+      !jumps_within([](const double t) { return 100. * std::sin(1000. * M_PI * t); }, 0., 1e-3));
+  check::is_true("a pulse that starts with a kink",
+                 !jumps_within([](const double t) { return t < 0.5 ? 0. : t - 0.5; }, 0., 1.));
+  check::is_true("a constant", !jumps_within([](double) { return 3.; }, 0., 1.));
+}
