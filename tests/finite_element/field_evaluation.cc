@@ -1,0 +1,208 @@
+// Probes of fields that the spaces hold exactly: values, means, integrals and stresses, on hanging
+// nodes, at corners of cells and on either side of an interface.
+
+#include <continua/finite_element/field_evaluation.h>
+#include <continua/finite_element/traction_jump.h>
+
+#include "../check.h"
+#include "small_problem.h"
+
+using namespace Continua;
+using namespace dealii;
+
+namespace
+{
+Problem make_problem(const Model model)
+{
+  Problem problem;
+  problem.model = model;
+  problem.regions = {"one", "two"};
+  problem.boundaries = {"left", "right", "bottom", "top"};
+  Material one, two;
+  one.branches = {Branch{3., std::numeric_limits<double>::infinity()}};
+  one.inverse_bulk_modulus = two.inverse_bulk_modulus = 1.;
+  two.viscosity = 2.;
+  problem.materials = {one, two};
+  for (unsigned int b = 0; b < 4; ++b)
+  {
+    BoundaryCondition fixed;
+    fixed.name = problem.boundaries[b];
+    fixed.boundary_id = b;
+    fixed.region_ids = {0, 1};
+    fixed.normal.kind = fixed.tangential.kind = BoundaryPart::Kind::velocity;
+    problem.conditions.push_back(fixed);
+  }
+  return problem;
+}
+
+struct Body
+{
+  explicit Body(const Model model)
+      : mesh(MPI_COMM_WORLD),
+        problem(make_problem(model)),
+        space(mesh, SpaceParameters(), model, 2),
+        history(problem.materials),
+        evaluation(space, problem)
+  {
+    small_problem::make_box<2>(mesh, {4, 2}, Point<2>(), 2.);
+    small_problem::refine<2>(mesh, [](const Point<2> &x) { return x[0] > 2. && x[1] > 1.; });
+    space.distribute();
+    history.reinit(space);
+    velocity = small_problem::interpolated<2>(
+        space,
+        [](const Point<2> &x) {
+          return Tensor<1, 2>({1. + 2. * x[0] + 3. * x[1], 5. * x[1]});
+        });
+    history.displacement() =
+        small_problem::interpolated<2>(space,
+                                       [](const Point<2> &x) {
+                                         return Tensor<1, 2>({x[0] * x[1], 4. * x[1]});
+                                       });
+    pressure = small_problem::interpolated_pressure<2>(
+        space, [](const Point<2> &x, const unsigned int region) { return x[0] + 100. * region; });
+  }
+  double probe(const std::string &field, const Point<2> &point, const int region = -1)
+  {
+    ProbeRequest<2> request;
+    request.field = field;
+    request.point = point;
+    request.region_id = region;
+    return value(request);
+  }
+  double on_boundary(const std::string &field, const unsigned int boundary, const bool mean)
+  {
+    ProbeRequest<2> request;
+    request.field = field;
+    request.kind =
+        mean ? ProbeRequest<2>::Kind::boundary_mean : ProbeRequest<2>::Kind::boundary_integral;
+    request.boundary_id = boundary;
+    return value(request);
+  }
+  double value(const ProbeRequest<2> &request)
+  {
+    const unsigned int number = evaluation.add(request);
+    std::vector<double> values;
+    evaluation.evaluate(State<2>{velocity, pressure, history}, values);
+    return values.at(number);
+  }
+
+  small_problem::Mesh<2> mesh;
+  Problem problem;
+  Space<2> space;
+  BranchHistory history;
+  FieldEvaluation<2> evaluation;
+  DistributedVector velocity, pressure;
+};
+} // namespace
+
+int main(int argc, char **argv)
+{
+  const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  small_problem::quiet_other_ranks();
+  {
+    Body body(Model::plane_strain);
+    check::relative("velocity x", body.probe("velocity x", {1.3, 0.7}), 5.7, 1e-13);
+    check::relative("velocity y at a corner of cells", body.probe("velocity y", {2., 1.}), 5.,
+                    1e-13);
+    check::relative("velocity x at a hanging node", body.probe("velocity x", {2., 1.5}), 9.5,
+                    1e-13);
+    check::relative("displacement x", body.probe("displacement x", {3.1, 1.7}), 5.27, 1e-13);
+    check::relative("pressure, left of the interface", body.probe("pressure", {2., 1.5}, 0), 2.,
+                    1e-13);
+    check::relative("pressure, right of it", body.probe("pressure", {2., 1.5}, 1), 102., 1e-13);
+    // Region one: w = 3 D, grad D = (y, x; 0, 4); at (1, 0.5) e = (0.5, 4), e_xy = 0.5, tr / 3
+    // = 1.5.
+    check::relative("stress xx of the solid", body.probe("stress xx", {1., 0.5}),
+                    6. * (0.5 - 1.5) - 1., 1e-12);
+    check::relative("stress yy of the solid", body.probe("stress yy", {1., 0.5}), 6. * 2.5 - 1.,
+                    1e-12);
+    check::relative("stress zz of the solid", body.probe("stress zz", {1., 0.5}), 6. * -1.5 - 1.,
+                    1e-12);
+    check::relative("stress xy of the solid", body.probe("stress xy", {1., 0.5}), 3., 1e-12);
+    // Region two: w = 2 U, grad U = (2, 3; 0, 5), tr / 3 = 7 / 3; p = 103.
+    check::relative("stress xx of the fluid", body.probe("stress xx", {3., 0.5}),
+                    4. * (2. - 7. / 3.) - 103., 1e-12);
+    check::relative("stress xy of the fluid", body.probe("stress xy", {3., 0.5}), 6., 1e-12);
+    check::relative("mean on the top", body.on_boundary("velocity x", 3, true), 11., 1e-13);
+    check::relative("integral on the right", body.on_boundary("velocity x", 1, false), 24., 1e-13);
+    check::relative("mean pressure on the right", body.on_boundary("pressure", 1, true), 104.,
+                    1e-13);
+    check::throws<std::invalid_argument>(
+        "outside",
+        [&] {
+          body.probe("pressure", {4.1, 1.});
+        },
+        "not inside");
+    check::throws<std::invalid_argument>(
+        "not in that region",
+        [&] {
+          body.probe("pressure", {3., 1.}, 0);
+        },
+        "not inside");
+    check::throws<std::invalid_argument>(
+        "no such field",
+        [&] {
+          body.probe("vorticity", {1., 1.});
+        },
+        "vorticity");
+    Body error_body(Model::plane_strain);
+    const State<2> state{error_body.velocity, error_body.pressure, error_body.history};
+    const std::vector<Expression> exact = {Expression("1+2*x+3*y", Dimensions::none),
+                                           Expression("5*y+0.5", Dimensions::none)};
+    // Off by 0.5 everywhere on an area of 8.
+    check::relative("error norm", error_body.evaluation.error_norm(state, "velocity", exact, 0.),
+                    0.5 * std::sqrt(8.), 1e-12);
+  }
+  {
+    Body tube(Model::axisymmetric);
+    // Hoop strain of D is 4: e = (y, 4, 4) at (1, 0.5), tr / 3 = 8.5 / 3.
+    check::relative("hoop stress", tube.probe("stress zz", {1., 0.5}), 6. * (4. - 8.5 / 3.) - 1.,
+                    1e-12);
+    check::relative("hoop stress on the axis", tube.probe("stress zz", {1., 0.}),
+                    6. * (4. - 8. / 3.) - 1., 1e-12);
+    check::relative("flow through the right end", tube.on_boundary("velocity x", 1, false),
+                    // int (9 + 3 r) 2 pi r dr over r < 2
+                    2. * numbers::PI * (18. + 8.), 1e-13);
+  }
+  {
+    // A pressure of 2 in region one and 5 in region two, at rest: the traction jumps by 3 at x = 2.
+    Body body(Model::plane_strain);
+    body.velocity = 0.;
+    body.history.displacement() = 0.;
+    body.pressure = small_problem::interpolated_pressure<2>(
+        body.space,
+        [](const Point<2> &, const unsigned int region) { return region == 0 ? 2. : 5.; });
+    Vector<float> indicators;
+    traction_jump_indicators(body.space, body.problem, body.evaluation,
+                             State<2>{body.velocity, body.pressure, body.history}, 0., indicators);
+    double largest_elsewhere = 0., coarse = 0., fine = 0.;
+    for (const auto &cell : body.mesh.active_cell_iterators())
+      if (cell->is_locally_owned())
+      {
+        const double value = indicators[cell->active_cell_index()];
+        if (cell->center().distance(Point<2>(1.5, 0.5)) < 1e-6)
+          coarse = value;
+        else if (cell->center().distance(Point<2>(2.25, 1.25)) < 1e-6)
+          fine = value;
+        else if (std::abs(cell->center()[0] - 2.) > 0.6)
+          largest_elsewhere = std::max(largest_elsewhere, value);
+      }
+    // eta^2 = h / 2 int 3^2 over a face of length h.
+    check::relative("jump of the traction, coarse face", coarse, std::sqrt(4.5), 1e-6);
+    check::relative("jump of the traction, fine face", fine, std::sqrt(0.25 * 4.5), 1e-6);
+    check::absolute("none elsewhere", largest_elsewhere, 0., 1e-12);
+
+    // One linear motion and one material: no jump, hanging nodes included.
+    body.problem.materials[1] = body.problem.materials[0];
+    body.pressure = small_problem::interpolated_pressure<2>(
+        body.space, [](const Point<2> &, unsigned int) { return 7.; });
+    body.history.displacement() =
+        small_problem::interpolated<2>(body.space,
+                                       [](const Point<2> &x) {
+                                         return Tensor<1, 2>({x[0] + 2. * x[1], 3. * x[0]});
+                                       });
+    traction_jump_indicators(body.space, body.problem, body.evaluation,
+                             State<2>{body.velocity, body.pressure, body.history}, 0., indicators);
+    check::absolute("linear state", indicators.linfty_norm(), 0., 1e-5);
+  }
+}
