@@ -172,6 +172,10 @@ void describe_machine(Report &report)
   report.line("processor: " + processor() + ", " +
               std::to_string(std::thread::hardware_concurrency()) +
               " cores seen, one used; load before the start " + number(load()));
+}
+
+void describe_libraries(Report &report)
+{
   const auto libraries = Continua::library_versions();
   report.line("BLAS: " + libraries.at("BLAS") +
               (Continua::blas_is_reference() ? " (reference: slow)" : ""));

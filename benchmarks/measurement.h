@@ -61,8 +61,10 @@ private:
   std::string markdown() const;
 };
 
-/// The lines every benchmark begins with: processor, BLAS, load, version.
+/// The lines that a benchmark begins with: processor and load; and, of one that solves in its own
+/// process, the version and its libraries.
 void describe_machine(Report &report);
+void describe_libraries(Report &report);
 } // namespace Benchmarks
 
 #endif

@@ -42,6 +42,9 @@ void run(const std::string &output, const std::string &program, const std::strin
   std::ifstream stream(folder + "/summary.json");
   const nlohmann::json summary = nlohmann::json::parse(stream);
   const double n_steps = summary.at("steps").get<double>();
+  report.line("version: " + summary.at("version").get<std::string>() + ", revision " +
+              summary.at("revision").get<std::string>());
+  report.line("BLAS: " + summary.at("libraries").at("BLAS").get<std::string>());
   report.line("load at the end: " + number(load()));
   report.start_table("The whole process", {"steps", "wall [s]", "processor [s]",
                                            "wall of a step [ms]", "peak memory [MB]"});
