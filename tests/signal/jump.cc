@@ -23,5 +23,11 @@ int main()
       !jumps_within([](const double t) { return 100. * std::sin(1000. * M_PI * t); }, 0., 1e-3));
   check::is_true("a pulse that starts with a kink",
                  !jumps_within([](const double t) { return t < 0.5 ? 0. : t - 0.5; }, 0., 1.));
+  // At 0.05 s the square of the sine is 1e-32, not 0.
+  check::is_true(
+      "the smooth end of a pulse",
+      !jumps_within([](const double t)
+                    { return t <= 0.05 ? 1e3 * std::pow(std::sin(M_PI * t / 0.05), 2) : 0.; },
+                    0.05, 0.0502));
   check::is_true("a constant", !jumps_within([](double) { return 3.; }, 0., 1.));
 }
