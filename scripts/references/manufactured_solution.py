@@ -66,6 +66,7 @@ CASES = {
     "time-plane-strain": ("plane", SOLID, QUADRATIC, WAVE, None),
     "time-viscous": ("plane", VISCOUS, QUADRATIC, WAVE, None),
     "time-axisymmetric": ("axisymmetric", SOLID, QUADRATIC_AXIAL, WAVE, None),
+    "time-plane-stress": ("plane stress", SHEET, QUADRATIC, WAVE, None),
     "time-3d": ("space", SOLID, QUADRATIC_SPACE, WAVE, None),
     "time-incompressible": ("plane", INCOMPRESSIBLE, QUADRATIC_SOLENOIDAL, WAVE, 10 * WAVE * (1 + x - 2 * y)),
     "time-fluid": ("plane", FLUID, QUADRATIC, WAVE, None),
