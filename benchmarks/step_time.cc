@@ -3,8 +3,8 @@
 //
 //   benchmark_step_time OUTPUT SOURCE_DIRECTORY [--all-solvers]
 //
-// writes OUTPUT.txt and OUTPUT.md. With --all-solvers CHOLMOD and MUMPS are measured at every size,
-// whatever the rule `automatic` says; that takes much longer.
+// writes OUTPUT.txt and OUTPUT.md. With --all-solvers CHOLMOD is measured in the largest plane
+// case, too, where it takes most of a minute to factor.
 
 #include "measurement.h"
 #include "naive_step.h"
@@ -299,11 +299,12 @@ void run(const std::string &output, const std::string &source_directory, const b
 {
   const std::vector<std::string> both = {"cholmod", "mumps"};
   const auto chosen = all_solvers ? both : std::vector<std::string>{"automatic"};
-  const std::vector<Sizes> all_sizes = {{2, "12, 3", 0, both},    {2, "40, 10", 0, both},
-                                        {2, "40, 10", 1, both},   {2, "40, 10", 2, both},
-                                        {2, "40, 10", 3, both},   {2, "40, 10", 4, chosen},
-                                        {3, "8, 2, 2", 0, both},  {3, "8, 2, 2", 1, both},
-                                        {3, "24, 6, 6", 0, both}, {3, "40, 10, 10", 0, chosen}};
+  const std::vector<Sizes> all_sizes = {
+      {2, "12, 3", 0, both},    {2, "40, 10", 0, both},
+      {2, "40, 10", 1, both},   {2, "40, 10", 2, both},
+      {2, "40, 10", 3, both},   {2, "40, 10", 4, chosen},
+      {3, "8, 2, 2", 0, both},  {3, "8, 2, 2", 1, both},
+      {3, "24, 6, 6", 0, both}, {3, "40, 10, 10", 0, {"automatic"}}};
 
   Report report("Time of a step");
   describe_machine(report);
