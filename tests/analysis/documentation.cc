@@ -93,7 +93,11 @@ std::string boundaries(const std::vector<std::string> &names)
 {
   std::string text = "subsection Boundaries\n";
   for (const std::string &name : names)
-    text += "subsection " + name + "\nset Type = free\nend\n";
+    text += "subsection " + name + "\nset Type = " +
+            (name == "axis"          ? name
+             : name == "clamped end" ? "fixed"
+                                     : "free") +
+            "\nend\n";
   return text + "end\n";
 }
 } // namespace
