@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <sstream>
+#include <utility>
 
 namespace Continua
 {
@@ -124,9 +125,9 @@ void Run<dim>::write_summary(const std::string &status)
     summary.set("linear solver", sizes.linear_solver);
     summary.set("factor entries", sizes.factor_entries);
     summary.set("factor memory [bytes]", sizes.factor_memory);
-    for (const char *name : {"cholmod", "mumps"})
+    for (const auto &[name, key] : {std::pair("CHOLMOD", "cholmod"), std::pair("MUMPS", "mumps")})
       if (sizes.linear_solver.find(name) != std::string::npos)
-        citations.add(name);
+        citations.add(key);
   }
   summary.set("wall time [s]", log.wall_times());
   summary.set("warnings", log.warnings());
