@@ -137,6 +137,11 @@ int main(int argc, char **argv)
   dup2(before, STDOUT_FILENO);
   check::equal("no progress off a terminal", off_terminal, "done\n");
 
+  // Open MPI's launcher gives a terminal of its own to rank 0, which tells nothing of the user's.
+  setenv("OMPI_COMM_WORLD_RANK", "0", 1);
+  check::is_true("no progress under the launcher",
+                 screen_of_terminal(steps).find("time") == std::string::npos);
+  unsetenv("OMPI_COMM_WORLD_RANK");
   const std::string on_terminal = screen_of_terminal(steps);
   check::is_true("progress on a terminal",
                  std::regex_search(on_terminal, std::regex("\rtime 1.001 s of 2 s, step 1")));

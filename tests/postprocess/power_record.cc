@@ -15,6 +15,7 @@ Step step_from(const double time)
   Step step;
   step.time_old = time;
   step.time = time + 0.5;
+  step.duration = 0.5;
   step.balance_time = time + 0.25;
   return step;
 }
