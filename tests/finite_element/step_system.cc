@@ -1,0 +1,79 @@
+// The system of a step solved for a known velocity and pressure, on hanging nodes, with an inclined
+// roller; and the factor's life.
+
+#include <continua/finite_element/step_system.h>
+
+#include "../check.h"
+#include "../parameter_text.h"
+#include "small_problem.h"
+
+using namespace Continua;
+using namespace dealii;
+
+int main(int argc, char **argv)
+{
+  const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  small_problem::Mesh<2> mesh(MPI_COMM_WORLD);
+  small_problem::make_box<2>(mesh, {4, 2}, Point<2>(), 2.);
+  GridTools::rotate(0.4, mesh);
+  small_problem::refine<2>(mesh, [](const Point<2> &x) { return x.norm() > 2.; });
+  Space<2> space(mesh, SpaceParameters(), Model::plane_strain, 2);
+  space.distribute();
+  ParameterFile file = parameters_of("subsection Boundaries\n"
+                                     "subsection left\nset Type = roller\nend\n"
+                                     "subsection right\nset Type = free\nend\n"
+                                     "subsection bottom\nset Type = fixed\nend\n"
+                                     "subsection top\nset Type = free\nend\nend\n");
+  std::set<std::pair<unsigned int, unsigned int>> pairs = {{0, 0}, {1, 1}, {2, 0},
+                                                           {2, 1}, {3, 0}, {3, 1}};
+  const std::vector<BoundaryCondition> conditions =
+      read_boundary_conditions(file.root().subsection("Boundaries"),
+                               {"left", "right", "bottom", "top"}, {"one", "two"}, pairs, 2, false);
+  BoundaryConstraints<2> constraints(space, conditions);
+  constraints.build();
+  std::vector<RegionOperators> operators(2);
+  assemble_region_operators(space, operators);
+
+  for (const bool incompressible : {false, true})
+  {
+    const std::string name = incompressible ? "incompressible: " : "compressible: ";
+    StepSystem<2> system(space, operators, constraints, LinearSolverParameters());
+    system.reinit();
+    const SystemCoefficients coefficients{{2., 5.}, {1., 1e4}, {incompressible ? 0. : 0.1, 0.01}};
+    check::is_true(name + "a factor is made", system.prepare(coefficients));
+    check::is_true(name + "and kept", !system.prepare(coefficients));
+
+    // Any velocity that obeys the constraints, and any pressure.
+    DistributedVector velocity = small_problem::interpolated<2>(
+        space,
+        [](const Point<2> &x) {
+          return Tensor<1, 2>({std::sin(x[0] + 2. * x[1]), std::cos(3. * x[0] * x[1])});
+        });
+    DistributedVector zero = space.velocity_vector();
+    constraints.set_constrained(velocity, zero);
+    const DistributedVector pressure = small_problem::interpolated_pressure<2>(
+        space, [](const Point<2> &x, const unsigned int region)
+        { return 10. * region + std::sin(x[0] - x[1]); });
+
+    DistributedVector momentum = space.velocity_vector(), mass = space.pressure_vector();
+    system.add_velocity_product(velocity, momentum);
+    system.add_gradient(-1., pressure, momentum);
+    constraints.restrict_to_free(momentum);
+    system.add_divergence(-1., velocity, mass);
+    DistributedVector compression = space.pressure_vector();
+    system.add_compression(pressure, compression);
+    mass.add(-1., compression);
+
+    DistributedVector solved = space.velocity_vector(), solved_pressure = space.pressure_vector();
+    system.solve(momentum, mass, solved, solved_pressure);
+    constraints.set_constrained(solved, zero);
+    solved.add(-1., velocity);
+    solved_pressure.add(-1., pressure);
+    check::absolute(name + "velocity", solved.linfty_norm(), 0., 1e-9);
+    check::absolute(name + "pressure", solved_pressure.linfty_norm(), 0., 1e-7);
+
+    SystemCoefficients others = coefficients;
+    others.mass[0] *= 1.5;
+    check::is_true(name + "another step, another factor", system.prepare(others));
+  }
+}
