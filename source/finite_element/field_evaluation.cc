@@ -34,7 +34,7 @@ template <int dim>
 struct FieldPlaces
 {
   static constexpr unsigned int velocity = 0, displacement = dim, pressure = 2 * dim,
-                                stress = 2 * dim + 1;
+                                stress = 2 * dim + 1, strain = stress + (dim == 2 ? 4 : 6);
 };
 } // namespace
 
@@ -56,6 +56,25 @@ stress(const Tensor<2, dim> &gradient, const double hoop, const double pressure,
   for (unsigned int k = 3; k < n_stresses<dim>(); ++k)
     result[k] = gradient[stress_pairs[k][0]][stress_pairs[k][1]] +
                 gradient[stress_pairs[k][1]][stress_pairs[k][0]];
+  return result;
+}
+
+template <int dim>
+std::array<double, 6> strain(const Tensor<2, dim> &gradient,
+                             const double hoop,
+                             const Model model,
+                             const Material &material)
+{
+  std::array<double, 6> result = {{0., 0., 0., 0., 0., 0.}};
+  for (unsigned int c = 0; c < dim; ++c)
+    result[c] = gradient[c][c];
+  if (model == Model::axisymmetric)
+    result[2] = hoop;
+  if (model == Model::plane_stress)
+    result[2] = material.thickness_strain_factor * (result[0] + result[1]);
+  for (unsigned int k = 3; k < n_stresses<dim>(); ++k)
+    result[k] = 0.5 * (gradient[stress_pairs[k][0]][stress_pairs[k][1]] +
+                       gradient[stress_pairs[k][1]][stress_pairs[k][0]]);
   return result;
 }
 
@@ -152,6 +171,9 @@ std::vector<FieldComponent> FieldEvaluation<dim>::fields()
   for (unsigned int k = 0; k < n_stresses<dim>(); ++k)
     list.push_back(
         {std::string("stress ") + axes[stress_pairs[k][0]] + axes[stress_pairs[k][1]], "Pa"});
+  for (unsigned int k = 0; k < n_stresses<dim>(); ++k)
+    list.push_back(
+        {std::string("strain ") + axes[stress_pairs[k][0]] + axes[stress_pairs[k][1]], "1"});
   return list;
 }
 
@@ -190,8 +212,9 @@ void FieldEvaluation<dim>::build(Probe &probe) const
   Collector collector(space, problem.regions.size());
   std::vector<types::global_dof_index> velocity_indices(space.velocity_element.n_dofs_per_cell()),
       pressure_indices;
-  const bool is_stress = field >= FieldPlaces<dim>::stress;
-  const bool has_pressure = field >= FieldPlaces<dim>::pressure;
+  const bool is_strain = field >= FieldPlaces<dim>::strain;
+  const bool is_stress = field >= FieldPlaces<dim>::stress && !is_strain;
+  const bool has_gradient = is_stress || is_strain;
 
   // Adds the field at a quadrature point, times a weight, to the collected sums.
   const auto add_point = [&](const typename DoFHandler<dim>::active_cell_iterator &cell,
@@ -203,7 +226,7 @@ void FieldEvaluation<dim>::build(Probe &probe) const
     const typename DoFHandler<dim>::active_cell_iterator pressure_cell(
         &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs);
     cell->get_dof_indices(velocity_indices);
-    if (!has_pressure)
+    if (field < FieldPlaces<dim>::pressure)
     {
       const bool is_velocity = field < FieldPlaces<dim>::displacement;
       const unsigned int component = is_velocity ? field : field - FieldPlaces<dim>::displacement;
@@ -214,11 +237,12 @@ void FieldEvaluation<dim>::build(Probe &probe) const
       return;
     }
     double pressure_weight = problem.materials[region].pressure_factor;
-    if (is_stress)
+    if (has_gradient)
     {
-      const unsigned int k = field - FieldPlaces<dim>::stress;
-      // The stress is linear in the mixture and the pressure, so its weights are the stresses of
-      // unit entries.
+      const unsigned int k =
+          field - (is_strain ? FieldPlaces<dim>::strain : FieldPlaces<dim>::stress);
+      // The stress is linear in the mixture and the pressure, the strain in the displacement, so
+      // the weights are the stresses or strains of unit entries.
       const double r = space.is_axisymmetric() ? values.quadrature_point(q)[1] : 1.;
       for (unsigned int i = 0; i < velocity_indices.size(); ++i)
       {
@@ -228,10 +252,15 @@ void FieldEvaluation<dim>::build(Probe &probe) const
         double hoop = 0.;
         if (space.is_axisymmetric() && c == 1)
           hoop = r > 0. ? values.shape_value(i, q) / r : gradient[1][1];
-        const double unit = stress<dim>(gradient, hoop, 0., problem.model)[k];
+        const double unit =
+            is_strain ? strain<dim>(gradient, hoop, problem.model, problem.materials[region])[k]
+                      : stress<dim>(gradient, hoop, 0., problem.model)[k];
         if (unit != 0.)
-          collector.add_velocity(Source::mixture, region, velocity_indices[i], weight * unit);
+          collector.add_velocity(is_strain ? Source::displacement : Source::mixture, region,
+                                 velocity_indices[i], weight * unit);
       }
+      if (is_strain)
+        return;
       pressure_weight = stress<dim>(Tensor<2, dim>(), 0., 1., problem.model)[k];
     }
     pressure_indices.resize(pressure_cell->get_fe().n_dofs_per_cell());

@@ -36,7 +36,16 @@ std::array<double, 6> stress(const dealii::Tensor<2, dim> &mixture_gradient,
                              double pressure,
                              Model model);
 
-/// n.sigma from the same [Pa].
+/// Strain of the displacement from its gradient, in the same order, xy the half of the shear angle.
+/// zz is the hoop strain in axisymmetry, 0 in plane strain, and in plane stress what keeps sigma_zz
+/// zero. [1]
+template <int dim>
+std::array<double, 6> strain(const dealii::Tensor<2, dim> &displacement_gradient,
+                             double hoop,
+                             Model model,
+                             const Material &material);
+
+/// n.sigma from the stress [Pa].
 template <int dim>
 dealii::Tensor<1, dim> traction(const std::array<double, 6> &stress,
                                 const dealii::Tensor<1, dim> &normal);
