@@ -55,7 +55,7 @@ struct PressureCompressibility
       double &entry = diagonal.begin()[i];
       for (unsigned int region = 0; region < operators.size(); ++region)
         entry += problem.materials[region].inverse_bulk_modulus *
-                 operators[region].pressure_mass.diag_element(global);
+                 operators[region].pressure_mass.el(global, global);
       if (entry == 0. || space.pressure_hanging.is_constrained(global))
       {
         entry = 1.;
@@ -138,8 +138,9 @@ void warn_of_volume_change(const Space<dim> &space,
       double square = 0.;
       for (unsigned int i = 0; i < space.pressure_owned.n_elements(); ++i)
       {
-        const double mass =
-            operators[region].pressure_mass.diag_element(space.pressure_owned.nth_index_in_set(i));
+        // Zero for a pressure of another region.
+        const auto global = space.pressure_owned.nth_index_in_set(i);
+        const double mass = operators[region].pressure_mass.el(global, global);
         if (mass > 0.)
           square += divergence.begin()[i] * divergence.begin()[i] / mass;
       }
