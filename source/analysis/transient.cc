@@ -90,6 +90,7 @@ void Transient<dim>::restart()
   std::ostringstream text;
   text << "Restart at t = " << time << " s, step " << time_control.n_steps();
   run.log.line(text.str());
+  tenths_reported = static_cast<unsigned int>(10. * time / run.input.time.end_time + 1e-6);
 }
 
 template <int dim>
