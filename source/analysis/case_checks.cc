@@ -134,9 +134,22 @@ void check_linear_solver(const Case<dim> &input, ParameterSection root)
 }
 } // namespace
 
+/// A power law has no branches for a discretised run to step.
+template <int dim>
+void check_power_laws(const Case<dim> &input, ParameterSection root)
+{
+  for (unsigned int region = 0; region < input.problem.materials.size(); ++region)
+    if (input.problem.materials[region].power_law_modulus > 0.)
+      root.subsection("Materials")
+          .subsection(input.problem.regions[region])
+          .refuse("Type", "a power law is known to wave theory only",
+                  "Use 'prony' with branches that follow it, or Analysis = linear wave theory");
+}
+
 template <int dim>
 void check_case(const Case<dim> &input, ParameterSection root)
 {
+  check_power_laws(input, root);
   check_pressure_level(input, root);
   if (is_steady(input))
     check_steady(input, root);

@@ -143,6 +143,23 @@ Material prony(ParameterSection &section, const Model model)
   return material;
 }
 
+Material power_law(ParameterSection &section, const Model model)
+{
+  refuse_plane_stress(section, model);
+  Material material;
+  material.density = read_density(section);
+  material.power_law_modulus =
+      required(section, "Relaxation modulus at one second", Dimensions::pressure,
+               "c of the relaxation Y(t) = c (t/1 s)^-n of Young's modulus.", Range::positive());
+  material.power_law_exponent = required(section, "Exponent", Dimensions::none,
+                                         "n of the relaxation.", Range{0., 1., false, true});
+  double bulk_modulus = std::numeric_limits<double>::infinity();
+  section.add("Bulk modulus", bulk_modulus, Dimensions::pressure,
+              "Bulk modulus K, elastic; left out: incompressible (nu = 0.5).", Range::positive());
+  material.inverse_bulk_modulus = 1. / bulk_modulus;
+  return material;
+}
+
 struct Row
 {
   const char *name;
@@ -158,7 +175,9 @@ const std::vector<Row> &table()
       {"hookean", "Linear elastic solid.", hookean},
       {"kelvin-voigt", "Elastic solid with a viscosity beside the spring.", kelvin_voigt},
       {"maxwell", "Elastic volume change, shear stress that relaxes to zero.", maxwell},
-      {"prony", "Elastic solid with further springs that relax (generalised Maxwell).", prony}};
+      {"prony", "Elastic solid with further springs that relax (generalised Maxwell).", prony},
+      {"power law", "Solid whose modulus relaxes as a power of time; wave theory only.",
+       power_law}};
   return rows;
 }
 } // namespace
@@ -178,6 +197,33 @@ double Material::instantaneous_shear_modulus() const
   for (const Branch &branch : branches)
     sum += branch.shear_modulus;
   return sum;
+}
+
+std::complex<double> Material::complex_shear_modulus(const std::complex<double> &omega) const
+{
+  const std::complex<double> i_omega(-omega.imag(), omega.real());
+  std::complex<double> sum = i_omega * viscosity;
+  for (const Branch &branch : branches)
+    if (std::isinf(branch.relaxation_time))
+      sum += branch.shear_modulus;
+    else
+    {
+      const std::complex<double> x = i_omega * branch.relaxation_time;
+      sum += branch.shear_modulus * x / (1. + x);
+    }
+  if (power_law_modulus > 0.)
+  {
+    const std::complex<double> young = power_law_modulus * std::tgamma(1. - power_law_exponent) *
+                                       std::pow(i_omega, power_law_exponent);
+    sum += young / (3. - young * inverse_bulk_modulus / 3.);
+  }
+  return sum;
+}
+
+std::complex<double> Material::complex_young_modulus(const std::complex<double> &omega) const
+{
+  const std::complex<double> mu = complex_shear_modulus(omega);
+  return 9. * mu / (3. + mu * inverse_bulk_modulus);
 }
 
 double Material::longitudinal_speed() const

@@ -89,6 +89,34 @@ int main()
   check::relative("prony: K is that of the long-term modulus", 1. / prony.inverse_bulk_modulus,
                   13e6 / 6., 1e-14);
 
+  // Harmonic motion. Maxwell at omega tau = 1: mu (1 + i)/2. Liquid: i omega eta.
+  const std::complex<double> relaxed = maxwell.complex_shear_modulus(1. / 7e-3);
+  check::relative("maxwell: storage modulus", relaxed.real(), 1.5e6, 1e-14);
+  check::relative("maxwell: loss modulus", relaxed.imag(), 1.5e6, 1e-14);
+  check::relative("fluid: loss modulus", fluid.complex_shear_modulus(10.).imag(), 1e-2, 1e-14);
+  check::relative("hookean: Young's modulus", hookean.complex_young_modulus(5.).real(), 2.6e6,
+                  1e-14);
+  // A power law with n = 0.065: tan delta = tan(n pi/2) = 0.10245, Gamma(0.935) = 1.0426; c
+  // = 1.3e6.
+  const Material power_law = read("set Type = power law\nset Density = 880\n"
+                                  "set Relaxation modulus at one second = 1.3 MPa\n"
+                                  "set Exponent = 0.065\n");
+  const std::complex<double> young = power_law.complex_young_modulus(1.);
+  check::relative("power law: loss tangent", young.imag() / young.real(), 0.10245, 1e-3);
+  check::relative("power law: modulus", std::abs(young), 1.0426 * 1.3e6, 1e-3);
+  check::is_true("power law: a solid, incompressible unless told otherwise",
+                 power_law.is_solid() && power_law.inverse_bulk_modulus == 0.);
+  const Material compressible = read("set Type = power law\nset Density = 880\n"
+                                     "set Relaxation modulus at one second = 1.3 MPa\n"
+                                     "set Exponent = 0.065\nset Bulk modulus = 5 MPa\n");
+  check::relative(
+      "power law: Young's modulus does not depend on K",
+      std::abs(compressible.complex_young_modulus(3.) / power_law.complex_young_modulus(3.)), 1.,
+      1e-14);
+  refused("exponent 1",
+          "set Type = power law\nset Density = 880\n"
+          "set Relaxation modulus at one second = 1 MPa\nset Exponent = 1\n",
+          ":4: 'Exponent'");
   refused("ratio above 0.5", solid("0.5001"), ":4: 'Poisson's ratio'.*0.5001.*0.5");
   refused("ratio -1", solid("-1"), ":4: 'Poisson's ratio'");
   refused("plane stress, ratio below -0.5", solid("-0.6"), ":4: 'Poisson's ratio'.*plane stress",

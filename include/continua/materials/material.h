@@ -4,6 +4,7 @@
 #include <continua/base/parameter_section.h>
 #include <continua/materials/model.h>
 
+#include <complex>
 #include <limits>
 #include <string>
 #include <utility>
@@ -33,6 +34,10 @@ struct Material
   double inverse_bulk_modulus = 0.; ///< 1/K [1/Pa]; 0 is incompressible
   double viscosity = 0.;            ///< eta [Pa s]
   std::vector<Branch> branches;
+  /// Power-law relaxation of Young's modulus, Y(t) = c (t/s)^-n (equation 5.2 of the thesis): c
+  /// [Pa], 0 if there is none, and n. Wave theory alone knows it: it has no finite set of branches.
+  double power_law_modulus = 0.;
+  double power_law_exponent = 0.;
   /// Mean pressure over the unknown p: 1, but in plane stress (1+nu)/(1+2nu), where p is an
   /// auxiliary.
   double pressure_factor = 1.;
@@ -41,7 +46,18 @@ struct Material
 
   /// The phase field: 1 where the material has branches, 0 where it has none (equation 7.5 of the
   /// thesis).
-  double phase() const { return branches.empty() ? 0. : 1.; }
+  double phase() const { return is_solid() ? 1. : 0.; }
+  /// Whether shear is resisted by more than viscosity.
+  bool is_solid() const { return !branches.empty() || power_law_modulus > 0.; }
+  /**
+   * Shear stress over shear strain in harmonic motion exp(i omega t) [Pa]: i omega eta + sum_k mu_k
+   * i omega tau_k / (1 + i omega tau_k), or of a power law Y(omega)/(3 - Y(omega)/(3 K)) with
+   * Y(omega) = c Gamma(1 - n) (i omega)^n (5.6). omega [1/s] may be complex; 0 is excepted for a
+   * power law. A fluid is thus a solid of modulus i omega eta.
+   */
+  std::complex<double> complex_shear_modulus(const std::complex<double> &omega) const;
+  /// 9 K mu / (3 K + mu) of the same [Pa].
+  std::complex<double> complex_young_modulus(const std::complex<double> &omega) const;
   /// Sum of the moduli of the branches that never relax [Pa].
   double long_term_shear_modulus() const;
   /// Sum of the moduli of all branches [Pa].

@@ -1,0 +1,31 @@
+#ifndef continua_theory_tube_section_h
+#define continua_theory_tube_section_h
+
+#include <continua/materials/material.h>
+
+#include <vector>
+
+namespace Continua
+{
+/// The cross-section of a tube full of liquid, as wave theory sees it: what carries a harmonic
+/// wave.
+struct TubeSection
+{
+  double inner_radius = 0.01; ///< R [m]
+  Material fluid;
+  std::vector<double>
+      layer_thicknesses;        ///< from the inner to the outer layer [m]; empty: rigid wall
+  std::vector<Material> layers; ///< as many
+  bool tethered = false; ///< the outer surface is held axially; else it is free of shear stress
+
+  double wall_thickness() const; ///< h [m]
+  /// sum Y_i(omega) h_i / h: Young's modulus of the wall as a membrane [Pa].
+  std::complex<double> membrane_modulus(const std::complex<double> &omega) const;
+  /// sum rho_i h_i / h [kg/m^3].
+  double wall_density() const;
+  /// Poisson's ratio of the layers at that frequency, weighted as the modulus.
+  std::complex<double> poisson_ratio(const std::complex<double> &omega) const;
+};
+} // namespace Continua
+
+#endif

@@ -1,0 +1,113 @@
+#ifndef continua_theory_tube_wave_theory_h
+#define continua_theory_tube_wave_theory_h
+
+#include <continua/theory/dispersion_curves.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/// A piece of a tube that wave theory takes for uniform.
+struct TubeSegment
+{
+  double length = 0.; ///< [m]
+  TubeSection section;
+};
+
+/// A tube with its ends.
+struct TubeWaveProblem
+{
+  enum class Inlet
+  {
+    pressure, ///< normal traction -p on the liquid's section [Pa]
+    flow_rate ///< into the tube [m^3/s]
+  };
+  enum class Outlet
+  {
+    closed, ///< no flow
+    open,   ///< no traction
+    matched ///< the impedance of the pressure wave there: it leaves without reflection
+  };
+  enum class WallEnd
+  {
+    clamped, ///< no displacement of the wall's end
+    free     ///< no stress on it
+  };
+  std::vector<TubeSegment> segments;
+  Inlet inlet = Inlet::pressure;
+  Outlet outlet = Outlet::closed;
+  WallEnd wall_inlet_end = WallEnd::clamped;
+  WallEnd wall_outlet_end = WallEnd::clamped;
+
+  double length() const; ///< [m]
+};
+
+/// What wave theory says at one station over time.
+struct WaveHistory
+{
+  std::vector<double> pressure;          ///< mean over the liquid's section [Pa]
+  std::vector<double> axis_pressure;     ///< [Pa]
+  std::vector<double> flow_rate;         ///< [m^3/s]
+  std::vector<double> wall_distension;   ///< change of the inner diameter [m]
+  std::vector<double> wall_shear_stress; ///< of the liquid on the wall, positive downstream [Pa]
+  std::vector<double> hoop_stress;       ///< mean over the wall's thickness [Pa]
+};
+
+/**
+ * The linear waves of a liquid-filled tube in time, by a synthesis of the exact harmonic ones: in
+ * each uniform segment the pressure wave, the axial wave of the wall and the bending waves run both
+ * ways; at a joint of two segments liquid and wall are continuous (traction, flow, displacements,
+ * rotation and the wall's forces, with what the liquid does on the step of a taper), at an end they
+ * are what it prescribes. Joints and ends are resolved from the far end by reflection matrices
+ * (only decaying exponentials occur), so all reflections are there.
+ *
+ * The transform runs along omega = 2 pi f - i shift: what would wrap round the window is smaller by
+ * exp(-shift window). The spectrum is cut where the inlet's has fallen to `spectral_tolerance` of
+ * its largest value, with a cosine taper.
+ */
+class TubeWaveTheory
+{
+public:
+  using Complex = std::complex<double>;
+
+  /// `inlet`: pressure [Pa] or flow rate [m^3/s] over time [s], zero before t = 0. `end_time` [s]:
+  /// histories are wanted up to there. Throws RunError if a wave cannot be followed.
+  TubeWaveTheory(const TubeWaveProblem &problem,
+                 const std::function<double(double)> &inlet,
+                 double end_time,
+                 double spectral_tolerance = 1e-5);
+
+  /// The histories at the stations z [m] at these times [s].
+  std::vector<WaveHistory> histories(const std::vector<double> &stations,
+                                     const std::vector<double> &times) const;
+
+  double highest_frequency() const { return last_frequency; } ///< [Hz] kept of the spectrum
+  double window() const { return period; }                    ///< [s]
+  /// What of a signal wraps round, relative to its largest value.
+  double wrap_round() const;
+  const std::vector<DispersionCurves> &curves() const { return dispersion; }
+
+private:
+  /// Amplitudes of the waves of each segment at one frequency: forward at its start, backward at
+  /// its end.
+  struct Amplitudes
+  {
+    std::vector<std::vector<Complex>> forward, backward;
+  };
+  TubeWaveProblem problem;
+  double period;                 ///< [s]
+  double shift;                  ///< [1/s]
+  double last_frequency;         ///< [Hz]
+  unsigned int n_samples;        ///< a power of two
+  std::vector<Complex> spectrum; ///< of the inlet, up to the last frequency
+  std::vector<DispersionCurves> dispersion;
+  std::vector<std::size_t> curves_of; ///< of each segment
+
+  Amplitudes
+  amplitudes(Complex inlet, const std::vector<std::vector<WaveMode>> &modes, Complex omega) const;
+};
+} // namespace Continua
+
+#endif

@@ -1,0 +1,395 @@
+#include <continua/theory/tube_wave_theory.h>
+
+#include <gsl/gsl_fft_complex.h>
+#include <gsl/gsl_linalg.h>
+#include <gsl/gsl_spline.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace Continua
+{
+namespace
+{
+using Complex = std::complex<double>;
+constexpr double pi = 3.14159265358979323846;
+const Complex imaginary(0., 1.);
+
+/// A small dense matrix, row by row.
+struct Matrix
+{
+  Matrix(const unsigned int n_rows, const unsigned int n_columns)
+      : n_rows(n_rows), n_columns(n_columns), entries(n_rows * n_columns)
+  {
+  }
+  Complex &operator()(const unsigned int i, const unsigned int j)
+  {
+    return entries[i * n_columns + j];
+  }
+  const Complex &operator()(const unsigned int i, const unsigned int j) const
+  {
+    return entries[i * n_columns + j];
+  }
+  unsigned int n_rows, n_columns;
+  std::vector<Complex> entries;
+};
+
+/// Solves matrix x = right for each column of `right`, after scaling rows and columns to size one:
+/// pressures, displacements and moments stand side by side.
+Matrix solve(Matrix matrix, Matrix right)
+{
+  const unsigned int n = matrix.n_rows;
+  std::vector<double> column_sizes(n, 0.);
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    double size = 0.;
+    for (unsigned int j = 0; j < n; ++j)
+      size = std::max(size, std::abs(matrix(i, j)));
+    for (unsigned int j = 0; j < n; ++j)
+      matrix(i, j) /= size;
+    for (unsigned int j = 0; j < right.n_columns; ++j)
+      right(i, j) /= size;
+  }
+  for (unsigned int j = 0; j < n; ++j)
+  {
+    for (unsigned int i = 0; i < n; ++i)
+      column_sizes[j] = std::max(column_sizes[j], std::abs(matrix(i, j)));
+    for (unsigned int i = 0; i < n; ++i)
+      matrix(i, j) /= column_sizes[j];
+  }
+  gsl_matrix_complex_view view =
+      gsl_matrix_complex_view_array(reinterpret_cast<double *>(matrix.entries.data()), n, n);
+  const std::unique_ptr<gsl_permutation, decltype(&gsl_permutation_free)> permutation(
+      gsl_permutation_alloc(n), &gsl_permutation_free);
+  int sign = 0;
+  gsl_linalg_complex_LU_decomp(&view.matrix, permutation.get(), &sign);
+  std::vector<Complex> column(n);
+  for (unsigned int j = 0; j < right.n_columns; ++j)
+  {
+    for (unsigned int i = 0; i < n; ++i)
+      column[i] = right(i, j);
+    gsl_vector_complex_view vector =
+        gsl_vector_complex_view_array(reinterpret_cast<double *>(column.data()), n);
+    gsl_linalg_complex_LU_svx(&view.matrix, permutation.get(), &vector.vector);
+    for (unsigned int i = 0; i < n; ++i)
+      right(i, j) = column[i] / column_sizes[i];
+  }
+  return right;
+}
+
+/// The quantities that join segments of these families.
+std::vector<WaveMode::Junction>
+joined_quantities(const std::vector<ExactDispersion::Family> &families)
+{
+  switch (families.size())
+  {
+  case 1:
+    return {WaveMode::traction, WaveMode::flow_rate};
+  case 3: // held axially
+    return {WaveMode::traction, WaveMode::flow_rate,      WaveMode::radial_displacement,
+            WaveMode::rotation, WaveMode::bending_moment, WaveMode::shear_force};
+  default:
+    return {WaveMode::traction,           WaveMode::flow_rate,  WaveMode::radial_displacement,
+            WaveMode::axial_displacement, WaveMode::rotation,   WaveMode::axial_force,
+            WaveMode::bending_moment,     WaveMode::shear_force};
+  }
+}
+
+/// A quantity of a wave at a joint. Where the radius steps, the ring between both is wall: its
+/// motion displaces liquid, whose pressure acts on it. So the flow through the moving section and
+/// the force of wall and liquid together are what is continuous.
+Complex joint_value(const WaveMode &mode,
+                    const WaveMode::Junction quantity,
+                    const double area,
+                    const Complex &omega)
+{
+  const Complex value = mode.junction[quantity];
+  if (quantity == WaveMode::flow_rate)
+    return value - imaginary * omega * area * mode.junction[WaveMode::axial_displacement];
+  if (quantity == WaveMode::axial_force)
+    return value - area * mode.junction[WaveMode::traction];
+  return value;
+}
+
+Complex decay(const WaveMode &mode, const double length)
+{
+  return std::exp(-imaginary * mode.wave_number * length);
+}
+
+/// The equations of an end, one a row: what they make of each forward wave at the end.
+Matrix end_conditions(const std::vector<WaveMode> &modes,
+                      const WaveMode::Junction liquid,
+                      const TubeWaveProblem::WallEnd wall,
+                      const bool matched,
+                      const double direction)
+{
+  const unsigned int n = modes.size();
+  std::vector<WaveMode::Junction> rows = {liquid};
+  const bool clamped = wall == TubeWaveProblem::WallEnd::clamped;
+  if (n > 1)
+  {
+    rows.push_back(clamped ? WaveMode::radial_displacement : WaveMode::shear_force);
+    rows.push_back(clamped ? WaveMode::rotation : WaveMode::bending_moment);
+  }
+  if (n > 3)
+    rows.push_back(clamped ? WaveMode::axial_displacement : WaveMode::axial_force);
+  Matrix matrix(n, n);
+  for (unsigned int j = 0; j < n; ++j)
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      const double sign = direction > 0. ? 1. : WaveMode::parity[rows[i]];
+      matrix(i, j) = sign * modes[j].junction[rows[i]];
+    }
+  if (matched)
+  {
+    // traction - Z flow, with the pressure wave's Z.
+    const Complex impedance =
+        modes[0].junction[WaveMode::traction] / modes[0].junction[WaveMode::flow_rate];
+    for (unsigned int j = 0; j < n; ++j)
+      matrix(0, j) =
+          modes[j].junction[WaveMode::traction] -
+          (direction > 0. ? 1. : -1.) * impedance * modes[j].junction[WaveMode::flow_rate];
+  }
+  return matrix;
+}
+} // namespace
+
+double TubeWaveProblem::length() const
+{
+  double sum = 0.;
+  for (const TubeSegment &segment : segments)
+    sum += segment.length;
+  return sum;
+}
+
+TubeWaveTheory::TubeWaveTheory(const TubeWaveProblem &problem,
+                               const std::function<double(double)> &inlet,
+                               const double end_time,
+                               const double spectral_tolerance)
+    : problem(problem), period(2. * end_time), shift(std::log(1e6) / period), n_samples(1 << 14)
+{
+  // The inlet's transform, by the trapezoidal rule.
+  const double sample_time = period / n_samples;
+  std::vector<Complex> samples(n_samples);
+  for (unsigned int j = 0; j < n_samples; ++j)
+  {
+    const double time = j * sample_time;
+    samples[j] = time <= end_time ? inlet(time) * std::exp(-shift * time) * sample_time : 0.;
+  }
+  samples[0] *= 0.5;
+  // What an inlet still says at the end is faded out, since its cut would be a jump.
+  const double fade = 0.5 * end_time, value_at_end = inlet(end_time);
+  for (unsigned int j = 0; j < n_samples; ++j)
+  {
+    const double beyond = j * sample_time - end_time;
+    if (beyond > 0. && beyond < fade)
+      samples[j] = value_at_end * 0.5 * (1. + std::cos(pi * beyond / fade)) *
+                   std::exp(-shift * (end_time + beyond)) * sample_time;
+  }
+  gsl_fft_complex_radix2_forward(reinterpret_cast<double *>(samples.data()), 1, n_samples);
+  double largest = 0.;
+  for (unsigned int n = 0; n < n_samples / 2; ++n)
+    largest = std::max(largest, std::abs(samples[n]));
+  unsigned int last = 16;
+  for (unsigned int n = last; n < n_samples / 4; ++n)
+    if (std::abs(samples[n]) > spectral_tolerance * largest)
+      last = n;
+  last_frequency = last / period;
+  const unsigned int first_faded = static_cast<unsigned int>(0.8 * last);
+  for (unsigned int n = 0; n <= last; ++n)
+  {
+    const double share =
+        n <= first_faded ? 0. : static_cast<double>(n - first_faded) / (last + 1 - first_faded);
+    spectrum.push_back(samples[n] * 0.5 * (1. + std::cos(pi * share)));
+  }
+
+  const auto same = [](const TubeSection &a, const TubeSection &b)
+  { return a.inner_radius == b.inner_radius && a.layer_thicknesses == b.layer_thicknesses; };
+  for (const TubeSegment &segment : problem.segments)
+  {
+    std::size_t place = 0;
+    while (place < dispersion.size() && !same(dispersion[place].tube_section(), segment.section))
+      ++place;
+    if (place == dispersion.size())
+      dispersion.emplace_back(segment.section, shift, last_frequency);
+    curves_of.push_back(place);
+  }
+}
+
+double TubeWaveTheory::wrap_round() const
+{
+  return std::exp(-shift * period);
+}
+
+TubeWaveTheory::Amplitudes TubeWaveTheory::amplitudes(
+    const Complex inlet, const std::vector<std::vector<WaveMode>> &modes, const Complex omega) const
+{
+  const unsigned int n_segments = problem.segments.size(), n = modes[0].size();
+  const std::vector<WaveMode::Junction> quantities = joined_quantities(dispersion[0].families());
+  const auto values = [&](const unsigned int segment, const unsigned int family,
+                          const unsigned int row, const bool forward)
+  {
+    const double radius = problem.segments[segment].section.inner_radius;
+    return (forward ? 1. : WaveMode::parity[quantities[row]]) *
+           joint_value(modes[segment][family], quantities[row], pi * radius * radius, omega);
+  };
+
+  // From the far end: backward waves at a segment's end = reflection x forward waves at its start.
+  std::vector<Matrix> reflections(n_segments, Matrix(n, n)),
+      transmissions(n_segments, Matrix(n, n));
+  for (unsigned int s = n_segments; s-- > 0;)
+  {
+    const double length = problem.segments[s].length;
+    if (s + 1 == n_segments)
+    {
+      const WaveMode::Junction liquid = problem.outlet == TubeWaveProblem::Outlet::closed
+                                            ? WaveMode::flow_rate
+                                            : WaveMode::traction;
+      const bool matched = problem.outlet == TubeWaveProblem::Outlet::matched;
+      Matrix forward = end_conditions(modes[s], liquid, problem.wall_outlet_end, matched, 1.);
+      const Matrix backward =
+          end_conditions(modes[s], liquid, problem.wall_outlet_end, matched, -1.);
+      for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int i = 0; i < n; ++i)
+          forward(i, j) *= -decay(modes[s][j], length);
+      reflections[s] = solve(backward, forward);
+      continue;
+    }
+    // Liquid and wall are continuous: unknown are the backward waves here and the forward ones
+    // behind the joint.
+    Matrix system(2 * n, 2 * n), right(2 * n, n);
+    for (unsigned int i = 0; i < 2 * n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+      {
+        system(i, j) = values(s, j, i, false);
+        Complex behind = values(s + 1, j, i, true);
+        for (unsigned int m = 0; m < n; ++m)
+          behind += values(s + 1, m, i, false) *
+                    decay(modes[s + 1][m], problem.segments[s + 1].length) *
+                    reflections[s + 1](m, j);
+        system(i, n + j) = -behind;
+        right(i, j) = -values(s, j, i, true) * decay(modes[s][j], length);
+      }
+    const Matrix solution = solve(system, right);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+      {
+        reflections[s](i, j) = solution(i, j);
+        transmissions[s](i, j) = solution(n + i, j);
+      }
+  }
+
+  // The inlet, then forwards.
+  const WaveMode::Junction driven =
+      problem.inlet == TubeWaveProblem::Inlet::pressure ? WaveMode::traction : WaveMode::flow_rate;
+  Matrix system = end_conditions(modes[0], driven, problem.wall_inlet_end, false, 1.);
+  const Matrix backward = end_conditions(modes[0], driven, problem.wall_inlet_end, false, -1.);
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < n; ++j)
+      for (unsigned int m = 0; m < n; ++m)
+        system(i, j) +=
+            backward(i, m) * decay(modes[0][m], problem.segments[0].length) * reflections[0](m, j);
+  Matrix right(n, 1);
+  right(0, 0) = inlet;
+  const Matrix start = solve(system, right);
+  Amplitudes result;
+  std::vector<Complex> forward(start.entries);
+  for (unsigned int s = 0; s < n_segments; ++s)
+  {
+    std::vector<Complex> next(n, 0.), back(n, 0.);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+      {
+        back[i] += reflections[s](i, j) * forward[j];
+        next[i] += transmissions[s](i, j) * forward[j];
+      }
+    result.forward.push_back(forward);
+    result.backward.push_back(back);
+    forward = next;
+  }
+  return result;
+}
+
+std::vector<WaveHistory> TubeWaveTheory::histories(const std::vector<double> &stations,
+                                                   const std::vector<double> &times) const
+{
+  constexpr unsigned int n_fields = 6;
+  // Where the stations are.
+  std::vector<unsigned int> segment_of;
+  std::vector<double> place;
+  for (const double station : stations)
+  {
+    unsigned int s = 0;
+    double start = 0.;
+    while (s + 1 < problem.segments.size() && station > start + problem.segments[s].length)
+      start += problem.segments[s++].length;
+    segment_of.push_back(s);
+    place.push_back(station - start);
+  }
+
+  std::vector<std::vector<Complex>> spectra(stations.size() * n_fields,
+                                            std::vector<Complex>(n_samples, 0.));
+  std::vector<std::vector<WaveMode>> distinct(dispersion.size()), modes(problem.segments.size());
+  for (unsigned int n = 0; n < spectrum.size(); ++n)
+  {
+    const double frequency = n / period;
+    const Complex omega(2. * pi * frequency, -shift);
+    for (unsigned int i = 0; i < dispersion.size(); ++i)
+      dispersion[i].evaluate(frequency, distinct[i]);
+    for (unsigned int s = 0; s < modes.size(); ++s)
+      modes[s] = distinct[curves_of[s]];
+    const Amplitudes waves = amplitudes(spectrum[n], modes, omega);
+    for (unsigned int i = 0; i < stations.size(); ++i)
+    {
+      const unsigned int s = segment_of[i];
+      Complex values[n_fields] = {};
+      for (unsigned int m = 0; m < modes[s].size(); ++m)
+      {
+        const WaveMode &mode = modes[s][m];
+        const Complex forward = waves.forward[s][m] * decay(mode, place[i]);
+        const Complex backward =
+            waves.backward[s][m] * decay(mode, problem.segments[s].length - place[i]);
+        values[0] += mode.section_pressure * (forward + backward);
+        values[1] += mode.axis_pressure * (forward + backward);
+        values[2] += mode.junction[WaveMode::flow_rate] * (forward - backward);
+        values[3] += 2. * mode.wall_displacement * (forward + backward);
+        values[4] -= mode.wall_shear_stress * (forward - backward);
+        values[5] += mode.hoop_stress * (forward + backward);
+      }
+      for (unsigned int f = 0; f < n_fields; ++f)
+      {
+        std::vector<Complex> &target = spectra[i * n_fields + f];
+        target[n] = values[f] / period;
+        if (n > 0)
+          target[n_samples - n] = std::conj(target[n]);
+      }
+    }
+  }
+
+  // Back in time, and between the samples by splines.
+  std::vector<double> sample_times(n_samples), samples(n_samples);
+  for (unsigned int j = 0; j < n_samples; ++j)
+    sample_times[j] = j * period / n_samples;
+  const std::unique_ptr<gsl_spline, decltype(&gsl_spline_free)> spline(
+      gsl_spline_alloc(gsl_interp_cspline, n_samples), &gsl_spline_free);
+  std::vector<WaveHistory> result(stations.size());
+  for (unsigned int i = 0; i < stations.size(); ++i)
+  {
+    std::vector<double> *const fields[n_fields] = {
+        &result[i].pressure,        &result[i].axis_pressure,     &result[i].flow_rate,
+        &result[i].wall_distension, &result[i].wall_shear_stress, &result[i].hoop_stress};
+    for (unsigned int f = 0; f < n_fields; ++f)
+    {
+      std::vector<Complex> &values = spectra[i * n_fields + f];
+      gsl_fft_complex_radix2_backward(reinterpret_cast<double *>(values.data()), 1, n_samples);
+      for (unsigned int j = 0; j < n_samples; ++j)
+        samples[j] = values[j].real() * std::exp(shift * sample_times[j]);
+      gsl_spline_init(spline.get(), sample_times.data(), samples.data(), n_samples);
+      for (const double time : times)
+        fields[f]->push_back(gsl_spline_eval(spline.get(), time, nullptr));
+    }
+  }
+  return result;
+}
+} // namespace Continua
