@@ -1,0 +1,197 @@
+// Synthetic waves of known speed, attenuation and reflection: d'Alembert with damping between an
+// inlet that absorbs and a closed or open end, with and without the forerunner of a clamped wall.
+
+#include "../check.h"
+
+#include <continua/signal/wave_analysis.h>
+
+#include <functional>
+#include <stdexcept>
+
+using namespace Continua;
+
+namespace
+{
+constexpr double speed = 2.5, damping = 0.15, tube_length = 0.446, impedance = 5e6;
+constexpr double pulse_length = 0.05;
+
+double sine_squared(const double t)
+{
+  return t <= 0. || t >= pulse_length ? 0. : 1e3 * std::pow(std::sin(M_PI * t / pulse_length), 2);
+}
+double gaussian(const double t)
+{
+  return 1e3 * std::exp(-std::pow((t - 0.03) / 0.01, 2));
+}
+
+struct Case
+{
+  std::function<double(double)> inlet = sine_squared;
+  double reflection = 1.;
+  double forerunner = 0.; ///< part of the inlet pressure that a wall wave carries ahead at 40 m/s
+  double end_time = 0.5;
+  double interval = 2e-4;
+  double uneven = 0.; ///< how far, of an interval, the samples are from a uniform spacing
+};
+
+WaveRecord make(const Case &wave, const std::vector<double> &positions)
+{
+  WaveRecord record;
+  record.positions = positions;
+  for (unsigned int i = 0; i * wave.interval <= wave.end_time; ++i)
+    record.times.push_back((i + wave.uneven * std::sin(1.7 * i) * (i > 0)) * wave.interval);
+  for (const double z : positions)
+  {
+    std::vector<double> pressure, flow_rate;
+    for (const double t : record.times)
+    {
+      const double back = 2. * tube_length - z;
+      const double forward = std::exp(-damping * z) * wave.inlet(t - z / speed);
+      const double backward =
+          wave.reflection * std::exp(-damping * back) * wave.inlet(t - back / speed);
+      pressure.push_back(forward + backward + wave.forerunner * wave.inlet(t - z / 40.));
+      flow_rate.push_back((forward - backward) / impedance);
+    }
+    record.pressure.push_back(pressure);
+    record.flow_rate.push_back(flow_rate);
+    record.characteristic_impedance.push_back(impedance);
+  }
+  return record;
+}
+
+std::vector<double> stations(const unsigned int n)
+{
+  std::vector<double> positions;
+  for (unsigned int k = 1; k <= n; ++k)
+    positions.push_back(k * tube_length / 10.);
+  return positions;
+}
+
+void check_speeds(const std::string &name, const ByArrival &speeds, const double tolerance)
+{
+  check::relative(name + ": speed of the peak", speeds.peak, speed, tolerance);
+  check::relative(name + ": speed at half-height", speeds.half, speed, tolerance);
+  check::relative(name + ": speed of the foot", speeds.tangent_foot, speed, tolerance);
+  check::relative(name + ": speed by the phase", speeds.phase, speed, tolerance);
+}
+} // namespace
+
+int main()
+{
+  {
+    const WaveRecord record = make(Case(), stations(7));
+    const WaveAnalysis analysis = analyse_wave(record);
+    check_speeds("closed end", analysis.speed, 1e-3);
+    check::relative("closed end: attenuation", analysis.attenuation, damping, 1e-3);
+    const StationWave &third = analysis.stations[2];
+    const double arrival = record.positions[2] / speed;
+    check::absolute("peak", third.arrival.peak, arrival + 0.025, 1e-5);
+    check::relative("amplitude", third.amplitude, 1e3 * std::exp(-damping * record.positions[2]),
+                    1e-4);
+    check::absolute("half-height", third.arrival.half, arrival + 0.0125, 1e-5);
+    // The tangent at half-height, of slope pi/T, meets zero T/(2 pi) earlier.
+    check::absolute("foot", third.arrival.tangent_foot,
+                    arrival + 0.0125 - pulse_length / (2. * M_PI), 2e-5);
+    check::absolute("level", third.level, 0., 1e-9);
+    check::relative("reflection coefficient", third.reflection_coefficient,
+                    std::exp(-2. * damping * (tube_length - record.positions[2])), 1e-3);
+    check::absolute("first station: phase is the peak", analysis.stations[0].arrival.phase,
+                    analysis.stations[0].arrival.peak, 0.);
+  }
+  {
+    // At 8/10 the reflection comes 71 ms after the pulse, at 9/10 36 ms, at the end with it.
+    const WaveAnalysis analysis = analyse_wave(make(Case(), stations(10)));
+    check::is_true("the peak before the reflection is one",
+                   std::isfinite(analysis.stations[8].arrival.peak));
+    check::is_true("its phase is not, being cut by the reflection",
+                   std::isnan(analysis.stations[8].arrival.phase));
+    check::is_true("the end has no first pulse of its own",
+                   std::isnan(analysis.stations[9].arrival.peak) &&
+                       std::isnan(analysis.stations[9].amplitude));
+    check_speeds("with the end", analysis.speed, 1e-3);
+    check::relative("with the end: attenuation", analysis.attenuation, damping, 2e-3);
+    check::relative("at the end all is reflected", analysis.stations[9].reflection_coefficient, 1.,
+                    1e-3);
+  }
+  {
+    // The reflection reaches 0.41 m 29 ms after the pulse, whose peak comes after 25 ms; from 0.418
+    // m on the two have a common peak, and not even the first of these stations counts.
+    const std::vector<double> positions = {0.1, 0.2, 0.41, 0.418, 0.425, 0.435, 0.444};
+    const WaveAnalysis analysis = analyse_wave(make(Case(), positions));
+    check::absolute("a peak just before the reflection", analysis.stations[2].arrival.peak,
+                    0.41 / speed + 0.025, 1e-5);
+    bool none = true;
+    for (unsigned int i = 3; i < positions.size(); ++i)
+      none = none && std::isnan(analysis.stations[i].arrival.peak);
+    check::is_true("overlapping pulses are left out", none);
+    check_speeds("the stations before are left", analysis.speed, 1e-3);
+  }
+  {
+    Case open;
+    open.reflection = -0.8;
+    open.inlet = gaussian;
+    const WaveAnalysis analysis = analyse_wave(make(open, stations(6)));
+    check_speeds("open end", analysis.speed, 1e-3);
+    check::relative("open end: reflection coefficient", analysis.stations[0].reflection_coefficient,
+                    -0.8 * std::exp(-2. * damping * 0.9 * tube_length), 1e-3);
+  }
+  {
+    // The forerunner raises what comes with it: a few per mille of the speed, as in a real tube.
+    Case clamped;
+    clamped.forerunner = 0.05;
+    const WaveAnalysis analysis = analyse_wave(make(clamped, stations(7)));
+    check_speeds("forerunner", analysis.speed, 1e-2);
+    check::is_true("forerunner: is no pulse", analysis.stations[6].arrival.peak > 0.12 &&
+                                                  analysis.stations[6].amplitude > 900.);
+  }
+  {
+    Case uneven;
+    uneven.uneven = 0.3;
+    const WaveAnalysis analysis = analyse_wave(make(uneven, stations(7)));
+    check_speeds("uneven samples", analysis.speed, 1e-3);
+  }
+  {
+    Case matched;
+    matched.reflection = 0.;
+    const WaveAnalysis analysis = analyse_wave(make(matched, stations(5)));
+    check::is_true("no reflection",
+                   !(std::abs(analysis.stations[2].reflection_coefficient) > 1e-9));
+  }
+  {
+    Case brief;
+    brief.end_time = 0.09;
+    const WaveAnalysis analysis = analyse_wave(make(brief, stations(7)));
+    check::is_true("a pulse that has not come is none",
+                   std::isfinite(analysis.stations[0].arrival.peak) &&
+                       std::isnan(analysis.stations[6].arrival.peak));
+    check::is_true("a reflection that has not come is none",
+                   std::isnan(analysis.stations[0].reflection_coefficient));
+    const WaveAnalysis single = analyse_wave(make(Case(), {0.1}));
+    check::is_true("one station has no speed",
+                   std::isnan(single.speed.peak) && std::isnan(single.attenuation));
+    WaveRecord still = make(Case(), stations(2));
+    for (auto &history : still.pressure)
+      history.assign(history.size(), 7.);
+    const WaveAnalysis rest = analyse_wave(still);
+    check::is_true("rest has no pulse",
+                   std::isnan(rest.stations[1].arrival.half) && std::isnan(rest.speed.half));
+  }
+  const SeparatedWaves waves = separate_waves({10., 4.}, {2., -2.}, 3.);
+  check::is_true("separation", waves.forward[0] == 8. && waves.backward[0] == 2. &&
+                                   waves.forward[1] == -1. && waves.backward[1] == 5.);
+  check::throws<std::invalid_argument>(
+      "a missing history",
+      []
+      {
+        WaveRecord record = make(Case(), stations(3));
+        record.pressure.pop_back();
+        analyse_wave(record);
+      },
+      "pressure of every station");
+  check::throws<std::invalid_argument>(
+      "positions out of order",
+      [] {
+        analyse_wave(make(Case(), {0.2, 0.1}));
+      },
+      "increase");
+}
