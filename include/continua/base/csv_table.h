@@ -1,0 +1,76 @@
+#ifndef continua_base_csv_table_h
+#define continua_base_csv_table_h
+
+#include <continua/base/input_error.h>
+#include <continua/base/units.h>
+
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * A csv file of numbers with units in its header: "time [ms], pressure [mmHg]". Separator: the
+ * first of semicolon, comma, tab and blanks that the header has; blanks around a cell, quotes
+ * around a name, a byte order mark and Windows line ends do not matter; lines that start with # and
+ * empty lines are left out. The decimal separator is a point. Columns and rows count from 0.
+ *
+ * Whatever is wrong is thrown as an InputError with file, line, column and remedy.
+ */
+class CsvTable
+{
+public:
+  /// Throws for a file that cannot be read or has no header, and for a row with another number of
+  /// cells than the header. `example`: a header as it should be, for the remedy.
+  CsvTable(const std::string &file, const std::string &example);
+
+  std::size_t n_columns() const { return columns.size(); }
+  std::size_t n_rows() const { return rows.size(); }
+  const std::string &name(std::size_t column) const { return columns[column].name; }
+  /// Where the header stands.
+  Origin header() const { return {file, header_line}; }
+
+  /// The column of this name among those from `first` on; throws if there is none or more than one.
+  std::size_t find(const std::string &name, std::size_t first = 0) const;
+  /// "'pressure', 'flow rate'": the columns from `first` on.
+  std::string names(std::size_t first = 0) const;
+  /// The column's numbers in SI. Throws for a unit that is missing (unless the column has no
+  /// dimension), unknown or of another dimension, and for a missing or malformed number.
+  std::vector<double> values(std::size_t column, const Dimension &dimension) const;
+  /// The same of a column that must increase from row to row; messages say "the TIME 3 is not LATER
+  /// than that of the row before".
+  std::vector<double> increasing_values(std::size_t column,
+                                        const Dimension &dimension,
+                                        const std::string &time,
+                                        const std::string &later) const;
+  /// Throws if there are fewer rows.
+  void require_rows(std::size_t n) const;
+  /// Throws for the number in a row and column (or the row, if `column` is n_columns()).
+  [[noreturn]] void refuse(std::size_t row,
+                           std::size_t column,
+                           const std::string &problem,
+                           const std::string &remedy) const;
+
+private:
+  struct Column
+  {
+    std::string name;
+    std::string unit;
+    bool has_unit = false;
+  };
+  struct Row
+  {
+    unsigned int line;
+    std::vector<std::string> cells;
+  };
+  static std::vector<Column> parse_header(const std::string &line, char separator);
+  double unit_factor_of(std::size_t column, const Dimension &dimension) const;
+
+  std::string file;
+  unsigned int header_line = 0;
+  std::vector<Column> columns;
+  std::vector<Row> rows;
+};
+} // namespace Continua
+
+#endif

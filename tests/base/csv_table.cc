@@ -1,0 +1,62 @@
+#include <continua/base/csv_table.h>
+
+#include "../check.h"
+
+#include <filesystem>
+#include <fstream>
+
+using namespace Continua;
+
+namespace
+{
+const std::string path = "csv-table-test.csv";
+
+CsvTable table(const std::string &content)
+{
+  std::ofstream(path, std::ios::binary) << content;
+  return CsvTable(path, "time [ms], pressure [mmHg]");
+}
+
+void refused(const std::string &name,
+             const std::function<void()> &function,
+             const std::string &pattern)
+{
+  check::throws<InputError>(name, function, path + pattern);
+}
+} // namespace
+
+int main()
+{
+  const CsvTable tube = table("# measured\nx [cm]; \"wall, outer [mm]\"; ratio; note\n\n"
+                              "0; 1.5; 0.5; a\n# between\n2; -2e-1; 1; b\n");
+  check::is_true("columns and rows", tube.n_columns() == 4 && tube.n_rows() == 2);
+  check::is_true("line of the header", tube.header().line == 2);
+  check::equal("names", tube.names(1), "'wall, outer', 'ratio', 'note'");
+  check::is_true("found", tube.find("ratio") == 2);
+  check::relative("unit", tube.values(1, Dimensions::length)[1], -2e-4, 1e-14);
+  check::relative("no unit", tube.values(2, Dimensions::none)[0], 0.5, 0.);
+  check::relative("increasing",
+                  tube.increasing_values(0, Dimensions::length, "position", "larger")[1], 0.02,
+                  1e-14);
+  refused(
+      "no such column", [&] { tube.find("x", 1); }, ":2: 'x'.*'wall, outer'");
+  refused(
+      "no unit where one is needed", [&] { tube.values(2, Dimensions::length); },
+      ":2: 'ratio'.*no unit");
+  refused(
+      "another dimension", [&] { tube.values(0, Dimensions::time); }, ":2: 'x'.*cm");
+  refused(
+      "no number", [&] { tube.values(3, Dimensions::none); }, ":4: 'note'.*'a' is not a num");
+  refused(
+      "decreasing", [&] { tube.increasing_values(1, Dimensions::length, "position", "larger"); },
+      ":6: 'wall, outer'.*position -2e-1 is not larger");
+  refused(
+      "too few rows", [&] { tube.require_rows(3); }, ".*2 rows.*3 at least");
+  refused(
+      "a row", [&] { tube.refuse(1, 4, "is odd", "Say why"); }, ":6: is odd. Say why");
+  refused(
+      "missing cell", [] { table("a, b\n1, 2\n1\n"); }, ":3: .*1 cells, the header 2");
+  refused(
+      "no header", [] { table("# a\n"); }, ".*no header.*time \\[ms\\]");
+  std::filesystem::remove(path);
+}
