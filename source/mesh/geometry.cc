@@ -2,6 +2,7 @@
 #include <continua/mesh/box_geometry.h>
 #include <continua/mesh/cook_membrane_geometry.h>
 #include <continua/mesh/geometry.h>
+#include <continua/mesh/gmsh_geometry.h>
 #include <continua/mesh/hollow_cylinder_geometry.h>
 #include <continua/mesh/layered_channel_geometry.h>
 #include <continua/mesh/painted_geometry.h>
@@ -71,7 +72,11 @@ const std::vector<GeometryType<dim>> &table()
       {"cook membrane",
        "Cook's tapered panel; plane models",
        creator_in_2d<dim, CookMembraneGeometry>(),
-       {}}};
+       {}},
+      {"gmsh",
+       "any mesh of quadrilaterals or hexahedra from a file of gmsh; every model",
+       creator<dim, GmshGeometry<dim>>(false),
+       creator<dim, GmshGeometry<dim>>(true)}};
   return rows;
 }
 } // namespace

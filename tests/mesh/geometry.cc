@@ -41,7 +41,7 @@ int main()
   for (const auto &type : geometry_types<2>())
     types += type.first + (type.second.empty() ? " without description; " : "; ");
   check::equal("types", types,
-               "box; beam; layered channel; tube; hollow cylinder; cook membrane; ");
+               "box; beam; layered channel; tube; hollow cylinder; cook membrane; gmsh; ");
 
   const measures::Measures<2> box(
       *make<2>("set Type = box\nset Size = 20 m, 500 cm\nset Rotation = 30\nset Origin = 1, 1\n",

@@ -1,0 +1,52 @@
+#ifndef continua_mesh_gmsh_file_h
+#define continua_mesh_gmsh_file_h
+
+#include <deal.II/base/point.h>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * What a mesh file of gmsh in format MSH 4.1, ASCII, holds (gmsh reference manual 4.8, section
+ * 9.1): points, elements by geometrical entity, and the physical groups with their names. GridIn of
+ * deal.II reads the same file, but drops the names, takes a group's tag from a curve that the group
+ * holds with a minus sign as it stands, and does not say which entity it cannot read.
+ */
+struct GmshFile
+{
+  /// A physical group that has a name.
+  struct Group
+  {
+    unsigned int dimension = 0; ///< 0 points, 1 curves, 2 surfaces, 3 volumes
+    int tag = 0;                ///< its number, unique in its dimension
+    std::string name;
+    unsigned int line = 0; ///< of the file
+  };
+
+  /// The elements of one type on one geometrical entity (a curve, a surface, ...).
+  struct Block
+  {
+    unsigned int dimension = 0;
+    int entity = 0;                                  ///< tag of the geometrical entity
+    unsigned int type = 0;                           ///< gmsh's number of the element type
+    std::vector<int> groups;                         ///< tags of the entity's physical groups
+    std::vector<std::vector<unsigned int>> elements; ///< places of the vertices in `points`
+    unsigned int line = 0;                           ///< of the file
+  };
+
+  std::vector<Group> groups; ///< in the order of the file
+  std::vector<Block> blocks;
+  std::vector<dealii::Point<3>> points; ///< in the file's unit of length
+
+  /**
+   * Reads a file; `name` stands in the messages. Throws InputError with line and remedy if it has
+   * another format or is damaged.
+   */
+  static GmshFile read(std::istream &stream, const std::string &name);
+};
+} // namespace Continua
+
+#endif

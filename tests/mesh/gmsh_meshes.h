@@ -1,0 +1,140 @@
+#ifndef continua_tests_mesh_gmsh_meshes_h
+#define continua_tests_mesh_gmsh_meshes_h
+
+// Mesh files of gmsh, written by hand, for the tests of their readers.
+
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+namespace meshes
+{
+/// Two squares of side 1 beside each other, x from 0 to 2: `fluid` and `wall`. The second runs
+/// clockwise, and the group `below` holds its curve with a minus sign.
+inline const std::string squares = R"($MeshFormat
+4.1 0 8
+$EndMeshFormat
+$PhysicalNames
+6
+0 9 "a point"
+1 3 "below"
+1 4 "around it"
+2 7 "fluid"
+2 8 "wall"
+3 1 "none of ours"
+$EndPhysicalNames
+$Entities
+1 4 2 0
+1 0 0 0 1 9
+1 0 0 0 1 0 0 1 3 0
+2 1 0 0 2 0 0 1 -3 0
+3 0 0 0 2 1 0 1 4 0
+4 1 0 0 1 1 0 0 0
+1 0 0 0 1 1 0 1 7 0
+2 1 0 0 2 1 0 1 8 0
+$EndEntities
+$Nodes
+1 7 11 17
+2 1 0 7
+11
+12
+13
+14
+15
+16
+17
+0 0 0
+1 0 0
+2 0 0
+0 1 0
+1 1 0
+2 1 0
+0.5 0.7 3
+$EndNodes
+$Elements
+7 10 1 10
+0 1 15 1
+1 11
+1 1 1 1
+2 11 12
+1 2 1 1
+3 13 12
+1 3 1 4
+4 13 16
+5 16 15
+6 15 14
+7 14 11
+1 4 1 1
+8 12 15
+2 1 3 1
+9 11 12 15 14
+2 2 3 1
+10 12 15 16 13
+$EndElements
+)";
+
+/// A cuboid with the edges 1, 2, 3: `block`, with the boundaries `floor` (z = 0) and `rest`.
+inline const std::string block = R"($MeshFormat
+4.1 0 8
+$EndMeshFormat
+$PhysicalNames
+3
+2 1 "floor"
+2 2 "rest"
+3 1 "block"
+$EndPhysicalNames
+$Entities
+0 1 2 1
+1 0 0 0 1 0 0 0 0
+1 0 0 0 1 2 0 1 1 0
+2 0 0 0 1 2 3 1 2 0
+1 0 0 0 1 2 3 1 1 0
+$EndEntities
+$Nodes
+1 8 1 8
+3 1 0 8
+1
+2
+3
+4
+5
+6
+7
+8
+0 0 0
+1 0 0
+1 2 0
+0 2 0
+0 0 3
+1 0 3
+1 2 3
+0 2 3
+$EndNodes
+$Elements
+4 8 1 8
+1 1 1 1
+1 1 2
+2 1 3 1
+2 1 2 3 4
+2 2 3 5
+3 5 6 7 8
+4 1 2 6 5
+5 2 3 7 6
+6 3 4 8 7
+7 4 1 5 8
+3 1 5 1
+8 1 2 3 4 5 6 7 8
+$EndElements
+)";
+
+/// The text with one piece exchanged.
+inline std::string with(std::string text, const std::string &piece, const std::string &other)
+{
+  const std::size_t place = text.find(piece);
+  if (place == std::string::npos)
+    throw std::logic_error("the mesh has no '" + piece + "'");
+  return text.replace(place, piece.size(), other);
+}
+} // namespace meshes
+
+#endif
