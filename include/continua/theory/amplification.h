@@ -1,0 +1,44 @@
+#ifndef continua_theory_amplification_h
+#define continua_theory_amplification_h
+
+#include <continua/theory/complex_bessel.h>
+#include <continua/time_integration/step.h>
+
+#include <vector>
+
+namespace Continua
+{
+/**
+ * What a step does to one undamped mode dU/dt = -omega^2 D, dD/dt = U, of a Hookean solid or of a
+ * compressible fluid (whose pressure follows the velocity by the same update): the eigenvalues G of
+ * the map from the state before the step to the one after it, with the coefficients that the solver
+ * uses. A step of two levels repeated with the same size has four (backward differencing with
+ * trapezoidal update three, and a zero), one of one level two and two zeros.
+ *
+ * With theta = omega dt: implicit Euler |G| = (1 + theta^2)^(-1/2), with trapezoidal update (1 +
+ * theta^2/2)^(-1/2) for theta <= 4, beyond which G is real and one tends to -1; Crank-Nicolson 1.
+ */
+class Amplification
+{
+public:
+  /// `angular_frequency` omega [1/s], positive.
+  Amplification(const Step &step, double angular_frequency);
+
+  /// The eigenvalues, the largest first.
+  const std::vector<Complex> &factors() const { return eigenvalues; }
+  /// Largest |G|: what is left after many steps whatever the start was.
+  double spectral_radius() const { return std::abs(eigenvalues.front()); }
+  /// The eigenvalue closest to the exact factor exp(i omega dt): that of the mode as it should be.
+  Complex principal() const;
+  /// Part of the mode's amplitude that is left after `time` [s]: |principal|^(time/dt).
+  double remaining(double time) const;
+  /// Relative error of the mode's frequency: arg(principal) / theta - 1; negative is too slow.
+  double frequency_error() const;
+
+private:
+  double duration, theta;
+  std::vector<Complex> eigenvalues;
+};
+} // namespace Continua
+
+#endif
