@@ -14,42 +14,17 @@ namespace
 {
 using Complex = std::complex<double>;
 constexpr double pi = 3.14159265358979323846;
-
-/// All numbers of a wave, in one order.
-constexpr unsigned int n_numbers = 6 + WaveMode::n_junction_quantities;
-
-std::array<Complex, n_numbers> numbers_of(const WaveMode &mode)
-{
-  std::array<Complex, n_numbers> numbers = {{mode.wave_number, mode.section_pressure,
-                                             mode.axis_pressure, mode.wall_shear_stress,
-                                             mode.wall_displacement, mode.hoop_stress}};
-  for (unsigned int i = 0; i < WaveMode::n_junction_quantities; ++i)
-    numbers[6 + i] = mode.junction[i];
-  return numbers;
-}
-
-WaveMode mode_of(const std::array<Complex, n_numbers> &numbers)
-{
-  WaveMode mode;
-  mode.wave_number = numbers[0];
-  mode.section_pressure = numbers[1];
-  mode.axis_pressure = numbers[2];
-  mode.wall_shear_stress = numbers[3];
-  mode.wall_displacement = numbers[4];
-  mode.hoop_stress = numbers[5];
-  for (unsigned int i = 0; i < WaveMode::n_junction_quantities; ++i)
-    mode.junction[i] = numbers[6 + i];
-  return mode;
-}
+/// Points of a curve that are also taken at negative frequencies.
+constexpr unsigned int n_mirrored = 6;
 
 /// The same wave at -f.
 WaveMode mirrored(const WaveMode &mode)
 {
-  std::array<Complex, n_numbers> numbers = numbers_of(mode);
+  std::array<Complex, WaveMode::n_numbers> numbers = mode.numbers();
   for (Complex &number : numbers)
     number = std::conj(number);
   numbers[0] = -numbers[0];
-  return mode_of(numbers);
+  return WaveMode::from_numbers(numbers);
 }
 } // namespace
 
@@ -61,12 +36,12 @@ struct DispersionCurves::Splines
   {
     const unsigned int n = frequencies.size();
     std::vector<double> values(n);
-    for (unsigned int i = 0; i < n_numbers; ++i)
+    for (unsigned int i = 0; i < WaveMode::n_numbers; ++i)
       for (const bool real : {true, false})
       {
         for (unsigned int j = 0; j < n; ++j)
         {
-          const Complex number = numbers_of(modes[j])[i];
+          const Complex number = modes[j].numbers()[i];
           values[j] = real ? number.real() : number.imag();
         }
         parts.push_back(gsl_spline_alloc(gsl_interp_cspline, n));
@@ -84,26 +59,38 @@ struct DispersionCurves::Splines
 DispersionCurves::DispersionCurves(const TubeSection &section,
                                    const double shift,
                                    const double highest_frequency)
-    : section(section), dispersion(section)
+    : dispersion(section)
 {
   // Fine where the decay of the transform sets the scale, then a fixed part of the frequency.
   const double finest = shift / (2. * pi) / 3.;
   for (double frequency = 0.; frequency < highest_frequency;
-       frequency += std::max(finest, 0.06 * frequency))
+       frequency += std::max(finest, 0.1 * frequency))
     frequencies.push_back(frequency);
-  while (frequencies.size() < 8)
+  while (frequencies.size() <= n_mirrored)
     frequencies.push_back(frequencies.back() + finest);
   if (frequencies.back() < highest_frequency)
     frequencies.push_back(highest_frequency);
+  build(shift);
+}
 
+DispersionCurves::DispersionCurves(const TubeSection &section,
+                                   const double shift,
+                                   const std::vector<double> &frequencies)
+    : dispersion(section), frequencies(frequencies)
+{
+  build(shift);
+}
+
+void DispersionCurves::build(const double shift)
+{
   std::vector<std::vector<WaveMode>> curves;
   for (const ExactDispersion::Family family : families())
     curves.push_back(follow(family, shift, curves));
   // What is real in time is conjugate at -f, which continues the curves beyond their start; the two
   // bending waves change places.
-  constexpr unsigned int n_mirrored = 6;
+  const bool from_zero = frequencies.front() == 0. && frequencies.size() > n_mirrored;
   std::vector<double> all_frequencies;
-  for (unsigned int j = n_mirrored; j > 0; --j)
+  for (unsigned int j = from_zero ? n_mirrored : 0; j > 0; --j)
     all_frequencies.push_back(-frequencies[j]);
   all_frequencies.insert(all_frequencies.end(), frequencies.begin(), frequencies.end());
   for (unsigned int i = 0; i < curves.size(); ++i)
@@ -114,7 +101,7 @@ DispersionCurves::DispersionCurves(const TubeSection &section,
                : family == ExactDispersion::other_bending_wave ? i - 1
                                                                : i];
     std::vector<WaveMode> modes;
-    for (unsigned int j = n_mirrored; j > 0; --j)
+    for (unsigned int j = from_zero ? n_mirrored : 0; j > 0; --j)
       modes.push_back(mirrored(partner[j]));
     modes.insert(modes.end(), curves[i].begin(), curves[i].end());
     splines.push_back(std::make_unique<Splines>(all_frequencies, modes));
@@ -122,7 +109,6 @@ DispersionCurves::DispersionCurves(const TubeSection &section,
 }
 
 DispersionCurves::~DispersionCurves() = default;
-DispersionCurves::DispersionCurves(DispersionCurves &&) noexcept = default;
 
 std::vector<WaveMode>
 DispersionCurves::follow(const ExactDispersion::Family family,
@@ -159,7 +145,7 @@ DispersionCurves::follow(const ExactDispersion::Family family,
     {
       const double last = known.empty() ? 0. : known_frequencies.back();
       const double frequency =
-          target == 0 ? 0. : std::min(frequencies[target], last + step * (1. + 1e-12));
+          target == 0 ? frequencies[0] : std::min(frequencies[target], last + step * (1. + 1e-12));
       const Complex omega(2. * pi * frequency, -shift), start = foreseen(frequency);
       Complex root;
       // The first guess is that of a thin wall.
@@ -199,13 +185,13 @@ DispersionCurves::follow(const ExactDispersion::Family family,
 void DispersionCurves::evaluate(const double frequency, std::vector<WaveMode> &modes) const
 {
   modes.resize(splines.size());
-  std::array<Complex, n_numbers> numbers;
+  std::array<Complex, WaveMode::n_numbers> numbers;
   for (unsigned int i = 0; i < splines.size(); ++i)
   {
-    for (unsigned int j = 0; j < n_numbers; ++j)
+    for (unsigned int j = 0; j < WaveMode::n_numbers; ++j)
       numbers[j] = Complex(gsl_spline_eval(splines[i]->parts[2 * j], frequency, nullptr),
                            gsl_spline_eval(splines[i]->parts[2 * j + 1], frequency, nullptr));
-    modes[i] = mode_of(numbers);
+    modes[i] = WaveMode::from_numbers(numbers);
   }
 }
 } // namespace Continua

@@ -1,3 +1,4 @@
+#include <continua/theory/dispersion_curves.h>
 #include <continua/theory/tube_wave_theory.h>
 
 #include <gsl/gsl_fft_complex.h>
@@ -195,6 +196,15 @@ TubeWaveTheory::TubeWaveTheory(const TubeWaveProblem &problem,
   for (unsigned int n = last; n < n_samples / 4; ++n)
     if (std::abs(samples[n]) > spectral_tolerance * largest)
       last = n;
+  // The closed formulas of a membrane end at the ring frequency of its wall.
+  if (problem.level == WaveLevel::membrane || problem.level == WaveLevel::closed_formula)
+    for (const TubeSegment &segment : problem.segments)
+    {
+      const double young = segment.section.membrane_modulus(Complex(0., -shift)).real();
+      const double ring_frequency = std::sqrt(young / segment.section.wall_density()) /
+                                    (2. * pi * segment.section.inner_radius);
+      last = std::min(last, static_cast<unsigned int>(0.5 * ring_frequency * period));
+    }
   last_frequency = last / period;
   const unsigned int first_faded = static_cast<unsigned int>(0.8 * last);
   for (unsigned int n = 0; n <= last; ++n)
@@ -204,16 +214,83 @@ TubeWaveTheory::TubeWaveTheory(const TubeWaveProblem &problem,
     spectrum.push_back(samples[n] * 0.5 * (1. + std::cos(pi * share)));
   }
 
+  compute_sections();
+}
+
+void TubeWaveTheory::compute_sections()
+{
+  const auto add = [this](const TubeSection &section)
+  {
+    if (problem.level == WaveLevel::exact)
+      waves.push_back(std::make_unique<DispersionCurves>(section, shift, last_frequency));
+    else
+      waves.push_back(std::make_unique<ClosedFormWaves>(section, problem.level, shift));
+  };
   const auto same = [](const TubeSection &a, const TubeSection &b)
   { return a.inner_radius == b.inner_radius && a.layer_thicknesses == b.layer_thicknesses; };
-  for (const TubeSegment &segment : problem.segments)
+  const std::vector<TubeSegment> &segments = problem.segments;
+  std::vector<std::size_t> firsts; // of runs of segments with the same section
+  for (std::size_t s = 0; s < segments.size(); ++s)
+    if (s == 0 || !same(segments[s].section, segments[s - 1].section))
+      firsts.push_back(s);
+  sections_of.resize(segments.size());
+  const unsigned int n_nodes = problem.n_computed_sections;
+  if (problem.level != WaveLevel::exact || firsts.size() <= std::max(n_nodes, 4u))
   {
-    std::size_t place = 0;
-    while (place < dispersion.size() && !same(dispersion[place].tube_section(), segment.section))
-      ++place;
-    if (place == dispersion.size())
-      dispersion.emplace_back(segment.section, shift, last_frequency);
-    curves_of.push_back(place);
+    for (std::size_t i = 0; i < firsts.size(); ++i)
+    {
+      add(segments[firsts[i]].section);
+      for (std::size_t s = firsts[i]; s < (i + 1 < firsts.size() ? firsts[i + 1] : segments.size());
+           ++s)
+        sections_of[s] = {{i, 1.}};
+    }
+    return;
+  }
+  // Nodes along the chain, and a cubic through the four nearest ones.
+  std::vector<std::size_t> nodes;
+  for (unsigned int i = 0; i < std::max(n_nodes, 4u); ++i)
+    nodes.push_back((segments.size() - 1) * i / (std::max(n_nodes, 4u) - 1));
+  for (const std::size_t node : nodes)
+    add(segments[node].section);
+  for (std::size_t s = 0; s < segments.size(); ++s)
+  {
+    std::size_t upper = 1;
+    while (upper + 1 < nodes.size() && nodes[upper] < s)
+      ++upper;
+    const std::size_t first = std::min(upper < 2 ? 0 : upper - 2, nodes.size() - 4);
+    for (std::size_t i = first; i < first + 4; ++i)
+    {
+      double weight = 1.;
+      for (std::size_t j = first; j < first + 4; ++j)
+        if (j != i)
+          weight *=
+              (static_cast<double>(s) - nodes[j]) / (static_cast<double>(nodes[i]) - nodes[j]);
+      sections_of[s].emplace_back(i, weight);
+    }
+  }
+}
+
+void TubeWaveTheory::evaluate(const double frequency,
+                              std::vector<std::vector<WaveMode>> &modes) const
+{
+  std::vector<std::vector<WaveMode>> computed(waves.size());
+  for (std::size_t i = 0; i < waves.size(); ++i)
+    waves[i]->evaluate(frequency, computed[i]);
+  modes.resize(problem.segments.size());
+  for (std::size_t s = 0; s < modes.size(); ++s)
+  {
+    modes[s].resize(computed[0].size());
+    for (std::size_t m = 0; m < modes[s].size(); ++m)
+    {
+      std::array<Complex, WaveMode::n_numbers> sum = {};
+      for (const auto &[section, weight] : sections_of[s])
+      {
+        const auto numbers = computed[section][m].numbers();
+        for (unsigned int i = 0; i < sum.size(); ++i)
+          sum[i] += weight * numbers[i];
+      }
+      modes[s][m] = WaveMode::from_numbers(sum);
+    }
   }
 }
 
@@ -226,7 +303,7 @@ TubeWaveTheory::Amplitudes TubeWaveTheory::amplitudes(
     const Complex inlet, const std::vector<std::vector<WaveMode>> &modes, const Complex omega) const
 {
   const unsigned int n_segments = problem.segments.size(), n = modes[0].size();
-  const std::vector<WaveMode::Junction> quantities = joined_quantities(dispersion[0].families());
+  const std::vector<WaveMode::Junction> quantities = joined_quantities(waves[0]->families());
   const auto values = [&](const unsigned int segment, const unsigned int family,
                           const unsigned int row, const bool forward)
   {
@@ -330,16 +407,13 @@ std::vector<WaveHistory> TubeWaveTheory::histories(const std::vector<double> &st
 
   std::vector<std::vector<Complex>> spectra(stations.size() * n_fields,
                                             std::vector<Complex>(n_samples, 0.));
-  std::vector<std::vector<WaveMode>> distinct(dispersion.size()), modes(problem.segments.size());
+  std::vector<std::vector<WaveMode>> modes;
   for (unsigned int n = 0; n < spectrum.size(); ++n)
   {
     const double frequency = n / period;
     const Complex omega(2. * pi * frequency, -shift);
-    for (unsigned int i = 0; i < dispersion.size(); ++i)
-      dispersion[i].evaluate(frequency, distinct[i]);
-    for (unsigned int s = 0; s < modes.size(); ++s)
-      modes[s] = distinct[curves_of[s]];
-    const Amplitudes waves = amplitudes(spectrum[n], modes, omega);
+    evaluate(frequency, modes);
+    const Amplitudes solution = amplitudes(spectrum[n], modes, omega);
     for (unsigned int i = 0; i < stations.size(); ++i)
     {
       const unsigned int s = segment_of[i];
@@ -347,9 +421,9 @@ std::vector<WaveHistory> TubeWaveTheory::histories(const std::vector<double> &st
       for (unsigned int m = 0; m < modes[s].size(); ++m)
       {
         const WaveMode &mode = modes[s][m];
-        const Complex forward = waves.forward[s][m] * decay(mode, place[i]);
+        const Complex forward = solution.forward[s][m] * decay(mode, place[i]);
         const Complex backward =
-            waves.backward[s][m] * decay(mode, problem.segments[s].length - place[i]);
+            solution.backward[s][m] * decay(mode, problem.segments[s].length - place[i]);
         values[0] += mode.section_pressure * (forward + backward);
         values[1] += mode.axis_pressure * (forward + backward);
         values[2] += mode.junction[WaveMode::flow_rate] * (forward - backward);

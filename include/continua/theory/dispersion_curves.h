@@ -1,40 +1,46 @@
 #ifndef continua_theory_dispersion_curves_h
 #define continua_theory_dispersion_curves_h
 
-#include <continua/theory/exact_dispersion.h>
+#include <continua/theory/wave_families.h>
 
+#include <memory>
 #include <vector>
 
 namespace Continua
 {
 /**
- * The waves of a tube over frequency, on the line omega = 2 pi f - i shift: each family is followed
- * from f = 0, where its first guess is good, and interpolated between the frequencies where it was
- * computed (cubic splines; they are as smooth as the decay `shift` makes them, so the distance of
- * these frequencies grows with f).
+ * The exact waves of a tube over frequency, on the line omega = 2 pi f - i shift: each family is
+ * followed from the lowest frequency, where its first guess is good, and interpolated between the
+ * frequencies where it was computed by cubic splines.
  */
-class DispersionCurves
+class DispersionCurves : public WaveFamilies
 {
 public:
   using Complex = std::complex<double>;
 
-  /// `shift` [1/s], positive; `highest_frequency` [Hz]. Throws RunError if a family is lost.
+  /// From f = 0 to the highest frequency [Hz], with a shift [1/s] > 0: the curves are as smooth as
+  /// that makes them, so the distance of the frequencies computed grows with f. Throws RunError if
+  /// a family is lost.
   DispersionCurves(const TubeSection &section, double shift, double highest_frequency);
-  ~DispersionCurves();
-  DispersionCurves(DispersionCurves &&) noexcept;
+  /// At these frequencies [Hz], increasing, four at least, the first one positive if shift = 0.
+  DispersionCurves(const TubeSection &section,
+                   double shift,
+                   const std::vector<double> &frequencies);
+  ~DispersionCurves() override;
 
-  const std::vector<ExactDispersion::Family> &families() const { return dispersion.families(); }
-  /// The waves at a frequency [Hz] between 0 and the highest one, in the order of families().
-  void evaluate(double frequency, std::vector<WaveMode> &modes) const;
-  const TubeSection &tube_section() const { return section; }
+  const std::vector<ExactDispersion::Family> &families() const override
+  {
+    return dispersion.families();
+  }
+  void evaluate(double frequency, std::vector<WaveMode> &modes) const override;
 
 private:
   struct Splines;
-  TubeSection section;
   ExactDispersion dispersion;
+  std::vector<double> frequencies;               ///< [Hz]
   std::vector<std::unique_ptr<Splines>> splines; ///< by family
-  std::vector<double> frequencies;
 
+  void build(double shift);
   std::vector<WaveMode> follow(ExactDispersion::Family family,
                                double shift,
                                const std::vector<std::vector<WaveMode>> &others) const;

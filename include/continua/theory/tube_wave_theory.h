@@ -1,9 +1,10 @@
 #ifndef continua_theory_tube_wave_theory_h
 #define continua_theory_tube_wave_theory_h
 
-#include <continua/theory/dispersion_curves.h>
+#include <continua/theory/closed_form_waves.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -35,7 +36,11 @@ struct TubeWaveProblem
     clamped, ///< no displacement of the wall's end
     free     ///< no stress on it
   };
+  WaveLevel level = WaveLevel::exact;
   std::vector<TubeSegment> segments;
+  /// In a chain of more segments of different sections, exact waves are computed for so many of
+  /// them (the first and the last one among them) and interpolated along the chain between these.
+  unsigned int n_computed_sections = 6;
   Inlet inlet = Inlet::pressure;
   Outlet outlet = Outlet::closed;
   WallEnd wall_inlet_end = WallEnd::clamped;
@@ -87,7 +92,6 @@ public:
   double window() const { return period; }                    ///< [s]
   /// What of a signal wraps round, relative to its largest value.
   double wrap_round() const;
-  const std::vector<DispersionCurves> &curves() const { return dispersion; }
 
 private:
   /// Amplitudes of the waves of each segment at one frequency: forward at its start, backward at
@@ -97,13 +101,18 @@ private:
     std::vector<std::vector<Complex>> forward, backward;
   };
   TubeWaveProblem problem;
-  double period;                 ///< [s]
-  double shift;                  ///< [1/s]
-  double last_frequency;         ///< [Hz]
-  unsigned int n_samples;        ///< a power of two
-  std::vector<Complex> spectrum; ///< of the inlet, up to the last frequency
-  std::vector<DispersionCurves> dispersion;
-  std::vector<std::size_t> curves_of; ///< of each segment
+  double period;                                    ///< [s]
+  double shift;                                     ///< [1/s]
+  double last_frequency;                            ///< [Hz]
+  unsigned int n_samples;                           ///< a power of two
+  std::vector<Complex> spectrum;                    ///< of the inlet, up to the last frequency
+  std::vector<std::unique_ptr<WaveFamilies>> waves; ///< of the sections that are computed
+  /// Of each segment: sections and weights that its waves are interpolated from.
+  std::vector<std::vector<std::pair<std::size_t, double>>> sections_of;
+
+  void compute_sections();
+  /// The waves of all segments at a frequency [Hz].
+  void evaluate(double frequency, std::vector<std::vector<WaveMode>> &modes) const;
 
   Amplitudes
   amplitudes(Complex inlet, const std::vector<std::vector<WaveMode>> &modes, Complex omega) const;

@@ -37,6 +37,24 @@ struct WaveMode
   };
   std::array<Complex, n_junction_quantities> junction;
 
+  /// All these numbers in one order, for what is linear in them: interpolation.
+  static constexpr unsigned int n_numbers = 6 + n_junction_quantities;
+  std::array<Complex, n_numbers> numbers() const
+  {
+    std::array<Complex, n_numbers> list = {{wave_number, section_pressure, axis_pressure,
+                                            wall_shear_stress, wall_displacement, hoop_stress}};
+    for (unsigned int i = 0; i < n_junction_quantities; ++i)
+      list[6 + i] = junction[i];
+    return list;
+  }
+  static WaveMode from_numbers(const std::array<Complex, n_numbers> &list)
+  {
+    WaveMode mode{list[0], list[1], list[2], list[3], list[4], list[5], {}};
+    for (unsigned int i = 0; i < n_junction_quantities; ++i)
+      mode.junction[i] = list[6 + i];
+    return mode;
+  }
+
   /// 1 for the even and -1 for the odd quantities of a junction.
   static constexpr std::array<double, n_junction_quantities> parity = {
       {1., -1., 1., -1., -1., 1., 1., -1.}};

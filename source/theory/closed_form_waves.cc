@@ -1,0 +1,66 @@
+#include <continua/theory/closed_form_waves.h>
+
+#include <continua/theory/tube_waves_closed_form.h>
+#include <continua/theory/womersley.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Continua
+{
+const std::vector<std::string> &wave_level_names()
+{
+  static const std::vector<std::string> names = {"exact", "closed formula", "membrane",
+                                                 "womersley"};
+  return names;
+}
+
+WaveLevel wave_level_of(const std::string &name)
+{
+  const std::vector<std::string> &names = wave_level_names();
+  return static_cast<WaveLevel>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+ClosedFormWaves::ClosedFormWaves(const TubeSection &section,
+                                 const WaveLevel level,
+                                 const double shift)
+    : section(section), level(level), shift(shift)
+{
+}
+
+void ClosedFormWaves::evaluate(const double frequency, std::vector<WaveMode> &modes) const
+{
+  constexpr double pi = 3.14159265358979323846;
+  const Complex omega(2. * pi * frequency, -shift);
+  const double radius = section.inner_radius, thickness = section.wall_thickness();
+  const Material &fluid = section.fluid;
+  const Womersley flow(radius, fluid.density, fluid.viscosity);
+  const LongWaveTube tube{radius, thickness, section.poisson_ratio(omega).real(), fluid.density,
+                          fluid.inverse_bulk_modulus};
+  const ClosedFormTube closed_form{tube, fluid.viscosity, section.wall_density()};
+  const Complex young = section.membrane_modulus(omega);
+  const Anchoring anchoring =
+      section.tethered ? Anchoring::throughout : Anchoring::expansion_joints;
+
+  WaveMode mode;
+  if (level == WaveLevel::membrane)
+    mode.wave_number = membrane_wave_number(closed_form, omega, young);
+  else if (level == WaveLevel::closed_formula)
+    mode.wave_number = closed_form_wave_number(closed_form, omega, young, anchoring);
+  else
+    mode.wave_number =
+        flow.wave_number(omega, korteweg_speed(tube, young, anchoring, WallTheory::thin));
+  if (mode.wave_number.imag() > 0.)
+    mode.wave_number = -mode.wave_number;
+  const Complex i(0., 1.), gradient = -i * mode.wave_number; // of unit pressure
+  mode.section_pressure = mode.axis_pressure = 1.;
+  mode.junction.fill(0.);
+  mode.junction[WaveMode::traction] = 1.;
+  mode.junction[WaveMode::flow_rate] = flow.flow_rate(omega, gradient);
+  mode.wall_shear_stress = -flow.wall_shear_stress(omega, gradient);
+  mode.wall_displacement =
+      mode.wave_number * mode.junction[WaveMode::flow_rate] / (2. * pi * radius * omega);
+  mode.hoop_stress = radius / thickness;
+  modes.assign(1, mode);
+}
+} // namespace Continua
