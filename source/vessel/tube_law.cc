@@ -308,6 +308,13 @@ TubeLaw TubeLaw::stretched(const double pre_strain) const
   return tube;
 }
 
+TubeLaw TubeLaw::as_made() const
+{
+  TubeLaw tube = *this;
+  tube.stretch = 1.;
+  return tube;
+}
+
 double TubeLaw::inner_diameter(const double z) const
 {
   return diameter_as_made(z / stretch) / std::sqrt(stretch);

@@ -67,6 +67,8 @@ public:
 
   /// This tube stretched to (1 + pre_strain) times its length, see above; pre_strain > -1.
   TubeLaw stretched(double pre_strain) const;
+  /// This tube without its pre-strain.
+  TubeLaw as_made() const;
 
   double length() const { return stretch * length_as_made; }
   double inner_diameter(double z) const; ///< [m] at z [m] between 0 and length()
