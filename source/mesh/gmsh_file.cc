@@ -72,7 +72,7 @@ private:
   Origin origin;
 };
 
-const std::string how_to_write = "Write it anew: gmsh FILE -save -format msh41 -bin 0 -o NEW.msh";
+const std::string how_to_write = "Write it anew: gmsh FILE -save -format msh41 -o NEW.msh";
 
 void read_format(Reader &reader)
 {

@@ -3,6 +3,7 @@
 #include <continua/mesh/gmsh_mesher.h>
 
 #include <deal.II/base/geometry_info.h>
+#include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
@@ -142,6 +143,11 @@ std::vector<std::string> GmshGeometry<dim>::boundaries() const
 template <int dim>
 void GmshGeometry<dim>::create(dealii::Triangulation<dim> &triangulation) const
 {
+  if (cells.empty())
+  {
+    dealii::GridGenerator::hyper_cube(triangulation);
+    return;
+  }
   triangulation.create_triangulation(vertices, cells, faces);
   // The edges, too.
   for (const auto &cell : triangulation.cell_iterators_on_level(0))

@@ -53,7 +53,7 @@ int main()
   refused("empty", "", "0?.*no mesh file");
   refused("another file", "Point(1) = {0, 0, 0};\n", "1: 'Geometry/File'.*-format msh41");
   refused("version 2", meshes::with(squares, "4.1 0 8", "2.2 0 8"), "2:.*'2.2 0 8'.*-format msh41");
-  refused("binary", meshes::with(squares, "4.1 0 8", "4.1 1 8"), "2:.*binary.*-bin 0");
+  refused("binary", meshes::with(squares, "4.1 0 8", "4.1 1 8"), "2:.*binary.*-format msh41");
   refused("no number", meshes::with(squares, "2 1 0\n", "2 l 0\n"), "38:.*'2 l 0'.*numbers");
   refused("too few numbers", meshes::with(squares, "2 1 0\n", "2 1\n"), "38:.*3 numbers");
   refused("cut off", squares.substr(0, squares.find("9 11 12 15 14")), "56:.*ends in the middle");

@@ -32,7 +32,7 @@ public:
   };
 
   /// Reads (and meshes) the file; throws InputError. Without a file, as while the manual is made,
-  /// there are no cells.
+  /// one cell stands for the mesh.
   GmshGeometry(const Parameters &parameters, bool axisymmetric);
 
   std::vector<std::string> regions() const override;
