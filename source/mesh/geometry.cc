@@ -47,6 +47,16 @@ typename GeometryType<dim>::Create creator_in_2d(const Flags... axisymmetric)
     return {};
 }
 
+/// As `creator`, for a geometry that is there in three dimensions, but not in the plane.
+template <int dim, typename SomeGeometry>
+typename GeometryType<dim>::Create creator_in_3d()
+{
+  if constexpr (dim == 3)
+    return creator<dim, SomeGeometry>();
+  else
+    return {};
+}
+
 template <int dim>
 const std::vector<GeometryType<dim>> &table()
 {
@@ -62,9 +72,9 @@ const std::vector<GeometryType<dim>> &table()
        creator<dim, LayeredChannelGeometry<dim>>(),
        {}},
       {"tube",
-       "circular tube full of fluid with a wall of one or more layers; axisymmetric model",
-       {},
-       creator_in_2d<dim, TubeGeometry>()},
+       "circular tube full of fluid with a wall of one or more layers, whose diameter and wall "
+       "thickness may vary along it; axisymmetric and three-dimensional models",
+       creator_in_3d<dim, TubeGeometry<dim>>(), creator_in_2d<dim, TubeGeometry<dim>>()},
       {"hollow cylinder",
        "axial section (axisymmetric model) or quarter of the cross section (plane models)",
        creator_in_2d<dim, HollowCylinderGeometry>(false),
@@ -73,10 +83,8 @@ const std::vector<GeometryType<dim>> &table()
        "Cook's tapered panel; plane models",
        creator_in_2d<dim, CookMembraneGeometry>(),
        {}},
-      {"gmsh",
-       "any mesh of quadrilaterals or hexahedra from a file of gmsh; every model",
-       creator<dim, GmshGeometry<dim>>(false),
-       creator<dim, GmshGeometry<dim>>(true)}};
+      {"gmsh", "any mesh of quadrilaterals or hexahedra from a file of gmsh; every model",
+       creator<dim, GmshGeometry<dim>>(false), creator<dim, GmshGeometry<dim>>(true)}};
   return rows;
 }
 } // namespace

@@ -96,6 +96,12 @@ void PaintedGeometry<dim>::create(dealii::Triangulation<dim> &triangulation) con
     cell->set_material_id(region_of_cell[cell->index()]);
 }
 
+template <int dim>
+const TubeLaw *PaintedGeometry<dim>::tube_law() const
+{
+  return unpainted->tube_law();
+}
+
 template class PaintedGeometry<2>;
 template class PaintedGeometry<3>;
 } // namespace Continua

@@ -1,59 +1,238 @@
 #include <continua/mesh/grading.h>
 #include <continua/mesh/structured_mesh.h>
+#include <continua/mesh/tube_cross_section.h>
 #include <continua/mesh/tube_geometry.h>
+#include <continua/mesh/tube_manifold.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace Continua
 {
-TubeGeometry::Parameters TubeGeometry::Parameters::read(ParameterSection geometry,
-                                                        ParameterSection mesh)
+namespace
 {
-  Parameters parameters;
-  LayeredStack &stack = parameters.stack;
-  double inner_diameter = 2. * stack.fluid_depth;
-  geometry.add("Inner diameter", inner_diameter, Dimensions::length,
-               "Diameter of the fluid column [m]", Range::positive());
-  stack.fluid_depth = 0.5 * inner_diameter;
-  geometry.add("Length", parameters.length, Dimensions::length, "Extent along the axis x [m]",
-               Range::positive());
-  geometry.add("Wall thicknesses", stack.wall_thicknesses, Dimensions::length,
-               "Thickness of each layer of the wall, from the inner to the outer one [m]",
-               Range::positive());
-  if (stack.wall_thicknesses.empty())
-    geometry.refuse("Wall thicknesses", "the list is empty", "Give at least one thickness");
-
-  mesh.add("Axial cells", parameters.axial_cells, "Coarse cells along the axis", 1);
-  mesh.add("Axial grading", parameters.axial_grading, Dimensions::none,
-           "Size of the cells at both ends over that in the middle", grading_range);
-  mesh.add("Radial cells", stack.fluid_cells, "Coarse cells across the fluid's radius", 1);
-  mesh.add("Radial grading", stack.fluid_grading, Dimensions::none,
-           "Size of the fluid's cell at the wall over that at the axis; below one the cells are "
-           "small at the wall",
-           grading_range);
-  stack.read_wall_cells(mesh);
-  return parameters;
+/// The fluid and the layers of the wall along the scaled radius.
+LayeredStack scaled_stack(const TubeLaw &law)
+{
+  LayeredStack stack;
+  stack.fluid_depth = 1.;
+  stack.wall_thicknesses = law.layer_fractions();
+  return stack;
 }
 
-TubeGeometry::TubeGeometry(const Parameters &parameters) : parameters(parameters) {}
-
-std::vector<std::string> TubeGeometry::regions() const
+void create_mesh(dealii::Triangulation<2> &triangulation,
+                 const TubeLaw &law,
+                 const LayeredStack &stack,
+                 const std::vector<double> &axial,
+                 const unsigned int /* n_side_cells */,
+                 const bool /* full */)
 {
-  return parameters.stack.region_names();
-}
-
-std::vector<std::string> TubeGeometry::boundaries() const
-{
-  return {"inlet", "outlet", "wall inlet end", "wall outlet end", "axis", "outside"};
-}
-
-void TubeGeometry::create(dealii::Triangulation<2> &triangulation) const
-{
-  const LayeredStack &stack = parameters.stack;
-  const std::vector<double> axial = symmetrically_graded_points(
-      0., parameters.length, parameters.axial_cells, parameters.axial_grading);
   StructuredMesh<2>({axial, stack.points()})
       .create(
           triangulation, [&stack](const auto &cell) { return stack.region(cell[1]); },
           [&stack](const auto &cell, const unsigned int face)
-          { return stack.boundary(cell[1], face); });
+          { return stack.boundary(cell[1], face); },
+          [&law](const dealii::Point<2> &point)
+          { return dealii::Point<2>(point[0], TubeManifold<2>::radius(law, point[0], point[1])); });
+  // The cells of a uniform tube are rectangles.
+  if (!law.is_uniform())
+  {
+    triangulation.set_all_manifold_ids(0);
+    triangulation.set_manifold(0, TubeManifold<2>(law, TubeManifold<2>::Part::rings));
+  }
 }
+
+/// The boundary id of a face along the axis, from two of its vertices that are no neighbours.
+unsigned int side_of(const dealii::Point<3> &a, const dealii::Point<3> &b)
+{
+  return a[1] == 0. && b[1] == 0. ? 5 : a[2] == 0. && b[2] == 0. ? 6 : 4;
+}
+
+void create_mesh(dealii::Triangulation<3> &triangulation,
+                 const TubeLaw &law,
+                 const LayeredStack &stack,
+                 const std::vector<double> &axial,
+                 const unsigned int n_side_cells,
+                 const bool full)
+{
+  const TubeCrossSection section(stack.points(), n_side_cells, full);
+  const TubeManifold<3> core(law, TubeManifold<3>::Part::core);
+  const TubeManifold<3> rings(law, TubeManifold<3>::Part::rings);
+  const std::size_t n_section_vertices = section.vertices().size();
+  const std::size_t n_section_cells = section.cells().size();
+
+  std::vector<dealii::Point<3>> vertices;
+  vertices.reserve(axial.size() * n_section_vertices);
+  for (const double x : axial)
+    for (const dealii::Point<2> &vertex : section.vertices())
+      // The core's chart is the scaled tube itself.
+      vertices.push_back(core.push_forward({x, vertex[0], vertex[1]}));
+
+  std::vector<dealii::CellData<3>> cells;
+  for (std::size_t i = 0; i + 1 < axial.size(); ++i)
+    for (const TubeCrossSection::Cell &section_cell : section.cells())
+    {
+      dealii::CellData<3> cell;
+      for (unsigned int v = 0; v < 8; ++v)
+        cell.vertices[v] = (i + v % 2) * n_section_vertices + section_cell.vertices[v / 2];
+      cell.material_id = section_cell.is_core ? 0 : stack.region(section_cell.ring);
+      cells.push_back(cell);
+    }
+  triangulation.create_triangulation(vertices, cells, dealii::SubCellData());
+
+  for (const auto &cell : triangulation.cell_iterators_on_level(0))
+    for (const unsigned int f : cell->face_indices())
+      if (cell->face(f)->at_boundary())
+      {
+        const bool is_fluid = cell->material_id() == 0;
+        const auto face = cell->face(f);
+        face->set_all_boundary_ids(f < 2 ? (is_fluid ? f : f + 2)
+                                         : side_of(face->vertex(0), face->vertex(3)));
+      }
+  // Rings last: both charts agree on their surface with the core.
+  triangulation.set_all_manifold_ids(0);
+  for (const auto &cell : triangulation.cell_iterators_on_level(0))
+    if (!section.cells()[cell->index() % n_section_cells].is_core)
+      cell->set_all_manifold_ids(1);
+  triangulation.set_manifold(0, core);
+  triangulation.set_manifold(1, rings);
+}
+} // namespace
+
+template <int dim>
+typename TubeGeometry<dim>::Parameters
+TubeGeometry<dim>::Parameters::read(ParameterSection geometry, ParameterSection mesh)
+{
+  Parameters parameters;
+  geometry.renamed("Wall thicknesses", "Wall thickness', with 'Wall layers' and 'Layer fractions");
+  parameters.law = TubeLaw::read(geometry);
+  if (dim == 3)
+  {
+    std::string sector = "quarter";
+    geometry.add_choice("Sector", sector, {"quarter", "full"},
+                        "Which part of the cross-section there is: the quarter y, z >= 0, whose "
+                        "planes of symmetry are the boundaries 'side y' (y = 0) and 'side z' (z = "
+                        "0), on which a symmetric flow has Type = roller; or all of it");
+    parameters.full = sector == "full";
+  }
+
+  mesh.add("Axial cells", parameters.axial_cells, "Coarse cells along the axis", 1);
+  mesh.add("Axial grading", parameters.axial_grading, Dimensions::none,
+           "Size of the cells at both ends over that in the middle; 0 makes the cells at the ends "
+           "sqrt(R h)/2 long, R the inner radius and h the wall's thickness, since a clamped wall "
+           "bends there, but not longer than those in the middle, and neighbours differ by a "
+           "factor of 1.5 at most",
+           Range{0., grading_range.upper, false, false});
+  if (parameters.axial_grading > 0. && parameters.axial_grading < grading_range.lower)
+    mesh.refuse("Axial grading", "it is less than " + shortest_number(grading_range.lower),
+                "Give 0 for an automatic one, or a larger one");
+  mesh.add("Radial cells", parameters.radial_cells,
+           dim == 2 ? "Coarse cells across the fluid's radius"
+                    : "Coarse cells of the fluid between the wall and the square core of the "
+                      "cross-section, which reaches to 0.6 of the radius on the diagonals",
+           1);
+  mesh.add("Radial grading", parameters.radial_grading, Dimensions::none,
+           "Size of the fluid's cell at the wall over that of the innermost of 'Radial cells'; "
+           "below one the cells are small at the wall, as the viscous layer there asks for, which "
+           "is sqrt(2 nu/omega) thick [1]",
+           grading_range);
+  LayeredStack stack = scaled_stack(parameters.law);
+  stack.read_wall_cells(mesh);
+  parameters.wall_cells = stack.wall_cells;
+  if (dim == 3)
+  {
+    mesh.add("Circumferential cells", parameters.circumferential_cells,
+             "Coarse cells along a quarter of the circumference; an even number", 2);
+    if (parameters.circumferential_cells % 2 != 0)
+      mesh.refuse("Circumferential cells", "the number is odd",
+                  "Give an even one: half of them stand on each side of the square core");
+  }
+  return parameters;
+}
+
+template <int dim>
+TubeGeometry<dim>::TubeGeometry(const Parameters &parameters)
+    : parameters(parameters), stack(scaled_stack(parameters.law))
+{
+  stack.fluid_cells = parameters.radial_cells;
+  stack.fluid_grading = parameters.radial_grading;
+  stack.wall_cells = parameters.wall_cells;
+  if (stack.wall_cells.size() == 1)
+    stack.wall_cells.assign(stack.wall_thicknesses.size(), stack.wall_cells.front());
+}
+
+template <int dim>
+std::vector<std::string> TubeGeometry<dim>::regions() const
+{
+  std::vector<std::string> names = {"fluid"};
+  const std::vector<std::string> &layers = parameters.law.layer_names();
+  names.insert(names.end(), layers.begin(), layers.end());
+  return names;
+}
+
+template <int dim>
+std::vector<std::string> TubeGeometry<dim>::boundaries() const
+{
+  std::vector<std::string> names = {"inlet", "outlet", "wall inlet end", "wall outlet end"};
+  if (dim == 2)
+    names.insert(names.end(), {"axis", "outside"});
+  else
+    names.push_back("outside");
+  if (dim == 3 && !parameters.full)
+    names.insert(names.end(), {"side y", "side z"});
+  return names;
+}
+
+template <int dim>
+double TubeGeometry<dim>::automatic_axial_grading(const TubeLaw &law,
+                                                  const unsigned int axial_cells)
+{
+  constexpr double largest_growth = 1.5;
+  double bending_length = std::numeric_limits<double>::infinity();
+  for (const double end : {0., law.length()})
+    bending_length = std::min(bending_length,
+                              std::sqrt(0.5 * law.inner_diameter(end) * law.wall_thickness(end)));
+  const double wanted = 0.5 * bending_length / law.length();
+  const auto first_cell = [axial_cells](const double ratio)
+  { return symmetrically_graded_points(0., 1., axial_cells, ratio)[1]; };
+
+  const unsigned int n_to_middle = (axial_cells - 1) / 2;
+  double smallest = std::max(grading_range.lower, std::pow(largest_growth, -1. * n_to_middle));
+  double largest = 1.;
+  if (first_cell(largest) <= wanted)
+    return largest;
+  if (first_cell(smallest) >= wanted)
+    return smallest;
+  while (largest / smallest > 1. + 1e-12)
+  {
+    const double middle = std::sqrt(smallest * largest);
+    (first_cell(middle) < wanted ? smallest : largest) = middle;
+  }
+  return largest;
+}
+
+template <int dim>
+std::vector<double> TubeGeometry<dim>::axial_points() const
+{
+  const double grading = parameters.axial_grading == 0.
+                             ? automatic_axial_grading(parameters.law, parameters.axial_cells)
+                             : parameters.axial_grading;
+  return symmetrically_graded_points(0., parameters.law.length(), parameters.axial_cells, grading);
+}
+
+template <int dim>
+void TubeGeometry<dim>::create(dealii::Triangulation<dim> &triangulation) const
+{
+  create_mesh(triangulation, parameters.law, stack, axial_points(),
+              parameters.circumferential_cells / 2, parameters.full);
+}
+
+template <int dim>
+const TubeLaw *TubeGeometry<dim>::tube_law() const
+{
+  return &parameters.law;
+}
+
+template class TubeGeometry<2>;
+template class TubeGeometry<3>;
 } // namespace Continua

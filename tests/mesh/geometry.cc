@@ -1,5 +1,6 @@
 #include <continua/base/parameter_file.h>
 #include <continua/mesh/geometry.h>
+#include <continua/vessel/tube_law.h>
 
 #include "../check.h"
 #include "mesh_measures.h"
@@ -68,13 +69,22 @@ int main()
 
   const measures::Measures<2> tube(
       *make<2>("set Type = tube\nset Inner diameter = 10 mm\nset Length = 0.8 m\n"
-               "set Wall thicknesses = 1 mm, 0.5 mm\n",
+               "set Wall thickness = 1.5 mm\nset Wall layers = inner, outer\n"
+               "set Layer fractions = 66.666667 %, 33.333333 %\n",
                "set Axial cells = 10\nset Radial cells = 3\nset Radial grading = 0.5\n"
                "set Axial grading = 0.5\nset Wall cells = 1, 2\n",
                true));
   check::absolute("tube: cells", tube.mesh.n_cells(), 60., 0.);
   check::relative("tube: inlet", tube.boundary("inlet"), 5e-3, 1e-12);
-  check::relative("tube: wall 2", tube.region("wall 2"), 4e-4, 1e-12);
+  check::relative("tube: outer layer", tube.region("outer"), 4e-4, 1e-7);
+  const auto tube_of_space = make<3>("set Type = tube\nset Law = E\nset Sector = full\n"
+                                     "subsection Regions\nset end = x - 0.4\nend\n",
+                                     "set Axial cells = 8\nset Radial cells = 2\n"
+                                     "set Circumferential cells = 2\nset Axial grading = 1\n");
+  const measures::Measures<3> space(*tube_of_space);
+  check::absolute("tube in space: cells", space.mesh.n_cells(), 8. * 4. * (1 + 4 + 2), 0.);
+  check::equal("law of a painted tube", tube_of_space->tube_law()->name(), "E");
+  check::is_true("law of no tube", make<2>("set Type = box\n")->tube_law() == nullptr);
 
   const measures::Measures<2> section(
       *make<2>("set Type = hollow cylinder\nset Inner radius = 1\nset Outer radius = 2\n"
@@ -99,8 +109,8 @@ int main()
   refused("tube in the plane", "set Type = tube\n", "", false, "2.*Model = plane strain.*box");
   refused("beam in axisymmetry", "set Type = beam\n", "", true, "2.*Model = axisymmetric.*tube");
   check::throws<InputError>(
-      "tube in space", [] { make<3>("set Type = tube\n"); },
-      "geometry.prm:2.*Model = three-dimensional.*box, beam");
+      "panel in space", [] { make<3>("set Type = cook membrane\n"); },
+      "geometry.prm:2.*Model = three-dimensional.*box, beam, layered channel, tube");
   refused("two sizes wanted", "set Size = 1, 2, 3\n", "", false, "2.*/Size'.*3 entries.*2");
   refused("negative size", "set Size = 1, -2\n", "", false, "2.*/Size'");
   refused("size in seconds", "set Size = 1 s, 2 s\n", "", false, "2.*/Size'");
@@ -110,8 +120,15 @@ int main()
   refused("no z in the plane", "", "set Grading z = 2\n", false, "4.*/Grading z'");
   refused("negative radius", "set Origin = 0, -1\n", "", true, "2.*/Origin'.*radius");
   refused("turned about the axis", "set Rotation = 10\n", "", true, "2.*/Rotation'");
-  refused("wall cells", "set Type = tube\nset Wall thicknesses = 1, 1, 1\n",
-          "set Wall cells = 1, 2\n", true, "6.*/Wall cells'.*2 entries.*3");
+  refused("wall cells", "set Type = tube\nset Wall layers = a, b, c\n", "set Wall cells = 1, 2\n",
+          true, "6.*/Wall cells'.*2 entries.*3");
   refused("thin radius", "set Type = hollow cylinder\nset Inner radius = 2\nset Outer radius = 1\n",
           "", false, "4.*/Outer radius'");
+  refused("old entry of the tube", "set Type = tube\nset Wall thicknesses = 1 mm\n", "", true,
+          "3.*/Wall thicknesses'.*new name.*'Wall thickness', with 'Wall layers'");
+  refused("axial grading", "set Type = tube\n", "set Axial grading = 1e-5\n", true,
+          "5.*/Axial grading'.*less than 0.001");
+  check::throws<InputError>(
+      "odd circumference", [] { make<3>("set Type = tube\n", "set Circumferential cells = 3\n"); },
+      "geometry.prm:5.*/Circumferential cells'.*odd");
 }

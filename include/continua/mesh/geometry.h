@@ -12,6 +12,8 @@
 
 namespace Continua
 {
+class TubeLaw;
+
 /**
  * A named geometry: makes the coarse mesh and publishes what its regions and boundaries are called.
  * A cell's material id is its region's place in `regions()`, a face's boundary id its boundary's
@@ -26,6 +28,8 @@ public:
   virtual std::vector<std::string> regions() const = 0;
   virtual std::vector<std::string> boundaries() const = 0;
   virtual void create(dealii::Triangulation<dim> &triangulation) const = 0;
+  /// The law of a tube along x, which lives as long as the geometry; null if it is no tube.
+  virtual const TubeLaw *tube_law() const { return nullptr; }
 };
 
 /// The geometries that exist: name and one line of description, for the manual and `Type`.

@@ -1,0 +1,96 @@
+#include <continua/mesh/tube_cross_section.h>
+#include <continua/mesh/tube_manifold.h>
+
+#include <cmath>
+
+namespace Continua
+{
+using dealii::Point;
+
+namespace
+{
+/// The inverse of TubeManifold::radius.
+double scaled_radius(const TubeLaw &law, const double x, const double radius)
+{
+  const double inner_radius = 0.5 * law.inner_diameter(x);
+  return radius <= inner_radius ? radius / inner_radius
+                                : 1. + (radius - inner_radius) / law.wall_thickness(x);
+}
+
+/// Only the rings of a whole section go round.
+template <int dim>
+dealii::Tensor<1, dim> periodicity(const bool rings)
+{
+  dealii::Tensor<1, dim> period;
+  if (dim == 3 && rings)
+    period[dim - 1] = TubeCrossSection::full_turn;
+  return period;
+}
+} // namespace
+
+template <int dim>
+TubeManifold<dim>::TubeManifold(const TubeLaw &law, const Part part)
+    : dealii::ChartManifold<dim, dim, dim>(periodicity<dim>(part == Part::rings)),
+      law(law),
+      part(part)
+{
+}
+
+template <int dim>
+std::unique_ptr<dealii::Manifold<dim>> TubeManifold<dim>::clone() const
+{
+  return std::make_unique<TubeManifold<dim>>(law, part);
+}
+
+template <int dim>
+double TubeManifold<dim>::radius(const TubeLaw &law, const double x, const double s)
+{
+  const double inner_radius = 0.5 * law.inner_diameter(x);
+  return s <= 1. ? inner_radius * s : inner_radius + law.wall_thickness(x) * (s - 1.);
+}
+
+template <int dim>
+Point<dim> TubeManifold<dim>::pull_back(const Point<dim> &point) const
+{
+  const double x = point[0];
+  Point<dim> chart_point;
+  chart_point[0] = x;
+  if constexpr (dim == 2)
+    chart_point[1] = scaled_radius(law, x, point[1]);
+  else
+  {
+    // What is across the axis, over the radius times the scaled radius.
+    const double distance = std::hypot(point[1], point[2]);
+    const double factor = distance > 0. ? scaled_radius(law, x, distance) / distance : 0.;
+    const Point<2> scaled(factor * point[1], factor * point[2]);
+    const Point<2> place = part == Part::rings ? TubeCrossSection::place(scaled) : scaled;
+    chart_point[1] = place[0];
+    chart_point[2] = place[1];
+  }
+  return chart_point;
+}
+
+template <int dim>
+Point<dim> TubeManifold<dim>::push_forward(const Point<dim> &chart_point) const
+{
+  const double x = chart_point[0];
+  Point<dim> point;
+  point[0] = x;
+  if constexpr (dim == 2)
+    point[1] = radius(law, x, chart_point[1]);
+  else
+  {
+    const Point<2> scaled = part == Part::rings
+                                ? TubeCrossSection::point(chart_point[1], chart_point[2])
+                                : Point<2>(chart_point[1], chart_point[2]);
+    const double distance = std::hypot(scaled[0], scaled[1]);
+    const double factor = distance > 0. ? radius(law, x, distance) / distance : 0.;
+    point[1] = factor * scaled[0];
+    point[2] = factor * scaled[1];
+  }
+  return point;
+}
+
+template class TubeManifold<2>;
+template class TubeManifold<3>;
+} // namespace Continua
