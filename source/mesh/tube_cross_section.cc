@@ -146,7 +146,7 @@ TubeCrossSection::TubeCrossSection(const std::vector<double> &rings,
 
   for (unsigned int j = 0; j < n_side_cells; ++j)
     for (unsigned int i = 0; i < n_side_cells; ++i)
-      add({core(i, j), core(i + 1, j), core(i, j + 1), core(i + 1, j + 1)}, true, 0);
+      add({{core(i, j), core(i + 1, j), core(i, j + 1), core(i + 1, j + 1)}}, true, 0);
   for (unsigned int ring = 0; ring + 1 < rings.size(); ++ring)
     for (unsigned int j = 0; j < n_side_cells; ++j)
     {
@@ -155,7 +155,7 @@ TubeCrossSection::TubeCrossSection(const std::vector<double> &rings,
                                           point_in_eighth(rings[ring], side(j + 1)),
                                           point_in_eighth(rings[ring + 1], side(j + 1))}};
       add(p, false, ring);
-      add({mirrored(p[0]), mirrored(p[2]), mirrored(p[1]), mirrored(p[3])}, false, ring);
+      add({{mirrored(p[0]), mirrored(p[2]), mirrored(p[1]), mirrored(p[3])}}, false, ring);
     }
 }
 } // namespace Continua
