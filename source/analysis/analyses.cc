@@ -1,5 +1,6 @@
 #include <continua/analysis/analyses.h>
 
+#include <continua/analysis/linear_wave_theory.h>
 #include <continua/analysis/steady.h>
 #include <continua/analysis/transient.h>
 
@@ -25,7 +26,9 @@ const std::vector<Row<dim>> &table()
       {"steady",
        "State at rest: one solve for a body that is all solid or all fluid, steps to rest for a "
        "mixture.",
-       [](Run<dim> &run) { Steady<dim>(run).perform(); }}};
+       [](Run<dim> &run) { Steady<dim>(run).perform(); }},
+      {"linear wave theory", "Linear waves of a tube at its stations, without a mesh.",
+       [](Run<dim> &run) { LinearWaveTheory<dim>(run).perform(); }}};
   return rows;
 }
 } // namespace

@@ -1,5 +1,7 @@
 #include <continua/analysis/case_checks.h>
 
+#include <continua/analysis/linear_wave_theory.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
@@ -149,6 +151,10 @@ void check_power_laws(const Case<dim> &input, ParameterSection root)
 template <int dim>
 void check_case(const Case<dim> &input, ParameterSection root)
 {
+  LinearWaveTheory<dim>::check(input, root);
+  // Wave theory has no fields.
+  if (input.general.analysis == "linear wave theory")
+    return;
   check_power_laws(input, root);
   check_pressure_level(input, root);
   if (is_steady(input))

@@ -152,6 +152,13 @@ std::vector<Source> sources()
        [](Root root, const General &) { RestParameters().read(root.subsection("Steady")); },
        "",
        {}},
+      {"Wave theory",
+       "Linear waves of a tube, beside a run or as an analysis of their own.",
+       {},
+       [](Root root, const General &)
+       { WaveTheoryParameters().read(root.subsection("Wave theory")); },
+       "",
+       {}},
       {"Adaptivity",
        "How the mesh follows the solution.",
        {},

@@ -106,6 +106,17 @@ std::vector<std::pair<std::string, std::string>> table()
   pages   = {309--327},
   year    = {1984}
 }
+)"},
+          {"arb", R"(@article{arb,
+  author  = {Johansson, Fredrik},
+  title   = {Arb: efficient arbitrary-precision midpoint-radius interval arithmetic},
+  journal = {IEEE Transactions on Computers},
+  volume  = {66},
+  number  = {8},
+  pages   = {1281--1292},
+  year    = {2017},
+  doi     = {10.1109/TC.2017.2690633}
+}
 )"}};
 }
 } // namespace

@@ -36,10 +36,10 @@ int main()
 
   Citations all;
   for (const char *const key : {"continua", "giannopapa2004", "dealii94", "mumps", "p4est",
-                                "trilinos", "rannacher1984", "hoodtaylor1973", "cholmod"})
+                                "trilinos", "rannacher1984", "hoodtaylor1973", "arb", "cholmod"})
     all.add(key);
   const std::string text = all.bibtex();
-  check::is_true("all keys", Citations::keys().size() == 9);
+  check::is_true("all keys", Citations::keys().size() == 10);
   check::is_true("braces match", std::count(text.begin(), text.end(), '{') ==
                                      std::count(text.begin(), text.end(), '}'));
 

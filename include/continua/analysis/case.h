@@ -1,6 +1,8 @@
 #ifndef continua_analysis_case_h
 #define continua_analysis_case_h
 
+#include <continua/analysis/measured_waves.h>
+#include <continua/analysis/wave_theory_parameters.h>
 #include <continua/base/command_line.h>
 #include <continua/base/expected_value.h>
 #include <continua/base/parameter_file.h>
@@ -14,6 +16,7 @@
 #include <continua/postprocess/probes.h>
 #include <continua/time_integration/time_control.h>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -60,10 +63,12 @@ struct Case
   TaylorHoodParameters taylor_hood;
   TimeParameters time;
   RestParameters rest;
+  WaveTheoryParameters wave_theory;
   OutputParameters output;
   std::vector<ExpectedValue> expected;
   ErrorNorms<dim> error_norms;
   Probes<dim> probes;
+  std::map<std::string, MeasuredWaves> measured_waves; ///< by the probe whose stations they are at
   std::unique_ptr<Geometry<dim>> geometry;
   std::unique_ptr<dealii::parallel::distributed::Triangulation<dim>> triangulation; ///< coarse
   Problem problem;

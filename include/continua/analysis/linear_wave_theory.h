@@ -1,0 +1,37 @@
+#ifndef continua_analysis_linear_wave_theory_h
+#define continua_analysis_linear_wave_theory_h
+
+#include <continua/analysis/run.h>
+
+#include <vector>
+
+namespace Continua
+{
+/**
+ * The linear waves of a tube at the stations of its probes: as an analysis of its own, without a
+ * mesh's fields, or beside a transient run. Writes wave.csv (wave-NAME.csv if several probes have
+ * stations), dispersion.csv and the quantities of WaveReport.
+ */
+template <int dim>
+class LinearWaveTheory
+{
+public:
+  explicit LinearWaveTheory(Run<dim> &run) : run(run) {}
+
+  /// The analysis: theory, beside measurements where there are any.
+  void perform();
+  /// After the last step of a run: what was simulated beside theory, if that covers the case, and
+  /// measurements. Nothing if no probe has stations.
+  void compare();
+
+  /// Before any work: whether what is asked for can be had. Throws InputError.
+  static void check(const Case<dim> &input, ParameterSection root);
+
+private:
+  Run<dim> &run;
+
+  void report(const std::vector<double> &times, bool simulated);
+};
+} // namespace Continua
+
+#endif

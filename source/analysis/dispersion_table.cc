@@ -1,0 +1,89 @@
+#include <continua/analysis/dispersion_table.h>
+
+#include <continua/base/table_writer.h>
+#include <continua/theory/closed_form_waves.h>
+#include <continua/theory/dispersion_curves.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace Continua
+{
+void write_dispersion_table(const std::string &file,
+                            const TubeSection &section,
+                            const double highest_frequency)
+{
+  constexpr double two_pi = 6.28318530717958647692;
+  constexpr unsigned int n_rows = 80;
+  std::vector<double> frequencies;
+  for (unsigned int i = 0; i < n_rows; ++i)
+    frequencies.push_back(highest_frequency * std::pow(10., -3. + 3. * i / (n_rows - 1.)));
+  const DispersionCurves exact(section, 0., frequencies);
+  const std::vector<ExactDispersion::Family> &families = exact.families();
+
+  std::vector<std::string> header = {"frequency [Hz]"};
+  for (const ExactDispersion::Family family : families)
+    if (family == ExactDispersion::pressure_wave || family == ExactDispersion::axial_wave)
+    {
+      const std::string name =
+          family == ExactDispersion::pressure_wave ? "pressure wave: " : "axial wave: ";
+      for (const char *quantity : {"phase speed [m/s]", "group speed [m/s]", "attenuation [1/m]"})
+        header.push_back(name + quantity);
+    }
+    else
+    {
+      const std::string name =
+          family == ExactDispersion::bending_wave ? "bending wave: " : "other bending wave: ";
+      for (const char *quantity : {"wave number [1/m]", "attenuation [1/m]"})
+        header.push_back(name + quantity);
+    }
+  const std::vector<WaveLevel> levels = {WaveLevel::closed_formula, WaveLevel::membrane,
+                                         WaveLevel::womersley};
+  for (const WaveLevel level : levels)
+    for (const char *quantity : {": phase speed [m/s]", ": attenuation [1/m]"})
+      header.push_back(wave_level_names()[static_cast<unsigned int>(level)] + quantity);
+
+  TableWriter table(file, header);
+  std::vector<WaveMode> modes, near_modes;
+  for (unsigned int i = 0; i < n_rows; ++i)
+  {
+    const double frequency = frequencies[i], omega = two_pi * frequency;
+    exact.evaluate(frequency, modes);
+    // The slope of the splines, from both sides inside the table.
+    const double step = (i + 1 < n_rows ? 1e-4 : -1e-4) * frequency;
+    exact.evaluate(frequency + step, near_modes);
+    std::vector<double> row = {frequency};
+    for (unsigned int m = 0; m < modes.size(); ++m)
+    {
+      const std::complex<double> k = modes[m].wave_number;
+      if (families[m] == ExactDispersion::pressure_wave ||
+          families[m] == ExactDispersion::axial_wave)
+      {
+        row.push_back(omega / k.real());
+        row.push_back(two_pi * step / (near_modes[m].wave_number - k).real());
+      }
+      else
+        row.push_back(k.real());
+      row.push_back(-k.imag());
+    }
+    for (const WaveLevel level : levels)
+    {
+      std::complex<double> k = std::numeric_limits<double>::quiet_NaN();
+      try
+      {
+        ClosedFormWaves(section, level, 0.).evaluate(frequency, near_modes);
+        k = near_modes[0].wave_number;
+      }
+      catch (const std::domain_error &)
+      {
+        // Above the ring frequency of the wall there is no such wave.
+      }
+      row.push_back(omega / k.real());
+      row.push_back(-k.imag());
+    }
+    table.row(row);
+  }
+  table.flush();
+}
+} // namespace Continua

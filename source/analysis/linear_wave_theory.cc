@@ -1,0 +1,194 @@
+#include <continua/analysis/linear_wave_theory.h>
+
+#include <continua/analysis/dispersion_table.h>
+#include <continua/analysis/measured_waves.h>
+#include <continua/analysis/tube_wave_case.h>
+#include <continua/analysis/wave_report.h>
+#include <continua/theory/korteweg.h>
+#include <continua/theory/reflection.h>
+#include <continua/vessel/tube_law.h>
+
+#include <cmath>
+#include <memory>
+#include <sstream>
+
+namespace Continua
+{
+namespace
+{
+using Histories = WaveReport::Histories;
+
+Histories
+simulated_histories(const StationsProbe &probe,
+                    const std::vector<std::vector<unsigned int>> &columns,
+                    const std::function<const std::vector<double> &(unsigned int)> &values)
+{
+  Histories histories(probe.positions.size());
+  for (unsigned int s = 0; s < histories.size(); ++s)
+    for (const unsigned int column : columns[s])
+      histories[s].push_back(values(column));
+  return histories;
+}
+
+/// What theory says of the fields of the probe.
+Histories theoretical_histories(const StationsProbe &probe,
+                                const TubeWaveTheory &theory,
+                                const std::vector<double> &times)
+{
+  // Each station, and the second one of its pair.
+  std::vector<double> places = probe.positions;
+  for (const double position : probe.positions)
+    places.push_back(position + probe.pair_distance);
+  const std::vector<WaveHistory> waves = theory.histories(places, times);
+  const unsigned int n_stations = probe.positions.size();
+  Histories histories(n_stations);
+  for (unsigned int s = 0; s < n_stations; ++s)
+    for (const std::string &field : probe.fields)
+    {
+      const WaveHistory &wave = waves[s];
+      if (field == "pressure gradient")
+      {
+        histories[s].push_back(waves[n_stations + s].pressure);
+        for (std::size_t i = 0; i < times.size(); ++i)
+          histories[s].back()[i] =
+              (histories[s].back()[i] - wave.pressure[i]) / probe.pair_distance;
+      }
+      else
+        histories[s].push_back(field == "pressure"            ? wave.pressure
+                               : field == "axis pressure"     ? wave.axis_pressure
+                               : field == "flow rate"         ? wave.flow_rate
+                               : field == "wall distension"   ? wave.wall_distension
+                               : field == "wall shear stress" ? wave.wall_shear_stress
+                                                              : wave.hoop_stress);
+    }
+  return histories;
+}
+
+/// rho c/A with Korteweg's speed of a thick wall at each station; empty where there is no tube.
+template <int dim>
+std::vector<double> impedances_of(const Case<dim> &input, const std::vector<double> &positions)
+{
+  std::vector<double> impedances;
+  if (input.geometry->tube_law() == nullptr)
+    return impedances;
+  for (const double position : positions)
+  {
+    const TubeSection section = tube_section_at(input, position);
+    // At a frequency that counts as slow; only a power law depends on it.
+    const std::complex<double> omega = 2. * dealii::numbers::PI;
+    const LongWaveTube tube{section.inner_radius, section.wall_thickness(),
+                            section.poisson_ratio(omega).real(), section.fluid.density,
+                            section.fluid.inverse_bulk_modulus};
+    const double speed =
+        korteweg_speed(tube, section.membrane_modulus(omega),
+                       section.tethered ? Anchoring::throughout : Anchoring::expansion_joints,
+                       WallTheory::thick)
+            .real();
+    impedances.push_back(
+        characteristic_impedance(section.fluid.density, speed,
+                                 dealii::numbers::PI * section.inner_radius * section.inner_radius)
+            .real());
+  }
+  return impedances;
+}
+} // namespace
+
+template <int dim>
+void LinearWaveTheory<dim>::check(const Case<dim> &input, ParameterSection root)
+{
+  const bool alone = input.general.analysis == "linear wave theory";
+  TubeWaveCase wave_case;
+  const std::string problem = make_tube_wave_case(input, wave_case);
+  if (alone)
+  {
+    if (!problem.empty())
+      root.refuse("Analysis", "linear wave theory does not cover this case: " + problem,
+                  "Use a 'tube' with a pressure or flow-rate inlet, or another analysis");
+    if (input.probes.stations().empty())
+      root.subsection("Probes").refuse("", "linear wave theory has no station to speak of",
+                                       "Add a probe with Stations and Fields");
+    if (!input.error_norms.empty())
+      root.subsection("Exact solution")
+          .refuse("", "linear wave theory has no fields to compare with", "Remove the section");
+  }
+  else if (input.wave_theory.overlay_given && !problem.empty())
+    root.subsection("Wave theory")
+        .refuse("Overlay", "linear wave theory does not cover this case: " + problem,
+                "Set Overlay = false");
+}
+
+template <int dim>
+void LinearWaveTheory<dim>::perform()
+{
+  const double step = run.input.time.time_step, end = run.input.time.end_time;
+  std::vector<double> times;
+  for (unsigned int i = 0; i * step < end * (1. + 1e-9); ++i)
+    times.push_back(std::min(i * step, end));
+  report(times, false);
+  run.finish(0, end);
+}
+
+template <int dim>
+void LinearWaveTheory<dim>::compare()
+{
+  if (!run.input.probes.stations().empty() && run.is_writer)
+    report(run.input.probes.times(), true);
+}
+
+template <int dim>
+void LinearWaveTheory<dim>::report(const std::vector<double> &times, const bool simulated)
+{
+  dealii::TimerOutput::Scope scope(run.log.timer(), "wave theory");
+  const Case<dim> &input = run.input;
+  std::unique_ptr<TubeWaveTheory> theory;
+  TubeWaveCase wave_case;
+  const std::string why_not = make_tube_wave_case(input, wave_case);
+  if (!why_not.empty())
+    run.log.detail("no wave theory: " + why_not);
+  else if (!simulated || input.wave_theory.overlay)
+  {
+    theory =
+        std::make_unique<TubeWaveTheory>(wave_case.problem, wave_case.inlet, input.time.end_time,
+                                         input.wave_theory.spectral_tolerance);
+    std::ostringstream text;
+    text << "Wave theory: " << input.wave_theory.level << ", " << wave_case.problem.segments.size()
+         << (wave_case.problem.segments.size() == 1 ? " segment" : " segments") << ", up to "
+         << theory->highest_frequency() << " Hz, transformed over " << theory->window() << " s";
+    run.log.detail(text.str());
+    run.summary.set("wave theory", input.wave_theory.level);
+    run.citations.add("arb");
+    const double highest = input.wave_theory.highest_frequency > 0.
+                               ? input.wave_theory.highest_frequency
+                               : theory->highest_frequency();
+    if (run.is_writer)
+      write_dispersion_table(run.directory.file("dispersion.csv"),
+                             wave_case.problem.segments.front().section, highest);
+  }
+  const auto &probes = input.probes.stations();
+  for (const StationsProbe &probe : probes)
+  {
+    WaveStations stations{
+        probe.name, probe.positions, probe.fields, {}, impedances_of(input, probe.positions)};
+    for (const std::string &field : probe.fields)
+      stations.units.push_back(dimension_of_station_field(field).unit());
+    WaveReport report(stations, times);
+    if (simulated)
+      report.set(WaveReport::Source::simulated,
+                 simulated_histories(probe, probe.columns,
+                                     [&](const unsigned int column) -> const std::vector<double> &
+                                     { return input.probes.values(column); }));
+    if (theory)
+      report.set(WaveReport::Source::theory, theoretical_histories(probe, *theory, times));
+    const auto measured = input.measured_waves.find(probe.name);
+    if (measured != input.measured_waves.end())
+      report.set(WaveReport::Source::measured, measured->second.histories(times));
+    report.add_quantities(run.summary);
+    if (run.is_writer)
+      report.write(
+          run.directory.file(probes.size() == 1 ? "wave.csv" : "wave-" + probe.name + ".csv"));
+  }
+}
+
+template class LinearWaveTheory<2>;
+template class LinearWaveTheory<3>;
+} // namespace Continua

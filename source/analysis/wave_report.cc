@@ -1,0 +1,243 @@
+#include <continua/analysis/wave_report.h>
+
+#include <continua/base/table_writer.h>
+#include <continua/base/units.h>
+#include <continua/signal/first_pulse.h>
+#include <continua/signal/wave_analysis.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Continua
+{
+namespace
+{
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+/// A backward wave counts as a pulse from this part of the first pulse's height on.
+constexpr double smallest_reflection = 0.1;
+const char *const source_names[3] = {"simulated", "theory", "measured"};
+const char *const prefixes[3] = {"", "theoretical ", "measured "};
+
+bool all_finite(const std::vector<double> &values)
+{
+  return std::all_of(values.begin(), values.end(),
+                     [](const double value) { return std::isfinite(value); });
+}
+} // namespace
+
+WaveReport::WaveReport(const WaveStations &stations, const std::vector<double> &times)
+    : stations(stations), times(times)
+{
+}
+
+void WaveReport::set(const Source source, const Histories &histories)
+{
+  Data &target = sources[static_cast<int>(source)];
+  target.present = true;
+  target.histories = histories;
+}
+
+int WaveReport::field(const std::string &name) const
+{
+  const auto place = std::find(stations.fields.begin(), stations.fields.end(), name);
+  return place == stations.fields.end() ? -1 : static_cast<int>(place - stations.fields.begin());
+}
+
+std::string WaveReport::station_name(const unsigned int station) const
+{
+  return stations.name + " " + shortest_number(stations.positions[station]) + " m";
+}
+
+void WaveReport::write(const std::string &file) const
+{
+  std::vector<std::string> header = {"time [s]"};
+  std::vector<std::vector<double>> columns;
+  const auto add = [&](const unsigned int station, const std::string &field,
+                       const std::string &what, const std::string &unit,
+                       const std::vector<double> &values)
+  {
+    header.push_back(station_name(station) + ": " + field + ", " + what + " [" + unit + "]");
+    columns.push_back(values);
+  };
+  const Source first = data(Source::simulated).present ? Source::simulated : Source::theory;
+  const int pressure = field("pressure");
+  // Without an impedance the waves cannot be told apart.
+  const int flow_rate = stations.impedances.empty() ? -1 : field("flow rate");
+  for (unsigned int s = 0; s < stations.positions.size(); ++s)
+  {
+    for (unsigned int f = 0; f < stations.fields.size(); ++f)
+    {
+      for (const Source source : {Source::simulated, Source::theory, Source::measured})
+        if (data(source).present)
+          add(s, stations.fields[f], source_names[static_cast<int>(source)], stations.units[f],
+              data(source).histories[s][f]);
+      for (const Source source : {Source::theory, Source::measured})
+        if (source != first && data(source).present)
+        {
+          std::vector<double> difference = data(first).histories[s][f];
+          for (std::size_t i = 0; i < times.size(); ++i)
+            difference[i] -= data(source).histories[s][f][i];
+          add(s, stations.fields[f],
+              std::string(source_names[static_cast<int>(first)]) + " - " +
+                  source_names[static_cast<int>(source)],
+              stations.units[f], difference);
+        }
+    }
+    if (pressure >= 0 && flow_rate >= 0)
+      for (const Source source : {Source::simulated, Source::theory})
+        if (data(source).present)
+        {
+          const SeparatedWaves waves =
+              separate_waves(data(source).histories[s][pressure],
+                             data(source).histories[s][flow_rate], stations.impedances[s]);
+          add(s, "forward wave", source_names[static_cast<int>(source)], "Pa", waves.forward);
+          add(s, "backward wave", source_names[static_cast<int>(source)], "Pa", waves.backward);
+        }
+  }
+  TableWriter table(file, header);
+  std::vector<double> row;
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    row.assign(1, times[i]);
+    for (const std::vector<double> &column : columns)
+      row.push_back(column[i]);
+    table.row(row);
+  }
+  table.flush();
+}
+
+std::vector<WaveReport::Pulse> WaveReport::analyse(const Source source, Summary &summary) const
+{
+  const Histories &histories = data(source).histories;
+  const int pressure = field("pressure");
+  // Without an impedance the waves cannot be told apart.
+  const int flow_rate = stations.impedances.empty() ? -1 : field("flow rate");
+  // Only stations that have the whole record; a measurement need not have all.
+  WaveRecord record;
+  record.times = times;
+  std::vector<unsigned int> used;
+  for (unsigned int s = 0; s < stations.positions.size(); ++s)
+    if (all_finite(histories[s][pressure]) &&
+        (flow_rate < 0 || source == Source::measured || all_finite(histories[s][flow_rate])))
+    {
+      used.push_back(s);
+      record.positions.push_back(stations.positions[s]);
+      record.pressure.push_back(histories[s][pressure]);
+      if (flow_rate >= 0 && source != Source::measured)
+      {
+        record.flow_rate.push_back(histories[s][flow_rate]);
+        record.characteristic_impedance.push_back(stations.impedances[s]);
+      }
+    }
+  std::vector<Pulse> pulses(stations.positions.size(), {nan, nan, nan, nan, nan, nan, nan});
+  if (used.empty())
+    return pulses;
+  const WaveAnalysis wave = analyse_wave(record);
+  const std::string prefix = prefixes[static_cast<int>(source)];
+  const auto add = [&](const std::string &name, const double value, const std::string &unit,
+                       const std::string &probe)
+  {
+    if (std::isfinite(value))
+      summary.add({prefix + name, value, unit, probe});
+  };
+  add("wave speed", wave.speed.peak, "m/s", stations.name);
+  add("wave speed at half height", wave.speed.half, "m/s", stations.name);
+  add("wave speed of the foot", wave.speed.tangent_foot, "m/s", stations.name);
+  add("wave speed by phase", wave.speed.phase, "m/s", stations.name);
+  add("attenuation", wave.attenuation, "1/m", stations.name);
+  for (std::size_t i = 0; i < used.size(); ++i)
+  {
+    const StationWave &station = wave.stations[i];
+    Pulse &pulse = pulses[used[i]];
+    pulse = {station.arrival.peak,
+             station.amplitude,
+             station.arrival.half,
+             station.arrival.tangent_foot,
+             nan,
+             nan,
+             nan};
+    const std::string name = station_name(used[i]);
+    add("first pulse time", pulse.time, "s", name);
+    add("first pulse height", pulse.height, "Pa", name);
+    add("half height time", pulse.half_time, "s", name);
+    add("foot time", pulse.foot_time, "s", name);
+    if (record.flow_rate.empty())
+      continue;
+    pulse.reflection = station.reflection_coefficient;
+    const std::vector<double> backward =
+        separate_waves(record.pressure[i], record.flow_rate[i], stations.impedances[used[i]])
+            .backward;
+    const std::size_t highest =
+        std::max_element(backward.begin(), backward.end()) - backward.begin();
+    // What is less is not a pulse but the impedance, which is that of a long wave; at the record's
+    // end it still rises.
+    if (highest > 0 && highest + 1 < backward.size() &&
+        backward[highest] > smallest_reflection * pulse.height)
+    {
+      const Vertex vertex = refine_extremum(times, backward, highest);
+      pulse.reflected_time = vertex.time;
+      pulse.reflected_height = vertex.value;
+    }
+    add("reflection coefficient", pulse.reflection, "1", name);
+    add("reflected pulse time", pulse.reflected_time, "s", name);
+    add("reflected pulse height", pulse.reflected_height, "Pa", name);
+  }
+  return pulses;
+}
+
+void WaveReport::compare(const Source a,
+                         const Source b,
+                         const std::vector<std::vector<Pulse>> &pulses,
+                         const std::string &suffix,
+                         Summary &summary) const
+{
+  const Histories &first = data(a).histories, &second = data(b).histories;
+  for (unsigned int f = 0; f < stations.fields.size(); ++f)
+  {
+    double largest = 0., difference = 0.;
+    for (unsigned int s = 0; s < stations.positions.size(); ++s)
+      for (std::size_t i = 0; i < times.size(); ++i)
+        if (std::isfinite(second[s][f][i]) && std::isfinite(first[s][f][i]))
+        {
+          largest = std::max(largest, std::abs(second[s][f][i]));
+          difference = std::max(difference, std::abs(first[s][f][i] - second[s][f][i]));
+        }
+    if (largest > 0.)
+      summary.add({"largest difference of " + stations.fields[f] + suffix, difference / largest,
+                   "1", stations.name});
+  }
+  if (pulses[static_cast<int>(a)].empty() || pulses[static_cast<int>(b)].empty())
+    return;
+  const auto largest_of = [&](const std::string &name, double Pulse::*what)
+  {
+    double largest = nan;
+    for (unsigned int s = 0; s < stations.positions.size(); ++s)
+    {
+      const double relative = std::abs(
+          pulses[static_cast<int>(a)][s].*what / (pulses[static_cast<int>(b)][s].*what) - 1.);
+      if (std::isfinite(relative) && !(relative <= largest))
+        largest = relative;
+    }
+    if (std::isfinite(largest))
+      summary.add({"largest difference of " + name + suffix, largest, "1", stations.name});
+  };
+  largest_of("first pulse time", &Pulse::time);
+  largest_of("first pulse height", &Pulse::height);
+  largest_of("reflected pulse time", &Pulse::reflected_time);
+  largest_of("reflected pulse height", &Pulse::reflected_height);
+}
+
+void WaveReport::add_quantities(Summary &summary) const
+{
+  std::vector<std::vector<Pulse>> pulses(3);
+  for (const Source source : {Source::simulated, Source::theory, Source::measured})
+    if (data(source).present && field("pressure") >= 0)
+      pulses[static_cast<int>(source)] = analyse(source, summary);
+  if (data(Source::simulated).present && data(Source::theory).present)
+    compare(Source::simulated, Source::theory, pulses, "", summary);
+  if (data(Source::measured).present)
+    compare(data(Source::simulated).present ? Source::simulated : Source::theory, Source::measured,
+            pulses, " from measurement", summary);
+}
+} // namespace Continua
