@@ -285,7 +285,8 @@ void TubeLaw::read_layers(ParameterSection &geometry)
   const double sum = std::accumulate(parts.begin(), parts.end(), 0.);
   // What decimal digits of thirds leave over.
   if (std::abs(sum - 1.) > 1e-5)
-    geometry.refuse("Layer fractions", "their sum is " + shortest_number(sum) + ", not 1",
+    geometry.refuse("Layer fractions",
+                    "their sum is " + shortest_number(std::round(1e6 * sum) / 1e6) + ", not 1",
                     "Give the parts of the whole wall thickness");
   for (double &part : parts)
     part /= sum;
