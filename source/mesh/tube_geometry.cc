@@ -127,9 +127,8 @@ TubeGeometry<dim>::Parameters::read(ParameterSection geometry, ParameterSection 
     mesh.refuse("Axial grading", "it is less than " + shortest_number(grading_range.lower),
                 "Give 0 for an automatic one, or a larger one");
   mesh.add("Radial cells", parameters.radial_cells,
-           dim == 2 ? "Coarse cells across the fluid's radius"
-                    : "Coarse cells of the fluid between the wall and the square core of the "
-                      "cross-section, which reaches to 0.6 of the radius on the diagonals",
+           "Coarse cells across the fluid's radius; in three dimensions between the wall and the "
+           "square core of the cross-section, which reaches to 0.6 of the radius on the diagonals",
            1);
   mesh.add("Radial grading", parameters.radial_grading, Dimensions::none,
            "Size of the fluid's cell at the wall over that of the innermost of 'Radial cells'; "

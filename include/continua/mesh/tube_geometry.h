@@ -29,10 +29,10 @@ public:
     unsigned int axial_cells = 20;
     /// Size of the cells at both ends over that in the middle; 0: as `automatic_axial_grading`.
     double axial_grading = 0.;
-    unsigned int radial_cells = dim == 2 ? 8 : 4; ///< of the fluid; in three dimensions its rings
-    double radial_grading = 0.05;                 ///< of those, outermost over innermost
-    std::vector<unsigned int> wall_cells = {1};   ///< of each layer, or one number for all
-    unsigned int circumferential_cells = 6;       ///< of a quarter, in three dimensions; even
+    unsigned int radial_cells = 6;              ///< of the fluid; in three dimensions its rings
+    double radial_grading = 0.05;               ///< of those, outermost over innermost
+    std::vector<unsigned int> wall_cells = {1}; ///< of each layer, or one number for all
+    unsigned int circumferential_cells = 6;     ///< of a quarter, in three dimensions; even
 
     /// Throws InputError.
     static Parameters read(ParameterSection geometry, ParameterSection mesh);
