@@ -2,6 +2,7 @@
 #include <continua/analysis/case.h>
 #include <continua/analysis/documentation.h>
 #include <continua/analysis/run.h>
+#include <continua/analysis/spin_coating_analysis.h>
 #include <continua/base/command_line.h>
 #include <continua/base/input_error.h>
 #include <continua/base/version.h>
@@ -10,6 +11,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
 
 namespace
@@ -32,10 +34,14 @@ std::string output_path(const CommandLine &command_line)
   return "output/" + std::filesystem::path(command_line.parameter_file).stem().string();
 }
 
-template <int dim>
-void run_case(ParameterFile &file, const CommandLine &command_line, const MPI_Comm communicator)
+/// What every analysis has around it once its input is read: to print or validate only, or an
+/// output folder with the input and a log.
+void with_output(ParameterFile &file,
+                 const CommandLine &command_line,
+                 const MPI_Comm communicator,
+                 const std::string &title,
+                 const std::function<void(const OutputDirectory &, Log &)> &perform)
 {
-  Case<dim> input(file, communicator);
   const bool is_writer = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   if (!command_line.print_parameters.empty())
   {
@@ -64,24 +70,48 @@ void run_case(ParameterFile &file, const CommandLine &command_line, const MPI_Co
       throw RunError("cannot write " + directory.file("parameters.prm"));
   }
   directory.copy_inputs(file.input_files());
-  log.line("Continua" + (input.general.title.empty() ? "" : ": " + input.general.title));
+  log.line("Continua" + (title.empty() ? "" : ": " + title));
   log.detail("version " + version() + ", revision " + revision());
-  Run<dim> run(input, file, command_line, directory, log);
-  try
-  {
-    perform_analysis(run);
-  }
-  catch (const InputError &)
-  {
-    throw;
-  }
-  catch (const std::exception &error)
-  {
-    // What was computed stays; the summary says that and why the run failed.
-    log.end_progress();
-    run.fail(error.what());
-    throw;
-  }
+  perform(directory, log);
+}
+
+template <int dim>
+void run_case(ParameterFile &file, const CommandLine &command_line, const MPI_Comm communicator)
+{
+  Case<dim> input(file, communicator);
+  with_output(file, command_line, communicator, input.general.title,
+              [&](const OutputDirectory &directory, Log &log)
+              {
+                Run<dim> run(input, file, command_line, directory, log);
+                try
+                {
+                  perform_analysis(run);
+                }
+                catch (const InputError &)
+                {
+                  throw;
+                }
+                catch (const std::exception &error)
+                {
+                  // What was computed stays; the summary says that and why the run failed.
+                  log.end_progress();
+                  run.fail(error.what());
+                  throw;
+                }
+              });
+}
+
+void run_spin_coating(ParameterFile &file,
+                      const CommandLine &command_line,
+                      const MPI_Comm communicator)
+{
+  const SpinCoatingAnalysis analysis(file);
+  with_output(file, command_line, communicator, analysis.title(),
+              [&](const OutputDirectory &directory, Log &log)
+              {
+                if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+                  analysis.perform(command_line, directory, log);
+              });
 }
 
 int run(const CommandLine &command_line, const MPI_Comm communicator)
@@ -103,7 +133,9 @@ int run(const CommandLine &command_line, const MPI_Comm communicator)
   ParameterFile file(command_line.parameter_file, command_line.overrides);
   GeneralParameters general;
   general.read(file.root());
-  if (n_dimensions(model_of(general.model)) == 2)
+  if (general.analysis == "spin coating")
+    run_spin_coating(file, command_line, communicator);
+  else if (n_dimensions(model_of(general.model)) == 2)
     run_case<2>(file, command_line, communicator);
   else
     run_case<3>(file, command_line, communicator);

@@ -38,6 +38,8 @@ std::vector<std::pair<std::string, std::string>> analysis_types()
   std::vector<std::pair<std::string, std::string>> types;
   for (const Row<2> &row : table<2>())
     types.emplace_back(row.name, row.description);
+  // Not of a body: SpinCoatingAnalysis, which has no Run.
+  types.emplace_back("spin coating", "How a tube is made: what the motors do along the rod.");
   return types;
 }
 

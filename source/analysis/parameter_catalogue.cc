@@ -6,6 +6,7 @@
 #include <continua/boundary/boundary_condition.h>
 #include <continua/materials/material.h>
 #include <continua/mesh/geometry.h>
+#include <continua/vessel/spin_coating.h>
 
 #include <nlohmann/json.hpp>
 
@@ -150,6 +151,12 @@ std::vector<Source> sources()
        "Of a steady analysis of fluid and solid together, which is stepped to rest.",
        {},
        [](Root root, const General &) { RestParameters().read(root.subsection("Steady")); },
+       "",
+       {}},
+      {"Spin coating",
+       "How a tube is made, of `Analysis = spin coating`.",
+       {},
+       [](Root root, const General &) { SpinCoating::read(root.subsection("Spin coating")); },
        "",
        {}},
       {"Wave theory",
