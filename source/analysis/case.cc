@@ -2,6 +2,7 @@
 #include <continua/analysis/case_checks.h>
 
 #include <continua/analysis/analyses.h>
+#include <continua/boundary/flow_rates.h>
 #include <continua/mesh/distortion.h>
 #include <continua/mesh/regions_of_boundary.h>
 
@@ -98,6 +99,8 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator)
   // Before the checks across entries: a misspelt key is the likelier reason for them to fail.
   file.refuse_unknown();
   check_case(*this, root);
+  set_flow_profiles(problem.conditions, root.subsection("Boundaries"), *triangulation,
+                    problem.materials, {!transient, time.end_time, time.time_step});
   probes.check(*triangulation, FieldEvaluation<dim>::fields(), pairs);
 }
 

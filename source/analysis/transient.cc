@@ -56,6 +56,7 @@ template <int dim>
 void Transient<dim>::start()
 {
   run.initialise();
+  report_initial_jumps();
   run.input.probes.open(run.directory.file("probes.csv"));
   power.open(run.directory.file("power.csv"));
   power.start(*run.solver);
@@ -63,6 +64,29 @@ void Transient<dim>::start()
     run.input.probes.record(0.);
   if (field_schedule.due(0., 0.))
     fields.write(*run.solver, 0.);
+}
+
+template <int dim>
+void Transient<dim>::report_initial_jumps()
+{
+  const InteriorData &interior = run.input.problem.interior;
+  if (!interior.initial_velocity.empty() || !interior.initial_displacement.empty() ||
+      !interior.initial_pressure.empty())
+    return;
+  for (const BoundaryCondition &condition : run.input.problem.conditions)
+  {
+    // A value that depends on place is asked for in the middle of one of the coarse faces.
+    double point[3] = {0., 0., 0.};
+    for (const auto &cell : run.input.triangulation->cell_iterators_on_level(0))
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == condition.boundary_id &&
+            condition.region_ids.count(cell->material_id()) > 0)
+          for (unsigned int c = 0; c < dim; ++c)
+            point[c] = cell->face(f)->center()[c];
+    const std::string text = condition.initial_jump(point);
+    if (!text.empty())
+      run.log.detail(text);
+  }
 }
 
 template <int dim>

@@ -1,7 +1,9 @@
 #include <continua/boundary/boundary_condition.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <sstream>
 
 namespace Continua
 {
@@ -66,6 +68,24 @@ void read_pressure(ParameterSection &section, BoundaryCondition &condition, unsi
   condition.tangential.kind = tangential == "fixed" ? Kind::velocity : Kind::traction;
 }
 
+void read_flow_rate(ParameterSection &section, BoundaryCondition &condition, unsigned int)
+{
+  condition.normal.kind = condition.tangential.kind = Kind::velocity;
+  condition.normal.along_normal =
+      Waveform::read(section, "Flow rate", Dimensions::flow_rate,
+                     "Flow rate of the whole tube, into the body; a function of time alone.", true);
+  if (condition.normal.along_normal.depends_on_space())
+    section.refuse(
+        "Flow rate", "depends on x, y or z",
+        "Write it as a function of t; 'Profile' gives the distribution over the section");
+  condition.profile = "parabolic";
+  section.add_choice(
+      "Profile", condition.profile, {"flat", "parabolic", "womersley"},
+      "How the velocity is distributed over the section: flat (zero at the rim), "
+      "parabolic, or womersley: that of a viscous liquid in a rigid tube that was at "
+      "rest before t = 0.");
+}
+
 void read_roller(ParameterSection &, BoundaryCondition &condition, unsigned int)
 {
   condition.normal.kind = Kind::velocity;
@@ -128,6 +148,10 @@ const std::vector<Row> &table()
       {"traction", "Prescribed traction, normal and tangential.", read_traction},
       {"pressure", "Outside pressure along the normal; along the boundary free or fixed.",
        read_pressure},
+      {"flow rate",
+       "Flow rate into a round section around the x axis, axisymmetric or three-dimensional; no "
+       "velocity along the boundary.",
+       read_flow_rate},
       {"roller", "No velocity along the normal, no traction along the boundary.", read_roller},
       {"axis", "The axis of an axisymmetric model: as roller.", read_roller},
       {"free", "No traction, normal and tangential.", read_free},
@@ -159,10 +183,47 @@ bool BoundaryPart::is_zero() const
 
 bool BoundaryPart::depends_on_time() const
 {
+  if (flow)
+    return flow->depends_on_time();
   for (const Waveform &component : vector)
     if (component.depends_on_time())
       return true;
   return along_normal.depends_on_time();
+}
+
+std::string BoundaryCondition::initial_jump(const double *point) const
+{
+  const std::string traction = "Pa", velocity = "m/s";
+  std::vector<std::string> values;
+  const auto add = [&](const std::string &what, const double value, const std::string &unit)
+  {
+    std::ostringstream text;
+    text << what << " of " << value << ' ' << unit;
+    if (value != 0. && std::find(values.begin(), values.end(), text.str()) == values.end())
+      values.push_back(text.str());
+  };
+  for (const BoundaryPart *part : {&normal, &tangential})
+  {
+    const bool is_velocity = part->kind == Kind::velocity;
+    double square = 0.;
+    for (const Waveform &component : part->vector)
+      square += std::pow(component.initial_value(point), 2);
+    add(is_velocity ? "a velocity" : "a traction", std::sqrt(square),
+        is_velocity ? velocity : traction);
+    const double along = part->along_normal.initial_value(point);
+    if (!profile.empty())
+      add("a flow rate", along, "m^3/s");
+    else if (part->negative)
+      add("a pressure", along, traction);
+    else
+      add(is_velocity ? "a normal velocity" : "a normal traction", along,
+          is_velocity ? velocity : traction);
+  }
+  if (values.empty())
+    return "";
+  return "The boundary '" + name + "' starts at t = 0 with " + joined(values) +
+         ": a body at rest meets it as a jump, which the scheme starts with; 'Ramp' makes a "
+         "waveform rise smoothly from zero";
 }
 
 std::vector<std::pair<std::string, std::string>> boundary_types()
@@ -224,6 +285,9 @@ read_boundary_conditions(ParameterSection section,
     if (condition.type == "axis" && !axisymmetric)
       child.refuse("Type", "there is no axis in this model",
                    "Use 'roller', or Model = axisymmetric");
+    if (condition.type == "flow rate" && n_dimensions == 2 && !axisymmetric)
+      child.refuse("Type", "a plane model has no round section that a flow rate could pass",
+                   "Use 'velocity', or Model = axisymmetric or three-dimensional");
     for (const Row &row : table())
       if (condition.type == row.name)
         row.read(child, condition, n_dimensions);

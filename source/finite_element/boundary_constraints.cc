@@ -1,4 +1,5 @@
 #include <continua/finite_element/boundary_constraints.h>
+#include <continua/finite_element/flow_shapes.h>
 #include <continua/signal/jump.h>
 
 #include <deal.II/base/mpi.h>
@@ -186,7 +187,13 @@ double BoundaryConstraints<dim>::Source::value(const double time) const
     if (direction[c] != 0.)
       sum += direction[c] * part->vector[c](point, time);
   const double along = direction * normal;
-  if (std::abs(along) > 1e-12)
+  if (part->flow)
+  {
+    const std::vector<double> &amplitudes = part->flow->amplitudes(time);
+    for (std::size_t m = 0; m < flow_shapes.size(); ++m)
+      sum -= along * flow_shapes[m] * amplitudes[m];
+  }
+  else if (std::abs(along) > 1e-12)
     sum += (part->negative ? -along : along) * part->along_normal(point, time);
   return sum;
 }
@@ -201,6 +208,11 @@ void BoundaryConstraints<dim>::build()
   homogeneous = true;
   constants_are_set = false;
   std::set<std::pair<unsigned int, unsigned int>> conflicts;
+
+  std::map<const BoundaryPart *, std::map<types::global_dof_index, std::vector<double>>> flows;
+  for (const BoundaryCondition &condition : conditions)
+    if (condition.normal.flow)
+      flows[&condition.normal] = nodal_flow_shapes(space, condition);
 
   AffineConstraints<double> boundary(space.velocity_relevant);
   for (const auto index : space.velocity_owned)
@@ -241,9 +253,13 @@ void BoundaryConstraints<dim>::build()
         Equation<dim> equation;
         equation.direction = direction;
         equation.condition = face.condition;
-        if (!part->is_zero())
+        // At the rim of a section that a flow passes the velocity is zero for ever.
+        const bool is_rim = part->flow && flows[part].count(node.dofs[0]) == 0;
+        if (!part->is_zero() && !is_rim)
         {
-          Source source{part, direction, face.normal, {0., 0., 0.}};
+          Source source{part, direction, face.normal, {0., 0., 0.}, {}};
+          if (part->flow)
+            source.flow_shapes = flows[part][node.dofs[0]];
           for (unsigned int c = 0; c < dim; ++c)
             source.point[c] = node.point[c];
           equation.weights[sources.size()] = 1.;

@@ -9,10 +9,11 @@ bool jumps_within(const std::function<double(double)> &function, double begin, d
 {
   constexpr unsigned int n_halvings = 20;
   double value_begin = function(begin), value_end = function(end);
-  // With the value an interval earlier: where a pulse comes to its end, round-off would else be
-  // compared with round-off.
+  // With the values an interval earlier and later: where a pulse comes to its end, or has just
+  // begun, what is next to nothing would else be compared with itself.
   double largest =
-      std::max({std::abs(value_begin), std::abs(value_end), std::abs(function(2. * begin - end))});
+      std::max({std::abs(value_begin), std::abs(value_end), std::abs(function(2. * begin - end)),
+                std::abs(function(2. * end - begin))});
   for (unsigned int i = 0; i < n_halvings; ++i)
   {
     const double middle = 0.5 * (begin + end);

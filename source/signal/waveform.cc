@@ -1,4 +1,10 @@
+#include <continua/signal/time_table.h>
 #include <continua/signal/waveform.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
 
 namespace Continua
 {
@@ -7,10 +13,6 @@ namespace
 std::shared_ptr<const TimeTable>
 read_table(ParameterSection &section, const std::string &key, const Dimension &dimension)
 {
-  if (section.given(key))
-    section.refuse(key, "is given as well as 'Waveform = table'",
-                   "Remove it, or set 'Waveform = formula'");
-
   std::string path, column;
   std::string interpolation = "linear";
   std::string after = "hold";
@@ -40,19 +42,124 @@ read_table(ParameterSection &section, const std::string &key, const Dimension &d
       offset, column);
 }
 
-void refuse_table_entries(const ParameterSection &section)
+std::function<double(double)>
+read_sine_squared(ParameterSection &section, const std::string &key, const Dimension &dimension)
 {
-  for (const char *const entry :
-       {"Table", "Column", "Interpolation", "Offset", "After the table", "Direction"})
-    if (section.given(entry))
-      section.refuse(entry, "is of use with 'Waveform = table' only",
-                     "Set that, or remove the entry");
+  double amplitude = 0., start = 0.;
+  double duration = std::numeric_limits<double>::infinity();
+  section.add("Amplitude", amplitude, dimension, "Largest value of the pulse of " + key + ".");
+  section.add("Duration", duration, Dimensions::time,
+              "T: the pulse is A sin^2(pi (t - t0)/T) from its start t0 to t0 + T.",
+              Range::positive());
+  section.add("Start", start, Dimensions::time, "t0: when the pulse begins.");
+  section.require("Amplitude");
+  section.require("Duration");
+  return [=](const double time)
+  {
+    const double phase = (time - start) / duration;
+    if (phase <= 0. || phase >= 1.)
+      return 0.;
+    const double sine = std::sin(M_PI * phase);
+    return amplitude * sine * sine;
+  };
+}
+
+std::function<double(double)>
+read_gaussian(ParameterSection &section, const std::string &key, const Dimension &dimension)
+{
+  double amplitude = 0., peak = 0.;
+  double width = std::numeric_limits<double>::infinity();
+  section.add("Amplitude", amplitude, dimension, "Largest value of the pulse of " + key + ".");
+  section.add("Time of the peak", peak, Dimensions::time,
+              "t0: the pulse is A exp(-((t - t0)/s)^2), for all times.");
+  section.add("Width", width, Dimensions::time,
+              "s: from its peak to where the pulse has fallen to A/e.", Range::positive());
+  section.require("Amplitude");
+  section.require("Time of the peak");
+  section.require("Width");
+  return [=](const double time)
+  {
+    const double distance = (time - peak) / width;
+    return amplitude * std::exp(-distance * distance);
+  };
+}
+
+const std::string formula = "formula";
+const std::string sine_squared_pulse = "sine squared pulse";
+const std::string gaussian_pulse = "gaussian pulse";
+const std::vector<std::string> kinds = {formula, "table", sine_squared_pulse, gaussian_pulse};
+
+/// The entries of each kind but the formula, which has KEY.
+const std::vector<std::pair<std::string, std::vector<std::string>>> entries_of_kinds = {
+    {"table", {"Table", "Column", "Interpolation", "Offset", "After the table", "Direction"}},
+    {sine_squared_pulse, {"Amplitude", "Duration", "Start", "Direction"}},
+    {gaussian_pulse, {"Amplitude", "Time of the peak", "Width", "Direction"}}};
+
+/// Refuses what belongs to another kind of waveform than the one chosen.
+void refuse_other_entries(const ParameterSection &section,
+                          const std::string &key,
+                          const std::string &chosen)
+{
+  if (chosen != formula && section.given(key))
+    section.refuse(key, "is given as well as 'Waveform = " + chosen + "'",
+                   "Remove it, or set 'Waveform = formula'");
+  for (const auto &kind : entries_of_kinds)
+    for (const std::string &entry : kind.second)
+    {
+      std::string users;
+      bool used = false;
+      for (const auto &other : entries_of_kinds)
+        if (std::find(other.second.begin(), other.second.end(), entry) != other.second.end())
+        {
+          users += (users.empty() ? "'Waveform = " : " or 'Waveform = ") + other.first + "'";
+          used = used || other.first == chosen;
+        }
+      if (!used && section.given(entry))
+        section.refuse(entry, "is of use with " + users + " only", "Set that, or remove the entry");
+    }
+}
+
+std::string read_kind(ParameterSection &section, const std::string &key)
+{
+  std::string kind = formula;
+  section.add_choice("Waveform", kind, kinds,
+                     "How '" + key +
+                         "' is given: by an expression, by a table over time, or as a single "
+                         "pulse.");
+  refuse_other_entries(section, key, kind);
+  return kind;
+}
+
+double read_ramp(ParameterSection &section)
+{
+  double ramp = 0.;
+  section.add("Ramp", ramp, Dimensions::time,
+              "The value is multiplied by sin^2(pi t/(2 Ramp)) until this time, so that it rises "
+              "smoothly from zero; 0: it is not.",
+              Range::not_negative());
+  return ramp;
 }
 } // namespace
 
 Waveform::Waveform(const double constant) : expression(constant) {}
 
 Waveform::Waveform(const Expression &expression) : expression(expression) {}
+
+std::shared_ptr<const Waveform::TimeFunction> Waveform::read_function(ParameterSection &section,
+                                                                      const std::string &key,
+                                                                      const Dimension &dimension,
+                                                                      const std::string &kind)
+{
+  if (kind == sine_squared_pulse)
+    return std::make_shared<const TimeFunction>(read_sine_squared(section, key, dimension));
+  if (kind == gaussian_pulse)
+    return std::make_shared<const TimeFunction>(read_gaussian(section, key, dimension));
+  const auto table = read_table(section, key, dimension);
+  if (!table)
+    return nullptr;
+  return std::make_shared<const TimeFunction>([table](const double time)
+                                              { return (*table)(time); });
+}
 
 Waveform Waveform::read(ParameterSection &section,
                         const std::string &key,
@@ -61,20 +168,21 @@ Waveform Waveform::read(ParameterSection &section,
                         const bool required)
 {
   Waveform waveform;
-  std::string kind = "formula";
-  section.add_choice("Waveform", kind, {"formula", "table"},
-                     "Whether '" + key + "' is an expression or comes from a table over time.");
-  if (kind == "table")
+  const std::string kind = read_kind(section, key);
+  if (kind == formula)
   {
-    waveform.table = read_table(section, key, dimension);
-    waveform.expression = Expression(1.);
-    return waveform;
+    add_expression(section, key, waveform.expression, dimension, text);
+    if (required)
+      section.require(key);
   }
-
-  refuse_table_entries(section);
-  add_expression(section, key, waveform.expression, dimension, text);
-  if (required)
-    section.require(key);
+  else
+  {
+    if (section.given("Direction"))
+      section.refuse("Direction", "'" + key + "' is a number, not a vector", "Remove the entry");
+    waveform.of_time = read_function(section, key, dimension, kind);
+    waveform.expression = Expression(1.);
+  }
+  waveform.ramp = read_ramp(section);
   return waveform;
 }
 
@@ -84,43 +192,49 @@ std::vector<Waveform> Waveform::read_vector(ParameterSection &section,
                                             const Dimension &dimension,
                                             const std::string &text)
 {
-  std::string kind = "formula";
-  section.add_choice("Waveform", kind, {"formula", "table"},
-                     "Whether '" + key +
-                         "' is an expression or comes from a table of its size over time.");
   std::vector<Expression> components(n_components);
-  std::shared_ptr<const TimeTable> table;
-  if (kind == "table")
+  std::shared_ptr<const TimeFunction> of_time;
+  const std::string kind = read_kind(section, key);
+  if (kind == formula)
   {
-    table = read_table(section, key, dimension);
-    add_expressions(section, "Direction", components, n_components, Dimensions::none,
-                    "What the table's value is multiplied by in each direction.");
-    section.require("Direction");
-  }
-  else
-  {
-    refuse_table_entries(section);
     add_expressions(section, key, components, n_components, dimension, text);
     section.require(key);
   }
+  else
+  {
+    of_time = read_function(section, key, dimension, kind);
+    add_expressions(section, "Direction", components, n_components, Dimensions::none,
+                    "What the value over time is multiplied by in each direction.");
+    section.require("Direction");
+  }
+  const double ramp = read_ramp(section);
   std::vector<Waveform> waveforms;
   waveforms.reserve(n_components);
   for (const Expression &component : components)
   {
     waveforms.emplace_back(component);
-    waveforms.back().table = table;
+    waveforms.back().of_time = of_time;
+    waveforms.back().ramp = ramp;
   }
   return waveforms;
 }
 
 double Waveform::operator()(const double *point, const double time) const
 {
-  return table ? (*table)(time)*expression(point, time) : expression(point, time);
+  double value = expression(point, time);
+  if (of_time)
+    value *= (*of_time)(time);
+  if (ramp > 0. && time < ramp)
+  {
+    const double sine = time > 0. ? std::sin(0.5 * M_PI * time / ramp) : 0.;
+    value *= sine * sine;
+  }
+  return value;
 }
 
 bool Waveform::depends_on_time() const
 {
-  return table != nullptr || expression.depends_on_time();
+  return of_time != nullptr || expression.depends_on_time() || (ramp > 0. && !is_zero());
 }
 
 bool Waveform::depends_on_space() const

@@ -65,6 +65,12 @@ int main()
       "pressure with fixed tangential velocity",
       inlet("set Type = pressure\nset Pressure = 1\nset Tangential = fixed").tangential.kind ==
           Kind::velocity);
+  const BoundaryCondition flow = inlet("set Type = flow rate\nset Flow rate = 3 l/min", true);
+  check::is_true("flow rate", flow.normal.kind == Kind::velocity && !flow.normal.is_zero() &&
+                                  flow.tangential.kind == Kind::velocity &&
+                                  flow.tangential.is_zero() && flow.profile == "parabolic");
+  check::relative("flow rate: value", flow.normal.along_normal(place, 0.), 5e-5, 1e-12);
+  check::is_true("other types have no profile", fixed.profile.empty() && pressure.profile.empty());
   const BoundaryCondition roller = inlet("set Type = roller");
   check::is_true("roller", roller.normal.kind == Kind::velocity && roller.normal.is_zero() &&
                                roller.tangential.kind == Kind::traction);
@@ -95,6 +101,20 @@ int main()
                                                   two[2].region_ids == std::set<unsigned int>{1});
   check::is_true("all types", boundary_types().size() >= 8);
 
+  check::is_true("start: nothing", fixed.initial_jump(place).empty());
+  const BoundaryCondition moving = inlet("set Type = velocity\nset Velocity = 3, 4*cos(t)");
+  check::equal("start: velocity", moving.initial_jump(place),
+               "The boundary 'inlet' starts at t = 0 with a velocity of 5 m/s: a body at rest "
+               "meets it as a jump, which the scheme starts with; 'Ramp' makes a waveform rise "
+               "smoothly from zero");
+  check::is_true("start: pressure",
+                 pressure.initial_jump(place).find("a pressure of 3000 Pa:") != std::string::npos);
+  check::is_true("start: flow rate",
+                 flow.initial_jump(place).find("a flow rate of 5e-05 m^3/s") != std::string::npos);
+  check::is_true("start: ramp", inlet("set Type = pressure\nset Pressure = 3 kPa\nset Ramp = 1 ms")
+                                    .initial_jump(place)
+                                    .empty());
+
   const std::string end = child("end", "set Type = free");
   refused("missing", child("inlet", "set Type = free"),
           "the boundary 'end' has no condition in the region 'fluid'.*subsection end");
@@ -111,6 +131,13 @@ int main()
   refused("unknown type", child("inlet", "set Type = open") + end, ":2: 'inlet/Type'.*fixed");
   refused("axis without axisymmetry", child("inlet", "set Type = axis") + end,
           ":2: 'inlet/Type'.*roller");
+  refused("flow rate in a plane model",
+          child("inlet", "set Type = flow rate\nset Flow rate = 1") + end,
+          ":2: 'inlet/Type'.*plane.*axisymmetric");
+  check::throws<InputError>(
+      "flow rate that depends on place",
+      [] { inlet("set Type = flow rate\nset Flow rate = 1e-6*y", true); },
+      ":3: 'inlet/Flow rate'.*depends on x, y or z.*Profile");
   refused("velocity missing", child("inlet", "set Type = velocity") + end,
           "'inlet'.*'Velocity' is missing");
   refused("three components in 2-D",

@@ -29,5 +29,10 @@ int main()
       !jumps_within([](const double t)
                     { return t <= 0.05 ? 1e3 * std::pow(std::sin(M_PI * t / 0.05), 2) : 0.; },
                     0.05, 0.0502));
+  // Begins within the last part that is looked at; one interval later it is a million times larger.
+  check::is_true("the smooth begin of a pulse",
+                 !jumps_within([](const double t)
+                               { return t > 0.9999999 ? std::pow(t - 0.9999999, 2) : 0.; },
+                               0., 1.));
   check::is_true("a constant", !jumps_within([](double) { return 3.; }, 0., 1.));
 }

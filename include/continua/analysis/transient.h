@@ -29,6 +29,8 @@ private:
   unsigned int tenths_reported = 0;
 
   void start();
+  /// Which boundaries begin with a value that a body at rest meets as a jump.
+  void report_initial_jumps();
   void restart();
   void step();
   bool adaptation_is_due() const;

@@ -2,8 +2,10 @@
 #define continua_boundary_boundary_condition_h
 
 #include <continua/base/parameter_section.h>
+#include <continua/boundary/flow_profile.h>
 #include <continua/signal/waveform.h>
 
+#include <memory>
 #include <set>
 #include <string>
 #include <utility>
@@ -26,6 +28,9 @@ struct BoundaryPart
   std::vector<Waveform> vector; ///< Cartesian components; empty is zero
   Waveform along_normal; ///< normal part only; a pressure p stands here as -p with `negative`
   bool negative = false;
+  /// Of a flow rate, else null: `along_normal` is the flow rate into the body [m^3/s], and the
+  /// velocity along the normal is minus the profile's.
+  std::shared_ptr<const FlowProfile> flow;
 
   bool is_zero() const;
   bool depends_on_time() const;
@@ -40,6 +45,11 @@ struct BoundaryCondition
   std::set<unsigned int> region_ids; ///< regions whose faces it holds for
   BoundaryPart normal;
   BoundaryPart tangential;
+  std::string profile; ///< of a flow rate: flat, parabolic or womersley; else empty
+
+  /// A sentence for the log where the prescribed value at t = 0 is not zero at `point` (three
+  /// coordinates [m]), so that a body at rest meets a jump; else empty.
+  std::string initial_jump(const double *point) const;
 };
 
 /// The types that exist: name and a line of description, for the manual and `Type`.

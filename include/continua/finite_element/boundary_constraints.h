@@ -58,6 +58,7 @@ private:
     dealii::Tensor<1, dim> direction;
     dealii::Tensor<1, dim> normal;
     double point[3];
+    std::vector<double> flow_shapes; ///< of a flow rate, at this node
     double value(double time) const;
   };
   struct Master

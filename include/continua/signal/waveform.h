@@ -3,8 +3,8 @@
 
 #include <continua/base/parameter_section.h>
 #include <continua/signal/expression.h>
-#include <continua/signal/time_table.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,12 +12,19 @@
 namespace Continua
 {
 /**
- * A value over time and space: by formula, or from a table over time. In a section, the entry KEY
- * (expression) is used with `Waveform = formula` (default); `Waveform = table` takes `Table`,
- * `Column`, `Interpolation` (linear | cubic), `Offset` and `After the table` (hold | repeat |
- * zero), see TimeTable. KEY is not declared then, and giving it as well is an InputError, as are
- * the entries of the table with a formula. A section holds one waveform, since these entries do not
- * have KEY in their names. Copies share the table.
+ * A value over time and space. In a section, `Waveform` says where it comes from:
+ *
+ * formula (default): the entry KEY, an expression of x, y, z, t.
+ * table: `Table`, `Column`, `Interpolation` (linear | cubic), `Offset` and `After the table` (hold
+ * | repeat | zero), see TimeTable. sine squared pulse: `Amplitude` A, `Duration` T and `Start` t0
+ * give A sin^2(pi (t - t0)/T) from t0 to t0 + T and 0 before and after, a pulse with a continuous
+ * first derivative. gaussian pulse: `Amplitude` A, `Time of the peak` t0 and `Width` s give A
+ * exp(-((t - t0)/s)^2) for all times.
+ *
+ * With any of them `Ramp` T (default 0: none) multiplies the value by sin^2(pi t/(2 T)) until T, so
+ * that it starts from zero and without a kink. KEY is declared with a formula only; giving it
+ * otherwise, or an entry of another waveform, is an InputError. A section holds one waveform, since
+ * these entries do not have KEY in their names. Copies share what they have from a table or pulse.
  */
 class Waveform
 {
@@ -25,16 +32,16 @@ public:
   Waveform(double constant = 0.);
   explicit Waveform(const Expression &expression);
 
-  /// Declares and reads KEY or a table of it. `required`: leaving both out is an InputError; else
-  /// the default is 0.
+  /// Declares and reads KEY or what stands for it. `required`: leaving both out is an InputError;
+  /// else the default is 0.
   static Waveform read(ParameterSection &section,
                        const std::string &key,
                        const Dimension &dimension,
                        const std::string &text,
                        bool required);
 
-  /// A vector of `n_components`: KEY with one expression a component, or a table of its size over
-  /// time and `Direction`, the components' factors as functions of (x, y, z).
+  /// A vector of `n_components`: KEY with one expression a component, or a table or pulse of its
+  /// size over time and `Direction`, the components' factors as functions of (x, y, z).
   static std::vector<Waveform> read_vector(ParameterSection &section,
                                            const std::string &key,
                                            unsigned int n_components,
@@ -43,14 +50,25 @@ public:
 
   /// The value in SI at a point with three coordinates [m] and a time [s].
   double operator()(const double *point, double time) const;
-  /// A table depends on time, and counts as not zero, whatever its values are.
+  /// The value at t = 0: where it is not zero, a body at rest meets it as a jump.
+  double initial_value(const double *point) const { return (*this)(point, 0.); }
+  /// A table or pulse depends on time, and counts as not zero, whatever its values are.
   bool depends_on_time() const;
   bool depends_on_space() const;
   bool is_zero() const;
 
 private:
-  Expression expression; ///< the value, or what the table's value is multiplied by
-  std::shared_ptr<const TimeTable> table;
+  using TimeFunction = std::function<double(double)>;
+
+  /// The value, or what the function of time is multiplied by.
+  Expression expression;
+  std::shared_ptr<const TimeFunction> of_time; ///< a table or pulse, or null
+  double ramp = 0.;                            ///< [s]
+
+  static std::shared_ptr<const TimeFunction> read_function(ParameterSection &section,
+                                                           const std::string &key,
+                                                           const Dimension &dimension,
+                                                           const std::string &kind);
 };
 } // namespace Continua
 

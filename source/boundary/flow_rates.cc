@@ -1,0 +1,58 @@
+#include <continua/boundary/flow_rates.h>
+
+#include <continua/mesh/round_section.h>
+
+#include <stdexcept>
+
+namespace Continua
+{
+template <int dim>
+void set_flow_profiles(std::vector<BoundaryCondition> &conditions,
+                       ParameterSection boundaries,
+                       const dealii::Triangulation<dim> &coarse_mesh,
+                       const std::vector<Material> &materials,
+                       const FlowRateTimes &times)
+{
+  for (BoundaryCondition &condition : conditions)
+  {
+    if (condition.profile.empty())
+      continue;
+    const ParameterSection section = boundaries.subsection(condition.name);
+    RoundSection disc{};
+    try
+    {
+      disc = find_round_section(coarse_mesh, condition.boundary_id, condition.region_ids);
+    }
+    catch (const std::invalid_argument &error)
+    {
+      section.refuse("Type", error.what(),
+                     "Use 'velocity', or a geometry with a round section such as a tube");
+    }
+    FlowHistory history;
+    if (condition.profile == "womersley")
+    {
+      if (times.steady)
+        section.refuse("Profile", "a steady flow has no womersley profile",
+                       "Use 'parabolic', which is what that becomes");
+      const Material &liquid = materials[*condition.region_ids.begin()];
+      if (condition.region_ids.size() > 1 || liquid.is_solid() || liquid.viscosity <= 0.)
+        section.refuse("Profile", "a womersley profile is for one viscous liquid",
+                       "Use 'flat' or 'parabolic', or name the liquid's 'Region'");
+      history = {liquid.viscosity / liquid.density, times.end_time, times.time_step};
+    }
+    condition.normal.flow = std::make_shared<const FlowProfile>(
+        condition.profile, condition.normal.along_normal, disc.radius, disc.fraction, history);
+  }
+}
+
+template void set_flow_profiles(std::vector<BoundaryCondition> &,
+                                ParameterSection,
+                                const dealii::Triangulation<2> &,
+                                const std::vector<Material> &,
+                                const FlowRateTimes &);
+template void set_flow_profiles(std::vector<BoundaryCondition> &,
+                                ParameterSection,
+                                const dealii::Triangulation<3> &,
+                                const std::vector<Material> &,
+                                const FlowRateTimes &);
+} // namespace Continua

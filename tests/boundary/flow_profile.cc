@@ -1,0 +1,114 @@
+// Profiles of a flow rate: their means, and the womersley one against Womersley's solution and
+// against Szymanski's start of a constant flow.
+
+#include "../check.h"
+
+#include <continua/boundary/flow_profile.h>
+
+using namespace Continua;
+
+namespace
+{
+/// Velocity over Q0/(pi R^2) of a profile of a tube of radius 2.
+double relative_velocity(const FlowProfile &profile, const double radius, const double time)
+{
+  const std::vector<double> shapes = profile.shapes(radius);
+  const std::vector<double> &amplitudes = profile.amplitudes(time);
+  double velocity = 0.;
+  for (std::size_t m = 0; m < shapes.size(); ++m)
+    velocity += shapes[m] * amplitudes[m];
+  return velocity * 4. * M_PI;
+}
+
+/// Midpoint rule; the first shape has the mean 1 over the disc, the others 0.
+double largest_error_of_means(const FlowProfile &profile)
+{
+  constexpr unsigned int n = 4000;
+  std::vector<double> means(profile.shapes(0.).size(), 0.);
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    const double radius = (i + 0.5) / n;
+    const std::vector<double> shapes = profile.shapes(radius);
+    for (std::size_t m = 0; m < means.size(); ++m)
+      means[m] += 2. * radius * shapes[m] / n;
+  }
+  means[0] -= 1.;
+  double largest = 0.;
+  for (const double mean : means)
+    largest = std::max(largest, std::abs(mean));
+  return largest;
+}
+
+Waveform formula(const std::string &text)
+{
+  return Waveform(Expression(text, Dimensions::none));
+}
+} // namespace
+
+int main()
+{
+  const FlowProfile flat("flat", formula("3*t"), 2., 0.25);
+  check::relative("flat: inside", relative_velocity(flat, 0.99, 5.), 15., 1e-14);
+  check::absolute("flat: rim", relative_velocity(flat, 1., 5.), 0., 0.);
+  check::is_true("section", flat.radius() == 2. && flat.fraction() == 0.25);
+  check::is_true("flat: in time",
+                 flat.depends_on_time() && !FlowProfile("flat", 3., 1., 1.).depends_on_time());
+  const FlowProfile parabolic("parabolic", 3., 2., 1.);
+  check::relative("parabolic: axis", relative_velocity(parabolic, 0., 5.), 6., 1e-14);
+  check::relative("parabolic: half-way", relative_velocity(parabolic, 0.5, 5.), 4.5, 1e-14);
+  check::absolute("parabolic: mean", largest_error_of_means(parabolic), 0., 1e-6);
+
+  // Womersley numbers 2, 10 and 140 at r/R = 0, 0.5, 0.9, 0.99, once the start has died out: the
+  // parts in phase with the flow rate and a quarter of a period behind, mpmath of
+  // (J0(L) - J0(L r/R))/(J0(L) - 2 J1(L)/L), L = i^(3/2) alpha.
+  const double numbers[3] = {2., 10., 140.};
+  const double radii[4] = {0., 0.5, 0.9, 0.99};
+  const double references[3][4][2] = {{{1.97288582, 0.162369885},
+                                       {1.4974299, 0.0309808077},
+                                       {0.384801133, -0.0446302292},
+                                       {0.0403418337, -0.00636323363}},
+                                      {{1.1317762, 0.170127366},
+                                       {1.17905197, 0.199337344},
+                                       {0.747484731, -0.279960997},
+                                       {0.0864843778, -0.0639713077}},
+                                      {{1.01010055, 0.010255553},
+                                       {1.01010055, 0.010255553},
+                                       {1.01014784, 0.010280472},
+                                       {0.80629973, -0.307221239}}};
+  for (unsigned int a = 0; a < 3; ++a)
+  {
+    // Of kinematic viscosity 4 and radius 2 the viscous time R^2/nu is 1.
+    const double omega = numbers[a] * numbers[a], period = 2. * M_PI / omega;
+    const double start = std::ceil((numbers[a] > 100. ? 0.1 : 1.) / period) * period;
+    const FlowProfile profile("womersley",
+                              formula("cos(" + std::to_string(omega) + "*t)*(1-exp(-(40*t)^2))"),
+                              2., 1., {4., start + period, std::min(1e-3, period / 200.)});
+    double error = 0.;
+    for (unsigned int r = 0; r < 4; ++r)
+      for (const unsigned int quarter : {0, 1})
+        error = std::max(
+            error, std::abs(relative_velocity(profile, radii[r], start + 0.25 * quarter * period) -
+                            references[a][r][quarter]));
+    check::absolute("womersley: number " + std::to_string(static_cast<int>(numbers[a])), error, 0.,
+                    1e-4);
+    check::absolute("womersley: means", largest_error_of_means(profile), 0., 1e-5);
+    check::absolute("womersley: rim", relative_velocity(profile, 1., 0.3), 0., 0.);
+  }
+
+  // A flow rate that is constant from t = 0 on: flat at first, at last a parabola.
+  const FlowProfile started("womersley", 1., 2., 1., {4., 2., 1e-3});
+  check::relative("start: flat", relative_velocity(started, 0.5, 1e-5), 1., 0.02);
+  check::relative("start: parabola", relative_velocity(started, 0.5, 2.), 1.5, 1e-9);
+  check::relative("beyond the end", relative_velocity(started, 0.5, 2.5), 1.5, 1e-9);
+  check::is_true("start: in time", started.depends_on_time());
+  check::is_true("no flow",
+                 !FlowProfile("womersley", 0., 2., 1., {4., 2., 1e-3}).depends_on_time());
+  // The same at a time asked for again, and between the rows of its table.
+  const double between = relative_velocity(started, 0.3, 0.05035);
+  relative_velocity(started, 0.3, 1.7);
+  check::absolute("any order of times", relative_velocity(started, 0.3, 0.05035), between, 0.);
+  check::relative(
+      "between rows", between,
+      0.5 * (relative_velocity(started, 0.3, 0.0503) + relative_velocity(started, 0.3, 0.0504)),
+      1e-5);
+}
