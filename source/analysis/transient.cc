@@ -1,5 +1,7 @@
 #include <continua/analysis/transient.h>
 
+#include <continua/analysis/linear_wave_theory.h>
+#include <continua/analysis/preflight_report.h>
 #include <continua/base/input_error.h>
 
 #include <cmath>
@@ -39,6 +41,7 @@ void Transient<dim>::perform()
     restart();
   else
     start();
+  report_preflight();
   while (!time_control.at_end())
     step();
   run.log.end_progress();
@@ -46,6 +49,7 @@ void Transient<dim>::perform()
     write_checkpoint();
   power.finish(run.summary);
   fields.finish(run.summary);
+  LinearWaveTheory<dim>(run).compare();
   run.summary.add({"weak divergence at the end", run.solver->divergence(), "1/s", ""});
   if (run.input.time.scheme_type() == Scheme::crank_nicolson && run.input.time.smooth_start)
     run.citations.add("rannacher1984");
@@ -87,6 +91,23 @@ void Transient<dim>::report_initial_jumps()
     if (!text.empty())
       run.log.detail(text);
   }
+}
+
+template <int dim>
+void Transient<dim>::report_preflight()
+{
+  if (!has_fluid_and_solid(run.input))
+    return;
+  const PreflightReport report(preflight_input(run.input));
+  run.log.line(report.headline());
+  for (const std::string &line : preflight_text(report))
+    run.log.detail(line);
+  for (const std::string &warning : report.warnings())
+    run.log.warning(warning);
+  std::map<std::string, double> values;
+  for (const PreflightReport::Entry &entry : report.entries())
+    values[entry.name + " [" + entry.unit + "]"] = entry.value;
+  run.summary.set("pre-flight report", values);
 }
 
 template <int dim>

@@ -31,6 +31,8 @@ private:
   void start();
   /// Which boundaries begin with a value that a body at rest meets as a jump.
   void report_initial_jumps();
+  /// What linear theory says of a run with fluid and solid.
+  void report_preflight();
   void restart();
   void step();
   bool adaptation_is_due() const;
