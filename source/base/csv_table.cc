@@ -1,8 +1,10 @@
 #include <continua/base/csv_table.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <stdexcept>
 
 namespace Continua
@@ -115,7 +117,7 @@ std::vector<CsvTable::Column> CsvTable::parse_header(const std::string &line, co
     // Where blanks separate, the unit stands in a cell of its own.
     if (separator == ' ' && cell[0] == '[' && !columns.empty() && !columns.back().has_unit)
     {
-      cell = columns.back().name + cell;
+      cell.insert(0, columns.back().name);
       columns.pop_back();
     }
     Column column;
@@ -198,13 +200,16 @@ std::vector<double> CsvTable::increasing_values(const std::size_t column,
                                                 const std::string &time,
                                                 const std::string &later) const
 {
-  const std::vector<double> numbers = values(column, dimension);
-  for (std::size_t row = 1; row < numbers.size(); ++row)
-    if (numbers[row] <= numbers[row - 1])
-      refuse(row, column,
-             "the " + time + " " + rows[row].cells[column] + " is not " + later +
-                 " than that of the row before",
-             "Sort the rows by " + time + " and remove double ones");
+  std::vector<double> numbers = values(column, dimension);
+  const auto pair = std::adjacent_find(numbers.begin(), numbers.end(), std::greater_equal<>());
+  if (pair != numbers.end())
+  {
+    const std::size_t row = pair - numbers.begin() + 1;
+    refuse(row, column,
+           "the " + time + " " + rows[row].cells[column] + " is not " + later +
+               " than that of the row before",
+           "Sort the rows by " + time + " and remove double ones");
+  }
   return numbers;
 }
 
