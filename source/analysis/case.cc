@@ -101,7 +101,7 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator)
   check_case(*this, root);
   set_flow_profiles(problem.conditions, root.subsection("Boundaries"), *triangulation,
                     problem.materials, {!transient, time.end_time, time.time_step});
-  probes.check(*triangulation, FieldEvaluation<dim>::fields(), pairs);
+  probes.check(*triangulation, FieldEvaluation<dim>::fields(problem.model), pairs);
 }
 
 template struct Case<2>;

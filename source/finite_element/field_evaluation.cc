@@ -1,6 +1,7 @@
 #include <continua/finite_element/field_evaluation.h>
 
 #include <continua/mesh/cell_point.h>
+#include <continua/mesh/plane_section.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -9,34 +10,12 @@
 #include <deal.II/hp/fe_values.h>
 
 #include <algorithm>
-#include <map>
+#include <numeric>
 #include <stdexcept>
 
 namespace Continua
 {
 using namespace dealii;
-
-namespace
-{
-const char *const axes[3] = {"x", "y", "z"};
-
-/// The components of the stress as (i, j), in the order of stress().
-constexpr unsigned int stress_pairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
-
-template <int dim>
-constexpr unsigned int n_stresses()
-{
-  return dim == 2 ? 4 : 6;
-}
-
-/// The place of a field in the list of FieldEvaluation::fields().
-template <int dim>
-struct FieldPlaces
-{
-  static constexpr unsigned int velocity = 0, displacement = dim, pressure = 2 * dim,
-                                stress = 2 * dim + 1, strain = stress + (dim == 2 ? 4 : 6);
-};
-} // namespace
 
 template <int dim>
 std::array<double, 6>
@@ -155,43 +134,28 @@ private:
 
 template <int dim>
 FieldEvaluation<dim>::FieldEvaluation(const Space<dim> &space, const Problem &problem)
-    : space(space), problem(problem)
+    : space(space), problem(problem), definitions(field_list<dim>(problem.model))
 {
 }
 
 template <int dim>
-std::vector<FieldComponent> FieldEvaluation<dim>::fields()
+std::vector<FieldComponent> FieldEvaluation<dim>::fields(const Model model)
 {
   std::vector<FieldComponent> list;
-  for (unsigned int c = 0; c < dim; ++c)
-    list.push_back({std::string("velocity ") + axes[c], "m/s"});
-  for (unsigned int c = 0; c < dim; ++c)
-    list.push_back({std::string("displacement ") + axes[c], "m"});
-  list.push_back({"pressure", "Pa"});
-  for (unsigned int k = 0; k < n_stresses<dim>(); ++k)
-    list.push_back(
-        {std::string("stress ") + axes[stress_pairs[k][0]] + axes[stress_pairs[k][1]], "Pa"});
-  for (unsigned int k = 0; k < n_stresses<dim>(); ++k)
-    list.push_back(
-        {std::string("strain ") + axes[stress_pairs[k][0]] + axes[stress_pairs[k][1]], "1"});
+  for (const FieldDefinition<dim> &field : field_list<dim>(model))
+    list.push_back(field.name);
   return list;
-}
-
-template <int dim>
-unsigned int FieldEvaluation<dim>::field_index(const std::string &name)
-{
-  const auto list = fields();
-  for (unsigned int i = 0; i < list.size(); ++i)
-    if (list[i].name == name)
-      return i;
-  throw std::invalid_argument("there is no field '" + name + "'");
 }
 
 template <int dim>
 unsigned int FieldEvaluation<dim>::add(const ProbeRequest<dim> &request)
 {
-  field_index(request.field);
-  Probe probe{request, {}};
+  const auto field = std::find_if(definitions.begin(), definitions.end(),
+                                  [&](const FieldDefinition<dim> &candidate)
+                                  { return candidate.name.name == request.field; });
+  if (field == definitions.end())
+    throw std::invalid_argument("there is no field '" + request.field + "'");
+  Probe probe{request, *field, {}};
   build(probe);
   probes.push_back(probe);
   return probes.size() - 1;
@@ -207,149 +171,218 @@ void FieldEvaluation<dim>::rebuild()
 template <int dim>
 void FieldEvaluation<dim>::build(Probe &probe) const
 {
-  const ProbeRequest<dim> &request = probe.request;
-  const unsigned int field = field_index(request.field);
+  using Kind = typename ProbeRequest<dim>::Kind;
   Collector collector(space, problem.regions.size());
-  std::vector<types::global_dof_index> velocity_indices(space.velocity_element.n_dofs_per_cell()),
-      pressure_indices;
-  const bool is_strain = field >= FieldPlaces<dim>::strain;
-  const bool is_stress = field >= FieldPlaces<dim>::stress && !is_strain;
-  const bool has_gradient = is_stress || is_strain;
-
-  // Adds the field at a quadrature point, times a weight, to the collected sums.
-  const auto add_point = [&](const typename DoFHandler<dim>::active_cell_iterator &cell,
-                             const FEValuesBase<dim> &values,
-                             const FEValuesBase<dim> &pressure_values, const unsigned int q,
-                             const double weight)
+  double measure = 0.;
+  switch (probe.request.kind)
   {
-    const unsigned int region = cell->material_id();
-    const typename DoFHandler<dim>::active_cell_iterator pressure_cell(
-        &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs);
-    cell->get_dof_indices(velocity_indices);
-    if (field < FieldPlaces<dim>::pressure)
-    {
-      const bool is_velocity = field < FieldPlaces<dim>::displacement;
-      const unsigned int component = is_velocity ? field : field - FieldPlaces<dim>::displacement;
-      for (unsigned int i = 0; i < velocity_indices.size(); ++i)
-        if (space.velocity_element.system_to_component_index(i).first == component)
-          collector.add_velocity(is_velocity ? Source::velocity : Source::displacement, region,
-                                 velocity_indices[i], weight * values.shape_value(i, q));
-      return;
-    }
-    double pressure_weight = problem.materials[region].pressure_factor;
-    if (has_gradient)
-    {
-      const unsigned int k =
-          field - (is_strain ? FieldPlaces<dim>::strain : FieldPlaces<dim>::stress);
-      // The stress is linear in the mixture and the pressure, the strain in the displacement, so
-      // the weights are the stresses or strains of unit entries.
-      const double r = space.is_axisymmetric() ? values.quadrature_point(q)[1] : 1.;
-      for (unsigned int i = 0; i < velocity_indices.size(); ++i)
-      {
-        const unsigned int c = space.velocity_element.system_to_component_index(i).first;
-        Tensor<2, dim> gradient;
-        gradient[c] = values.shape_grad(i, q);
-        double hoop = 0.;
-        if (space.is_axisymmetric() && c == 1)
-          hoop = r > 0. ? values.shape_value(i, q) / r : gradient[1][1];
-        const double unit =
-            is_strain ? strain<dim>(gradient, hoop, problem.model, problem.materials[region])[k]
-                      : stress<dim>(gradient, hoop, 0., problem.model)[k];
-        if (unit != 0.)
-          collector.add_velocity(is_strain ? Source::displacement : Source::mixture, region,
-                                 velocity_indices[i], weight * unit);
-      }
-      if (is_strain)
-        return;
-      pressure_weight = stress<dim>(Tensor<2, dim>(), 0., 1., problem.model)[k];
-    }
-    pressure_indices.resize(pressure_cell->get_fe().n_dofs_per_cell());
-    pressure_cell->get_dof_indices(pressure_indices);
-    for (unsigned int i = 0; i < pressure_indices.size(); ++i)
-      collector.add_pressure(pressure_indices[i],
-                             weight * pressure_weight * pressure_values.shape_value(i, q));
-  };
-  const auto counts = [&](const unsigned int region)
-  { return request.region_id < 0 || region == static_cast<unsigned int>(request.region_id); };
-  const UpdateFlags flags = update_values | update_gradients | update_quadrature_points;
-  double factor = 1.;
-
-  if (request.kind == ProbeRequest<dim>::Kind::point)
-  {
-    // Of all cells that hold the point, on whatever rank, the first by its identity: stress and
-    // pressure do not depend on the partition.
-    typename DoFHandler<dim>::active_cell_iterator chosen;
-    Point<dim> unit_point;
-    CellId chosen_id;
-    bool found = false;
-    for (const auto &cell : space.velocity_dofs.active_cell_iterators())
-      if (cell->is_locally_owned() && counts(cell->material_id()))
-      {
-        Point<dim> candidate;
-        if (cell_holds_point<dim>(space.mapping, cell, request.point, candidate) &&
-            (!found || cell->id() < chosen_id))
-        {
-          found = true;
-          chosen = cell;
-          chosen_id = cell->id();
-          unit_point = candidate;
-        }
-      }
-    const auto all = Utilities::MPI::all_gather(
-        space.communicator, std::make_pair(found, found ? chosen_id.to_string() : std::string()));
-    bool anywhere = false, mine = found;
-    for (const auto &other : all)
-    {
-      anywhere = anywhere || other.first;
-      if (mine && other.first && CellId(other.second) < chosen_id)
-        mine = false;
-    }
-    if (!anywhere)
+  case Kind::point:
+    measure = add_point(probe, collector);
+    if (measure == 0.)
       throw std::invalid_argument("the point is not inside the mesh");
-    if (mine)
-    {
-      const Quadrature<dim> quadrature(std::vector<Point<dim>>{unit_point});
-      FEValues<dim> values(space.mapping, space.velocity_element, quadrature, flags);
-      values.reinit(chosen);
-      hp::FEValues<dim> pressure_values(space.mappings, space.pressure_elements,
-                                        hp::QCollection<dim>(quadrature), update_values);
-      pressure_values.reinit(typename DoFHandler<dim>::active_cell_iterator(
-          &space.triangulation, chosen->level(), chosen->index(), &space.pressure_dofs));
-      add_point(chosen, values, pressure_values.get_present_fe_values(), 0, 1.);
-    }
-  }
-  else
-  {
-    const QGauss<dim - 1> quadrature(space.n_quadrature_points());
-    FEFaceValues<dim> values(space.mapping, space.velocity_element, quadrature,
-                             flags | update_JxW_values);
-    hp::FEFaceValues<dim> pressure_values(space.mappings, space.pressure_elements,
-                                          hp::QCollection<dim - 1>(quadrature), update_values);
-    double area = 0.;
-    for (const auto &cell : space.velocity_dofs.active_cell_iterators())
-      if (cell->is_locally_owned() && counts(cell->material_id()))
-        for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == request.boundary_id)
-          {
-            values.reinit(cell, f);
-            pressure_values.reinit(
-                typename DoFHandler<dim>::active_cell_iterator(&space.triangulation, cell->level(),
-                                                               cell->index(), &space.pressure_dofs),
-                f);
-            for (const unsigned int q : values.quadrature_point_indices())
-            {
-              const double weight = values.JxW(q) * space.measure(values.quadrature_point(q));
-              area += weight;
-              add_point(cell, values, pressure_values.get_present_fe_values(), q, weight);
-            }
-          }
-    area = Utilities::MPI::sum(area, space.communicator);
-    if (area == 0.)
+    break;
+  case Kind::boundary_mean:
+  case Kind::boundary_integral:
+    measure = add_boundary(probe, collector);
+    if (measure == 0.)
       throw std::invalid_argument("the boundary has no faces there");
-    if (request.kind == ProbeRequest<dim>::Kind::boundary_mean)
-      factor = 1. / area;
+    break;
+  case Kind::section_mean:
+  case Kind::section_integral:
+  case Kind::rim_mean:
+    measure = add_section(probe, collector);
+    if (measure == 0.)
+      throw std::invalid_argument("a section without area");
+    break;
   }
-  probe.weights = collector.finish(factor);
+  const bool integral =
+      probe.request.kind == Kind::boundary_integral || probe.request.kind == Kind::section_integral;
+  probe.weights = collector.finish(integral ? 1. : 1. / measure);
+}
+
+template <int dim>
+bool FieldEvaluation<dim>::counts(const ProbeRequest<dim> &request, const CellIterator &cell) const
+{
+  return request.region_ids.empty() || request.region_ids.count(cell->material_id()) > 0;
+}
+
+template <int dim>
+double FieldEvaluation<dim>::add_point(const Probe &probe, Collector &collector) const
+{
+  // Of all cells that hold the point, on whatever rank, the first by its identity: stress and
+  // pressure do not depend on the partition.
+  CellIterator chosen;
+  Point<dim> unit_point;
+  CellId chosen_id;
+  bool found = false;
+  for (const auto &cell : space.triangulation.active_cell_iterators())
+    if (cell->is_locally_owned() && counts(probe.request, cell))
+    {
+      Point<dim> candidate;
+      if (cell_holds_point<dim>(space.mapping, cell, probe.request.point, candidate) &&
+          (!found || cell->id() < chosen_id))
+      {
+        found = true;
+        chosen = cell;
+        chosen_id = cell->id();
+        unit_point = candidate;
+      }
+    }
+  const auto all = Utilities::MPI::all_gather(
+      space.communicator, std::make_pair(found, found ? chosen_id.to_string() : std::string()));
+  bool anywhere = false, mine = found;
+  for (const auto &other : all)
+  {
+    anywhere = anywhere || other.first;
+    if (mine && other.first && CellId(other.second) < chosen_id)
+      mine = false;
+  }
+  if (mine)
+    add_values(probe.field, chosen, Quadrature<dim>(unit_point), {1.}, collector);
+  return anywhere ? 1. : 0.;
+}
+
+template <int dim>
+double FieldEvaluation<dim>::add_boundary(const Probe &probe, Collector &collector) const
+{
+  const QGauss<dim - 1> quadrature(space.n_quadrature_points());
+  FEFaceValues<dim> values(space.mapping, space.velocity_element, quadrature,
+                           update_values | update_gradients | update_quadrature_points |
+                               update_JxW_values);
+  hp::FEFaceValues<dim> pressure_values(space.mappings, space.pressure_elements,
+                                        hp::QCollection<dim - 1>(quadrature), update_values);
+  double area = 0.;
+  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+    if (cell->is_locally_owned() && counts(probe.request, cell))
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary() &&
+            cell->face(f)->boundary_id() == probe.request.boundary_id)
+        {
+          values.reinit(cell, f);
+          pressure_values.reinit(
+              typename DoFHandler<dim>::active_cell_iterator(&space.triangulation, cell->level(),
+                                                             cell->index(), &space.pressure_dofs),
+              f);
+          for (const unsigned int q : values.quadrature_point_indices())
+          {
+            const double weight = values.JxW(q) * space.measure(values.quadrature_point(q));
+            area += weight;
+            add_value(probe.field, cell, values, pressure_values.get_present_fe_values(), q, weight,
+                      collector);
+          }
+        }
+  return Utilities::MPI::sum(area, space.communicator);
+}
+
+template <int dim>
+double FieldEvaluation<dim>::add_section(const Probe &probe, Collector &collector) const
+{
+  const ProbeRequest<dim> &request = probe.request;
+  // One more Gauss point than on cells, since the integrand is not a polynomial in the plane.
+  const PlaneSection<dim> section(space.mapping, space.triangulation,
+                                  PlaneSection<dim>::Cells::active, request.region_ids,
+                                  request.point, request.normal, space.n_quadrature_points() + 1);
+  const auto parts =
+      request.kind == ProbeRequest<dim>::Kind::rim_mean ? section.outer_rim() : section.parts();
+  double area = 0.;
+  for (const auto &part : parts)
+  {
+    std::vector<double> weights = part.quadrature.get_weights();
+    for (unsigned int q = 0; q < weights.size(); ++q)
+    {
+      weights[q] *= space.measure(part.points[q]);
+      area += weights[q];
+    }
+    add_values(probe.field, part.cell, part.quadrature, weights, collector);
+  }
+  return Utilities::MPI::sum(area, space.communicator);
+}
+
+template <int dim>
+void FieldEvaluation<dim>::add_values(const FieldDefinition<dim> &field,
+                                      const CellIterator &cell,
+                                      const Quadrature<dim> &points,
+                                      const std::vector<double> &weights,
+                                      Collector &collector) const
+{
+  FEValues<dim> values(space.mapping, space.velocity_element, points,
+                       update_values | update_gradients | update_quadrature_points);
+  values.reinit(typename DoFHandler<dim>::active_cell_iterator(
+      &space.triangulation, cell->level(), cell->index(), &space.velocity_dofs));
+  hp::FEValues<dim> pressure_values(space.mappings, space.pressure_elements,
+                                    hp::QCollection<dim>(points), update_values);
+  pressure_values.reinit(typename DoFHandler<dim>::active_cell_iterator(
+      &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs));
+  for (unsigned int q = 0; q < weights.size(); ++q)
+    add_value(field, cell, values, pressure_values.get_present_fe_values(), q, weights[q],
+              collector);
+}
+
+template <int dim>
+void FieldEvaluation<dim>::add_value(const FieldDefinition<dim> &field,
+                                     const CellIterator &cell,
+                                     const FEValuesBase<dim> &values,
+                                     const FEValuesBase<dim> &pressure_values,
+                                     const unsigned int q,
+                                     const double weight,
+                                     Collector &collector) const
+{
+  using Quantity = typename FieldDefinition<dim>::Quantity;
+  const unsigned int region = cell->material_id();
+  const std::array<double, 6> factors = field.factors(values.quadrature_point(q));
+  const auto combine = [&factors](const std::array<double, 6> &components)
+  { return std::inner_product(factors.begin(), factors.end(), components.begin(), 0.); };
+
+  std::vector<types::global_dof_index> indices(space.velocity_element.n_dofs_per_cell());
+  typename DoFHandler<dim>::active_cell_iterator(&space.triangulation, cell->level(), cell->index(),
+                                                 &space.velocity_dofs)
+      ->get_dof_indices(indices);
+  if (field.quantity == Quantity::velocity || field.quantity == Quantity::displacement)
+  {
+    const Source source =
+        field.quantity == Quantity::velocity ? Source::velocity : Source::displacement;
+    for (unsigned int i = 0; i < indices.size(); ++i)
+    {
+      const double factor = factors[space.velocity_element.system_to_component_index(i).first];
+      if (factor != 0.)
+        collector.add_velocity(source, region, indices[i],
+                               weight * factor * values.shape_value(i, q));
+    }
+    return;
+  }
+  double pressure_weight = problem.materials[region].pressure_factor;
+  if (field.quantity != Quantity::pressure)
+  {
+    // The stress is linear in the mixture and the pressure, the strain in the displacement, so
+    // the weights are the stresses or strains of unit entries.
+    const bool is_strain = field.quantity == Quantity::strain;
+    const double r = space.is_axisymmetric() ? values.quadrature_point(q)[1] : 1.;
+    for (unsigned int i = 0; i < indices.size(); ++i)
+    {
+      const unsigned int c = space.velocity_element.system_to_component_index(i).first;
+      Tensor<2, dim> gradient;
+      gradient[c] = values.shape_grad(i, q);
+      double hoop = 0.;
+      if (space.is_axisymmetric() && c == 1)
+        hoop = r > 0. ? values.shape_value(i, q) / r : gradient[1][1];
+      const double unit =
+          combine(is_strain ? strain<dim>(gradient, hoop, problem.model, problem.materials[region])
+                            : stress<dim>(gradient, hoop, 0., problem.model));
+      if (unit != 0.)
+        collector.add_velocity(is_strain ? Source::displacement : Source::mixture, region,
+                               indices[i], weight * unit);
+    }
+    if (is_strain)
+      return;
+    pressure_weight = combine(stress<dim>(Tensor<2, dim>(), 0., 1., problem.model));
+  }
+  const typename DoFHandler<dim>::active_cell_iterator pressure_cell(
+      &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs);
+  indices.resize(pressure_cell->get_fe().n_dofs_per_cell());
+  pressure_cell->get_dof_indices(indices);
+  for (unsigned int i = 0; i < indices.size(); ++i)
+    collector.add_pressure(indices[i],
+                           weight * pressure_weight * pressure_values.shape_value(i, q));
 }
 
 template <int dim>

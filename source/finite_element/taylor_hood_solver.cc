@@ -324,7 +324,7 @@ State<dim> TaylorHoodSolver<dim>::state() const
 template <int dim>
 std::vector<FieldComponent> TaylorHoodSolver<dim>::fields() const
 {
-  return FieldEvaluation<dim>::fields();
+  return FieldEvaluation<dim>::fields(problem.model);
 }
 
 template <int dim>

@@ -1,7 +1,8 @@
 #include <continua/base/input_error.h>
-#include <continua/base/nearest_name.h>
 #include <continua/base/parameter_text.h>
 #include <continua/mesh/cell_point.h>
+#include <continua/mesh/plane_section.h>
+#include <continua/postprocess/name_choice.h>
 #include <continua/postprocess/probes.h>
 
 #include <continua/postprocess/writing_rank.h>
@@ -14,6 +15,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <stdexcept>
 
 namespace Continua
@@ -26,33 +28,6 @@ std::vector<std::string> header(const std::vector<std::string> &column_names)
   std::vector<std::string> names = {"time [s]"};
   names.insert(names.end(), column_names.begin(), column_names.end());
   return names;
-}
-
-std::string joined(const std::vector<std::string> &names)
-{
-  std::string text;
-  for (const std::string &name : names)
-    text += (text.empty() ? "" : ", ") + name;
-  return text.empty() ? "none" : text;
-}
-
-/// "Did you mean 'tip'? There are: tip, root".
-std::string choices(const std::string &name, const std::vector<std::string> &candidates)
-{
-  const std::string near = nearest_name(name, candidates);
-  return (near.empty() ? "" : "Did you mean '" + near + "'? ") + "There are: " + joined(candidates);
-}
-
-/// The number of a published name; refuses one that does not exist.
-unsigned int find_name(const ParameterSection &section,
-                       const std::string &key,
-                       const std::string &name,
-                       const std::vector<std::string> &names)
-{
-  const auto place = std::find(names.begin(), names.end(), name);
-  if (place == names.end())
-    section.refuse(key, "the mesh has no '" + name + "'", choices(name, names));
-  return static_cast<unsigned int>(place - names.begin());
 }
 
 /// The field of that name, or all components of the vector or tensor of that name.
@@ -78,7 +53,7 @@ std::vector<FieldComponent> expand(const ParameterSection &section,
   return components;
 }
 
-/// The unit of a field integrated over a boundary.
+/// The unit of a field integrated over a boundary or section.
 std::string unit_of_integral(const std::string &unit, const Model model)
 {
   Dimension dimension;
@@ -104,8 +79,14 @@ void Probes<dim>::read_entries(Probe &probe) const
   section.add("Point", probe.point, Dimensions::length,
               "Coordinates of the point in the undeformed body [m]");
   section.add("Boundary", probe.boundary, "Instead of a point: name of a boundary");
+  section.add(
+      "Section", probe.position, Dimensions::length,
+      "Instead of a point: the plane x = Section through the undeformed body, or its Region "
+      "[m]");
+  probe.stations.add_entries(section);
   section.add_choice("Value", probe.value, {"mean", "integral"},
-                     "What to record of the fields on the boundary");
+                     "What to record of the fields on the boundary or section, of which the "
+                     "integral is over the part that is modelled");
   section.add("Region", probe.region,
               "Whose side counts where a field jumps between regions; empty: any");
   section.add("Signal analysis", probe.signal_analysis,
@@ -117,6 +98,45 @@ void Probes<dim>::read_entries(Probe &probe) const
 }
 
 template <int dim>
+void Probes<dim>::check_entries(Probe &probe) const
+{
+  const ParameterSection &section = probe.section;
+  if (probe.fields.empty())
+    section.refuse("Fields", "the probe has no field", "Write for example 'set Fields = velocity'");
+  std::vector<std::string> places;
+  if (!probe.point.empty())
+    places.push_back("Point");
+  if (!probe.boundary.empty())
+    places.push_back("Boundary");
+  if (!std::isnan(probe.position))
+    places.push_back("Section");
+  if (probe.stations.given())
+    places.push_back("Stations");
+  if (places.size() != 1)
+    section.refuse(places.empty() ? "" : places.back(),
+                   places.empty() ? "the probe has no place" : "the probe has more than one place",
+                   "Give either Point or Boundary or Section or Stations");
+  probe.place = places.front();
+  if (probe.place == "Point" && probe.point.size() != dim)
+    section.refuse("Point", "the point has " + std::to_string(probe.point.size()) + " coordinates",
+                   "Give " + std::to_string(dim) + " of them, separated by commas");
+  if ((probe.place == "Point" || probe.place == "Stations") && section.given("Value"))
+    section.refuse("Value",
+                   probe.place == "Point" ? "a point has neither a mean nor an integral"
+                                          : "what is recorded at stations is said by the fields",
+                   "Leave the entry out, or give Boundary or Section instead of " + probe.place);
+  if (probe.place == "Stations" && section.given("Region"))
+    section.refuse("Region", "the region of stations is the fluid", "Set Fluid instead");
+  if (probe.place != "Stations")
+    for (const char *key : {"Fluid", "Pair distance"})
+      if (section.given(key))
+        section.refuse(key, "the entry belongs to Stations", "Leave it out");
+  if (!probe.signal_analysis && !probe.modes.empty())
+    section.refuse("Modes", "frequencies are fitted only in the signal analysis",
+                   "Leave the entry out, or set Signal analysis = true");
+}
+
+template <int dim>
 void Probes<dim>::read(ParameterSection section,
                        const std::vector<std::string> &boundaries,
                        const std::vector<std::string> &regions)
@@ -124,37 +144,35 @@ void Probes<dim>::read(ParameterSection section,
   for (const std::string &name : section.subsections())
   {
     const ParameterSection child = section.subsection(name);
-    Probe probe{child, {}, {}, "", "mean", "", true, {}, {}, 0};
+    Probe probe(child);
     read_entries(probe);
-
-    if (probe.fields.empty())
-      child.refuse("Fields", "the probe has no field", "Write for example 'set Fields = velocity'");
-    if (probe.point.empty() == probe.boundary.empty())
-      child.refuse(probe.point.empty() ? "" : "Boundary",
-                   probe.point.empty() ? "the probe has no place"
-                                       : "the probe has a point and a boundary",
-                   "Give either Point or Boundary");
-    if (!probe.point.empty() && probe.point.size() != dim)
-      child.refuse("Point", "the point has " + std::to_string(probe.point.size()) + " coordinates",
-                   "Give " + std::to_string(dim) + " of them, separated by commas");
-    if (probe.boundary.empty() && child.given("Value"))
-      child.refuse("Value", "a point has neither a mean nor an integral",
-                   "Leave the entry out, or give Boundary instead of Point");
-    if (!probe.signal_analysis && !probe.modes.empty())
-      child.refuse("Modes", "frequencies are fitted only in the signal analysis",
-                   "Leave the entry out, or set Signal analysis = true");
+    check_entries(probe);
 
     using Kind = typename ProbeRequest<dim>::Kind;
-    if (probe.boundary.empty())
+    const bool mean = probe.value == "mean";
+    if (probe.place == "Point")
       for (unsigned int d = 0; d < dim; ++d)
         probe.request.point[d] = probe.point[d];
-    else
+    else if (probe.place == "Boundary")
     {
-      probe.request.kind = probe.value == "mean" ? Kind::boundary_mean : Kind::boundary_integral;
+      probe.request.kind = mean ? Kind::boundary_mean : Kind::boundary_integral;
       probe.request.boundary_id = find_name(child, "Boundary", probe.boundary, boundaries);
     }
+    else if (probe.place == "Section")
+    {
+      probe.request.kind = mean ? Kind::section_mean : Kind::section_integral;
+      probe.request.point[0] = probe.position;
+    }
+    else
+    {
+      const Stations<dim> &stations = probe.stations;
+      probe.stations.set(child, probe.fields, regions);
+      stations_probes.push_back(
+          {child, name, stations.positions(), stations.fields(), stations.pair_distance(),
+           std::vector<std::vector<unsigned int>>(stations.positions().size())});
+    }
     if (!probe.region.empty())
-      probe.request.region_id = static_cast<int>(find_name(child, "Region", probe.region, regions));
+      probe.request.region_ids = {find_name(child, "Region", probe.region, regions)};
     probes.push_back(probe);
   }
 }
@@ -163,74 +181,140 @@ template <int dim>
 void Probes<dim>::attach(ContinuumSolver<dim> &continuum_solver, const Model model)
 {
   solver = &continuum_solver;
-  const std::vector<FieldComponent> fields = solver->fields();
   for (unsigned int p = 0; p < probes.size(); ++p)
+    if (probes[p].stations.given())
+      attach_stations(p);
+    else
+      attach_fields(p, model);
+}
+
+template <int dim>
+unsigned int Probes<dim>::add_to_solver(const Probe &probe, const ProbeRequest<dim> &request)
+{
+  try
   {
-    Probe &probe = probes[p];
-    std::vector<std::string> names;
-    for (const std::string &word : probe.fields)
-      for (FieldComponent field : expand(probe.section, collapse_blanks(word), fields))
-      {
-        if (std::find(names.begin(), names.end(), field.name) != names.end())
-          probe.section.refuse("Fields", "'" + field.name + "' is recorded twice",
-                               "Name every field once");
-        names.push_back(field.name);
-        probe.request.field = field.name;
-        if (probe.request.kind == ProbeRequest<dim>::Kind::boundary_integral)
-          field.unit = unit_of_integral(field.unit, model);
-        try
-        {
-          columns.push_back({p, field, solver->add_probe(probe.request), {}});
-        }
-        catch (const std::invalid_argument &error)
-        {
-          probe.section.refuse(
-              probe.boundary.empty() ? "Point" : "Boundary", error.what(),
-              probe.boundary.empty()
-                  ? "Give a point of the undeformed body, in the Region if there is one"
-                  : "Give a boundary on which the field exists, next to the Region if there is "
-                    "one");
-        }
-      }
-    probe.n_columns = static_cast<unsigned int>(names.size());
+    return solver->add_probe(request);
+  }
+  catch (const std::invalid_argument &error)
+  {
+    const std::map<std::string, std::string> remedies = {
+        {"Point", "Give a point of the undeformed body, in the Region if there is one"},
+        {"Boundary",
+         "Give a boundary on which the field exists, next to the Region if there is one"},
+        {"Section", "Give a position at which the plane cuts the body, or the Region"},
+        {"Stations", "Give positions inside the tube"}};
+    probe.section.refuse(probe.place, error.what(), remedies.at(probe.place));
   }
 }
 
 template <int dim>
-void Probes<dim>::check(
-    const dealii::Triangulation<dim> &coarse_mesh,
-    const std::vector<FieldComponent> &fields,
-    const std::set<std::pair<unsigned int, unsigned int>> &boundary_regions) const
+void Probes<dim>::attach_fields(const unsigned int p, const Model model)
+{
+  Probe &probe = probes[p];
+  using Kind = typename ProbeRequest<dim>::Kind;
+  const bool integral =
+      probe.request.kind == Kind::boundary_integral || probe.request.kind == Kind::section_integral;
+  std::vector<FieldComponent> components;
+  for (const std::string &word : probe.fields)
+    for (const FieldComponent &field :
+         expand(probe.section, collapse_blanks(word), solver->fields()))
+    {
+      if (std::any_of(components.begin(), components.end(),
+                      [&field](const FieldComponent &other) { return other.name == field.name; }))
+        probe.section.refuse("Fields", "'" + field.name + "' is recorded twice",
+                             "Name every field once");
+      components.push_back(field);
+    }
+  for (FieldComponent &field : components)
+  {
+    probe.request.field = field.name;
+    if (integral)
+      field.unit = unit_of_integral(field.unit, model);
+    columns.push_back({p,
+                       probe.section.name(),
+                       field,
+                       components.size() == 1,
+                       {{add_to_solver(probe, probe.request), 1.}},
+                       {}});
+  }
+}
+
+template <int dim>
+void Probes<dim>::attach_stations(const unsigned int p)
+{
+  const Probe &probe = probes[p];
+  const Stations<dim> &stations = probe.stations;
+  StationsProbe &entry = *std::find_if(stations_probes.begin(), stations_probes.end(),
+                                       [&probe](const StationsProbe &other)
+                                       { return other.name == probe.section.name(); });
+  for (const typename Stations<dim>::Column &column : stations.columns())
+  {
+    std::vector<std::pair<unsigned int, double>> terms;
+    for (const auto &[request, factor] : column.terms)
+      terms.emplace_back(add_to_solver(probe, request), factor);
+    entry.columns[column.station].push_back(n_columns());
+    columns.push_back({p,
+                       entry.name + " " + stations.label(column.station),
+                       column.field,
+                       entry.fields.size() == 1,
+                       terms,
+                       {}});
+  }
+}
+
+template <int dim>
+void Probes<dim>::check(const dealii::Triangulation<dim> &coarse_mesh,
+                        const std::vector<FieldComponent> &fields,
+                        const std::set<std::pair<unsigned int, unsigned int>> &boundary_regions)
 {
   // Of a high degree, since a coarse cell may stand for a large part of a circle.
   const dealii::MappingQ<dim> mapping(6);
-  for (const Probe &probe : probes)
+  for (Probe &probe : probes)
   {
+    if (probe.place == "Stations")
+    {
+      if (std::none_of(fields.begin(), fields.end(),
+                       [](const FieldComponent &field)
+                       { return field.name == "radial displacement"; }))
+        probe.section.refuse("Stations", "a plane model has no tube",
+                             "Use Model = axisymmetric or three-dimensional, or a Section");
+      probe.stations.check(probe.section, coarse_mesh);
+      continue;
+    }
     for (const std::string &word : probe.fields)
       expand(probe.section, collapse_blanks(word), fields);
-    if (!probe.boundary.empty())
+    const std::set<unsigned int> &region_ids = probe.request.region_ids;
+    if (probe.place == "Boundary")
     {
-      bool exists = false;
-      for (const auto &pair : boundary_regions)
-        exists = exists || (pair.first == probe.request.boundary_id &&
-                            (probe.request.region_id < 0 ||
-                             pair.second == static_cast<unsigned int>(probe.request.region_id)));
-      if (!exists)
+      if (std::none_of(boundary_regions.begin(), boundary_regions.end(),
+                       [&](const auto &pair)
+                       {
+                         return pair.first == probe.request.boundary_id &&
+                                (region_ids.empty() || region_ids.count(pair.second) > 0);
+                       }))
         probe.section.refuse("Region",
                              "the boundary '" + probe.boundary + "' has no face in this region",
                              "Name a region that touches the boundary, or none");
-      continue;
     }
-    bool inside = false;
-    dealii::Point<dim> unit_point;
-    for (const auto &cell : coarse_mesh.cell_iterators_on_level(0))
-      inside =
-          inside || ((probe.request.region_id < 0 ||
-                      cell->material_id() == static_cast<unsigned int>(probe.request.region_id)) &&
-                     cell_holds_point<dim>(mapping, cell, probe.request.point, unit_point));
-    if (!inside)
-      probe.section.refuse("Point", "the point is not inside the mesh",
-                           "Give a point of the undeformed body, in the Region if there is one");
+    else if (probe.place == "Section")
+    {
+      if (PlaneSection<dim>(mapping, coarse_mesh, PlaneSection<dim>::Cells::coarse, region_ids,
+                            probe.request.point, probe.request.normal, 2)
+              .area() == 0.)
+        probe.section.refuse("Section", "a section without area: the plane does not cut the body",
+                             "Give a position at which it does, in the Region if there is one");
+    }
+    else
+    {
+      bool inside = false;
+      dealii::Point<dim> unit_point;
+      for (const auto &cell : coarse_mesh.cell_iterators_on_level(0))
+        inside = inside || ((region_ids.empty() || region_ids.count(cell->material_id()) > 0) &&
+                            cell_holds_point<dim>(mapping, cell, probe.request.point, unit_point));
+      if (!inside)
+        probe.section.refuse("Point", "the point is not inside the mesh",
+                             "Give a point of the undeformed body, in the Region if there is one");
+    }
   }
 }
 
@@ -239,8 +323,7 @@ std::vector<std::string> Probes<dim>::column_names() const
 {
   std::vector<std::string> names;
   for (const Column &column : columns)
-    names.push_back(probes[column.probe].section.name() + ": " + column.field.name + " [" +
-                    column.field.unit + "]");
+    names.push_back(column.name + ": " + column.field.name + " [" + column.field.unit + "]");
   return names;
 }
 
@@ -304,7 +387,10 @@ void Probes<dim>::record(const double time)
   row.assign(1, time);
   for (Column &column : columns)
   {
-    column.values.push_back(solver_values[column.solver_probe]);
+    double value = 0.;
+    for (const auto &[number, factor] : column.terms)
+      value += factor * solver_values[number];
+    column.values.push_back(value);
     row.push_back(column.values.back());
   }
   if (table)
@@ -319,8 +405,7 @@ void Probes<dim>::add_quantities(const Column &column,
   const Probe &probe = probes[column.probe];
   const std::string &field = column.field.name;
   const std::string &unit = column.field.unit;
-  const std::string label =
-      probe.section.name() + (probe.n_columns > 1 ? ": " + field : std::string());
+  const std::string label = column.name + (column.alone ? std::string() : ": " + field);
   const auto add = [&](const std::string &name, const double value, const std::string &unit_of_it)
   {
     if (!std::isnan(value))
@@ -353,7 +438,7 @@ void Probes<dim>::add_quantities(const Column &column,
   if (!enough || !fit.converged)
   {
     warnings.push_back("the modes could not be fitted to " + field + " of the probe '" +
-                       probe.section.name() +
+                       column.name +
                        "': " + (enough ? "the fit did not converge" : "it has too few rows"));
     return;
   }

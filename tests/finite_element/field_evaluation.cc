@@ -66,7 +66,8 @@ struct Body
     ProbeRequest<2> request;
     request.field = field;
     request.point = point;
-    request.region_id = region;
+    if (region >= 0)
+      request.region_ids = {static_cast<unsigned int>(region)};
     return value(request);
   }
   double on_boundary(const std::string &field, const unsigned int boundary, const bool mean)
@@ -76,6 +77,18 @@ struct Body
     request.kind =
         mean ? ProbeRequest<2>::Kind::boundary_mean : ProbeRequest<2>::Kind::boundary_integral;
     request.boundary_id = boundary;
+    return value(request);
+  }
+  double on_section(const ProbeRequest<2>::Kind kind,
+                    const std::string &field,
+                    const double x,
+                    const std::set<unsigned int> &regions = {})
+  {
+    ProbeRequest<2> request;
+    request.kind = kind;
+    request.field = field;
+    request.point[0] = x;
+    request.region_ids = regions;
     return value(request);
   }
   double value(const ProbeRequest<2> &request)
@@ -93,12 +106,69 @@ struct Body
   FieldEvaluation<2> evaluation;
   DistributedVector velocity, pressure;
 };
+
+/// About the x axis in three dimensions: a box with the corner (0, 1, 1), v = (y, y, z), so that
+/// the radial velocity is r; fluid with eta = 2.
+void test_three_dimensions()
+{
+  small_problem::Mesh<3> mesh(MPI_COMM_WORLD);
+  small_problem::make_box<3>(mesh, {2, 1, 1}, Point<3>(0., 1., 1.));
+  small_problem::refine<3>(mesh, [](const Point<3> &x) { return x[0] > 1.; });
+  Problem problem = make_problem(Model::three_dimensional);
+  problem.regions = {"two"};
+  problem.materials = {problem.materials[1]};
+  Space<3> space(mesh, SpaceParameters(), Model::three_dimensional, 1);
+  space.distribute();
+  BranchHistory history(problem.materials);
+  history.reinit(space);
+  FieldEvaluation<3> evaluation(space, problem);
+  const DistributedVector velocity =
+      small_problem::interpolated<3>(space,
+                                     [](const Point<3> &x) {
+                                       return Tensor<1, 3>({x[1], x[1], x[2]});
+                                     });
+  const DistributedVector pressure = small_problem::interpolated_pressure<3>(
+      space, [](const Point<3> &x, unsigned int) { return x[1]; });
+  const auto value = [&](const ProbeRequest<3>::Kind kind, const std::string &field,
+                         const Point<3> &point, const Tensor<1, 3> &normal)
+  {
+    ProbeRequest<3> request;
+    request.kind = kind;
+    request.field = field;
+    request.point = point;
+    request.normal = normal;
+    const unsigned int number = evaluation.add(request);
+    std::vector<double> values;
+    evaluation.evaluate(State<3>{velocity, pressure, history}, values);
+    return values.at(number);
+  };
+  using Kind = ProbeRequest<3>::Kind;
+  const Point<3> point(0.4, 1.5, 2.);
+  const Tensor<1, 3> axial({1., 0., 0.});
+  check::relative("radial velocity", value(Kind::point, "radial velocity", point, axial), 2.5,
+                  1e-13);
+  // e_r = (0, 0.6, 0.8), and s_xy = eta = 2.
+  check::relative("wall shear stress", value(Kind::point, "wall shear stress", point, axial), -1.2,
+                  1e-12);
+  // e_theta.e.e_theta = 1, a third of the trace is 2/3.
+  check::relative("hoop stress in three dimensions",
+                  value(Kind::point, "hoop stress", point, axial), 4. / 3. - 1.5, 1e-12);
+  check::relative("integral over a plane",
+                  value(Kind::section_integral, "velocity z", point, axial), 1.5, 1e-8);
+  check::relative("through faces with hanging nodes",
+                  value(Kind::section_mean, "pressure", Point<3>(1., 0., 0.), axial), 1.5, 1e-8);
+  check::relative(
+      "over an oblique plane",
+      value(Kind::section_integral, "pressure", Point<3>(1., 1.5, 1.5), Tensor<1, 3>({1., 1., 0.})),
+      1.5 * std::sqrt(2.), 1e-8);
+}
 } // namespace
 
 int main(int argc, char **argv)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   small_problem::quiet_other_ranks();
+  test_three_dimensions();
   {
     Body body(Model::plane_strain);
     check::relative("velocity x", body.probe("velocity x", {1.3, 0.7}), 5.7, 1e-13);
@@ -127,6 +197,36 @@ int main(int argc, char **argv)
     check::relative("integral on the right", body.on_boundary("velocity x", 1, false), 24., 1e-13);
     check::relative("mean pressure on the right", body.on_boundary("pressure", 1, true), 104.,
                     1e-13);
+    // The plane is moved by 1e-9 of the body's extent. At x = 3 there are hanging nodes.
+    using Kind = ProbeRequest<2>::Kind;
+    check::relative("integral over a section",
+                    body.on_section(Kind::section_integral, "velocity x", 2.5), 2. * 9., 1e-8);
+    check::relative("mean over a section", body.on_section(Kind::section_mean, "velocity y", 2.7),
+                    5., 1e-8);
+    check::relative("through faces of cells",
+                    body.on_section(Kind::section_integral, "velocity x", 3.), 2. * 10., 1e-8);
+    check::relative("at the end", body.on_section(Kind::section_mean, "velocity x", 4.), 12., 1e-8);
+    check::relative("at the beginning", body.on_section(Kind::section_mean, "velocity x", 0.), 4.,
+                    1e-8);
+    check::relative("through the interface, region one",
+                    body.on_section(Kind::section_mean, "pressure", 2., {0}), 2., 1e-8);
+    check::relative("through the interface, region two",
+                    body.on_section(Kind::section_mean, "pressure", 2., {1}), 102., 1e-8);
+    check::relative("stress over a section", body.on_section(Kind::section_mean, "stress xy", 3.5),
+                    6., 1e-8);
+    check::throws<std::invalid_argument>(
+        "a section outside", [&] { body.on_section(Kind::section_mean, "pressure", 4.1); },
+        "a section without area");
+    check::throws<std::invalid_argument>(
+        "a section beside the region",
+        [&] { body.on_section(Kind::section_mean, "pressure", 3., {0}); },
+        "a section without area");
+    check::throws<std::invalid_argument>(
+        "no radial field in a plane",
+        [&] {
+          body.probe("radial velocity", {1., 1.});
+        },
+        "radial velocity");
     check::throws<std::invalid_argument>(
         "outside",
         [&] {
@@ -163,6 +263,20 @@ int main(int argc, char **argv)
     check::relative("flow through the right end", tube.on_boundary("velocity x", 1, false),
                     // int (9 + 3 r) 2 pi r dr over r < 2
                     2. * numbers::PI * (18. + 8.), 1e-13);
+    using Kind = ProbeRequest<2>::Kind;
+    check::relative("flow through a section",
+                    tube.on_section(Kind::section_integral, "velocity x", 2.5),
+                    // int (6 + 3 r) 2 pi r dr
+                    2. * numbers::PI * (12. + 8.), 1e-8);
+    check::relative("mean over a round section",
+                    tube.on_section(Kind::section_mean, "velocity x", 2.5), 10., 1e-8);
+    check::relative("mean round the rim",
+                    tube.on_section(Kind::rim_mean, "radial displacement", 2.5), 8., 1e-8);
+    check::relative("hoop stress by its name", tube.probe("hoop stress", {1., 0.5}),
+                    tube.probe("stress zz", {1., 0.5}), 1e-14);
+    // eta dU_x/dr = 6 drags what is outside against the flow.
+    check::relative("shear stress at the rim",
+                    tube.on_section(Kind::rim_mean, "wall shear stress", 2.5), -6., 1e-8);
   }
   {
     // A pressure of 2 in region one and 5 in region two, at rest: the traction jumps by 3 at x = 2.

@@ -7,6 +7,7 @@
 #include <continua/postprocess/probes.h>
 
 #include <deal.II/base/numbers.h>
+#include <deal.II/grid/grid_generator.h>
 
 #include <filesystem>
 
@@ -71,11 +72,20 @@ void test_requests()
   solver.add_probe({});
   Probes<2> probes = make(two_probes, solver, Model::plane_strain);
   check::absolute("columns", probes.n_columns(), 4., 0.);
+  FakeSolver<2> section_solver;
+  make("subsection cut\nset Fields = velocity x\nset Section = 50 cm\nset Value = integral\n"
+       "set Region = fluid\nend\n",
+       section_solver, Model::axisymmetric);
+  const ProbeRequest<2> &cut = section_solver.requests.at(0);
+  check::is_true("section", cut.kind == Kind::section_integral && cut.point[0] == 0.5 &&
+                                cut.normal == dealii::Point<2>(1., 0.) &&
+                                cut.region_ids == std::set<unsigned int>{0});
   check::equal("expanded", solver.requests[1].field + ", " + solver.requests[2].field,
                "displacement x, displacement y");
   check::is_true("point", solver.requests[3].kind == Kind::point &&
                               solver.requests[3].point == dealii::Point<2>(0.5, 0.25));
-  check::is_true("region", solver.requests[1].region_id == 1 && solver.requests[4].region_id == -1);
+  check::is_true("region", solver.requests[1].region_ids == std::set<unsigned int>{1} &&
+                               solver.requests[4].region_ids.empty());
   check::is_true("boundary", solver.requests[4].kind == Kind::boundary_integral &&
                                  solver.requests[4].boundary_id == 1);
 
@@ -180,6 +190,92 @@ void test_oscillation()
                  std::isnan(quantity(summary, "final pressure", "silent")));
 }
 
+/// A quarter of a tube of radius 1 along x from 0 to 2, its wall from 0.5 on.
+void test_stations()
+{
+  dealii::Triangulation<3> mesh;
+  dealii::GridGenerator::subdivided_hyper_rectangle(mesh, {2, 2, 2}, dealii::Point<3>(),
+                                                    dealii::Point<3>(2., 1., 1.));
+  for (const auto &cell : mesh.active_cell_iterators())
+    cell->set_material_id(cell->center()[1] < 0.5 && cell->center()[2] < 0.5 ? 0 : 1);
+  const std::vector<FieldComponent> fields = {{"pressure", "Pa"}, {"radial displacement", "m"}};
+
+  const auto read = [](const std::string &entries)
+  {
+    write_text("probes.prm", "subsection Probes\n subsection tube\n" + entries + "end\nend\n");
+    return std::make_unique<ParameterFile>("probes.prm");
+  };
+  const auto file = read("set Stations = 100 mm, 0.9 m\n"
+                         "set Pair distance = 500 mm\n"
+                         "set Fields = pressure, axis pressure, flow rate, wall distension, "
+                         "pressure gradient, wall shear stress, hoop stress\n");
+  Probes<3> probes(MPI_COMM_WORLD);
+  probes.read(file->root().subsection("Probes"), {"inlet"}, {"fluid", "wall"});
+  file->refuse_unknown();
+  probes.check(mesh, fields, {});
+  FakeSolver<3> solver;
+  solver.value = [](const ProbeRequest<3> &request)
+  {
+    if (request.field == "pressure")
+      return 3. * request.point[0] + (request.kind == ProbeRequest<3>::Kind::point ? 7. : 0.);
+    return 5. + 10. * request.region_ids.count(1);
+  };
+  probes.attach(solver, Model::three_dimensional);
+  check::equal("column of a station", probes.column_names()[0], "tube 0.1 m: pressure [Pa]");
+  check::equal("column of the last field", probes.column_names()[13],
+               "tube 0.9 m: hoop stress [Pa]");
+  probes.record(0.);
+  const StationsProbe &tube = probes.stations().at(0);
+  check::equal("name", tube.name, "tube");
+  check::absolute("columns of the second station", tube.columns.at(1).at(2), 9., 0.);
+  const auto at = [&](const unsigned int field)
+  { return probes.values(tube.columns.at(1).at(field)).back(); };
+  check::relative("section mean", at(0), 2.7, 1e-12);
+  check::relative("on the axis", at(1), 9.7, 1e-12);
+  check::relative("flow rate of the whole tube", at(2), 20., 1e-12);
+  check::relative("distension is twice the displacement", at(3), 10., 1e-12);
+  check::relative("pressure gradient", at(4), 3., 1e-12);
+  check::relative("shear stress on the fluid's side", at(5), 5., 1e-12);
+  check::relative("hoop stress of the wall", at(6), 15., 1e-12);
+  Summary summary;
+  probes.finish(summary);
+  check::relative("quantity of a station",
+                  quantity(summary, "final flow rate", "tube 0.9 m: flow rate"), 20., 1e-12);
+
+  const auto refused =
+      [&](const std::string &name, const std::string &entries, const std::string &pattern)
+  {
+    check::throws<InputError>(
+        name,
+        [&]()
+        {
+          const auto bad = read(entries);
+          Probes<3> family(MPI_COMM_WORLD);
+          family.read(bad->root().subsection("Probes"), {"inlet"}, {"fluid", "wall"});
+          family.check(mesh, fields, {});
+        },
+        pattern);
+  };
+  refused("station outside", "set Stations = 10 cm, 2.1 m\nset Fields = pressure\n",
+          "probes.prm:3: 'Probes/tube/Stations': the station 2.1 m .*between 0 m and 2 m");
+  refused("pair sticks out", "set Stations = 1.99 m\nset Fields = pressure gradient\n",
+          "probes.prm:3: .*2.007 m.*between 0 m and 1.983 m");
+  refused("station twice", "set Stations = 10 cm, 0.1 m\nset Fields = pressure\n", "given twice");
+  refused("no such field at stations", "set Stations = 1\nset Fields = velocity\n",
+          "probes.prm:4: .*'velocity'.*There are: pressure, axis pressure");
+  refused("no such fluid", "set Stations = 1\nset Fields = pressure\nset Fluid = blood\n",
+          "probes.prm:5: 'Probes/tube/Fluid'");
+  refused("pair without stations",
+          "set Section = 1\nset Fields = pressure\nset Pair distance = 1\n",
+          "probes.prm:5: .*belongs to Stations");
+  refused("value of stations", "set Stations = 1\nset Fields = pressure\nset Value = mean\n",
+          "probes.prm:5: 'Probes/tube/Value'");
+  refused("section outside", "set Section = 3\nset Fields = pressure\n",
+          "probes.prm:3: 'Probes/tube/Section': a section without area");
+  refused("section and stations", "set Section = 1\nset Stations = 1\nset Fields = pressure\n",
+          "more than one place");
+}
+
 void test_short_histories()
 {
   FakeSolver<3> solver;
@@ -218,6 +314,7 @@ int main(int argc, char **argv)
 
   test_requests();
   test_oscillation();
+  test_stations();
   test_short_histories();
 
   const std::string point = "set Point = 0, 0\n";

@@ -11,6 +11,7 @@
 #include <deal.II/numerics/data_out.h>
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,9 @@ struct FieldComponent
 };
 
 /// A number that is a linear function of the state: a field's value at a point, or its mean or
-/// integral over a boundary.
+/// integral over a boundary or over the section of the undeformed body by a plane. Of a body that
+/// is modelled in part (a quarter of a tube) integrals are over that part; in axisymmetry they are
+/// over the whole circumference.
 template <int dim>
 struct ProbeRequest
 {
@@ -32,13 +35,19 @@ struct ProbeRequest
   {
     point,
     boundary_mean,
-    boundary_integral
+    boundary_integral,
+    section_mean,
+    section_integral,
+    rim_mean ///< over the rim of a section that faces away from the x axis: a tube's inner wall
   };
   Kind kind = Kind::point;
-  std::string field;            ///< one of the solver's fields()
-  dealii::Point<dim> point;     ///< [m]; for points
+  std::string field;        ///< one of the solver's fields()
+  dealii::Point<dim> point; ///< [m]; for points, and one of the plane for sections
+  /// Of the plane, for sections; of any length.
+  dealii::Tensor<1, dim> normal = dealii::Point<dim>::unit_vector(0);
   unsigned int boundary_id = 0; ///< for boundaries
-  int region_id = -1; ///< the region whose side counts (a field may jump); -1: any that is there
+  /// The regions whose side counts (a field may jump); empty: any that is there.
+  std::set<unsigned int> region_ids;
 };
 
 /// The power of one material, or of the whole, at the level at which the scheme balances it [W].
@@ -115,7 +124,8 @@ public:
   /// What can be probed.
   virtual std::vector<FieldComponent> fields() const = 0;
   /// Adds a probe and returns its number; throws std::invalid_argument (on all ranks) if the point
-  /// is outside the mesh or the field unknown. Probes stay when the mesh changes.
+  /// is outside the mesh, the section has no area or the field is unknown. Probes stay when the
+  /// mesh changes.
   virtual unsigned int add_probe(const ProbeRequest<dim> &request) = 0;
   /// The values of all probes, in SI, on every rank.
   virtual void evaluate_probes(std::vector<double> &values) = 0;

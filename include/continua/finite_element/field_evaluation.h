@@ -4,9 +4,11 @@
 #include <continua/continuum/continuum_solver.h>
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/branch_history.h>
+#include <continua/finite_element/field_list.h>
 #include <continua/finite_element/space.h>
 
 #include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/fe/fe_values.h>
 
 #include <array>
 #include <memory>
@@ -62,7 +64,8 @@ public:
   FieldEvaluation(const Space<dim> &space, const Problem &problem);
 
   /// What there is to probe, with units.
-  static std::vector<FieldComponent> fields();
+  static std::vector<FieldComponent> fields(Model model);
+  /// See ContinuumSolver::add_probe.
   unsigned int add(const ProbeRequest<dim> &request);
   /// Sets the probes up again on a new mesh.
   void rebuild();
@@ -95,16 +98,38 @@ private:
   struct Probe
   {
     ProbeRequest<dim> request;
+    FieldDefinition<dim> field;
     std::vector<Weights> weights;
   };
+  class Collector;
+  using CellIterator = typename dealii::Triangulation<dim>::cell_iterator;
+
+  void build(Probe &probe) const;
+  bool counts(const ProbeRequest<dim> &request, const CellIterator &cell) const;
+  /// Each adds the values of the field at points times their weights to the sums; returns what the
+  /// weights add up to over all ranks, 0 if there is no point.
+  double add_point(const Probe &probe, Collector &collector) const;
+  double add_boundary(const Probe &probe, Collector &collector) const;
+  double add_section(const Probe &probe, Collector &collector) const;
+  /// Adds the field at points of the unit cell, and at a quadrature point, times weights.
+  void add_values(const FieldDefinition<dim> &field,
+                  const CellIterator &cell,
+                  const dealii::Quadrature<dim> &points,
+                  const std::vector<double> &weights,
+                  Collector &collector) const;
+  void add_value(const FieldDefinition<dim> &field,
+                 const CellIterator &cell,
+                 const dealii::FEValuesBase<dim> &values,
+                 const dealii::FEValuesBase<dim> &pressure_values,
+                 unsigned int q,
+                 double weight,
+                 Collector &collector) const;
+
   const Space<dim> &space;
   const Problem &problem;
+  const std::vector<FieldDefinition<dim>> definitions;
   std::vector<Probe> probes;
   mutable std::vector<double> sums; ///< work space
-
-  class Collector;
-  void build(Probe &probe) const;
-  static unsigned int field_index(const std::string &name);
 };
 } // namespace Continua
 

@@ -6,11 +6,13 @@
 #include <continua/base/table_writer.h>
 #include <continua/continuum/continuum_solver.h>
 #include <continua/materials/model.h>
+#include <continua/postprocess/stations.h>
 
 #include <deal.II/grid/tria.h>
 
 #include <mpi.h>
 
+#include <limits>
 #include <memory>
 #include <set>
 #include <string>
@@ -19,12 +21,25 @@
 
 namespace Continua
 {
+/// A probe with stations, for what looks at waves along a tube.
+struct StationsProbe
+{
+  ParameterSection section; ///< of the parameter file, for messages about it
+  std::string name;
+  std::vector<double> positions;   ///< [m]
+  std::vector<std::string> fields; ///< see Stations
+  double pair_distance;            ///< [m], of the pressure gradients
+  /// The column in Probes of a station and a field.
+  std::vector<std::vector<unsigned int>> columns;
+};
+
 /**
- * The section Probes: a named family, each child a point of the undeformed body or a boundary at
- * which fields are recorded over time in probes.csv (columns "NAME: FIELD [UNIT]"), and what these
- * histories say of an oscillation. The order of calls: read() before there is a solver, attach()
- * when it is initialised, open(), record() as often as wanted, finish(). All are collective; the
- * histories are kept on every rank, the file is written by rank 0.
+ * The section Probes: a named family, each child a point of the undeformed body, a boundary, a
+ * plane section or the stations of a tube, where fields are recorded over time in probes.csv
+ * (columns "NAME: FIELD [UNIT]", of stations "NAME 0.1 m: FIELD [UNIT]"), and what these histories
+ * say of an oscillation. The order of calls: read() before there is a solver, attach() when it is
+ * initialised, open(), record() as often as wanted, finish(). All are collective; the histories are
+ * kept on every rank, the file is written by rank 0.
  */
 template <int dim>
 class Probes
@@ -38,11 +53,13 @@ public:
             const std::vector<std::string> &boundaries,
             const std::vector<std::string> &regions);
   /// Refuses, before there is a solver, a field that is not among `fields`, a point that no cell
-  /// of the coarse mesh holds (in the region, if one is named), and a boundary that the region does
-  /// not touch; `boundary_regions` are the (boundary, region) pairs that exist. Throws InputError.
+  /// of the coarse mesh holds (in the region, if one is named), a boundary that the region does not
+  /// touch, a section without area and stations outside the tube; `boundary_regions` are the
+  /// (boundary, region) pairs that exist. Finds what part of a tube's circumference is modelled.
+  /// Throws InputError.
   void check(const dealii::Triangulation<dim> &coarse_mesh,
              const std::vector<FieldComponent> &fields,
-             const std::set<std::pair<unsigned int, unsigned int>> &boundary_regions) const;
+             const std::set<std::pair<unsigned int, unsigned int>> &boundary_regions);
   /// Asks the solver, which must live as long as this, for the values. Throws InputError for a
   /// field that it has not and a point outside the mesh. `model` gives integrals their unit: over
   /// a line (per metre of depth) or an area.
@@ -65,7 +82,8 @@ public:
    * residual` (relative), for each start value in Modes `mode N frequency`, `mode N decay per
    * oscillation`, `mode N amplitude` (at t = 0) and with them `modes residual`, and `final FIELD`;
    * after a single record, `final FIELD` only. Their probe is NAME, or "NAME: FIELD" if it has
-   * several fields. Returns what the user should be warned of. Throws RunError on all ranks.
+   * several fields, and of stations "NAME 0.1 m" in place of NAME. Returns what the user should be
+   * warned of. Throws RunError on all ranks.
    */
   std::vector<std::string> finish(Summary &summary);
 
@@ -75,32 +93,47 @@ public:
   /// The history: times [s], and the values of a column [SI].
   const std::vector<double> &times() const { return record_times; }
   const std::vector<double> &values(unsigned int column) const { return columns[column].values; }
+  /// The probes with stations; read() knows them, attach() their columns.
+  const std::vector<StationsProbe> &stations() const { return stations_probes; }
 
 private:
   /// One child of the section.
   struct Probe
   {
+    explicit Probe(const ParameterSection &section) : section(section) {}
+
     ParameterSection section;
     std::vector<std::string> fields; ///< as written
     std::vector<double> point;
     std::string boundary;
+    double position = std::numeric_limits<double>::quiet_NaN(); ///< of a section [m]
+    Stations<dim> stations;
     std::string value = "mean";
     std::string region;
     bool signal_analysis = true;
     std::vector<double> modes; ///< start values [Hz]
     ProbeRequest<dim> request; ///< all but the field
-    unsigned int n_columns = 0;
+    std::string place;         ///< the entry that says where
   };
   struct Column
   {
-    unsigned int probe;        ///< its place in `probes`
-    FieldComponent field;      ///< with the unit of the column
-    unsigned int solver_probe; ///< the solver's number
+    unsigned int probe;   ///< its place in `probes`
+    std::string name;     ///< of the probe, with the station
+    FieldComponent field; ///< with the unit of the column
+    bool alone;           ///< the only one of that name
+    /// The solver's numbers and their factors.
+    std::vector<std::pair<unsigned int, double>> terms;
     std::vector<double> values;
   };
 
   /// Declares and reads the entries of one child.
   void read_entries(Probe &probe) const;
+  /// Refuses entries that do not go together.
+  void check_entries(Probe &probe) const;
+  void attach_fields(unsigned int probe, Model model);
+  void attach_stations(unsigned int probe);
+  /// Asks the solver; what it cannot tell is refused as the probe's place.
+  unsigned int add_to_solver(const Probe &probe, const ProbeRequest<dim> &request);
   /// Fills the histories from a file.
   void read_history(const std::string &file);
   void
@@ -110,6 +143,7 @@ private:
   ContinuumSolver<dim> *solver = nullptr;
   std::vector<Probe> probes;
   std::vector<Column> columns;
+  std::vector<StationsProbe> stations_probes;
   std::vector<double> record_times;
   std::unique_ptr<TableWriter> table; ///< on the rank that writes
   std::vector<double> solver_values;

@@ -1,0 +1,81 @@
+#ifndef continua_postprocess_stations_h
+#define continua_postprocess_stations_h
+
+#include <continua/base/parameter_section.h>
+#include <continua/continuum/continuum_solver.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * What a user of a tube measures at stations along its axis, the x axis: the entries `Stations`,
+ * `Fluid` and `Pair distance` of a probe, and the fields that it then may have. Each is a sum of
+ * numbers that the solver can tell:
+ *
+ * - `pressure`: mean over the fluid's section [Pa];
+ * - `axis pressure`: on the x axis [Pa];
+ * - `flow rate`: of the whole tube, also where a part of its circumference is modelled [m^3/s];
+ * - `wall distension`: change of the inner diameter, twice the mean radial displacement of the
+ *   inner wall round the rim of the fluid's section [m];
+ * - `pressure gradient`: difference between the section means at the station and one pair distance
+ *   downstream, over that distance [Pa/m];
+ * - `wall shear stress`: mean round the rim, on the fluid's side, positive when the fluid drags the
+ *   wall downstream [Pa];
+ * - `hoop stress`: mean over the section of the wall, which is every region but the fluid [Pa].
+ */
+template <int dim>
+class Stations
+{
+public:
+  /// A number as a sum of what the solver tells.
+  struct Column
+  {
+    unsigned int station; ///< its place in positions()
+    FieldComponent field;
+    std::vector<std::pair<ProbeRequest<dim>, double>> terms; ///< with their factors
+  };
+
+  /// Declares the entries and reads them.
+  void add_entries(ParameterSection section);
+  bool given() const { return !station_positions.empty(); }
+  /// The probe's `Fields`, and the regions' names by material id. Throws InputError.
+  void set(const ParameterSection &section,
+           const std::vector<std::string> &fields,
+           const std::vector<std::string> &regions);
+  /// Refuses what the body does not have: a station, or the other one of a pair, outside the
+  /// fluid; hoop stress where there is no wall; the axis pressure beside the axis. Finds what part
+  /// of the circumference is modelled. Throws InputError.
+  void check(const ParameterSection &section, const dealii::Triangulation<dim> &coarse_mesh);
+
+  const std::vector<double> &positions() const { return station_positions; } ///< [m]
+  const std::vector<std::string> &fields() const { return field_names; }
+  double pair_distance() const { return distance; } ///< [m]
+  /// All columns, by station and field. Integrals are of the part of the circumference that check()
+  /// found; of the whole before.
+  std::vector<Column> columns() const;
+  /// "0.1 m".
+  std::string label(unsigned int station) const;
+
+private:
+  std::vector<double> station_positions;
+  std::vector<std::string> field_names;
+  std::string fluid = "fluid";
+  double distance = 17e-3;
+  std::set<unsigned int> fluid_ids, wall_ids;
+  double n_copies = 1.; ///< of the modelled part in the whole circumference
+
+  bool has(const std::string &field) const;
+  ProbeRequest<dim> request(typename ProbeRequest<dim>::Kind kind,
+                            const std::string &field,
+                            const std::set<unsigned int> &region_ids,
+                            double position) const;
+};
+} // namespace Continua
+
+#endif

@@ -1,0 +1,29 @@
+#include <continua/postprocess/name_choice.h>
+
+#include <continua/base/nearest_name.h>
+
+#include <algorithm>
+
+namespace Continua
+{
+std::string choices(const std::string &name, const std::vector<std::string> &candidates)
+{
+  std::string list;
+  for (const std::string &candidate : candidates)
+    list += (list.empty() ? "" : ", ") + candidate;
+  const std::string near = nearest_name(name, candidates);
+  return (near.empty() ? "" : "Did you mean '" + near + "'? ") +
+         "There are: " + (list.empty() ? "none" : list);
+}
+
+unsigned int find_name(const ParameterSection &section,
+                       const std::string &key,
+                       const std::string &name,
+                       const std::vector<std::string> &names)
+{
+  const auto place = std::find(names.begin(), names.end(), name);
+  if (place == names.end())
+    section.refuse(key, "the mesh has no '" + name + "'", choices(name, names));
+  return static_cast<unsigned int>(place - names.begin());
+}
+} // namespace Continua

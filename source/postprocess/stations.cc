@@ -1,0 +1,224 @@
+#include <continua/postprocess/stations.h>
+
+#include <continua/base/parameter_text.h>
+#include <continua/mesh/cell_point.h>
+#include <continua/mesh/plane_section.h>
+#include <continua/postprocess/name_choice.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/fe/mapping_q.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+
+namespace Continua
+{
+namespace
+{
+const std::vector<FieldComponent> station_fields = {
+    {"pressure", "Pa"},       {"axis pressure", "Pa"},       {"flow rate", "m^3/s"},
+    {"wall distension", "m"}, {"pressure gradient", "Pa/m"}, {"wall shear stress", "Pa"},
+    {"hoop stress", "Pa"}};
+
+/// "0.1 m", without the round-off of a unit's conversion.
+std::string metres(const double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.12g", value);
+  return shortest_number(std::strtod(text, nullptr)) + " m";
+}
+} // namespace
+
+template <int dim>
+void Stations<dim>::add_entries(ParameterSection section)
+{
+  section.add("Stations", station_positions, Dimensions::length,
+              "Instead of a point: positions along the axis of a tube, the x axis, of the "
+              "undeformed body [m]; the Fields are then among pressure (mean over the section), "
+              "axis pressure, flow rate, wall distension (change of the inner diameter), pressure "
+              "gradient, wall shear stress, hoop stress (mean over the wall)");
+  section.add("Fluid", fluid, "With Stations: the region of the fluid; all others are the wall");
+  section.add("Pair distance", distance, Dimensions::length,
+              "With Stations: from a station to the second section of its pressure gradient, "
+              "downstream [m]",
+              Range::positive());
+}
+
+template <int dim>
+bool Stations<dim>::has(const std::string &field) const
+{
+  return std::find(field_names.begin(), field_names.end(), field) != field_names.end();
+}
+
+template <int dim>
+void Stations<dim>::set(const ParameterSection &section,
+                        const std::vector<std::string> &fields,
+                        const std::vector<std::string> &regions)
+{
+  std::vector<std::string> known;
+  for (const FieldComponent &field : station_fields)
+    known.push_back(field.name);
+  for (const std::string &word : fields)
+  {
+    const std::string field = collapse_blanks(word);
+    if (std::find(known.begin(), known.end(), field) == known.end())
+      section.refuse("Fields", "there is no field '" + field + "' at stations",
+                     choices(field, known));
+    if (has(field))
+      section.refuse("Fields", "'" + field + "' is recorded twice", "Name every field once");
+    field_names.push_back(field);
+  }
+  std::set<std::string> labels;
+  for (unsigned int s = 0; s < station_positions.size(); ++s)
+    if (!labels.insert(label(s)).second)
+      section.refuse("Stations", "the station " + label(s) + " is given twice",
+                     "Name every station once");
+  const unsigned int fluid_id = find_name(section, "Fluid", fluid, regions);
+  for (unsigned int region = 0; region < regions.size(); ++region)
+    (region == fluid_id ? fluid_ids : wall_ids).insert(region);
+  if (has("hoop stress") && wall_ids.empty())
+    section.refuse("Fields", "there is no wall whose hoop stress could be recorded",
+                   "Leave 'hoop stress' out");
+}
+
+template <int dim>
+void Stations<dim>::check(const ParameterSection &section,
+                          const dealii::Triangulation<dim> &coarse_mesh)
+{
+  double begin = std::numeric_limits<double>::max(), end = -begin;
+  for (const auto &cell : coarse_mesh.cell_iterators_on_level(0))
+    if (fluid_ids.count(cell->material_id()) > 0)
+      for (const unsigned int v : cell->vertex_indices())
+      {
+        begin = std::min(begin, cell->vertex(v)[0]);
+        end = std::max(end, cell->vertex(v)[0]);
+      }
+  const double round_off = 1e-9 * (end - begin);
+  const std::string range = "between " + metres(begin) + " and ";
+  for (unsigned int s = 0; s < station_positions.size(); ++s)
+  {
+    const double position = station_positions[s];
+    if (position < begin - round_off || position > end + round_off)
+      section.refuse("Stations", "the station " + label(s) + " is outside the tube",
+                     "Give positions " + range + metres(end));
+    if (has("pressure gradient") && position + distance > end + round_off)
+      section.refuse("Stations",
+                     "the pressure gradient at " + label(s) + " needs the section at " +
+                         metres(position + distance) + ", which is outside the tube",
+                     "Give positions " + range + metres(end - distance) +
+                         ", or a shorter Pair distance");
+  }
+
+  // Of a high degree, since a coarse cell may stand for a large part of a circle.
+  const dealii::MappingQ<dim> mapping(6);
+  const auto cut = [&](const std::set<unsigned int> &region_ids, const double position)
+  {
+    const ProbeRequest<dim> place = request(ProbeRequest<dim>::Kind::point, "", {}, position);
+    return PlaneSection<dim>(mapping, coarse_mesh, PlaneSection<dim>::Cells::coarse, region_ids,
+                             place.point, place.normal, 6);
+  };
+  for (unsigned int s = 0; s < station_positions.size(); ++s)
+  {
+    const double position = station_positions[s];
+    if (cut(fluid_ids, position).area() == 0.)
+      section.refuse("Stations", "a section without area: there is no fluid at " + label(s),
+                     "Give positions at which the plane cuts the fluid");
+    if (has("hoop stress") && cut(wall_ids, position).area() == 0.)
+      section.refuse("Fields", "there is no wall at " + label(s),
+                     "Leave 'hoop stress' out, or the station");
+    if (has("axis pressure"))
+    {
+      const auto place = request(ProbeRequest<dim>::Kind::point, "", {}, position);
+      dealii::Point<dim> unit_point;
+      bool inside = false;
+      for (const auto &cell : coarse_mesh.cell_iterators_on_level(0))
+        inside = inside || (fluid_ids.count(cell->material_id()) > 0 &&
+                            cell_holds_point<dim>(mapping, cell, place.point, unit_point));
+      if (!inside)
+        section.refuse("Fields", "the x axis is not in the fluid at " + label(s),
+                       "Leave 'axis pressure' out, or the station");
+    }
+  }
+  if (dim == 2)
+    return;
+  // The angle that the rim subtends at the axis, by Gauss's law in the plane.
+  double angle = 0.;
+  for (const auto &part : cut(fluid_ids, station_positions.front()).outer_rim())
+    for (unsigned int q = 0; q < part.points.size(); ++q)
+    {
+      dealii::Tensor<1, dim> radial = part.points[q];
+      radial[0] = 0.;
+      angle += part.quadrature.weight(q) * (part.normals[q] * radial) / radial.norm_square();
+    }
+  if (angle > 0.)
+    n_copies = 2. * dealii::numbers::PI / angle;
+  // A half, a quarter, ... up to the error of the quadrature.
+  if (std::abs(n_copies - std::round(n_copies)) < 0.01)
+    n_copies = std::round(n_copies);
+}
+
+template <int dim>
+ProbeRequest<dim> Stations<dim>::request(const typename ProbeRequest<dim>::Kind kind,
+                                         const std::string &field,
+                                         const std::set<unsigned int> &region_ids,
+                                         const double position) const
+{
+  ProbeRequest<dim> result;
+  result.kind = kind;
+  result.field = field;
+  result.point[0] = position;
+  result.region_ids = region_ids;
+  return result;
+}
+
+template <int dim>
+std::vector<typename Stations<dim>::Column> Stations<dim>::columns() const
+{
+  using Kind = typename ProbeRequest<dim>::Kind;
+  std::vector<Column> result;
+  for (unsigned int s = 0; s < station_positions.size(); ++s)
+    for (const std::string &name : field_names)
+    {
+      const double x = station_positions[s];
+      const auto field =
+          std::find_if(station_fields.begin(), station_fields.end(),
+                       [&name](const FieldComponent &other) { return other.name == name; });
+      Column column{s, *field, {}};
+      const auto add = [&](const Kind kind, const std::string &solver_field,
+                           const std::set<unsigned int> &region_ids, const double position,
+                           const double factor)
+      { column.terms.emplace_back(request(kind, solver_field, region_ids, position), factor); };
+      if (name == "pressure")
+        add(Kind::section_mean, name, fluid_ids, x, 1.);
+      else if (name == "axis pressure")
+        add(Kind::point, "pressure", fluid_ids, x, 1.);
+      else if (name == "flow rate")
+        add(Kind::section_integral, "velocity x", fluid_ids, x, n_copies);
+      else if (name == "wall distension")
+        add(Kind::rim_mean, "radial displacement", fluid_ids, x, 2.);
+      else if (name == "pressure gradient")
+      {
+        add(Kind::section_mean, "pressure", fluid_ids, x + distance, 1. / distance);
+        add(Kind::section_mean, "pressure", fluid_ids, x, -1. / distance);
+      }
+      else if (name == "wall shear stress")
+        add(Kind::rim_mean, name, fluid_ids, x, 1.);
+      else
+        add(Kind::section_mean, "hoop stress", wall_ids, x, 1.);
+      result.push_back(column);
+    }
+  return result;
+}
+
+template <int dim>
+std::string Stations<dim>::label(const unsigned int station) const
+{
+  return metres(station_positions[station]);
+}
+
+template class Stations<2>;
+template class Stations<3>;
+} // namespace Continua
