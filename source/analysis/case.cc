@@ -45,6 +45,25 @@ void RestParameters::read(ParameterSection section)
   section.add("Maximum steps", maximum_steps, "Steps after which the run gives up [1].", 1);
 }
 
+namespace
+{
+/// What the user has measured at the stations of her probes.
+template <int dim>
+void read_measured_waves(const Probes<dim> &probes, std::map<std::string, MeasuredWaves> &waves)
+{
+  for (const StationsProbe &probe : probes.stations())
+  {
+    std::string file;
+    ParameterSection section = probe.section;
+    section.add_input_file("Measured", file,
+                           "Table of what was measured at the stations, which stands beside the "
+                           "rest in wave.csv: 'time [ms], 0.1 m: pressure [mmHg], ...'.");
+    if (!file.empty())
+      waves.emplace(probe.name, MeasuredWaves(file, probe.positions, probe.fields));
+  }
+}
+} // namespace
+
 template <int dim>
 Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator)
     : communicator(communicator), probes(communicator)
@@ -54,7 +73,7 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator)
   problem.communicator = communicator;
   problem.model = model_of(general.model);
   const bool axisymmetric = problem.model == Model::axisymmetric;
-  const bool transient = general.analysis == "transient";
+  const bool transient = general.analysis != "steady";
 
   geometry = make_geometry<dim>(root.subsection("Geometry"), root.subsection("Mesh"), axisymmetric);
   mesh = MeshParameters::read(root.subsection("Mesh"));
@@ -79,8 +98,11 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator)
   else
     rest.read(root.subsection("Steady"));
   adaptation.read(root.subsection("Adaptivity"), transient);
+  if (transient)
+    wave_theory.read(root.subsection("Wave theory"));
   output.read(root.subsection("Output"));
   probes.read(root.subsection("Probes"), problem.boundaries, problem.regions);
+  read_measured_waves(probes, measured_waves);
   error_norms.read(root.subsection("Exact solution"));
   expected = read_expected(root.subsection("Expected"));
 
