@@ -19,13 +19,11 @@ struct ClosedFormTube
  *
  *     omega^2 = (Y h / R^2) / (rho_f I0(kR) / (k I1(kR)) + rho_s h)
  *
- * (the potential I0(kr) exp(i(omega t - kz)) of the fluid with the wall's radial balance p = (Y
- * h/R^2
- * - rho_s h omega^2) u_r): of any length, but with neither axial nor bending stiffness of the wall.
- * The long wave has Moens' and Korteweg's speed.
- * `omega` [1/s] and `youngs_modulus` Y [Pa] may be complex. Throws std::domain_error where Re(Y -
- * rho_s R^2 omega^2) <= 0, that is above the wall's ring frequency sqrt(Y/rho_s)/R: the wave does
- * not propagate there.
+ * from the fluid's potential I0(kr) and the wall's radial balance, p over u_r being Y h/R^2 less
+ * rho_s h omega^2: of any length, but with neither axial nor bending stiffness of the wall. The
+ * long wave has Moens' and Korteweg's speed. `omega` [1/s] and `youngs_modulus` Y [Pa] may be
+ * complex. Throws std::domain_error where Re(Y - rho_s R^2 omega^2) <= 0, that is above the wall's
+ * ring frequency sqrt(Y/rho_s)/R: the wave does not propagate there.
  */
 Complex
 inviscid_membrane_wave_number(const ClosedFormTube &tube, Complex omega, Complex youngs_modulus);
