@@ -47,6 +47,14 @@ constexpr double gauss_weights[3] = {5. / 18., 8. / 18., 5. / 18.};
 
 const Complex imaginary(0., 1.);
 
+/// Bits to begin with, and where certainty is not sought any more (it is not there at an exact
+/// zero).
+constexpr slong first_precision = 128, largest_precision = 2000;
+slong more(const slong precision)
+{
+  return precision + precision / 2;
+}
+
 /**
  * Gauss's elimination with pivots from the whole matrix. Returns the determinant up to its sign; if
  * asked, also the vector that the matrix takes to zero when its last pivot is.
@@ -251,8 +259,22 @@ ExactDispersion::Matrix ExactDispersion::conditions(const Complex &omega, const 
 
 Ball ExactDispersion::determinant(const Complex &omega, const Complex &wave_number) const
 {
-  Matrix matrix = conditions(omega, wave_number);
-  return eliminate(matrix, nullptr);
+  slong precision = first_precision;
+  return determinant(omega, wave_number, precision);
+}
+
+Ball ExactDispersion::determinant(const Complex &omega,
+                                  const Complex &wave_number,
+                                  slong &precision) const
+{
+  for (;; precision = more(precision))
+  {
+    const WorkingPrecision working(precision);
+    Matrix matrix = conditions(omega, wave_number);
+    const Ball result = eliminate(matrix, nullptr);
+    if (result.accuracy() >= 32 || precision > largest_precision)
+      return result;
+  }
 }
 
 ExactDispersion::Complex ExactDispersion::guess(const Family family, const Complex &omega) const
@@ -314,10 +336,11 @@ bool ExactDispersion::find_root(const Complex &omega,
                                 Complex &wave_number) const
 {
   // Muller's method: a parabola through three points. The values are taken relative to the first.
+  slong precision = first_precision;
   Complex x[3] = {start * 1.001, start * 0.999, start};
-  const Ball reference = determinant(omega, x[0]);
-  Complex f[3] = {1., (determinant(omega, x[1]) / reference).value(),
-                  (determinant(omega, x[2]) / reference).value()};
+  const Ball reference = determinant(omega, x[0], precision);
+  Complex f[3] = {1., (determinant(omega, x[1], precision) / reference).value(),
+                  (determinant(omega, x[2], precision) / reference).value()};
   for (unsigned int iteration = 0; iteration < 40; ++iteration)
   {
     if (f[2] == 0.)
@@ -343,7 +366,7 @@ bool ExactDispersion::find_root(const Complex &omega,
     }
     f[0] = f[1];
     f[1] = f[2];
-    f[2] = (determinant(omega, next) / reference).value();
+    f[2] = (determinant(omega, next, precision) / reference).value();
   }
   wave_number = x[2];
   return f[2] == 0.;
@@ -351,6 +374,21 @@ bool ExactDispersion::find_root(const Complex &omega,
 
 WaveMode
 ExactDispersion::mode(const Family family, const Complex &omega, const Complex &wave_number) const
+{
+  for (slong precision = first_precision;; precision = more(precision))
+  {
+    const WorkingPrecision working(precision);
+    slong certain_bits = 0;
+    const WaveMode result = uncertain_mode(family, omega, wave_number, certain_bits);
+    if (certain_bits >= 40 || precision > largest_precision)
+      return result;
+  }
+}
+
+WaveMode ExactDispersion::uncertain_mode(const Family family,
+                                         const Complex &omega,
+                                         const Complex &wave_number,
+                                         slong &certain_bits) const
 {
   std::vector<Ball> amplitudes;
   {
@@ -390,14 +428,20 @@ ExactDispersion::mode(const Family family, const Complex &omega, const Complex &
                &Column::u_z);
   else if (family != pressure_wave)
     unit = u_r;
-  const auto scaled = [&unit](const Ball &value) { return (value / unit).value(); };
+  certain_bits = unit.accuracy();
+  const auto scaled = [&unit, &certain_bits](const Ball &value)
+  {
+    const Ball result = value / unit;
+    certain_bits = std::min(certain_bits, result.accuracy());
+    return result.value();
+  };
 
   WaveMode mode;
   mode.wave_number = wave_number;
   mode.section_pressure = scaled(fluid.pressure * mean_phi);
   mode.axis_pressure = scaled(fluid.pressure * amplitudes[0]);
   mode.wall_shear_stress = section.fluid.viscosity > 0. ? scaled(sum(core, 0, &Column::s_rz)) : 0.;
-  mode.wall_displacement = scaled(u_r);
+  mode.wall_displacement = section.layers.empty() ? 0. : scaled(u_r);
   mode.hoop_stress = 0.;
   mode.junction.fill(0.);
   mode.junction[WaveMode::traction] = scaled(traction);

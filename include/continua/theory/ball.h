@@ -9,15 +9,16 @@ namespace Continua
 {
 /**
  * A complex number of many digits that carries a bound of its own error (a ball of the library
- * Arb), with the arithmetic of a number. Every operation works at `Ball::precision` bits. For the
+ * Arb), with the arithmetic of a number. Every operation works at `Ball::precision` bits, which
+ * whoever needs more certain bits than came out raises (see WorkingPrecision). For the
  * determinants of wave theory: their Bessel functions nearly depend on each other, and their
  * exponents exceed those of a double.
  */
 class Ball
 {
 public:
-  /// Bits of the mantissa of every result.
-  static constexpr slong precision = 256;
+  /// Bits of the mantissa of every result, of the present scope.
+  static inline thread_local slong precision = 256;
 
   Ball() { acb_init(number); }
   Ball(const std::complex<double> &value) : Ball()
@@ -85,6 +86,22 @@ public:
   slong accuracy() const { return acb_rel_accuracy_bits(number); }
 
   acb_t number;
+};
+
+/// Ball::precision for the time of a scope.
+class WorkingPrecision
+{
+public:
+  explicit WorkingPrecision(const slong precision) : previous(Ball::precision)
+  {
+    Ball::precision = precision;
+  }
+  ~WorkingPrecision() { Ball::precision = previous; }
+  WorkingPrecision(const WorkingPrecision &) = delete;
+  WorkingPrecision &operator=(const WorkingPrecision &) = delete;
+
+private:
+  const slong previous;
 };
 } // namespace Continua
 

@@ -22,8 +22,8 @@ namespace Continua
  * (Pochhammer and Chree's solution for a rod, layer by layer): J on the axis, J and Y in each
  * layer. Displacement and the stresses sigma_rr, sigma_rz are continuous at each interface; outside
  * the surface is free of stress, or held axially, or a rigid wall stands in place of all layers. A
- * wave exists where the determinant of these conditions is zero. It is computed with balls of 256
- * bits: a thin wall's conditions nearly depend on each other.
+ * wave exists where the determinant of these conditions is zero. It is computed with balls of as
+ * many bits as make it certain: a thin wall's conditions nearly depend on each other.
  */
 class ExactDispersion
 {
@@ -54,7 +54,7 @@ public:
   /// The root near `start` [1/m]; false if the iteration (Muller's) does not converge.
   bool find_root(const Complex &omega, const Complex &start, Complex &wave_number) const;
 
-  /// The determinant, up to a factor without zeros.
+  /// The determinant, up to a factor without zeros, certain to 32 bits.
   Ball determinant(const Complex &omega, const Complex &wave_number) const;
 
   /// The wave of that root. Unit amplitude is 1 m of the liquid's mean axial displacement (pressure
@@ -88,6 +88,13 @@ private:
                        const Ball &psi,
                        const Ball &psi_over_curl);
   Matrix conditions(const Complex &omega, const Complex &k) const;
+  /// The determinant with at least `precision` bits, which becomes what was needed.
+  Ball determinant(const Complex &omega, const Complex &wave_number, slong &precision) const;
+  /// The wave at Ball::precision, and how many bits of its numbers are certain.
+  WaveMode uncertain_mode(Family family,
+                          const Complex &omega,
+                          const Complex &wave_number,
+                          slong &certain_bits) const;
 
   TubeSection section;
   std::vector<double> radii; ///< of the interfaces from the inner wall outwards [m]
