@@ -1,7 +1,32 @@
 #include <continua/theory/tube_section.h>
 
+#include <algorithm>
+
 namespace Continua
 {
+namespace
+{
+bool is_same(const Material &a, const Material &b)
+{
+  const auto is_same_branch = [](const Branch &one, const Branch &other)
+  {
+    return one.shear_modulus == other.shear_modulus && one.relaxation_time == other.relaxation_time;
+  };
+  return a.density == b.density && a.inverse_bulk_modulus == b.inverse_bulk_modulus &&
+         a.viscosity == b.viscosity && a.power_law_modulus == b.power_law_modulus &&
+         a.power_law_exponent == b.power_law_exponent &&
+         std::equal(a.branches.begin(), a.branches.end(), b.branches.begin(), b.branches.end(),
+                    is_same_branch);
+}
+} // namespace
+
+bool operator==(const TubeSection &a, const TubeSection &b)
+{
+  return a.inner_radius == b.inner_radius && a.tethered == b.tethered &&
+         a.layer_thicknesses == b.layer_thicknesses && is_same(a.fluid, b.fluid) &&
+         std::equal(a.layers.begin(), a.layers.end(), b.layers.begin(), b.layers.end(), is_same);
+}
+
 double TubeSection::wall_thickness() const
 {
   double sum = 0.;

@@ -226,12 +226,10 @@ void TubeWaveTheory::compute_sections()
     else
       waves.push_back(std::make_unique<ClosedFormWaves>(section, problem.level, shift));
   };
-  const auto same = [](const TubeSection &a, const TubeSection &b)
-  { return a.inner_radius == b.inner_radius && a.layer_thicknesses == b.layer_thicknesses; };
   const std::vector<TubeSegment> &segments = problem.segments;
   std::vector<std::size_t> firsts; // of runs of segments with the same section
   for (std::size_t s = 0; s < segments.size(); ++s)
-    if (s == 0 || !same(segments[s].section, segments[s - 1].section))
+    if (s == 0 || !(segments[s].section == segments[s - 1].section))
       firsts.push_back(s);
   sections_of.resize(segments.size());
   const unsigned int n_nodes = problem.n_computed_sections;

@@ -26,6 +26,9 @@ struct TubeSection
   /// Poisson's ratio of the layers at that frequency, weighted as the modulus.
   std::complex<double> poisson_ratio(const std::complex<double> &omega) const;
 };
+
+/// Whether waves are the same in both: in geometry, materials and hold.
+bool operator==(const TubeSection &a, const TubeSection &b);
 } // namespace Continua
 
 #endif
