@@ -215,11 +215,22 @@ PreflightInput preflight_input(const Case<dim> &input)
                       find_tube(*input.triangulation, fluids, extents);
   if (!preflight.is_tube)
     return preflight;
+  // A wall whose outer surface cannot move across is none that a wave could widen.
+  const BoundaryCondition *outside =
+      condition_on(input.problem.conditions, extents.outer_boundary, extents.outer_region);
+  const bool is_held =
+      outside != nullptr && outside->tangential.kind == BoundaryPart::Kind::velocity;
+  preflight.is_tube = outside == nullptr || outside->normal.kind == BoundaryPart::Kind::traction;
+  if (!preflight.is_tube)
+    return preflight;
   preflight.length = extents.length();
   preflight.axial_cell = extents.axial_cell / refinement;
   preflight.normal_cell = extents.normal_cell / refinement;
   for (unsigned int i = 0; i < 2; ++i)
+  {
     preflight.ends[i] = end_of(input.problem, extents.ends[i], refinement);
+    preflight.ends[i].section.tethered = is_held;
+  }
   if (load != nullptr && preflight.ends[1].boundary == preflight.load)
     std::swap(preflight.ends[0], preflight.ends[1]);
   return preflight;

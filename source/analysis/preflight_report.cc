@@ -133,9 +133,12 @@ void PreflightReport::report_tube()
 {
   const PreflightInput::End &near = input.ends[0], &far = input.ends[1];
   SectionWaves waves(near.section, reference_angular_frequency());
+  const Anchoring anchoring =
+      near.section.tethered ? Anchoring::throughout : Anchoring::expansion_joints;
+  const std::string wall = near.section.tethered ? "wall axially held" : "wall axially free";
   if (frequency == 0.)
   {
-    frequency = waves.korteweg(Anchoring::expansion_joints) / (4. * input.length);
+    frequency = waves.korteweg(anchoring) / (4. * input.length);
     add("tube's own frequency", frequency, "Hz",
         "no load varies over time: a quarter of a wave in the tube's length");
     waves = SectionWaves(near.section, reference_angular_frequency());
@@ -149,18 +152,18 @@ void PreflightReport::report_tube()
   add("Korteweg speed, wall axially held", waves.korteweg(Anchoring::throughout), "m/s",
       "thick wall, tethered along its length");
 
-  double speed = waves.korteweg(Anchoring::expansion_joints);
+  double speed = waves.korteweg(anchoring);
   double loss = std::numeric_limits<double>::quiet_NaN();
   double fluid_mass = 0.; // that moves with a unit of the wall's surface, rho I0 / (k I1) [kg/m^2]
   try
   {
-    const Complex k = closed_form_wave_number(waves.tube, omega, waves.young);
+    const Complex k = closed_form_wave_number(waves.tube, omega, waves.young, anchoring);
     const Complex membrane = inviscid_membrane_wave_number(waves.tube, omega, waves.young);
     speed = phase_speed(omega, k);
     loss = -std::expm1(-attenuation(k) * input.length);
     const Complex x = membrane * radius;
     fluid_mass = fluid.density * (bessel_i_ratio(0, x, 1, x) / membrane).real();
-    add("phase speed at the frequency", speed, "m/s", "closed formula, wall axially free");
+    add("phase speed at the frequency", speed, "m/s", "closed formula, " + wall);
   }
   catch (const std::domain_error &)
   {
@@ -169,12 +172,12 @@ void PreflightReport::report_tube()
         "its pressure wave does not propagate; the speed of long waves is used");
   }
   // Simpson's rule for 1/c, with R and h linear between the ends.
-  const double far_speed = SectionWaves(far.section, omega).korteweg(Anchoring::expansion_joints);
-  const double middle_speed = SectionWaves(middle_of(near.section, far.section), omega)
-                                  .korteweg(Anchoring::expansion_joints);
-  const double near_speed = waves.korteweg(Anchoring::expansion_joints);
+  const double far_speed = SectionWaves(far.section, omega).korteweg(anchoring);
+  const double middle_speed =
+      SectionWaves(middle_of(near.section, far.section), omega).korteweg(anchoring);
+  const double near_speed = waves.korteweg(anchoring);
   if (std::abs(far_speed - near_speed) > 1e-6 * near_speed)
-    add("Korteweg speed at the far end", far_speed, "m/s", "thick wall, axially free");
+    add("Korteweg speed at the far end", far_speed, "m/s", wall);
   const double transit = input.length / 6. * (1. / near_speed + 4. / middle_speed + 1. / far_speed);
   std::ostringstream remark;
   remark.precision(3);

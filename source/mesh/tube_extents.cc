@@ -132,6 +132,7 @@ bool find_tube(const Triangulation<dim> &triangulation,
     body.add(range.high);
   }
   const double length = body.high - body.low;
+  double outermost = 0.;
   EndFinder<dim> begin(body.low, length), end(body.high, length);
   for (const auto &cell : triangulation.cell_iterators_on_level(0))
   {
@@ -139,7 +140,22 @@ bool find_tube(const Triangulation<dim> &triangulation,
     begin.add_cell(cell, is_fluid);
     end.add_cell(cell, is_fluid);
     if (!is_fluid)
+    {
+      // The outer surface has the face that is farthest from the axis as a whole.
+      for (const unsigned int f : cell->face_indices())
+      {
+        double distance = std::numeric_limits<double>::max();
+        for (unsigned int v = 0; v < cell->face(f)->n_vertices(); ++v)
+          distance = std::min(distance, radius_of(cell->face(f)->vertex(v)));
+        if (cell->at_boundary(f) && distance > outermost)
+        {
+          outermost = distance;
+          extents.outer_boundary = cell->face(f)->boundary_id();
+          extents.outer_region = cell->material_id();
+        }
+      }
       continue;
+    }
     const Range range = axial_range(cell);
     extents.axial_cell = std::max(extents.axial_cell, range.high - range.low);
     for (const unsigned int f : cell->face_indices())

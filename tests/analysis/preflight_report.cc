@@ -143,6 +143,10 @@ void others()
   input.ends[1].section.inner_radius *= 0.5;
   input.ends[1].section.layer_thicknesses[0] *= 0.5;
   check::relative("taper", PreflightReport(input).value("transit time"), 0.1705387395237977, 1e-10);
+  input = tube();
+  input.ends[0].section.tethered = input.ends[1].section.tethered = true;
+  check::relative("tethered", PreflightReport(input).value("transit time"),
+                  0.446 / 2.994494318373511, 1e-10);
   // A body that is no tube: sound of 1484.7 m/s and shear waves of 25.610 m/s at 20 Hz on cells of
   // 3 mm.
   input = tube();

@@ -54,6 +54,7 @@ int main()
     check::relative("cell at the wall", extents.normal_cell, 0.005, 1e-12);
     check::is_true("boundaries", begin.fluid_boundary == 0 && end.fluid_boundary == 1 &&
                                      begin.wall_boundary == 0 && end.wall_boundary == 1);
+    check::is_true("outer surface", extents.outer_boundary == 3 && extents.outer_region == 1);
   }
   {
     // Half as wide at the end.

@@ -34,8 +34,10 @@ struct TubeExtents
     unsigned int wall_boundary = 0;
   };
   std::array<End, 2> ends;
-  double axial_cell = 0.;  ///< largest axial extent of a cell of the fluid [m]
-  double normal_cell = 0.; ///< largest thickness of a fluid's cell at the wall [m]
+  unsigned int outer_boundary = 0; ///< boundary id of the wall's outer surface
+  unsigned int outer_region = 0;   ///< material id of the wall there
+  double axial_cell = 0.;          ///< largest axial extent of a cell of the fluid [m]
+  double normal_cell = 0.;         ///< largest thickness of a fluid's cell at the wall [m]
 
   double length() const { return ends[1].x - ends[0].x; } ///< [m]
 };
