@@ -1,0 +1,57 @@
+// A layered wall as a membrane: averages of its layers by hand, over frequency where they relax.
+
+#include <continua/theory/tube_section.h>
+
+#include "../check.h"
+
+using namespace Continua;
+
+namespace
+{
+Material solid(const double density, const double youngs_modulus, const double poissons_ratio)
+{
+  Material material;
+  material.density = density;
+  material.inverse_bulk_modulus = 3. * (1. - 2. * poissons_ratio) / youngs_modulus;
+  Branch spring;
+  spring.shear_modulus = 0.5 * youngs_modulus / (1. + poissons_ratio);
+  material.branches.push_back(spring);
+  return material;
+}
+} // namespace
+
+int main()
+{
+  TubeSection section;
+  section.layer_thicknesses = {1e-3, 3e-3};
+  section.layers = {solid(1000., 1e6, 0.3), solid(1200., 2e6, 0.5)};
+  const std::complex<double> omega = 100.;
+  check::relative("thickness", section.wall_thickness(), 4e-3, 1e-14);
+  check::relative("density", section.wall_density(), 1150., 1e-14);
+  check::relative("modulus", section.membrane_modulus(omega).real(), 1.75e6, 1e-12);
+  // (0.3 * 1 + 0.5 * 2 * 3) / (1 + 2 * 3)
+  check::relative("Poisson's ratio", section.poisson_ratio(omega).real(), 3.3 / 7., 1e-12);
+  check::absolute("elastic: no loss", section.membrane_modulus(omega).imag(), 0., 1e-6);
+
+  // An incompressible wall has Y = 3 mu: a spring that relaxes within 1/omega adds 3 mu (1 + i)/2.
+  Branch branch;
+  branch.shear_modulus = 1e5;
+  branch.relaxation_time = 0.01;
+  section.layer_thicknesses = {2e-3};
+  section.layers = {solid(1200., 2e6, 0.5)};
+  section.layers[0].branches.push_back(branch);
+  check::relative("storage modulus", section.membrane_modulus(omega).real(), 2.15e6, 1e-12);
+  check::relative("loss modulus", section.membrane_modulus(omega).imag(), 1.5e5, 1e-12);
+  check::relative("incompressible", section.poisson_ratio(omega).real(), 0.5, 1e-12);
+
+  TubeSection other = section;
+  check::is_true("equal", section == other);
+  other.layers[0].branches[1].relaxation_time = 0.02;
+  check::is_true("another relaxation", !(section == other));
+  other = section;
+  other.tethered = true;
+  check::is_true("held otherwise", !(section == other));
+  other = section;
+  other.layer_thicknesses[0] = 1e-3;
+  check::is_true("thinner", !(section == other));
+}
