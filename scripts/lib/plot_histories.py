@@ -1,38 +1,13 @@
 """Figures over time: probes, the envelope of those that oscillate, and the power balance."""
 
-import csv
 import os
-import re
 
 import numpy
 import plot_style
+import tables
 
 TOO_MANY = 20000  # points of a curve; above, each bin shows its smallest and largest value
 PROMINENCE = 0.05  # a turn counts for the envelope when it stands out by this share of the curve's range
-
-
-def read_table(path):
-    """(list of (name, unit), array with one column each), or None when the file is not there."""
-    if not os.path.exists(path):
-        return None
-    with open(path, encoding="utf-8", newline="") as stream:
-        header = next(csv.reader(stream), None)
-        if not header:
-            raise plot_style.PlotError(f"{path} is empty")
-        try:
-            data = numpy.loadtxt(stream, delimiter=",", ndmin=2)
-        except ValueError as error:
-            raise plot_style.PlotError(f"cannot read {path}: {error}") from error
-    if data.size == 0:
-        return None
-    if data.shape[1] != len(header):
-        raise plot_style.PlotError(f"{path}: {len(header)} names for {data.shape[1]} columns")
-    return [split_unit(text) for text in header], data
-
-
-def split_unit(text):
-    match = re.fullmatch(r"\s*(.*?)\s*(?:\[(.*)\])?\s*", text)
-    return match.group(1), match.group(2) or "1"
 
 
 def thinned(time, values):
@@ -61,29 +36,20 @@ def turning_points(time, values):
             lowest = i
         if rising is not False and values[i] < values[highest] - threshold:
             if rising:
-                maxima.append(peak(time, values, highest))
+                maxima.append(tables.peak(time, values, highest))
             rising, lowest = False, i
         elif rising is not True and values[i] > values[lowest] + threshold:
             if rising is False:
-                minima.append(peak(time, values, lowest))
+                minima.append(tables.peak(time, values, lowest))
             rising, highest = True, i
     return maxima, minima
-
-
-def peak(time, values, i):
-    """The vertex of the parabola through a sample and its two neighbours, which need not be evenly spaced."""
-    if 0 < i < len(values) - 1:
-        a, b, c = numpy.polyfit(time[i - 1:i + 2] - time[i], values[i - 1:i + 2] - values[i], 2)
-        if a != 0 and time[i - 1] <= time[i] - b / (2 * a) <= time[i + 1]:
-            return time[i] - b / (2 * a), values[i] + c - b * b / (4 * a)
-    return time[i], values[i]
 
 
 def draw_probes(sheet, runs):
     """One figure a field (and unit), and one of its envelope where something oscillates."""
     curves = {}
     for run in runs:
-        table = read_table(os.path.join(run["folder"], "probes.csv"))
+        table = tables.read_table(os.path.join(run["folder"], "probes.csv"))
         if table is None:
             sheet.notes.append(f"probes of {run['folder']} (no rows in probes.csv)")
             continue
@@ -161,7 +127,7 @@ def draw_power(sheet, runs):
     """The terms of the power balance in all, by colour (runs by line), and the residual in a panel of its own."""
     terms, residuals = [], []
     for run in runs:
-        table = read_table(os.path.join(run["folder"], "power.csv"))
+        table = tables.read_table(os.path.join(run["folder"], "power.csv"))
         if table is None:
             sheet.notes.append(f"power balance of {run['folder']} (no rows in power.csv)")
             continue

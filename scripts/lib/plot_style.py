@@ -37,7 +37,7 @@ plt.rcParams.update({
 })
 
 # Units that take a prefix on an axis.
-SCALABLE = {"m", "s", "Pa", "W", "N", "J", "m/s", "Hz", "W/m", "N/m", "J/m"}
+SCALABLE = {"m", "s", "Pa", "W", "N", "J", "m/s", "Hz", "W/m", "N/m", "J/m", "N/m^3"}
 PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
 
 
@@ -79,11 +79,13 @@ class Sheet:
     def figure(self, height_ratio=0.55, **arguments):
         return plt.subplots(figsize=(self.width, self.width * height_ratio), constrained_layout=True, **arguments)
 
-    def legend(self, axes, n_entries):
-        """None for one curve alone; above the axes otherwise, in room added for it, so that it hides nothing."""
+    def legend(self, axes, n_entries, handles=None):
+        """None for one curve alone; above the axes otherwise, in room added for it, so that it hides nothing. Of the
+        axes' labelled curves, or of the handles."""
         if n_entries < 2:
             return
-        handles, labels = axes.get_legend_handles_labels()
+        handles = handles or axes.get_legend_handles_labels()[0]
+        labels = [handle.get_label() for handle in handles]
         letter, line, row = 0.066, 0.55, 0.17  # inches
         labels = [textwrap.fill(label, int((self.width - 1.2) / letter)) for label in labels]
         longest = max(len(part) for label in labels for part in label.splitlines())

@@ -1,0 +1,264 @@
+"""Figures of waves in a tube: curves by station, pressure over place and time, dispersion, and how the tube was made."""
+
+import math
+import os
+import textwrap
+
+import matplotlib
+import matplotlib.lines
+import numpy
+import plot_style
+import tables
+import wave_tables
+
+STYLES = {"simulated": "-", "theory": "--", "measured": ":"}
+OVERLAP = 1.6  # height of the tallest curve, in distances of stations
+N_PLACES = 200  # columns of the space-time picture
+
+
+def draw(sheet, runs, normalised):
+    waves = []
+    for run in runs:
+        fields = wave_tables.read_waves(run["folder"])
+        if fields:
+            waves.append((run, fields))
+        else:
+            sheet.notes.append(f"waves of {run['folder']} (no rows in wave.csv or wave-PROBE.csv)")
+    for name in dict.fromkeys(name for _, fields in waves for name in fields):
+        entries = [(run, fields[name], time_scale(sheet, run, fields) if normalised else 1.0)
+                   for run, fields in waves if name in fields]
+        draw_stations(sheet, name, [entry for entry in entries if entry[2]], normalised, len(runs) > 1)
+    draw_space_time(sheet, waves, len(runs) > 1)
+    draw_dispersion(sheet, runs[0])
+    draw_spin_coating(sheet, runs)
+
+
+def time_scale(sheet, run, fields):
+    """What time is divided by: the travel time of the first pulse to the last station. None when there is no such pulse."""
+    pressure = fields.get("pressure")
+    if pressure is not None and len(pressure.positions) > 1:
+        travel = wave_tables.travel_time(pressure, pressure.best())
+        if travel > 0:
+            return travel
+    note = f"normalised waves of {run['folder']} (no pressure pulse that travels from the first station to the last)"
+    if note not in sheet.notes:
+        sheet.notes.append(note)
+    return None
+
+
+def darker(colour):
+    return tuple(0.45 * part for part in matplotlib.colors.to_rgb(colour))
+
+
+def draw_stations(sheet, name, entries, normalised, several):
+    """The curves of one field, each from the height of its station's position."""
+    if not entries:
+        return
+    unit = entries[0][1].unit
+    positions = numpy.unique([position for _, field, _ in entries for position in field.positions])
+    distance = numpy.diff(positions).min() if len(positions) > 1 else 1.0
+    factors = [1 / wave_tables.first_peak(field.time, field.best()[0])[1] if normalised else 1.0
+               for _, field, _ in entries]
+    largest = max(numpy.nanmax(numpy.abs(curves)) * factor for (_, field, _), factor in zip(entries, factors)
+                  for curves in field.sources.values())
+    if not (largest > 0 and math.isfinite(largest)):
+        sheet.notes.append(f"waves of {name} (nothing but zero)")
+        return
+    end = max(field.time[-1] / scale for _, field, scale in entries)
+    time_factor, time_unit = (1.0, "1") if normalised else plot_style.readable(end, "s")
+    place_factor, place_unit = plot_style.readable(positions[-1], "m")
+    height = OVERLAP * distance / largest
+
+    figure, axes = sheet.figure(0.85)
+    handles, header, columns = [], [], []
+    for i, ((run, field, scale), factor) in enumerate(zip(entries, factors)):
+        colour = plot_style.COLOURS[i % len(plot_style.COLOURS)]
+        label = f"{run['title']}: " if several else ""
+        time = field.time / scale
+        header.append(f"{label}time / travel time" if normalised else f"{label}time [s]")
+        columns.append(time)
+        for source, curves in field.sources.items():
+            look = {"linestyle": STYLES[source], "color": colour if source == "simulated" else darker(colour),
+                    "linewidth": 1.3 if source == "simulated" else 0.8}
+            for position, values in zip(field.positions, curves):
+                axes.plot(time_factor * time, place_factor * (position + height * factor * values), **look)
+                header.append(f"{label}{position:g} m: {name}, {source} [{'1' if normalised else unit}]")
+                columns.append(factor * values)
+            handles.append(matplotlib.lines.Line2D([], [], label=f"{label}{source}", **look))
+    axes.set_xlim(0, time_factor * end)
+    axes.set_xlabel("Time / travel time to the last station" if normalised else plot_style.axis_label("time", time_unit))
+    axes.set_ylabel(plot_style.axis_label("axial position", place_unit))
+    scale_bar(axes, largest, place_factor * height, "1" if normalised else unit, name)
+    sheet.legend(axes, len(handles), handles)
+    sheet.save(figure, "wave-" + plot_style.file_name(name))
+    sheet.save_data("wave-" + plot_style.file_name(name), header, columns)
+
+
+def scale_bar(axes, largest, height, unit, name):
+    """At the right, beside the axes: how high a round part of the tallest curve is drawn."""
+    exponent = 10.0**math.floor(math.log10(largest))
+    value = max(step * exponent for step in (1, 2, 5) if step * exponent <= largest)
+    factor, axis_unit = plot_style.readable(value, unit)
+    low, high = axes.get_ylim()
+    middle = 0.5 * (low + high)
+    bar = [middle - 0.5 * value * height, middle + 0.5 * value * height]
+    axes.plot([1.02, 1.02], bar, "-", color="#000000", linewidth=1.5, clip_on=False,
+              transform=axes.get_yaxis_transform())
+    axes.set_ylim(low, high)
+    unit = plot_style.axis_label("", axis_unit).strip(" []")
+    text = f"{name}\nof the first pulse × {value:g}" if axis_unit == "1" else f"{name}, {factor * value:g} {unit}"
+    axes.annotate(text, (1.02, middle), xycoords=axes.get_yaxis_transform(), xytext=(4, 0),
+                  textcoords="offset points", rotation=90, va="center", ha="left", fontsize=8)
+
+
+def between(time, lower, upper, share, delay):
+    """A travelling curve between two stations, from those of both, each shifted to where it has come."""
+    return ((1 - share) * numpy.interp(time - share * delay, time, lower)
+            + share * numpy.interp(time + (1 - share) * delay, time, upper))
+
+
+def space_time(fields):
+    """(positions, time, pressure by place and time). Between stations the waves that travel forward and backward are
+    followed at the speed of the first pulse; where they are not told apart, pressure is linear."""
+    pressure = fields["pressure"]
+    source = next(source for source in wave_tables.SOURCES if source in pressure.sources)
+    curves = pressure.sources[source]
+    parts = [(curves, 0.0)]
+    if all(source in fields.get(name, pressure).sources and name in fields for name in ("forward wave", "backward wave")):
+        parts = [(fields["forward wave"].sources[source], 1.0), (fields["backward wave"].sources[source], -1.0)]
+    arrivals = [wave_tables.first_peak(pressure.time, values)[0] for values in parts[0][0]]
+    places = numpy.linspace(pressure.positions[0], pressure.positions[-1], N_PLACES)
+    found = []
+    for place in places:
+        i = min(numpy.searchsorted(pressure.positions, place, side="right"), len(pressure.positions) - 1) - 1
+        share = (place - pressure.positions[i]) / (pressure.positions[i + 1] - pressure.positions[i])
+        delay = numpy.nan_to_num(arrivals[i + 1] - arrivals[i])
+        found.append(sum(between(pressure.time, part[i], part[i + 1], share, sign * delay) for part, sign in parts))
+    return places, pressure.time, numpy.array(found), source
+
+
+def draw_space_time(sheet, waves, several):
+    shown = [(run, fields) for run, fields in waves if "pressure" in fields and len(fields["pressure"].positions) > 1
+             and numpy.isfinite(fields["pressure"].best()).all()]
+    if waves and not shown:
+        sheet.notes.append("space-time picture (no pressure at two stations or more)")
+    if not shown:
+        return
+    pictures = [space_time(fields) for _, fields in shown]
+    largest = max(numpy.abs(values).max() for _, _, values, _ in pictures)
+    lowest = min(values.min() for _, _, values, _ in pictures)
+    factor, unit = plot_style.readable(largest, "Pa")
+    time_factor, time_unit = plot_style.readable(max(time[-1] for _, time, _, _ in pictures), "s")
+    place_factor, place_unit = plot_style.readable(max(places[-1] for places, _, _, _ in pictures), "m")
+    # White is zero where there is suction as well as pressure.
+    signed = lowest < -0.1 * largest
+    look = {"cmap": "RdBu_r" if signed else "cividis", "vmin": -factor * largest if signed else factor * min(lowest, 0),
+            "vmax": factor * largest}
+
+    n_columns = min(len(shown), 3 if sheet.width > 5 else 1)
+    n_rows = math.ceil(len(shown) / n_columns)
+    figure, all_axes = sheet.figure((0.75 if n_columns == 1 else 0.6 if n_columns == 2 else 0.5) * n_rows, nrows=n_rows, ncols=n_columns,
+                                    sharex=True, sharey=True, squeeze=False)
+    header, columns = [], []
+    for (run, _), (places, time, values, source), axes in zip(shown, pictures, all_axes.flat):
+        step = max(1, len(time) // 600)
+        extent = (place_factor * places[0], place_factor * places[-1], time_factor * time[0], time_factor * time[-1])
+        image = axes.imshow(factor * values.T[::step], origin="lower", aspect="auto", extent=extent, **look)
+        levels = factor * largest * numpy.linspace(-1, 1, 11)
+        axes.contour(place_factor * places, time_factor * time[::step], factor * values.T[::step], levels,
+                     colors="#000000", linewidths=0.3, linestyles="-")
+        if several:
+            axes.set_title(textwrap.fill(run["title"], int(13 * (sheet.width - 1) / n_columns)), fontsize=8, loc="left")
+        prefix = f"{run['title']}: " if several else ""
+        kept = range(0, len(places), 10)
+        header += [f"{prefix}time [s]"] + [f"{prefix}{places[i]:.5g} m: pressure, {source} [Pa]" for i in kept]
+        columns += [time[::step]] + [values[i, ::step] for i in kept]
+    for axes in all_axes.flat[len(shown):]:
+        axes.set_axis_off()
+    for axes in all_axes[-1]:
+        axes.set_xlabel(plot_style.axis_label("axial position", place_unit))
+    for axes in all_axes[:, 0]:
+        axes.set_ylabel(plot_style.axis_label("time", time_unit))
+    figure.colorbar(image, ax=all_axes, label=plot_style.axis_label("pressure", unit), shrink=0.9, aspect=30)
+    sheet.save(figure, "space-time-pressure")
+    sheet.save_data("space-time-pressure", header, columns)
+
+
+def draw_dispersion(sheet, run):
+    """Phase speed, group speed and attenuation over frequency, of the first run."""
+    table = tables.read_table(os.path.join(run["folder"], "dispersion.csv"))
+    if table is None:
+        sheet.notes.append(f"dispersion of {run['folder']} (no rows in dispersion.csv)")
+        return
+    names, data = table
+    panels = ("phase speed", "group speed", "attenuation")
+    families = list(dict.fromkeys(name.rpartition(": ")[0] for name, _ in names[1:]))
+    exact = [family for family in families if family.endswith(" wave")]
+    figure, all_axes = sheet.figure(1.1 if sheet.width > 4 else 1.8, nrows=3, sharex=True)
+    for axes, quantity in zip(all_axes, panels):
+        for i, (name, unit) in enumerate(names[1:], 1):
+            family, _, what = name.rpartition(": ")
+            positive = numpy.isfinite(data[:, i]) & (data[:, i] > 0)
+            if what != quantity or not positive.any():
+                continue
+            is_exact = family in exact
+            values = numpy.where(positive, data[:, i], numpy.nan)
+            axes.plot(data[:, 0], values, "-" if is_exact else plot_style.LINES[1 + families.index(family) % 3],
+                      color=plot_style.COLOURS[families.index(family) % len(plot_style.COLOURS)],
+                      linewidth=1.4 if is_exact else 0.9, label=family)
+            axes.set_ylabel(plot_style.axis_label(quantity, unit))
+        axes.set_yscale("log")
+    all_axes[0].set_xscale("log")
+    all_axes[-1].set_xlabel("Frequency [Hz]")
+    all_axes[0].set_xlim(data[0, 0], data[-1, 0])
+    handles = {}
+    for axes in all_axes:
+        for handle, label in zip(*axes.get_legend_handles_labels()):
+            handles.setdefault(label, handle)
+    sheet.legend(all_axes[0], len(handles), [handles[family] for family in families if family in handles])
+    sheet.save(figure, "dispersion")
+    sheet.save_data("dispersion", [name if unit == "1" else f"{name} [{unit}]" for name, unit in names], list(data.T))
+
+
+def draw_spin_coating(sheet, runs):
+    """What the motors do along the rod, and the tube that comes of it."""
+    shown = []
+    for run in runs:
+        table = tables.read_table(os.path.join(run["folder"], "spin-coating.csv"))
+        if table is not None:
+            shown.append((run, table))
+    if not shown:
+        return
+    names = [name for name, _ in shown[0][1][0]]
+    panels = [name for name in ("trolley speed", "rod speed", "wall thickness", "diameter") if name in names]
+    narrow = sheet.width < 4
+    figure, all_axes = sheet.figure(2.2 if narrow else 0.65, nrows=4 if narrow else 2, ncols=1 if narrow else 2,
+                                    sharex=True, squeeze=False)
+    header, columns = [], []
+    place_factor, place_unit = plot_style.readable(max(table[1][:, 0].max() for _, table in shown), "m")
+    for axes, quantity in zip(all_axes.flat, panels):
+        i = names.index(quantity)
+        unit = shown[0][1][0][i][1]
+        factor, axis_unit = plot_style.readable(max(table[1][:, i].max() for _, table in shown), unit)
+        for colour, (run, (_, data)) in zip(plot_style.COLOURS * len(shown), shown):
+            axes.plot(place_factor * data[:, 0], factor * data[:, i], color=colour, label=run["title"])
+            prefix = f"{run['title']}: " if len(shown) > 1 else ""
+            if quantity == panels[0]:
+                header.append(f"{prefix}position [m]")
+                columns.append(data[:, 0])
+            header.append(f"{prefix}{quantity} [{unit}]")
+            columns.append(data[:, i])
+        axes.set_ylabel(plot_style.axis_label(quantity, axis_unit))
+        axes.set_ylim(0, None)
+    for axes in all_axes[-1]:
+        axes.set_xlabel(plot_style.axis_label("position along the rod", place_unit))
+    if len(shown) > 1:
+        handles, labels = all_axes[0, 0].get_legend_handles_labels()
+        # Above all panels, in room added for it.
+        width, height = figure.get_size_inches()
+        room = 0.18 * len(labels) + 0.05
+        figure.set_size_inches(width, height + room)
+        figure.get_layout_engine().set(rect=(0, 0, 1, height / (height + room)))
+        figure.legend(handles, labels, loc="upper left", borderaxespad=0.2)
+    sheet.save(figure, "spin-coating")
+    sheet.save_data("spin-coating", header, columns)
