@@ -41,12 +41,14 @@ bool next_line(std::istream &stream, std::string &text, unsigned int &line)
 std::vector<std::string> split(const std::string &line, const char separator)
 {
   std::vector<std::string> cells(1);
-  bool in_brackets = false;
+  bool in_brackets = false, in_quotes = false;
   for (const char character : separator == ' ' ? trim(line) : line)
   {
+    if (character == '"')
+      in_quotes = !in_quotes;
     if (character == '[' || character == ']')
       in_brackets = (character == '[');
-    if (character != separator || in_brackets)
+    if (character != separator || in_brackets || in_quotes)
       cells.back() += character;
     else if (separator != ' ' || !cells.back().empty())
       cells.emplace_back();

@@ -38,6 +38,8 @@ int main()
   check::relative("increasing",
                   tube.increasing_values(0, Dimensions::length, "position", "larger")[1], 0.02,
                   1e-14);
+  const CsvTable wave = table("time [s],\"tube 0.1 m: pressure, theory [Pa]\"\n0,1\n");
+  check::equal("a separator in quotes", wave.name(1), "tube 0.1 m: pressure, theory");
   refused(
       "no such column", [&] { tube.find("x", 1); }, ":2: 'x'.*'wall, outer'");
   refused(
