@@ -1,0 +1,124 @@
+// What the report says of a wave that is made up: a pulse of known speed and height and its
+// reflection by a closed end, as simulated, a theory that is one percent higher, and measurements
+// that lack a station.
+
+#include <continua/analysis/wave_report.h>
+#include <continua/base/csv_table.h>
+
+#include <cmath>
+#include <limits>
+
+#include "../check.h"
+
+using namespace Continua;
+
+namespace
+{
+constexpr double speed = 5., length = 1., impedance = 1e7, step = 5e-4;
+
+double pulse(const double time)
+{
+  return 1000. * std::exp(-std::pow((time - 0.04) / 0.01, 2));
+}
+
+double find(const Summary &summary, const std::string &name, const std::string &probe)
+{
+  for (const Quantity &quantity : summary.quantities())
+    if (quantity.name == name && quantity.probe == probe)
+      return quantity.value;
+  return std::numeric_limits<double>::quiet_NaN();
+}
+} // namespace
+
+int main()
+{
+  const WaveStations stations = {"tube",
+                                 {0.1, 0.3, 0.5},
+                                 {"pressure", "flow rate"},
+                                 {"Pa", "m^3/s"},
+                                 {impedance, impedance, impedance}};
+  std::vector<double> times;
+  for (unsigned int i = 0; i <= 900; ++i)
+    times.push_back(i * step);
+  // By station, field and time; the far end at z = 1 m reflects the whole pulse.
+  WaveReport::Histories simulated;
+  for (const double z : stations.positions)
+  {
+    simulated.push_back({{}, {}});
+    for (const double time : times)
+    {
+      const double there = pulse(time - z / speed), back = pulse(time - (2. * length - z) / speed);
+      simulated.back()[0].push_back(there + back);
+      simulated.back()[1].push_back((there - back) / impedance);
+    }
+  }
+  WaveReport::Histories theory = simulated, measured = simulated;
+  for (auto &station : theory)
+    for (auto &field : station)
+      for (double &value : field)
+        value *= 1.01;
+  for (auto &station : measured)
+    std::fill(station[1].begin(), station[1].end(), std::numeric_limits<double>::quiet_NaN());
+  for (double &value : measured[1][0])
+    value *= 1.2;
+  std::fill(measured[2][0].begin(), measured[2][0].end(), std::numeric_limits<double>::quiet_NaN());
+
+  WaveReport report(stations, times);
+  report.set(WaveReport::Source::simulated, simulated);
+  report.set(WaveReport::Source::theory, theory);
+  report.set(WaveReport::Source::measured, measured);
+  Summary summary;
+  report.add_quantities(summary);
+
+  for (const std::string prefix : {"", "theoretical ", "measured "})
+  {
+    check::relative(prefix + "wave speed", find(summary, prefix + "wave speed", "tube"), 5., 1e-6);
+    check::relative(prefix + "wave speed at half height",
+                    find(summary, prefix + "wave speed at half height", "tube"), 5., 1e-6);
+    check::absolute(prefix + "first pulse time",
+                    find(summary, prefix + "first pulse time", "tube 0.3 m"), 0.1, 1e-7);
+  }
+  check::absolute("attenuation", find(summary, "attenuation", "tube"), 0., 1e-9);
+  // ln 1.2 over the 0.2 m between the two stations, and growing.
+  check::absolute("measured attenuation", find(summary, "measured attenuation", "tube"),
+                  -std::log(1.2) / 0.2, 1e-6);
+  check::relative("first pulse height", find(summary, "first pulse height", "tube 0.5 m"), 1000.,
+                  1e-6);
+  check::relative("reflection coefficient", find(summary, "reflection coefficient", "tube 0.1 m"),
+                  1., 1e-6);
+  check::absolute("reflected pulse time", find(summary, "reflected pulse time", "tube 0.1 m"), 0.42,
+                  1e-7);
+  check::relative("reflected pulse height",
+                  find(summary, "theoretical reflected pulse height", "tube 0.5 m"), 1010., 1e-6);
+  check::is_true("no pulse where nothing was measured",
+                 std::isnan(find(summary, "measured first pulse time", "tube 0.5 m")));
+  // Over the largest value of the second: 1 % of 1010 Pa there.
+  check::relative("largest difference of pressure",
+                  find(summary, "largest difference of pressure", "tube"), 0.01 / 1.01, 1e-6);
+  check::relative("largest difference of flow rate",
+                  find(summary, "largest difference of flow rate", "tube"), 0.01 / 1.01, 1e-6);
+  check::relative("largest difference of first pulse height",
+                  find(summary, "largest difference of first pulse height", "tube"), 0.01 / 1.01,
+                  1e-6);
+  check::relative("from measurement",
+                  find(summary, "largest difference of pressure from measurement", "tube"), 1. / 6.,
+                  1e-6);
+  check::is_true(
+      "no measured flow rate",
+      std::isnan(find(summary, "largest difference of flow rate from measurement", "tube")));
+
+  const std::string file = "wave_report.csv";
+  report.write(file);
+  const CsvTable table(file, "");
+  // Time, then by station 2 fields of 3 sources and 2 differences, 2 waves of 2 sources.
+  check::is_true("columns", table.n_columns() == 1 + 3 * (2 * 5 + 4));
+  const auto column = [&table](const std::string &name)
+  { return table.values(table.find(name), Dimensions::pressure); };
+  const std::vector<double> forward = column("tube 0.1 m: forward wave, simulated"),
+                            backward = column("tube 0.1 m: backward wave, simulated"),
+                            difference = column("tube 0.1 m: pressure, simulated - theory");
+  check::absolute("forward wave", forward[120], 1000., 1e-6);
+  check::absolute("backward wave", backward[840], 1000., 1e-6);
+  check::absolute("difference", difference[120], -10., 1e-6);
+  std::remove(file.c_str());
+}
