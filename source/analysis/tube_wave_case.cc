@@ -1,5 +1,7 @@
 #include <continua/analysis/tube_wave_case.h>
 
+#include <continua/theory/korteweg.h>
+#include <continua/theory/reflection.h>
 #include <continua/vessel/tube_law.h>
 
 #include <algorithm>
@@ -29,6 +31,24 @@ bool is_fixed(const BoundaryPart &part)
 bool is_free(const BoundaryPart &part)
 {
   return part.kind == BoundaryPart::Kind::traction && part.is_zero();
+}
+
+/// Pressure is one and flow is conserved at a bifurcation (6.20): the branches' admittances add up.
+double impedance_of_branches(const Material &fluid, const WaveTheoryParameters &parameters)
+{
+  double admittance = 0.;
+  for (unsigned int i = 0; i < parameters.branch_diameters.size(); ++i)
+  {
+    const double radius = 0.5 * parameters.branch_diameters[i];
+    const LongWaveTube branch{radius, parameters.branch_wall_thicknesses[i], 0.5, fluid.density,
+                              fluid.inverse_bulk_modulus};
+    const Complex speed = korteweg_speed(branch, parameters.branch_youngs_moduli[i],
+                                         Anchoring::expansion_joints, WallTheory::thick);
+    admittance +=
+        1. / characteristic_impedance(fluid.density, speed, dealii::numbers::PI * radius * radius)
+                 .real();
+  }
+  return 1. / admittance;
 }
 
 /// One end of the wall, whose layers must all be held alike.
@@ -92,7 +112,9 @@ std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case)
 
   TubeWaveProblem &problem = wave_case.problem;
   problem.level = wave_level_of(input.wave_theory.level);
-  problem.n_computed_sections = input.wave_theory.computed_sections;
+  // A table may have kinks, which an interpolation between sections would smear.
+  problem.n_computed_sections =
+      law->name() == "table" ? input.wave_theory.segments : input.wave_theory.computed_sections;
   const BoundaryCondition *inlet = find_condition(input, "inlet", 0);
   const BoundaryCondition *outlet = find_condition(input, "outlet", 0);
   if (inlet == nullptr || outlet == nullptr)
@@ -110,6 +132,11 @@ std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case)
 
   if (input.wave_theory.far_end == "matched")
     problem.outlet = TubeWaveProblem::Outlet::matched;
+  else if (input.wave_theory.far_end == "branches")
+  {
+    problem.outlet = TubeWaveProblem::Outlet::loaded;
+    problem.load_impedance = impedance_of_branches(input.problem.materials[0], input.wave_theory);
+  }
   else if (is_fixed(outlet->normal))
     problem.outlet = TubeWaveProblem::Outlet::closed;
   else if (is_free(outlet->normal))

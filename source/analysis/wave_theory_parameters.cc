@@ -2,6 +2,8 @@
 
 #include <continua/theory/closed_form_waves.h>
 
+#include <utility>
+
 namespace Continua
 {
 void WaveTheoryParameters::read(ParameterSection section)
@@ -16,10 +18,28 @@ void WaveTheoryParameters::read(ParameterSection section)
       "exact: viscous compressible liquid in a thick layered wall, pressure, axial "
       "and bending waves; closed formula: pressure wave of a thick wall; membrane: of a "
       "membrane; womersley: long waves in a thin wall.");
-  section.add_choice(
-      "Far end", far_end, {"as the boundary", "matched"},
-      "What the liquid meets at the outlet: what the boundary's condition says, or the "
-      "pressure wave's own impedance, so that it leaves without reflection.");
+  section.add_choice("Far end", far_end, {"as the boundary", "matched", "branches"},
+                     "What the liquid meets at the outlet: what the boundary's condition says; the "
+                     "pressure wave's own impedance, so that it leaves without reflection; or "
+                     "branches, out of which nothing comes back (a bifurcation).");
+  if (far_end == "branches")
+  {
+    section.add("Branch diameters", branch_diameters, Dimensions::length,
+                "Inner diameter of each branch [m].", Range::positive());
+    section.add("Branch wall thicknesses", branch_wall_thicknesses, Dimensions::length,
+                "Thickness of the wall of each branch [m].", Range::positive());
+    section.add("Branch Young's moduli", branch_youngs_moduli, Dimensions::pressure,
+                "Young's modulus of the wall of each branch [Pa].", Range::positive());
+    section.require("Branch diameters");
+    for (const auto &[key, size] :
+         {std::pair("Branch wall thicknesses", branch_wall_thicknesses.size()),
+          std::pair("Branch Young's moduli", branch_youngs_moduli.size())})
+      if (size != branch_diameters.size())
+        section.refuse(key,
+                       std::to_string(size) + " values stand beside " +
+                           std::to_string(branch_diameters.size()) + " branch diameters",
+                       "Give one for each branch");
+  }
   section.add("Segments", segments,
               "Uniform segments that stand for a tube whose section varies [1].", 2);
   section.add("Computed sections", computed_sections,

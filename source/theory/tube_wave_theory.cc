@@ -15,6 +15,7 @@ namespace
 {
 using Complex = std::complex<double>;
 constexpr double pi = 3.14159265358979323846;
+constexpr unsigned int largest_n_samples = 1 << 18;
 const Complex imaginary(0., 1.);
 
 /// A small dense matrix, row by row.
@@ -122,7 +123,7 @@ Complex decay(const WaveMode &mode, const double length)
 Matrix end_conditions(const std::vector<WaveMode> &modes,
                       const WaveMode::Junction liquid,
                       const TubeWaveProblem::WallEnd wall,
-                      const bool matched,
+                      const Complex &load_impedance,
                       const double direction)
 {
   const unsigned int n = modes.size();
@@ -142,16 +143,12 @@ Matrix end_conditions(const std::vector<WaveMode> &modes,
       const double sign = direction > 0. ? 1. : WaveMode::parity[rows[i]];
       matrix(i, j) = sign * modes[j].junction[rows[i]];
     }
-  if (matched)
-  {
-    // traction - Z flow, with the pressure wave's Z.
-    const Complex impedance =
-        modes[0].junction[WaveMode::traction] / modes[0].junction[WaveMode::flow_rate];
+  // Of a loaded end: traction - Z flow.
+  if (load_impedance != 0.)
     for (unsigned int j = 0; j < n; ++j)
       matrix(0, j) =
           modes[j].junction[WaveMode::traction] -
-          (direction > 0. ? 1. : -1.) * impedance * modes[j].junction[WaveMode::flow_rate];
-  }
+          (direction > 0. ? 1. : -1.) * load_impedance * modes[j].junction[WaveMode::flow_rate];
   return matrix;
 }
 } // namespace
@@ -168,34 +165,26 @@ TubeWaveTheory::TubeWaveTheory(const TubeWaveProblem &problem,
                                const std::function<double(double)> &inlet,
                                const double end_time,
                                const double spectral_tolerance)
-    : problem(problem), period(2. * end_time), shift(std::log(1e6) / period), n_samples(1 << 14)
+    : problem(problem), period(2. * end_time), shift(std::log(1e6) / period), n_samples(0)
 {
-  // The inlet's transform, by the trapezoidal rule.
-  const double sample_time = period / n_samples;
-  std::vector<Complex> samples(n_samples);
-  for (unsigned int j = 0; j < n_samples; ++j)
+  // Sampled ever finer until the upper half of the spectrum is below the tolerance.
+  std::vector<Complex> samples;
+  unsigned int last = 0;
+  for (n_samples = 1 << 14;; n_samples *= 2)
   {
-    const double time = j * sample_time;
-    samples[j] = time <= end_time ? inlet(time) * std::exp(-shift * time) * sample_time : 0.;
+    samples = transform_inlet(inlet, end_time);
+    double largest = 0.;
+    for (unsigned int n = 0; n < n_samples / 2; ++n)
+      largest = std::max(largest, std::abs(samples[n]));
+    last = 16;
+    for (unsigned int n = last; n < n_samples / 2; ++n)
+      if (std::abs(samples[n]) > spectral_tolerance * largest)
+        last = n;
+    // An inlet with a jump has a spectrum that ends nowhere: it is then cut where it is.
+    if (last < n_samples / 4 || n_samples >= largest_n_samples)
+      break;
   }
-  samples[0] *= 0.5;
-  // What an inlet still says at the end is faded out, since its cut would be a jump.
-  const double fade = 0.5 * end_time, value_at_end = inlet(end_time);
-  for (unsigned int j = 0; j < n_samples; ++j)
-  {
-    const double beyond = j * sample_time - end_time;
-    if (beyond > 0. && beyond < fade)
-      samples[j] = value_at_end * 0.5 * (1. + std::cos(pi * beyond / fade)) *
-                   std::exp(-shift * (end_time + beyond)) * sample_time;
-  }
-  gsl_fft_complex_radix2_forward(reinterpret_cast<double *>(samples.data()), 1, n_samples);
-  double largest = 0.;
-  for (unsigned int n = 0; n < n_samples / 2; ++n)
-    largest = std::max(largest, std::abs(samples[n]));
-  unsigned int last = 16;
-  for (unsigned int n = last; n < n_samples / 4; ++n)
-    if (std::abs(samples[n]) > spectral_tolerance * largest)
-      last = n;
+  last = std::min(last, n_samples / 4);
   // The closed formulas of a membrane end at the ring frequency of its wall.
   if (problem.level == WaveLevel::membrane || problem.level == WaveLevel::closed_formula)
     for (const TubeSegment &segment : problem.segments)
@@ -215,6 +204,29 @@ TubeWaveTheory::TubeWaveTheory(const TubeWaveProblem &problem,
   }
 
   compute_sections();
+}
+
+std::vector<TubeWaveTheory::Complex>
+TubeWaveTheory::transform_inlet(const std::function<double(double)> &inlet,
+                                const double end_time) const
+{
+  // By the trapezoidal rule. What the inlet still says at the end is faded out, since its cut would
+  // be a jump.
+  const double sample_time = period / n_samples;
+  const double fade = 0.5 * end_time, value_at_end = inlet(end_time);
+  std::vector<Complex> samples(n_samples, 0.);
+  for (unsigned int j = 0; j < n_samples; ++j)
+  {
+    const double time = j * sample_time, beyond = time - end_time;
+    const double weight = sample_time * std::exp(-shift * time);
+    if (beyond <= 0.)
+      samples[j] = inlet(time) * weight;
+    else if (beyond < fade)
+      samples[j] = value_at_end * 0.5 * (1. + std::cos(pi * beyond / fade)) * weight;
+  }
+  samples[0] *= 0.5;
+  gsl_fft_complex_radix2_forward(reinterpret_cast<double *>(samples.data()), 1, n_samples);
+  return samples;
 }
 
 void TubeWaveTheory::compute_sections()
@@ -321,10 +333,13 @@ TubeWaveTheory::Amplitudes TubeWaveTheory::amplitudes(
       const WaveMode::Junction liquid = problem.outlet == TubeWaveProblem::Outlet::closed
                                             ? WaveMode::flow_rate
                                             : WaveMode::traction;
-      const bool matched = problem.outlet == TubeWaveProblem::Outlet::matched;
-      Matrix forward = end_conditions(modes[s], liquid, problem.wall_outlet_end, matched, 1.);
-      const Matrix backward =
-          end_conditions(modes[s], liquid, problem.wall_outlet_end, matched, -1.);
+      Complex load = 0.;
+      if (problem.outlet == TubeWaveProblem::Outlet::matched)
+        load = modes[s][0].junction[WaveMode::traction] / modes[s][0].junction[WaveMode::flow_rate];
+      else if (problem.outlet == TubeWaveProblem::Outlet::loaded)
+        load = problem.load_impedance;
+      Matrix forward = end_conditions(modes[s], liquid, problem.wall_outlet_end, load, 1.);
+      const Matrix backward = end_conditions(modes[s], liquid, problem.wall_outlet_end, load, -1.);
       for (unsigned int j = 0; j < n; ++j)
         for (unsigned int i = 0; i < n; ++i)
           forward(i, j) *= -decay(modes[s][j], length);
@@ -358,8 +373,8 @@ TubeWaveTheory::Amplitudes TubeWaveTheory::amplitudes(
   // The inlet, then forwards.
   const WaveMode::Junction driven =
       problem.inlet == TubeWaveProblem::Inlet::pressure ? WaveMode::traction : WaveMode::flow_rate;
-  Matrix system = end_conditions(modes[0], driven, problem.wall_inlet_end, false, 1.);
-  const Matrix backward = end_conditions(modes[0], driven, problem.wall_inlet_end, false, -1.);
+  Matrix system = end_conditions(modes[0], driven, problem.wall_inlet_end, 0., 1.);
+  const Matrix backward = end_conditions(modes[0], driven, problem.wall_inlet_end, 0., -1.);
   for (unsigned int i = 0; i < n; ++i)
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int m = 0; m < n; ++m)

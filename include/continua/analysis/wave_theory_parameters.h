@@ -4,6 +4,7 @@
 #include <continua/base/parameter_section.h>
 
 #include <string>
+#include <vector>
 
 namespace Continua
 {
@@ -14,10 +15,13 @@ struct WaveTheoryParameters
   bool overlay_given = false;  ///< by the user, who is told if it cannot be had
   std::string level = "exact"; ///< one of wave_level_names()
   std::string far_end = "as the boundary";
-  unsigned int segments = 20;         ///< of a tube that is not uniform
-  unsigned int computed_sections = 6; ///< of its segments
-  double spectral_tolerance = 1e-5;   ///< of the inlet's spectrum
-  double highest_frequency = 0.;      ///< [Hz] of the dispersion table; 0: that of the inlet
+  std::vector<double> branch_diameters;        ///< inner ones, of branches at the far end [m]
+  std::vector<double> branch_wall_thicknesses; ///< [m]
+  std::vector<double> branch_youngs_moduli;    ///< [Pa]
+  unsigned int segments = 20;                  ///< of a tube that is not uniform
+  unsigned int computed_sections = 6;          ///< of its segments
+  double spectral_tolerance = 1e-5;            ///< of the inlet's spectrum
+  double highest_frequency = 0.; ///< [Hz] of the dispersion table; 0: that of the inlet
 
   /// Declares and reads; throws InputError.
   void read(ParameterSection section);

@@ -27,9 +27,10 @@ struct TubeWaveProblem
   };
   enum class Outlet
   {
-    closed, ///< no flow
-    open,   ///< no traction
-    matched ///< the impedance of the pressure wave there: it leaves without reflection
+    closed,  ///< no flow
+    open,    ///< no traction
+    matched, ///< the impedance of the pressure wave there: it leaves without reflection
+    loaded   ///< a given impedance, such as that of branches
   };
   enum class WallEnd
   {
@@ -43,6 +44,7 @@ struct TubeWaveProblem
   unsigned int n_computed_sections = 6;
   Inlet inlet = Inlet::pressure;
   Outlet outlet = Outlet::closed;
+  double load_impedance = 0.; ///< traction over flow rate of a loaded outlet [Pa s/m^3]
   WallEnd wall_inlet_end = WallEnd::clamped;
   WallEnd wall_outlet_end = WallEnd::clamped;
 
@@ -110,6 +112,8 @@ private:
   /// Of each segment: sections and weights that its waves are interpolated from.
   std::vector<std::vector<std::pair<std::size_t, double>>> sections_of;
 
+  std::vector<Complex> transform_inlet(const std::function<double(double)> &inlet,
+                                       double end_time) const;
   void compute_sections();
   /// The waves of all segments at a frequency [Hz].
   void evaluate(double frequency, std::vector<std::vector<WaveMode>> &modes) const;
