@@ -17,7 +17,7 @@ void append(std::vector<double> &row, const Power &power)
 
 template <int dim>
 PowerRecord<dim>::PowerRecord(const MPI_Comm communicator, const std::vector<std::string> &regions)
-    : communicator(communicator), regions(regions)
+    : communicator(communicator), regions(regions), taken(regions.size())
 {
 }
 
@@ -66,6 +66,14 @@ void PowerRecord<dim>::record(ContinuumSolver<dim> &solver, const Step &step, co
   totals.largest_exchanged = std::max(totals.largest_exchanged, balance.exchanged);
   totals.residual_energy += step.size() * balance.residual;
   totals.work += step.size() * balance.external;
+  for (unsigned int region = 0; region < taken.size(); ++region)
+  {
+    const Power &power = balance.materials[region];
+    taken[region].kinetic += step.size() * power.kinetic;
+    taken[region].strain += step.size() * power.strain;
+    taken[region].viscous += step.size() * power.viscous;
+    taken[region].compressive += step.size() * power.compressive;
+  }
   if (!write)
     return;
 
@@ -112,6 +120,15 @@ void PowerRecord<dim>::finish(Summary &summary)
   if (totals.initial_energy > 0.)
     summary.add(
         {"total energy change", totals.largest_energy_change / totals.initial_energy, "1", ""});
+  if (totals.largest_exchanged > 0.)
+    summary.add({"work of the loads", totals.work, "J", ""});
+  for (unsigned int region = 0; region < taken.size() && totals.largest_exchanged > 0.; ++region)
+  {
+    summary.add({"kinetic energy taken", taken[region].kinetic, "J", regions[region]});
+    summary.add({"strain energy taken", taken[region].strain, "J", regions[region]});
+    summary.add({"compressive energy taken", taken[region].compressive, "J", regions[region]});
+    summary.add({"energy dissipated", taken[region].viscous, "J", regions[region]});
+  }
   on_writing_rank(communicator,
                   [&]()
                   {
@@ -123,19 +140,26 @@ void PowerRecord<dim>::finish(Summary &summary)
 template <int dim>
 void PowerRecord<dim>::save(ArchiveWriter &archive) const
 {
-  archive.add("power record",
-              std::vector<double>{totals.largest_residual, totals.largest_exchanged,
-                                  totals.residual_energy, totals.work, totals.initial_energy,
-                                  totals.largest_energy, totals.largest_energy_change});
+  std::vector<double> values = {
+      totals.largest_residual, totals.largest_exchanged, totals.residual_energy,      totals.work,
+      totals.initial_energy,   totals.largest_energy,    totals.largest_energy_change};
+  for (const Power &power : taken)
+    append(values, power);
+  archive.add("power record", values);
 }
 
 template <int dim>
 void PowerRecord<dim>::load(const ArchiveReader &archive)
 {
   const std::vector<double> values = archive.values("power record");
-  if (values.size() != 7)
+  if (values.size() != 7 + 4 * taken.size())
     throw RunError("the checkpoint's power record is that of another version of the program");
   totals = {values[0], values[1], values[2], values[3], values[4], values[5], values[6]};
+  for (unsigned int region = 0; region < taken.size(); ++region)
+  {
+    const double *const value = &values[7 + 4 * region];
+    taken[region] = {value[0], value[1], value[2], value[3]};
+  }
 }
 
 template class PowerRecord<2>;

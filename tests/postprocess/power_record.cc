@@ -70,6 +70,12 @@ int main(int argc, char **argv)
     check::relative("power residual", quantity(summary, "power residual"), 1. / 32., 1e-14);
     check::relative("energy residual", quantity(summary, "energy residual"), 0.0625 / 14., 1e-14);
     check::relative("energy change", quantity(summary, "total energy change"), 0.4, 1e-14);
+    check::relative("work of the loads", quantity(summary, "work of the loads"), 16., 1e-14);
+    // What comes last is the wall's: 0.25 W and 0.125 W for 2 s.
+    check::relative("wall: kinetic", quantity(summary, "kinetic energy taken", "wall"), 0.5, 1e-14);
+    check::relative("wall: dissipated", quantity(summary, "energy dissipated", "wall"), 0.25,
+                    1e-14);
+    check::relative("fluid: strain", quantity(summary, "strain energy taken", "fluid"), 4., 1e-14);
   }
 
   // Saved after two steps, run on for a third that is lost, and continued.
@@ -104,6 +110,8 @@ int main(int argc, char **argv)
                     0.0625 / 14., 1e-14);
     check::relative("energy change after a restart", quantity(summary, "total energy change"), 0.4,
                     1e-14);
+    check::relative("fluid: strain after a restart",
+                    quantity(summary, "strain energy taken", "fluid"), 4., 1e-14);
   }
 
   // One material, at rest, nothing to compare with.

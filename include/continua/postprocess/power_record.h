@@ -45,7 +45,9 @@ public:
    * residual over the largest power exchanged), `energy residual` (integral of the residual over
    * time over the largest energy) and `total energy change` (largest deviation of the energy from
    * the initial one, which says something of a body without loads and losses); each only where
-   * there is something to compare with. Throws RunError on all ranks.
+   * there is something to compare with. And in J, over the whole run, `work of the loads` and of
+   * each region what it took of it: `kinetic energy taken`, `strain energy taken`, `compressive
+   * energy taken`, `energy dissipated` (by viscosity). Throws RunError on all ranks.
    */
   void finish(Summary &summary);
 
@@ -70,6 +72,7 @@ private:
   MPI_Comm communicator;
   std::vector<std::string> regions;
   Totals totals;
+  std::vector<Power> taken;           ///< by region, integrated over time [J]
   std::unique_ptr<TableWriter> table; ///< on the rank that writes
   std::vector<double> row;
 };
