@@ -53,11 +53,7 @@ void read_measured_waves(const Probes<dim> &probes, std::map<std::string, Measur
 {
   for (const StationsProbe &probe : probes.stations())
   {
-    std::string file;
-    ParameterSection section = probe.section;
-    section.add_input_file("Measured", file,
-                           "Table of what was measured at the stations, which stands beside the "
-                           "rest in wave.csv: 'time [ms], 0.1 m: pressure [mmHg], ...'.");
+    const std::string file = MeasuredWaves::read_file(probe.section);
     if (!file.empty())
       waves.emplace(probe.name, MeasuredWaves(file, probe.positions, probe.fields));
   }

@@ -73,6 +73,17 @@ MeasuredWaves::MeasuredWaves(const std::string &file,
   }
 }
 
+std::string MeasuredWaves::read_file(ParameterSection probe)
+{
+  std::string file;
+  probe.add_input_file(
+      "Measured", file,
+      "With Stations: a csv file of what was measured there, which stands beside "
+      "simulation and theory in wave.csv. Its header is 'time [ms], 0.1 m: pressure "
+      "[mmHg], ...' with stations and Fields of this probe (units required).");
+  return file;
+}
+
 std::vector<std::vector<std::vector<double>>>
 MeasuredWaves::histories(const std::vector<double> &times) const
 {

@@ -1,6 +1,7 @@
 #include <continua/analysis/parameter_catalogue.h>
 
 #include <continua/analysis/case.h>
+#include <continua/analysis/measured_waves.h>
 #include <continua/base/input_error.h>
 #include <continua/base/parameter_text.h>
 #include <continua/boundary/boundary_condition.h>
@@ -90,6 +91,7 @@ void read_discretisation(ParameterSection root, const GeneralParameters &)
 void read_probe(ParameterSection root, const GeneralParameters &)
 {
   Probes<2>(MPI_COMM_SELF).read(root.subsection("Probes"), {"<boundary>"}, {"<region>"});
+  MeasuredWaves::read_file(root.subsection("Probes").subsection("<probe>"));
 }
 
 /// The sections in the order of the documentation: to document a further one, add a row.

@@ -2,6 +2,7 @@
 #define continua_analysis_measured_waves_h
 
 #include <continua/base/interpolant.h>
+#include <continua/base/parameter_section.h>
 
 #include <string>
 #include <utility>
@@ -21,6 +22,9 @@ public:
   MeasuredWaves(const std::string &file,
                 const std::vector<double> &positions,
                 const std::vector<std::string> &fields);
+
+  /// Declares and reads the entry `Measured` of a probe with stations; empty if there is no table.
+  static std::string read_file(ParameterSection probe);
 
   /// By station, field and time [s], linear between the rows; NaN where nothing was measured.
   std::vector<std::vector<std::vector<double>>> histories(const std::vector<double> &times) const;
