@@ -19,7 +19,9 @@ void write_dispersion_table(const std::string &file,
   std::vector<double> frequencies;
   for (unsigned int i = 0; i < n_rows; ++i)
     frequencies.push_back(highest_frequency * std::pow(10., -3. + 3. * i / (n_rows - 1.)));
-  const DispersionCurves exact(section, 0., frequencies);
+  // Without any loss families cannot be told apart while they are followed: a millionth of the
+  // lowest frequency is taken as growth in time.
+  const DispersionCurves exact(section, 1e-6 * two_pi * frequencies.front(), frequencies);
   const std::vector<ExactDispersion::Family> &families = exact.families();
 
   std::vector<std::string> header = {"frequency [Hz]"};
