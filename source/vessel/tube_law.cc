@@ -22,8 +22,13 @@ constexpr double thick_wall = 0.1e-3;
 constexpr double thin_wall = 0.05e-3;
 } // namespace Thesis
 
-const std::vector<std::string> law_names = {"uniform", "taper", "table", "A", "B",
-                                            "C",       "D",     "E",     "F", "aorta"};
+/// In a function, so that it is there when another file's static data read parameters.
+const std::vector<std::string> &law_names()
+{
+  static const std::vector<std::string> names = {"uniform", "taper", "table", "A", "B",
+                                                 "C",       "D",     "E",     "F", "aorta"};
+  return names;
+}
 
 bool is_thesis_tube(const std::string &law)
 {
@@ -148,7 +153,7 @@ TubeLaw TubeLaw::table(const std::vector<double> &positions,
 TubeLaw TubeLaw::read(ParameterSection geometry)
 {
   std::string law = "uniform";
-  geometry.add_choice("Law", law, law_names,
+  geometry.add_choice("Law", law, law_names(),
                       "How the tube's inner diameter D and wall thickness h vary along its axis "
                       "x: 'uniform'; 'taper', both linear from the inlet to the outlet; 'table', "
                       "from a csv file; 'A' to 'F', the thesis's tubes of length 446 mm: A is D "
