@@ -171,9 +171,10 @@ std::vector<Source> sources()
       {"Adaptivity",
        "How the mesh follows the solution.",
        {},
-       [](Root root, const General &general) {
-         AdaptationParameters().read(root.subsection("Adaptivity"),
-                                     general.analysis == "transient");
+       [](Root root, const General &general)
+       {
+         // As Case reads it.
+         AdaptationParameters().read(root.subsection("Adaptivity"), general.analysis != "steady");
        },
        "",
        {}},
