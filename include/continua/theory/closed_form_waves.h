@@ -13,7 +13,9 @@ enum class WaveLevel
   exact,          ///< ExactDispersion: pressure, axial and bending waves
   closed_formula, ///< closed_form_wave_number(): pressure wave only, like those below
   membrane,       ///< membrane_wave_number(): inviscid membrane, times Womersley's factor
-  womersley       ///< long waves in a thin wall that is held axially, of the speed c0 (6.18)
+  /// Long waves, viscous in a thin wall without inertia; without viscosity of Korteweg's speed in a
+  /// compressible liquid, with psi = 1 (axially free), or 1 - nu^2 where the wall is held axially.
+  womersley
 };
 
 /// "exact", "closed formula", "membrane", "womersley".
