@@ -49,11 +49,16 @@ namespace
 {
 /// What the user has measured at the stations of her probes.
 template <int dim>
-void read_measured_waves(const Probes<dim> &probes, std::map<std::string, MeasuredWaves> &waves)
+void read_measured_waves(const Probes<dim> &probes,
+                         const bool transient,
+                         std::map<std::string, MeasuredWaves> &waves)
 {
   for (const StationsProbe &probe : probes.stations())
   {
     const std::string file = MeasuredWaves::read_file(probe.section);
+    if (!file.empty() && !transient)
+      probe.section.refuse("Measured", "a state at rest has no wave to compare with",
+                           "Remove the entry, or use another analysis");
     if (!file.empty())
       waves.emplace(probe.name, MeasuredWaves(file, probe.positions, probe.fields));
   }
@@ -98,7 +103,7 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator)
     wave_theory.read(root.subsection("Wave theory"));
   output.read(root.subsection("Output"));
   probes.read(root.subsection("Probes"), problem.boundaries, problem.regions);
-  read_measured_waves(probes, measured_waves);
+  read_measured_waves(probes, transient, measured_waves);
   error_norms.read(root.subsection("Exact solution"));
   expected = read_expected(root.subsection("Expected"));
 

@@ -4,6 +4,7 @@
 #include <continua/theory/closed_form_waves.h>
 #include <continua/theory/dispersion_curves.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -17,8 +18,17 @@ void write_dispersion_table(const std::string &file,
   constexpr double two_pi = 6.28318530717958647692;
   constexpr unsigned int n_rows = 80;
   std::vector<double> frequencies;
+  // The first guesses are those of waves that are long beside the radius.
+  double lowest = 1e-3 * highest_frequency;
+  if (!section.layers.empty())
+  {
+    const double speed =
+        std::sqrt(std::abs(section.membrane_modulus(two_pi)) * section.wall_thickness() /
+                  (2. * section.inner_radius * section.fluid.density));
+    lowest = std::min(lowest, 0.02 * speed / (two_pi * section.inner_radius));
+  }
   for (unsigned int i = 0; i < n_rows; ++i)
-    frequencies.push_back(highest_frequency * std::pow(10., -3. + 3. * i / (n_rows - 1.)));
+    frequencies.push_back(lowest * std::pow(highest_frequency / lowest, i / (n_rows - 1.)));
   // Without any loss families cannot be told apart while they are followed: a millionth of the
   // lowest frequency is taken as growth in time.
   const DispersionCurves exact(section, 1e-6 * two_pi * frequencies.front(), frequencies);

@@ -67,6 +67,9 @@ MeasuredWaves::MeasuredWaves(const std::string &file,
       refuse("the probe has no station there");
     if (field == fields.size())
       refuse("the probe does not record this field");
+    for (const Column &column : columns)
+      if (column.station == station && column.field == field)
+        refuse("this field of the station is given twice");
     columns.push_back({station, field,
                        Interpolant(times, table.values(c, dimension_of_station_field(field_name)),
                                    Interpolant::Kind::linear)});

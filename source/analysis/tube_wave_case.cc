@@ -88,7 +88,8 @@ TubeSection tube_section_at(const Case<dim> &input, const double z)
     section.layer_thicknesses.push_back(law.layer_fractions()[layer] * law.wall_thickness(z));
     section.layers.push_back(input.problem.materials[layer + 1]);
   }
-  const BoundaryCondition *outside = find_condition(input, "outside", 1);
+  const BoundaryCondition *outside =
+      find_condition(input, "outside", input.problem.regions.size() - 1);
   section.tethered = outside != nullptr && is_fixed(outside->tangential);
   return section;
 }
@@ -112,9 +113,9 @@ std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case)
 
   TubeWaveProblem &problem = wave_case.problem;
   problem.level = wave_level_of(input.wave_theory.level);
-  // A table may have kinks, which an interpolation between sections would smear.
+  // A table may vary more than a law does.
   problem.n_computed_sections =
-      law->name() == "table" ? input.wave_theory.segments : input.wave_theory.computed_sections;
+      std::max(input.wave_theory.computed_sections, law->name() == "table" ? 16u : 0u);
   const BoundaryCondition *inlet = find_condition(input, "inlet", 0);
   const BoundaryCondition *outlet = find_condition(input, "outlet", 0);
   if (inlet == nullptr || outlet == nullptr)

@@ -212,15 +212,22 @@ void WaveReport::compare(const Source a,
   const auto largest_of = [&](const std::string &name, double Pulse::*what)
   {
     double largest = nan;
+    unsigned int n_compared = 0;
     for (unsigned int s = 0; s < stations.positions.size(); ++s)
     {
       const double relative = std::abs(
           pulses[static_cast<int>(a)][s].*what / (pulses[static_cast<int>(b)][s].*what) - 1.);
-      if (std::isfinite(relative) && !(relative <= largest))
+      if (!std::isfinite(relative))
+        continue;
+      ++n_compared;
+      if (!(relative <= largest))
         largest = relative;
     }
-    if (std::isfinite(largest))
-      summary.add({"largest difference of " + name + suffix, largest, "1", stations.name});
+    if (n_compared == 0)
+      return;
+    summary.add({"largest difference of " + name + suffix, largest, "1", stations.name});
+    summary.add({"stations compared by " + name + suffix, static_cast<double>(n_compared), "1",
+                 stations.name});
   };
   largest_of("first pulse time", &Pulse::time);
   largest_of("first pulse height", &Pulse::height);

@@ -1,4 +1,5 @@
 #include <continua/base/atomic_file.h>
+#include <continua/base/nearest_name.h>
 #include <continua/base/summary.h>
 
 #include <deal.II/base/mpi.h>
@@ -154,8 +155,15 @@ Verdict judge(const ExpectedValue &expected, const std::vector<Quantity> &quanti
   }
   if (matches.empty())
   {
-    verdict.text = "FAILED: the run has no such quantity (it has " +
-                   (all.empty() ? std::string("none") : joined(all)) + ")";
+    // A run with many probes has hundreds.
+    constexpr std::size_t most_listed = 30;
+    const std::string near = nearest_name(label(expected.name, expected.probe), all);
+    verdict.text = "FAILED: the run has no such quantity (" +
+                   (all.size() <= most_listed
+                        ? "it has " + (all.empty() ? std::string("none") : joined(all))
+                        : (near.empty() ? std::string() : "the nearest of them is " + near + "; ") +
+                              "summary.json lists all") +
+                   ")";
     return verdict;
   }
   if (matches.size() > 1)

@@ -144,6 +144,9 @@ void Probes<dim>::read(ParameterSection section,
   for (const std::string &name : section.subsections())
   {
     const ParameterSection child = section.subsection(name);
+    if (name.find('/') != std::string::npos)
+      child.refuse("", "the name of a probe has a '/', which files cannot have in their names",
+                   "Call it otherwise");
     Probe probe(child);
     read_entries(probe);
     check_entries(probe);

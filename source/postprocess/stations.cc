@@ -76,6 +76,10 @@ void Stations<dim>::set(const ParameterSection &section,
     if (!labels.insert(label(s)).second)
       section.refuse("Stations", "the station " + label(s) + " is given twice",
                      "Name every station once");
+  for (unsigned int s = 1; s < station_positions.size(); ++s)
+    if (station_positions[s] < station_positions[s - 1])
+      section.refuse("Stations", "the station " + label(s) + " stands behind " + label(s - 1),
+                     "List the stations from the inlet on");
   const unsigned int fluid_id = find_name(section, "Fluid", fluid, regions);
   for (unsigned int region = 0; region < regions.size(); ++region)
     (region == fluid_id ? fluid_ids : wall_ids).insert(region);

@@ -35,8 +35,8 @@ void ClosedFormWaves::evaluate(const double frequency, std::vector<WaveMode> &mo
   const double radius = section.inner_radius, thickness = section.wall_thickness();
   const Material &fluid = section.fluid;
   const Womersley flow(radius, fluid.density, fluid.viscosity);
-  const LongWaveTube tube{radius, thickness, section.poisson_ratio(omega).real(), fluid.density,
-                          fluid.inverse_bulk_modulus};
+  const double nu = section.poisson_ratio(omega).real();
+  const LongWaveTube tube{radius, thickness, nu, fluid.density, fluid.inverse_bulk_modulus};
   const ClosedFormTube closed_form{tube, fluid.viscosity, section.wall_density()};
   const Complex young = section.membrane_modulus(omega);
   const Anchoring anchoring =
@@ -44,7 +44,8 @@ void ClosedFormWaves::evaluate(const double frequency, std::vector<WaveMode> &mo
 
   WaveMode mode;
   if (level == WaveLevel::membrane)
-    mode.wave_number = membrane_wave_number(closed_form, omega, young);
+    mode.wave_number =
+        membrane_wave_number(closed_form, omega, section.tethered ? young / (1. - nu * nu) : young);
   else if (level == WaveLevel::closed_formula)
     mode.wave_number = closed_form_wave_number(closed_form, omega, young, anchoring);
   else

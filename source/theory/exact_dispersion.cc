@@ -448,7 +448,7 @@ WaveMode ExactDispersion::uncertain_mode(const Family family,
   mode.junction[WaveMode::flow_rate] = imaginary * omega * pi * radius * radius * scaled(mean_u_z);
 
   // The wall's quantities by Gauss's rule in each layer.
-  double area = 0., first_moment = 0., second_moment = 0., thickness = 0.;
+  double area = 0., first_moment = 0., second_moment = 0.;
   for (unsigned int i = 0; i < section.layers.size(); ++i)
     for (unsigned int q = 0; q < 3; ++q)
     {
@@ -456,7 +456,6 @@ WaveMode ExactDispersion::uncertain_mode(const Family family,
       const double weight = gauss_weights[q] * section.layer_thicknesses[i];
       area += 2. * pi * r * weight;
       first_moment += 2. * pi * r * r * weight;
-      thickness += weight;
     }
   const double middle = area > 0. ? first_moment / area : 0.;
   for (unsigned int i = 0; i < section.layers.size(); ++i)
@@ -477,7 +476,7 @@ WaveMode ExactDispersion::uncertain_mode(const Family family,
       mode.junction[WaveMode::axial_force] += ring * s_zz;
       mode.junction[WaveMode::bending_moment] += ring * arm * s_zz;
       mode.junction[WaveMode::shear_force] += ring * value(&Column::s_rz);
-      mode.hoop_stress += weight / thickness * value(&Column::s_tt);
+      mode.hoop_stress += ring / area * value(&Column::s_tt);
       second_moment += ring * arm * arm;
     }
   }

@@ -185,15 +185,20 @@ TubeWaveTheory::TubeWaveTheory(const TubeWaveProblem &problem,
       break;
   }
   last = std::min(last, n_samples / 4);
-  // The closed formulas of a membrane end at the ring frequency of its wall.
-  if (problem.level == WaveLevel::membrane || problem.level == WaveLevel::closed_formula)
-    for (const TubeSegment &segment : problem.segments)
+  // Well above the ring frequency of its wall a tube carries no pressure wave, and the closed
+  // formulas of a membrane end at it.
+  const bool is_membrane =
+      problem.level == WaveLevel::membrane || problem.level == WaveLevel::closed_formula;
+  for (const TubeSegment &segment : problem.segments)
+    if (!segment.section.layers.empty())
     {
       const double young = segment.section.membrane_modulus(Complex(0., -shift)).real();
       const double ring_frequency = std::sqrt(young / segment.section.wall_density()) /
                                     (2. * pi * segment.section.inner_radius);
-      last = std::min(last, static_cast<unsigned int>(0.5 * ring_frequency * period));
+      last = std::min(
+          last, static_cast<unsigned int>((is_membrane ? 0.5 : 2.) * ring_frequency * period));
     }
+  last = std::max(last, 16u);
   last_frequency = last / period;
   const unsigned int first_faded = static_cast<unsigned int>(0.8 * last);
   for (unsigned int n = 0; n <= last; ++n)

@@ -12,8 +12,8 @@ namespace Continua
  * speed d omega / d Re k [m/s] and attenuation -Im k [1/m] of the exact pressure and axial waves,
  * wave number and attenuation of the bending waves [1/m], and beside them speed and attenuation of
  * the pressure wave by the closed formula, the membrane and Womersley's theory. 80 rows, evenly in
- * the logarithm of the frequency, from a thousandth of the highest frequency [Hz]. Where a closed
- * formula has no wave its cells are empty (nan). Throws RunError when the disk refuses.
+ * the logarithm of the frequency, from where waves are long to the highest frequency [Hz]. Where a
+ * closed formula has no wave its cells are empty (nan). Throws RunError when the disk refuses.
  */
 void write_dispersion_table(const std::string &file,
                             const TubeSection &section,

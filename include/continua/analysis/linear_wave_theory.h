@@ -2,6 +2,7 @@
 #define continua_analysis_linear_wave_theory_h
 
 #include <continua/analysis/run.h>
+#include <continua/analysis/tube_wave_case.h>
 
 #include <vector>
 
@@ -31,6 +32,8 @@ private:
   Run<dim> &run;
 
   void report(const std::vector<double> &times, bool simulated);
+  /// Says how theory was computed, and tabulates its dispersion.
+  void describe(const TubeWaveTheory &theory, const TubeWaveCase &wave_case);
 };
 } // namespace Continua
 

@@ -59,7 +59,7 @@ struct WaveHistory
   std::vector<double> flow_rate;         ///< [m^3/s]
   std::vector<double> wall_distension;   ///< change of the inner diameter [m]
   std::vector<double> wall_shear_stress; ///< of the liquid on the wall, positive downstream [Pa]
-  std::vector<double> hoop_stress;       ///< mean over the wall's thickness [Pa]
+  std::vector<double> hoop_stress;       ///< mean over the wall's section [Pa]
 };
 
 /**
@@ -72,7 +72,8 @@ struct WaveHistory
  *
  * The transform runs along omega = 2 pi f - i shift: what would wrap round the window is smaller by
  * exp(-shift window). The spectrum is cut where the inlet's has fallen to `spectral_tolerance` of
- * its largest value, with a cosine taper.
+ * its largest value, or at twice the ring frequency of the wall (half of it for the formulas of a
+ * membrane), with a cosine taper.
  */
 class TubeWaveTheory
 {

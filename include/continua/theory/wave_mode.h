@@ -20,7 +20,7 @@ struct WaveMode
   Complex axis_pressure;     ///< [Pa]; even
   Complex wall_shear_stress; ///< of the liquid on the wall, sigma_rz at the inner wall [Pa]; odd
   Complex wall_displacement; ///< u_r of the inner wall [m]; even
-  Complex hoop_stress;       ///< sigma_theta, mean over the wall's thickness [Pa]; even
+  Complex hoop_stress;       ///< sigma_theta, mean over the wall's section [Pa]; even
 
   /// What joins two tubes, or a tube and its end.
   enum Junction
