@@ -62,7 +62,7 @@ require_packages() {
 # Compile jobs: a deal.II file takes up to 2 GB, so memory counts as much as cores.
 n_jobs() {
   local cores memory
-  cores=$(nproc)
+  cores=$(env -u OMP_NUM_THREADS nproc) # which takes the threads of a rank for the cores, else
   memory=$(awk '/MemAvailable/ { print int($2 / 2000000) }' /proc/meminfo 2>/dev/null || echo "$cores")
   [ "${memory:-0}" -ge 1 ] || memory=1
   if [ "$memory" -lt "$cores" ]; then echo "$memory"; else echo "$cores"; fi
