@@ -28,8 +28,11 @@ void WaveTheoryParameters::read(ParameterSection section)
                 "Inner diameter of each branch [m].", Range::positive());
     section.add("Branch wall thicknesses", branch_wall_thicknesses, Dimensions::length,
                 "Thickness of the wall of each branch [m].", Range::positive());
-    section.add("Branch Young's moduli", branch_youngs_moduli, Dimensions::pressure,
-                "Young's modulus of the wall of each branch [Pa].", Range::positive());
+    section.add(
+        "Branch Young's moduli", branch_youngs_moduli, Dimensions::pressure,
+        "Young's modulus of the wall of each branch, which is thick, axially free and of Poisson's "
+        "ratio 0.5 [Pa].",
+        Range::positive());
     section.require("Branch diameters");
     for (const auto &[key, size] :
          {std::pair("Branch wall thicknesses", branch_wall_thicknesses.size()),

@@ -22,7 +22,7 @@ const Complex imaginary(0., 1.);
 struct Matrix
 {
   Matrix(const unsigned int n_rows, const unsigned int n_columns)
-      : n_rows(n_rows), n_columns(n_columns), entries(n_rows * n_columns)
+      : n_rows(n_rows), n_columns(n_columns), entries(static_cast<std::size_t>(n_rows) * n_columns)
   {
   }
   Complex &operator()(const unsigned int i, const unsigned int j)
