@@ -25,8 +25,8 @@ displacement there is the second unknown. The root is found by Muller's method w
 shear wave from the axis to the wall takes.
 
 Also printed: for unit mean axial displacement of the liquid, the displacement u_r and shear stress of the liquid at the
-inner wall, and the wall's axial force, bending moment about its middle radius and mean hoop stress, from integrals of the
-Taylor series. Needs python3-mpmath.
+inner wall, and the wall's axial force, bending moment about its middle radius and mean hoop stress over its section, from
+integrals of the Taylor series. Needs python3-mpmath.
 """
 
 import sys
@@ -163,7 +163,7 @@ def through(system, y, inner, outer, middle):
             axial = system.axial_stress(c)
             integrals[0] += 2 * pi * axial * (r0 * i0 + i1)
             integrals[1] += 2 * pi * axial * (r0 * (r0 - middle) * i0 + (2 * r0 - middle) * i1 + i2)
-            integrals[2] += system.hoop_stress(c) * i0
+            integrals[2] += 2 * pi * system.hoop_stress(c) * (r0 * i0 + i1)
         y = total
     return y, integrals
 
@@ -193,7 +193,7 @@ def conditions(case, omega, k):
             integrals[j] = [a + b for a, b in zip(integrals[j], more)]
     last = 1 if case.get("tethered") else 3
     for j in range(2):
-        integrals[j][2] /= edges[-1] - radius
+        integrals[j][2] /= pi * (edges[-1]**2 - radius**2)
     return [[y[2] for y in states], [y[last] for y in states]], inner, integrals
 
 
