@@ -37,7 +37,9 @@ MeasuredWaves::MeasuredWaves(const std::string &file,
     {
       std::string stations, field_names;
       for (const double position : positions)
-        stations += (stations.empty() ? "" : ", ") + shortest_number(position) + " m";
+        stations.append(stations.empty() ? "" : ", ")
+            .append(shortest_number(position))
+            .append(" m");
       for (const std::string &field : fields)
         field_names += (field_names.empty() ? "" : ", ") + field;
       throw InputError(table.header(), name, problem,
