@@ -1,5 +1,7 @@
 #include <continua/theory/exact_dispersion.h>
 
+#include <continua/theory/womersley.h>
+
 #include <acb_hypgeom.h>
 
 #include <algorithm>
@@ -280,13 +282,7 @@ Ball ExactDispersion::determinant(const Complex &omega,
 ExactDispersion::Complex ExactDispersion::guess(const Family family, const Complex &omega) const
 {
   const double radius = section.inner_radius, density = section.fluid.density;
-  Complex f10 = 0.;
-  if (section.fluid.viscosity > 0.)
-  {
-    const Ball argument =
-        square_root(Ball(-imaginary * omega * density / section.fluid.viscosity)) * Ball(radius);
-    f10 = (Ball(2.) * bessel_j(1, argument) / (argument * bessel_j(0, argument))).value();
-  }
+  const Complex f10 = Womersley(radius, density, section.fluid.viscosity).f10(omega);
   // The root that decays towards z > 0, or travels there.
   const auto downstream = [](const Complex &square)
   {

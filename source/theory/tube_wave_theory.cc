@@ -1,7 +1,7 @@
+#include <continua/signal/fourier_transform.h>
 #include <continua/theory/dispersion_curves.h>
 #include <continua/theory/tube_wave_theory.h>
 
-#include <gsl/gsl_fft_complex.h>
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_spline.h>
 
@@ -219,7 +219,7 @@ TubeWaveTheory::transform_inlet(const std::function<double(double)> &inlet,
   // be a jump.
   const double sample_time = period / n_samples;
   const double fade = 0.5 * end_time, value_at_end = inlet(end_time);
-  std::vector<Complex> samples(n_samples, 0.);
+  std::vector<double> samples(n_samples, 0.);
   for (unsigned int j = 0; j < n_samples; ++j)
   {
     const double time = j * sample_time, beyond = time - end_time;
@@ -230,8 +230,7 @@ TubeWaveTheory::transform_inlet(const std::function<double(double)> &inlet,
       samples[j] = value_at_end * 0.5 * (1. + std::cos(pi * beyond / fade)) * weight;
   }
   samples[0] *= 0.5;
-  gsl_fft_complex_radix2_forward(reinterpret_cast<double *>(samples.data()), 1, n_samples);
-  return samples;
+  return fourier_transform(samples);
 }
 
 void TubeWaveTheory::compute_sections()
@@ -424,7 +423,7 @@ std::vector<WaveHistory> TubeWaveTheory::histories(const std::vector<double> &st
   }
 
   std::vector<std::vector<Complex>> spectra(stations.size() * n_fields,
-                                            std::vector<Complex>(n_samples, 0.));
+                                            std::vector<Complex>(n_samples / 2 + 1, 0.));
   std::vector<std::vector<WaveMode>> modes;
   for (unsigned int n = 0; n < spectrum.size(); ++n)
   {
@@ -451,10 +450,8 @@ std::vector<WaveHistory> TubeWaveTheory::histories(const std::vector<double> &st
       }
       for (unsigned int f = 0; f < n_fields; ++f)
       {
-        std::vector<Complex> &target = spectra[i * n_fields + f];
-        target[n] = values[f] / period;
-        if (n > 0)
-          target[n_samples - n] = std::conj(target[n]);
+        // The inverse transform divides by the number of samples.
+        spectra[i * n_fields + f][n] = values[f] * static_cast<double>(n_samples) / period;
       }
     }
   }
@@ -473,10 +470,9 @@ std::vector<WaveHistory> TubeWaveTheory::histories(const std::vector<double> &st
         &result[i].wall_distension, &result[i].wall_shear_stress, &result[i].hoop_stress};
     for (unsigned int f = 0; f < n_fields; ++f)
     {
-      std::vector<Complex> &values = spectra[i * n_fields + f];
-      gsl_fft_complex_radix2_backward(reinterpret_cast<double *>(values.data()), 1, n_samples);
+      samples = inverse_fourier_transform(spectra[i * n_fields + f], n_samples);
       for (unsigned int j = 0; j < n_samples; ++j)
-        samples[j] = values[j].real() * std::exp(shift * sample_times[j]);
+        samples[j] *= std::exp(shift * sample_times[j]);
       gsl_spline_init(spline.get(), sample_times.data(), samples.data(), n_samples);
       for (const double time : times)
         fields[f]->push_back(gsl_spline_eval(spline.get(), time, nullptr));
