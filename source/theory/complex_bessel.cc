@@ -79,13 +79,6 @@ Complex certified(const Function function, const Call &above, const Call *below)
   throw std::runtime_error("A Bessel function could not be computed to full accuracy.");
 }
 
-/// Y and K are infinite at 0.
-void refuse_zero(const Complex z)
-{
-  if (z == Complex(0.))
-    throw std::domain_error("A Bessel function of the second kind is infinite at 0.");
-}
-
 Complex ratio(const Function function,
               const unsigned int m,
               const Complex a,
@@ -102,44 +95,13 @@ Complex bessel_j(const unsigned int n, const Complex z)
   return certified(acb_hypgeom_bessel_j, Call(n, z), nullptr);
 }
 
-Complex bessel_y(const unsigned int n, const Complex z)
-{
-  refuse_zero(z);
-  return certified(acb_hypgeom_bessel_y, Call(n, z), nullptr);
-}
-
-Complex bessel_i(const unsigned int n, const Complex z)
-{
-  return certified(acb_hypgeom_bessel_i, Call(n, z), nullptr);
-}
-
-Complex bessel_k(const unsigned int n, const Complex z)
-{
-  refuse_zero(z);
-  return certified(acb_hypgeom_bessel_k, Call(n, z), nullptr);
-}
-
 Complex bessel_j_ratio(const unsigned int m, const Complex a, const unsigned int n, const Complex b)
 {
   return ratio(acb_hypgeom_bessel_j, m, a, n, b);
 }
 
-Complex bessel_y_ratio(const unsigned int m, const Complex a, const unsigned int n, const Complex b)
-{
-  refuse_zero(a);
-  refuse_zero(b);
-  return ratio(acb_hypgeom_bessel_y, m, a, n, b);
-}
-
 Complex bessel_i_ratio(const unsigned int m, const Complex a, const unsigned int n, const Complex b)
 {
   return ratio(acb_hypgeom_bessel_i, m, a, n, b);
-}
-
-Complex bessel_k_ratio(const unsigned int m, const Complex a, const unsigned int n, const Complex b)
-{
-  refuse_zero(a);
-  refuse_zero(b);
-  return ratio(acb_hypgeom_bessel_k, m, a, n, b);
 }
 } // namespace Continua

@@ -1,6 +1,6 @@
-// Bessel functions of complex argument against mpmath with 60 digits (besselj, bessely, besseli,
-// besselk of the arguments as they are represented in double precision), among them zeros, tiny and
-// huge arguments.
+// Bessel functions of complex argument against mpmath with 60 digits (besselj, besseli of the
+// arguments as they are represented in double precision), among them zeros, tiny and huge
+// arguments.
 
 #include <continua/theory/complex_bessel.h>
 
@@ -33,13 +33,6 @@ int main()
   close("J0 of 100", bessel_j(0, 100.), 1.9985850304223122424e-2);
   close("J1, large", bessel_j(1, {-7., 400.}),
         {-6.7670273173132835593e+171, 7.9035664967254393323e+171});
-  close("Y0", bessel_y(0, {0.001, -0.002}), {-3.9591206316281575437, -7.0483788906313467887e-1});
-  close("Y1", bessel_y(1, {3., -4.}), {8.4046084461767819263, -3.6473524391213585013});
-  close("Y2", bessel_y(2, {50., 20.}), {1.9183944646527690719e+7, -1.7612530518976497661e+7});
-  close("I0", bessel_i(0, {2., 3.}), {-1.2492348796074221964, 9.4798379205773477611e-1});
-  close("I1", bessel_i(1, {30., -1.}), {4.2556830507106713528e+11, -6.3970501097964825452e+11});
-  close("K0", bessel_k(0, {2., 3.}), {-8.2968526567625514905e-2, 2.794960363518342363e-2});
-  close("K1", bessel_k(1, 1e-6), 9.9999999999278432422e+5);
   check::is_true("J0 of 0", bessel_j(0, 0.) == 1. && bessel_j(3, 0.) == 0.);
 
   // 1000 i^(3/2), the argument in double precision.
@@ -57,13 +50,9 @@ int main()
         -1.1766916515308941509e-16);
   close("J1/J0, two arguments", bessel_j_ratio(1, {12.5, -7.}, 0, {13., -6.}),
         {-1.1132480208925217295, -2.4324857276323166116});
-  close("Y0/Y1", bessel_y_ratio(0, {30., -3000.}, 1, {31., -3001.}),
-        {3.0963112268384160131e-1, 1.9888323901283888829e-1});
   close("I1/I0", bessel_i_ratio(1, {5000., 3.}, 0, {5001., 2.}),
         {1.9879704776559329133e-1, 3.0953998036867985306e-1});
   close("I0/I1, small", bessel_i_ratio(0, 0.01, 1, {0., 0.02}), {0., -1.000075003073015173e+2});
-  close("K0/K1", bessel_k_ratio(0, {5001., 3.}, 1, {5000., 2.}),
-        {1.9869543785059434473e-1, -3.0951781237276478954e-1});
 
   check::throws<std::domain_error>(
       "0 below", [] { bessel_j_ratio(0, 1., 1, 0.); }, "denominator");
@@ -75,6 +64,4 @@ int main()
         bessel_j(0, {0., 1000.});
       },
       "too large");
-  check::throws<std::domain_error>(
-      "Y at 0", [] { bessel_y(0, 0.); }, "infinite at 0");
 }

@@ -17,27 +17,16 @@ using Complex = std::complex<double>;
  * Ratios are formed in Arb, whose exponents have no limit: numerator and denominator may be far
  * beyond the range of double (J_0(1000 i^1.5) is 1e305), only the ratio must be within it.
  *
- * All throw std::domain_error if an argument is not finite, if the function is infinite there (Y
- * and K at 0), if a denominator is 0, or if the result is too large for double; std::runtime_error
- * if the accuracy cannot be reached.
+ * All throw std::domain_error if an argument is not finite, if a denominator is 0, or if the result
+ * is too large for double; std::runtime_error if the accuracy cannot be reached.
  */
 /// J_n(z), of the first kind.
 Complex bessel_j(unsigned int n, Complex z);
-/// Y_n(z), of the second kind; its cut is the negative real axis.
-Complex bessel_y(unsigned int n, Complex z);
-/// I_n(z), modified, of the first kind.
-Complex bessel_i(unsigned int n, Complex z);
-/// K_n(z), modified, of the second kind; its cut is the negative real axis.
-Complex bessel_k(unsigned int n, Complex z);
 
 /// J_m(a) / J_n(b).
 Complex bessel_j_ratio(unsigned int m, Complex a, unsigned int n, Complex b);
-/// Y_m(a) / Y_n(b).
-Complex bessel_y_ratio(unsigned int m, Complex a, unsigned int n, Complex b);
-/// I_m(a) / I_n(b).
+/// I_m(a) / I_n(b), modified.
 Complex bessel_i_ratio(unsigned int m, Complex a, unsigned int n, Complex b);
-/// K_m(a) / K_n(b).
-Complex bessel_k_ratio(unsigned int m, Complex a, unsigned int n, Complex b);
 } // namespace Continua
 
 #endif
