@@ -202,7 +202,7 @@ Row Bench<dim>::measure(const std::string &solver, Triad &triad)
                                          for (unsigned int i = 0; i < steps_of_repetition; ++i)
                                          {
                                            body.advance(step(n_steps++));
-                                           body.power_balance();
+                                           body.power_balance(false);
                                          }
                                        }) /
                                    steps_of_repetition);

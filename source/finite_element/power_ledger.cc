@@ -101,7 +101,11 @@ PowerBalance PowerLedger<dim>::balance(const BalancedStep &step, const BranchHis
   for (unsigned int region = 0; region < operators.size(); ++region)
   {
     const double *const of_region = &sums[1 + 4 * region];
-    balance.materials[region] = {of_region[0], of_region[1], of_region[2], of_region[3]};
+    Power &power = balance.materials[region];
+    power.kinetic = of_region[0];
+    power.strain = of_region[1];
+    power.viscous = of_region[2];
+    power.compressive = of_region[3];
     balance.residual -= balance.materials[region].sum();
     for (unsigned int i = 0; i < 4; ++i)
       balance.exchanged += std::abs(of_region[i]);
@@ -129,7 +133,11 @@ Energy PowerLedger<dim>::energy(const State<dim> &state)
     sums[2] += 0.5 * material.inverse_bulk_modulus * local_product(pressure_work, state.pressure);
   }
   Utilities::MPI::sum(sums, space.communicator, sums);
-  return {sums[0], sums[1], sums[2]};
+  Energy energy;
+  energy.kinetic = sums[0];
+  energy.strain = sums[1];
+  energy.compressive = sums[2];
+  return energy;
 }
 
 template class PowerLedger<2>;

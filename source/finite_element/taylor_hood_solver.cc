@@ -340,7 +340,7 @@ void TaylorHoodSolver<dim>::evaluate_probes(std::vector<double> &values)
 }
 
 template <int dim>
-PowerBalance TaylorHoodSolver<dim>::power_balance()
+PowerBalance TaylorHoodSolver<dim>::power_balance(const bool)
 {
   return power_ledger.balance(balanced, history);
 }

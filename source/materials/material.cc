@@ -160,6 +160,23 @@ Material power_law(ParameterSection &section, const Model model)
   return material;
 }
 
+/// Share of a spring's modulus that harmonic motion feels: i omega tau / (1 + i omega tau).
+std::complex<double> relaxed_part(const std::complex<double> &i_omega, const double relaxation_time)
+{
+  if (std::isinf(relaxation_time))
+    return 1.;
+  const std::complex<double> x = i_omega * relaxation_time;
+  return x / (1. + x);
+}
+
+/// Y(omega) = c Gamma(1 - n) (i omega)^n (equation 5.6) [Pa].
+std::complex<double> power_law_young_modulus(const Material &material,
+                                             const std::complex<double> &i_omega)
+{
+  const double n = material.power_law_exponent;
+  return material.power_law_modulus * std::tgamma(1. - n) * std::pow(i_omega, n);
+}
+
 struct Row
 {
   const char *name;
@@ -202,28 +219,47 @@ double Material::instantaneous_shear_modulus() const
 std::complex<double> Material::complex_shear_modulus(const std::complex<double> &omega) const
 {
   const std::complex<double> i_omega(-omega.imag(), omega.real());
-  std::complex<double> sum = i_omega * viscosity;
-  for (const Branch &branch : branches)
-    if (std::isinf(branch.relaxation_time))
-      sum += branch.shear_modulus;
-    else
-    {
-      const std::complex<double> x = i_omega * branch.relaxation_time;
-      sum += branch.shear_modulus * x / (1. + x);
-    }
   if (power_law_modulus > 0.)
   {
-    const std::complex<double> young = power_law_modulus * std::tgamma(1. - power_law_exponent) *
-                                       std::pow(i_omega, power_law_exponent);
-    sum += young / (3. - young * inverse_bulk_modulus / 3.);
+    const std::complex<double> young = power_law_young_modulus(*this, i_omega);
+    if (power_law_poissons_ratio >= 0.)
+      return young / (2. * (1. + power_law_poissons_ratio));
+    return young / (3. - young * inverse_bulk_modulus / 3.);
   }
+  std::complex<double> sum = i_omega * viscosity;
+  for (const Branch &branch : branches)
+    sum += branch.shear_modulus * relaxed_part(i_omega, branch.relaxation_time);
   return sum;
+}
+
+std::complex<double> Material::complex_inverse_bulk_modulus(const std::complex<double> &omega) const
+{
+  const std::complex<double> i_omega(-omega.imag(), omega.real());
+  if (power_law_modulus > 0. && power_law_poissons_ratio >= 0.)
+    return 3. * (1. - 2. * power_law_poissons_ratio) / power_law_young_modulus(*this, i_omega);
+  if (bulk_branches.empty())
+    return inverse_bulk_modulus;
+  std::complex<double> sum = 0.;
+  for (const BulkBranch &branch : bulk_branches)
+    sum += branch.bulk_modulus * relaxed_part(i_omega, branch.relaxation_time);
+  return 1. / sum;
+}
+
+double Material::long_term_inverse_bulk_modulus() const
+{
+  if (bulk_branches.empty())
+    return inverse_bulk_modulus;
+  double sum = 0.;
+  for (const BulkBranch &branch : bulk_branches)
+    if (std::isinf(branch.relaxation_time))
+      sum += branch.bulk_modulus;
+  return 1. / sum;
 }
 
 std::complex<double> Material::complex_young_modulus(const std::complex<double> &omega) const
 {
   const std::complex<double> mu = complex_shear_modulus(omega);
-  return 9. * mu / (3. + mu * inverse_bulk_modulus);
+  return 9. * mu / (3. + mu * complex_inverse_bulk_modulus(omega));
 }
 
 double Material::longitudinal_speed() const

@@ -61,7 +61,7 @@ void PowerRecord<dim>::start(ContinuumSolver<dim> &solver)
 template <int dim>
 void PowerRecord<dim>::record(ContinuumSolver<dim> &solver, const Step &step, const bool write)
 {
-  const PowerBalance balance = solver.power_balance();
+  const PowerBalance balance = solver.power_balance(write);
   totals.largest_residual = std::max(totals.largest_residual, std::abs(balance.residual));
   totals.largest_exchanged = std::max(totals.largest_exchanged, balance.exchanged);
   totals.residual_energy += step.size() * balance.residual;
@@ -158,7 +158,10 @@ void PowerRecord<dim>::load(const ArchiveReader &archive)
   for (unsigned int region = 0; region < taken.size(); ++region)
   {
     const double *const value = &values[7 + 4 * region];
-    taken[region] = {value[0], value[1], value[2], value[3]};
+    taken[region].kinetic = value[0];
+    taken[region].strain = value[1];
+    taken[region].viscous = value[2];
+    taken[region].compressive = value[3];
   }
 }
 

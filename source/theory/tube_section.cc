@@ -15,6 +15,7 @@ bool is_same(const Material &a, const Material &b)
   return a.density == b.density && a.inverse_bulk_modulus == b.inverse_bulk_modulus &&
          a.viscosity == b.viscosity && a.power_law_modulus == b.power_law_modulus &&
          a.power_law_exponent == b.power_law_exponent &&
+         a.power_law_poissons_ratio == b.power_law_poissons_ratio &&
          std::equal(a.branches.begin(), a.branches.end(), b.branches.begin(), b.branches.end(),
                     is_same_branch);
 }

@@ -67,7 +67,7 @@ public:
       values.push_back(value(request));
   }
 
-  Continua::PowerBalance power_balance() override { return balance; }
+  Continua::PowerBalance power_balance(bool) override { return balance; }
   Continua::Energy energy() override { return present_energy; }
   double divergence() override { return 0.; }
 

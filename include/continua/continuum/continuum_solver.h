@@ -57,17 +57,29 @@ struct Power
   double strain = 0.; ///< of the branches: stored, and lost by relaxation
   double viscous = 0.;
   double compressive = 0.;
+  /// The part of strain and compressive that relaxation turns into heat; only where it was asked
+  /// for.
+  double relaxation = 0.;
   double sum() const { return kinetic + strain + viscous + compressive; }
+};
+
+/// The power of one outlet [W].
+struct OutletPower
+{
+  double leaving = 0.; ///< sum of p Q over its ports: what the body gives to it
+  double stored = 0.;  ///< the part of it that the outlet stores (a windkessel's compliance)
 };
 
 /// The power balance of one step.
 struct PowerBalance
 {
-  double time = 0.;             ///< [s] at which the scheme balances
-  double external = 0.;         ///< of loads and prescribed velocities
-  std::vector<Power> materials; ///< by material id
-  double residual = 0.;         ///< external - sum of the materials' (TP, equation 4.21)
-  double exchanged = 0.;        ///< sum of the absolute values, to which the residual compares
+  double time = 0.;                 ///< [s] at which the scheme balances
+  double external = 0.;             ///< of loads and prescribed velocities
+  std::vector<Power> materials;     ///< by material id
+  std::vector<OutletPower> outlets; ///< as in the problem
+  /// external - sum of the materials' and of what leaves by outlets (TP, equation 4.21)
+  double residual = 0.;
+  double exchanged = 0.; ///< sum of the absolute values, to which the residual compares
 };
 
 /// The energy held by the body [J].
@@ -76,6 +88,9 @@ struct Energy
   double kinetic = 0.;
   double strain = 0.; ///< of the springs
   double compressive = 0.;
+  double outlets = 0.; ///< stored in outlets; no part of the body
+  /// Of the springs and of the pressure, by material id.
+  std::vector<double> strain_of_materials, compressive_of_materials;
   double sum() const { return kinetic + strain + compressive; }
 };
 
@@ -130,8 +145,9 @@ public:
   /// The values of all probes, in SI, on every rank.
   virtual void evaluate_probes(std::vector<double> &values) = 0;
 
-  /// Of the last step.
-  virtual PowerBalance power_balance() = 0;
+  /// Of the last step; `relaxation`: with what relaxation turns into heat, which costs a product
+  /// for each branch.
+  virtual PowerBalance power_balance(bool relaxation) = 0;
   virtual Energy energy() = 0;
   /// Largest |div U| weakly (|B U| over M_p, [1/s]): what an incompressible material must keep at
   /// round-off.

@@ -2,6 +2,7 @@
 #define continua_continuum_problem_h
 
 #include <continua/boundary/boundary_condition.h>
+#include <continua/boundary/outlet.h>
 #include <continua/materials/material.h>
 #include <continua/materials/model.h>
 #include <continua/signal/waveform.h>
@@ -40,6 +41,7 @@ struct Problem
   std::vector<std::string> boundaries; ///< names by boundary id
   std::vector<Material> materials;     ///< by material id
   std::vector<BoundaryCondition> conditions;
+  std::vector<Outlet> outlets;
   InteriorData interior;
 };
 } // namespace Continua

@@ -52,7 +52,7 @@ public:
   std::vector<FieldComponent> fields() const override;
   unsigned int add_probe(const ProbeRequest<dim> &request) override;
   void evaluate_probes(std::vector<double> &values) override;
-  PowerBalance power_balance() override;
+  PowerBalance power_balance(bool relaxation) override;
   Energy energy() override;
   double divergence() override;
   std::map<std::string, std::string> add_output(dealii::DataOut<dim> &data_out) override;

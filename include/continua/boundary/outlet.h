@@ -1,0 +1,36 @@
+#ifndef continua_boundary_outlet_h
+#define continua_boundary_outlet_h
+
+#include <continua/signal/waveform.h>
+#include <continua/theory/impedance.h>
+
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * An end of the body behind which something answers to what flows out: a resistance, a windkessel,
+ * or the rest of a long tube. Each of its ports is one boundary condition of the problem (the
+ * liquid's section, or the end of the wall), on whose faces the normal traction is -p n with one
+ * pressure p for all of the port, and whose flow rate is Q = int U . n, out of the body.
+ */
+struct Outlet
+{
+  /// How a port holds the section.
+  enum class Coupling
+  {
+    pressure, ///< the traction is uniform; the velocity's distribution is free
+    flow      ///< the velocity has a prescribed distribution, of which only the flow rate is free
+  };
+  std::string name; ///< of the boundary condition of its first port
+  /// The ports' numbers among the problem's boundary conditions.
+  std::vector<unsigned int> conditions;
+  /// Of the modelled part of the section: a quarter of a tube has a quarter of its flow.
+  Impedance impedance;
+  Waveform pressure_behind; ///< [Pa], a function of time alone: added at the first port
+  Coupling coupling = Coupling::pressure;
+};
+} // namespace Continua
+
+#endif
