@@ -3,6 +3,7 @@
 
 #include <continua/analysis/analyses.h>
 #include <continua/boundary/flow_rates.h>
+#include <continua/boundary/outlets.h>
 #include <continua/mesh/distortion.h>
 #include <continua/mesh/regions_of_boundary.h>
 
@@ -124,6 +125,8 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator)
   check_case(*this, root);
   set_flow_profiles(problem.conditions, root.subsection("Boundaries"), *triangulation,
                     problem.materials, {!transient, time.end_time, time.time_step});
+  problem.outlets = make_outlets(problem.conditions, root.subsection("Boundaries"), *triangulation,
+                                 problem.materials);
   probes.check(*triangulation, FieldEvaluation<dim>::fields(problem.model), pairs);
 }
 

@@ -39,7 +39,8 @@ void check_pressure_level(const Case<dim> &input, ParameterSection root)
             "",
             "the body is incompressible and the normal velocity is prescribed on all of its "
             "boundary, so that the pressure is determined up to a constant only",
-            "Give one boundary a pressure, a traction or 'free', or the material a bulk modulus");
+            "Give one boundary a pressure, a traction or 'free', an outlet 'Coupling = pressure', "
+            "or the material a bulk modulus");
 }
 
 /// A state at rest needs something that holds the body, and has no use for what moves it.
@@ -105,7 +106,7 @@ void check_axis(const Case<dim> &input, ParameterSection root)
           {
             ParameterSection section = root.subsection("Boundaries").subsection(condition.name);
             if (on_axis && (condition.normal.kind != BoundaryPart::Kind::velocity ||
-                            !condition.normal.is_zero()))
+                            !condition.normal.is_zero() || condition.outlet != nullptr))
               section.refuse("Type",
                              "on the axis of an axisymmetric model the radial velocity is zero",
                              "Set Type = axis");

@@ -138,6 +138,15 @@ std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case)
     problem.outlet = TubeWaveProblem::Outlet::loaded;
     problem.load_impedance = impedance_of_branches(input.problem.materials[0], input.wave_theory);
   }
+  else if (outlet->outlet)
+  {
+    const Impedance &impedance = outlet->outlet->impedance;
+    if (impedance.n_ports() == 0 || !impedance.terms.empty() ||
+        !outlet->outlet->pressure_behind.is_zero())
+      return "the outlet is no resistance into no pressure";
+    problem.outlet = TubeWaveProblem::Outlet::loaded;
+    problem.load_impedance = impedance.direct(0, 0);
+  }
   else if (is_fixed(outlet->normal))
     problem.outlet = TubeWaveProblem::Outlet::closed;
   else if (is_free(outlet->normal))

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -56,16 +57,21 @@ void read_traction(ParameterSection &section, BoundaryCondition &condition, cons
       "Cartesian components of the traction n.sigma (force per area on the body).");
 }
 
+void read_tangential(ParameterSection &section, BoundaryCondition &condition)
+{
+  std::string tangential = "free";
+  section.add_choice("Tangential", tangential, {"free", "fixed"},
+                     "Along the boundary: free of traction, or fixed (no velocity along it).");
+  condition.tangential.kind = tangential == "fixed" ? Kind::velocity : Kind::traction;
+}
+
 void read_pressure(ParameterSection &section, BoundaryCondition &condition, unsigned int)
 {
   condition.normal.along_normal =
       Waveform::read(section, "Pressure", Dimensions::pressure,
                      "Outside pressure: the normal traction is -p n.", true);
   condition.normal.negative = true;
-  std::string tangential = "free";
-  section.add_choice("Tangential", tangential, {"free", "fixed"},
-                     "Along the boundary: free of traction, or fixed (no velocity along it).");
-  condition.tangential.kind = tangential == "fixed" ? Kind::velocity : Kind::traction;
+  read_tangential(section, condition);
 }
 
 void read_flow_rate(ParameterSection &section, BoundaryCondition &condition, unsigned int)
@@ -84,6 +90,97 @@ void read_flow_rate(ParameterSection &section, BoundaryCondition &condition, uns
       "How the velocity is distributed over the section: flat (zero at the rim), "
       "parabolic, or womersley: that of a viscous liquid in a rigid tube that was at "
       "rest before t = 0.");
+}
+
+double read_required(ParameterSection &section,
+                     const std::string &key,
+                     const Dimension &dimension,
+                     const std::string &text,
+                     const Range &range)
+{
+  double value = std::numeric_limits<double>::quiet_NaN();
+  section.add(key, value, dimension, text + " Required.", range);
+  section.require(key);
+  return value;
+}
+
+/// What a resistance and a windkessel have in common.
+void read_outlet(ParameterSection &section, BoundaryCondition &condition, Outlet &outlet)
+{
+  outlet.name = condition.name;
+  outlet.pressure_behind =
+      Waveform::read(section, "Pressure behind", Dimensions::pressure,
+                     "Pressure into which the outlet flows; a function of time alone.", false);
+  if (outlet.pressure_behind.depends_on_space())
+    section.refuse("Pressure behind", "depends on x, y or z",
+                   "Write it as a function of t: an outlet has one pressure");
+
+  std::string coupling = "pressure";
+  section.add_choice("Coupling", coupling, {"pressure", "flow"},
+                     "How the section is held: pressure - one pressure acts on all of it, the "
+                     "velocity's distribution is free; flow - the velocity has the distribution of "
+                     "'Profile', of which only the flow rate is free.");
+  std::string profile = "parabolic";
+  section.add_choice("Profile", profile, {"flat", "parabolic"},
+                     "How the velocity of Coupling = flow is distributed over the section: flat "
+                     "(zero at the rim) or parabolic.");
+  read_tangential(section, condition);
+  if (coupling == "flow")
+  {
+    if (section.given("Tangential"))
+      section.refuse("Tangential", "with Coupling = flow the whole velocity has its distribution",
+                     "Remove the entry, or set Coupling = pressure");
+    outlet.coupling = Outlet::Coupling::flow;
+    condition.normal.kind = condition.tangential.kind = Kind::velocity;
+    condition.profile = profile;
+  }
+  else if (section.given("Profile"))
+    section.refuse("Profile", "with Coupling = pressure the velocity's distribution is free",
+                   "Remove the entry, or set Coupling = flow");
+}
+
+void read_resistance(ParameterSection &section, BoundaryCondition &condition, unsigned int)
+{
+  Outlet outlet;
+  outlet.impedance = Impedance::resistance(read_required(
+      section, "Resistance", Dimensions::flow_resistance,
+      "Pressure over the flow rate of the whole tube, out of the body.", Range::not_negative()));
+  read_outlet(section, condition, outlet);
+  condition.outlet = std::make_shared<const Outlet>(outlet);
+}
+
+void read_windkessel(ParameterSection &section, BoundaryCondition &condition, unsigned int)
+{
+  const double proximal_resistance = read_required(
+      section, "Proximal resistance", Dimensions::flow_resistance,
+      "Resistance before the compliance, to the flow of the whole tube.", Range::not_negative());
+  const double distal_resistance =
+      read_required(section, "Distal resistance", Dimensions::flow_resistance,
+                    "Resistance beside the compliance.", Range::positive());
+  const double compliance = read_required(section, "Compliance", Dimensions::compliance,
+                                          "Volume stored over pressure.", Range::positive());
+  Outlet outlet;
+  outlet.impedance = Impedance::windkessel(proximal_resistance, distal_resistance, compliance);
+  read_outlet(section, condition, outlet);
+  double initial_pressure = std::numeric_limits<double>::quiet_NaN();
+  section.add("Initial pressure", initial_pressure, Dimensions::pressure,
+              "Pressure of the compliance at t = 0; left out: the pressure behind, so that it is "
+              "empty.");
+  if (section.given("Initial pressure"))
+  {
+    const double origin[3] = {0., 0., 0.};
+    outlet.initial_states = {compliance *
+                             (initial_pressure - outlet.pressure_behind.initial_value(origin))};
+  }
+  condition.outlet = std::make_shared<const Outlet>(outlet);
+}
+
+void read_absorbing(ParameterSection &section, BoundaryCondition &condition, unsigned int)
+{
+  Outlet outlet;
+  outlet.name = condition.name;
+  read_tangential(section, condition);
+  condition.outlet = std::make_shared<const Outlet>(outlet);
 }
 
 void read_roller(ParameterSection &, BoundaryCondition &condition, unsigned int)
@@ -152,6 +249,16 @@ const std::vector<Row> &table()
        "Flow rate into a round section around the x axis, axisymmetric or three-dimensional; no "
        "velocity along the boundary.",
        read_flow_rate},
+      {"resistance",
+       "An outlet of a liquid whose pressure follows its flow rate, p = R Q + pressure behind.",
+       read_resistance},
+      {"windkessel",
+       "An outlet of a liquid into a resistance, behind which a compliance stores and a second "
+       "resistance drains.",
+       read_windkessel},
+      {"absorbing",
+       "The end of a tube that goes on: what behind it answers to the waves that leave.",
+       read_absorbing},
       {"roller", "No velocity along the normal, no traction along the boundary.", read_roller},
       {"axis", "The axis of an axisymmetric model: as roller.", read_roller},
       {"free", "No traction, normal and tangential.", read_free},
@@ -218,6 +325,13 @@ std::string BoundaryCondition::initial_jump(const double *point) const
     else
       add(is_velocity ? "a normal velocity" : "a normal traction", along,
           is_velocity ? velocity : traction);
+  }
+  if (outlet)
+  {
+    double pressure = outlet->pressure_behind.initial_value(point);
+    for (unsigned int k = 0; k < outlet->initial_states.size(); ++k)
+      pressure += outlet->impedance.terms[k].residue(0, 0) * outlet->initial_states[k];
+    add("a pressure", pressure, traction);
   }
   if (values.empty())
     return "";
@@ -291,6 +405,9 @@ read_boundary_conditions(ParameterSection section,
     for (const Row &row : table())
       if (condition.type == row.name)
         row.read(child, condition, n_dimensions);
+    if (condition.outlet && !condition.profile.empty() && n_dimensions == 2 && !axisymmetric)
+      child.refuse("Coupling", "a plane model has no round section with a profile",
+                   "Use Coupling = pressure, or Model = axisymmetric or three-dimensional");
 
     for (const unsigned int id : condition.region_ids)
     {

@@ -34,6 +34,8 @@ inline constexpr Dimension viscosity{1, -1, -1};
 inline constexpr Dimension flow_rate{0, 3, -1};
 inline constexpr Dimension force_density{1, -2, -2};
 inline constexpr Dimension power{1, 2, -3};
+inline constexpr Dimension flow_resistance{1, -4, -1}; ///< pressure over flow rate
+inline constexpr Dimension compliance{-1, 4, 2};       ///< volume over pressure
 } // namespace Dimensions
 
 /**

@@ -3,6 +3,7 @@
 
 #include <continua/base/parameter_section.h>
 #include <continua/boundary/flow_profile.h>
+#include <continua/boundary/outlet.h>
 #include <continua/signal/waveform.h>
 
 #include <memory>
@@ -45,7 +46,11 @@ struct BoundaryCondition
   std::set<unsigned int> region_ids; ///< regions whose faces it holds for
   BoundaryPart normal;
   BoundaryPart tangential;
-  std::string profile; ///< of a flow rate: flat, parabolic or womersley; else empty
+  /// Of a flow rate, given or an outlet's: flat, parabolic or womersley; else empty.
+  std::string profile;
+  /// Of an outlet, else null: what was read, for the whole tube. Without a port where the tube
+  /// itself has to tell the impedance (absorbing). Its pressure is no part of `normal`.
+  std::shared_ptr<const Outlet> outlet;
 
   /// A sentence for the log where the prescribed value at t = 0 is not zero at `point` (three
   /// coordinates [m]), so that a body at rest meets a jump; else empty.

@@ -30,6 +30,8 @@ struct Outlet
   Impedance impedance;
   Waveform pressure_behind; ///< [Pa], a function of time alone: added at the first port
   Coupling coupling = Coupling::pressure;
+  /// x_k of the first port at t = 0 [m^3], by term; empty is zero.
+  std::vector<double> initial_states;
 };
 } // namespace Continua
 
