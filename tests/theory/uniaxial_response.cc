@@ -63,11 +63,17 @@ void check_modulus(const std::string &name, const Material &law)
   // The sine's answer: what is left once its start has died away is the complex modulus, and at any
   // time the convolution of the rate of strain with the relaxation modulus.
   const double omega = 7., time = 1.3;
-  const double folded =
-      response.relaxation().constant() * omega * std::cos(omega * time) +
-      quadrature([&](const double t)
-                 { return response.relaxation().decay(time - t) * omega * std::cos(omega * t); },
-                 0., time);
+  double folded = response.relaxation().constant() * omega * std::cos(omega * time);
+  double begin = 0.;
+  for (const double end : {time - 1e-2, time - 1e-3, time})
+  {
+    // The fastest of the branches forgets within 1e-4 s.
+    folded +=
+        quadrature([&](const double t)
+                   { return response.relaxation().decay(time - t) * omega * std::cos(omega * t); },
+                   begin, end);
+    begin = end;
+  }
   check::relative(name + ": sine", response.sine_stress(1., omega, time), folded, 1e-9);
 }
 } // namespace
