@@ -1,5 +1,6 @@
 #include <continua/materials/material.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Continua
@@ -198,6 +199,14 @@ const std::vector<Row> &table()
   return rows;
 }
 } // namespace
+
+bool Material::relaxes() const
+{
+  return std::any_of(branches.begin(), branches.end(),
+                     [](const Branch &branch) { return !std::isinf(branch.relaxation_time); }) ||
+         std::any_of(bulk_branches.begin(), bulk_branches.end(),
+                     [](const BulkBranch &branch) { return !std::isinf(branch.relaxation_time); });
+}
 
 double Material::long_term_shear_modulus() const
 {

@@ -66,6 +66,8 @@ struct Material
   double phase() const { return is_solid() ? 1. : 0.; }
   /// Whether shear is resisted by more than viscosity.
   bool is_solid() const { return !branches.empty() || power_law_modulus > 0.; }
+  /// Whether a branch forgets: shear stress or pressure relaxes.
+  bool relaxes() const;
   /**
    * Shear stress over shear strain in harmonic motion exp(i omega t) [Pa]: i omega eta + sum_k mu_k
    * i omega tau_k / (1 + i omega tau_k), or of a power law Y(omega)/(3 - Y(omega)/(3 K)) with
