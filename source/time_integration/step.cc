@@ -7,9 +7,10 @@ namespace Continua
 bool Step::branch_is_exponential(const double relaxation_time) const
 {
   // A backward Euler or backward differencing update damps a fast branch as it should; only updates
-  // that average old and new ring there. Rannacher's half steps share the factor with
-  // Crank-Nicolson's, so its branches decide alike.
-  return update != Update::implicit && !std::isinf(relaxation_time) &&
+  // that average old and new ring there. Rannacher's half steps are backward Euler: the velocity of
+  // a body that is loaded at once is no straight line, and taken for one it would cost a Maxwell
+  // body up to half of its elastic jump.
+  return (update == Update::trapezoidal || extrapolate) && !std::isinf(relaxation_time) &&
          (update == Update::trapezoidal ? size() : 1. / a0 * 2.) > relaxation_time;
 }
 
@@ -31,18 +32,11 @@ BranchCoefficients Step::branch(const double relaxation_time) const
       result.old = decay;
       result.velocity_old = tau * (mean - decay);
     }
-    else if (extrapolate)
+    else
     {
       // D in the middle is the mean of both ends, with U_new = 2 U - U_old.
       result.old = 0.5 * (1. + decay);
       result.velocity_old = tau * (mean - 0.5 * (1. + decay));
-    }
-    else
-    {
-      // A half step of its own (Rannacher's start) that keeps the factor of the full one.
-      const double half_decay = std::exp(-0.5 * x);
-      result.old = half_decay;
-      result.velocity_old = tau * (mean - half_decay);
     }
     return result;
   }
