@@ -187,6 +187,14 @@ void Loads<dim>::add(const double time, DistributedVector &residual) const
 }
 
 template <int dim>
+DistributedVector Loads<dim>::flow_of_velocities(const unsigned int condition) const
+{
+  DistributedVector flow = space.velocity_vector();
+  assemble({nullptr, static_cast<int>(condition), true, -1, 1., false, {}, {}}, nullptr, 0., flow);
+  return flow;
+}
+
+template <int dim>
 bool Loads<dim>::jumps(const double begin, const double end) const
 {
   bool found = false;

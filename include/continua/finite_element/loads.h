@@ -25,6 +25,9 @@ public:
   void build();
   /// Adds the loads at this time to `residual` (hanging nodes condensed) [N].
   void add(double time, DistributedVector &residual) const;
+  /// int v . n over the faces of a condition: the flow rate out of the body that each velocity
+  /// stands for (hanging nodes condensed) [m^2].
+  DistributedVector flow_of_velocities(unsigned int condition) const;
   /// Whether a load jumps between the two times [s].
   bool jumps(double begin, double end) const;
   /// The traction that is prescribed on a face at a point [Pa], of the parts that are natural;
