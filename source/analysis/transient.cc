@@ -11,11 +11,24 @@ namespace Continua
 {
 using namespace dealii;
 
+namespace
+{
+std::vector<bool> relaxing_regions(const std::vector<Material> &materials)
+{
+  std::vector<bool> relaxing;
+  for (const Material &material : materials)
+    relaxing.push_back(material.relaxes());
+  return relaxing;
+}
+} // namespace
+
 template <int dim>
 Transient<dim>::Transient(Run<dim> &run)
     : run(run),
       time_control(run.input.time),
-      power(run.input.communicator, run.input.problem.regions),
+      power(run.input.communicator,
+            run.input.problem.regions,
+            relaxing_regions(run.input.problem.materials)),
       fields(run.input.communicator,
              run.directory.path(),
              run.input.output.subdivisions_for(run.input.taylor_hood.space.velocity_degree),
@@ -47,7 +60,7 @@ void Transient<dim>::perform()
   run.log.end_progress();
   if (run.input.output.checkpoint_at_end)
     write_checkpoint();
-  power.finish(run.summary);
+  power.finish(*run.solver, run.summary);
   fields.finish(run.summary);
   LinearWaveTheory<dim>(run).compare();
   run.summary.add({"weak divergence at the end", run.solver->divergence(), "1/s", ""});
@@ -114,6 +127,7 @@ template <int dim>
 void Transient<dim>::restart()
 {
   const ArchiveReader archive = checkpoint.read();
+  run.input.power_laws.load(archive, run.input.problem);
   const std::string mesh_file = checkpoint.mesh_file();
   mesh_has_changed = !mesh_file.empty();
   run.initialise(mesh_file);
@@ -228,6 +242,7 @@ void Transient<dim>::write_checkpoint()
       [this](ArchiveWriter &archive)
       {
         time_control.save(archive);
+        run.input.power_laws.save(archive);
         archive.add("size of the last step", last_size);
         archive.add("adaptation is due", static_cast<unsigned long>(
                                              adaptation_is_due() && time_control.at_end() ? 1 : 0));

@@ -430,7 +430,7 @@ DistributedVector FieldEvaluation<dim>::ghosted_mixture(const State<dim> &state,
 {
   const Material &material = problem.materials[region];
   DistributedVector mixture = space.velocity_vector();
-  state.history.mix(material, mixture);
+  state.history.mix(region, mixture);
   if (material.viscosity != 0.)
     mixture.add(material.viscosity, state.velocity);
   return space.ghosted_velocity(mixture);

@@ -34,18 +34,51 @@ void PowerLedger<dim>::reinit()
   nodal_forces = space.velocity_vector();
   velocity_work = nodal_forces;
   mixture = nodal_forces;
+  forgotten = nodal_forces;
   pressure_work = space.pressure_vector();
+  dilatation = pressure_work;
+  forgotten_rate = pressure_work;
 }
 
 template <int dim>
-PowerBalance PowerLedger<dim>::balance(const BalancedStep &step, const BranchHistory &history)
+double PowerLedger<dim>::relaxation_power(const unsigned int region,
+                                          const BalancedStep &step,
+                                          const BranchHistory &history,
+                                          const BulkHistory &bulk_history)
+{
+  const Material &material = problem.materials[region];
+  double sum = 0.;
+  for (const Branch &branch : material.branches)
+    if (!std::isinf(branch.relaxation_time))
+    {
+      history.balanced_displacement(branch.relaxation_time, step.step, mixture);
+      history.forgotten_velocity(branch.relaxation_time, step.step, step.velocity, forgotten);
+      multiply(operators[region].stiffness, velocity_work, mixture);
+      sum += branch.shear_modulus * local_product(velocity_work, forgotten);
+    }
+  for (unsigned int k = 0; k < material.bulk_branches.size(); ++k)
+    if (!std::isinf(material.bulk_branches[k].relaxation_time))
+    {
+      bulk_history.balanced_dilatation(region, k, step.step, dilatation);
+      bulk_history.forgotten_rate(region, k, step.step, forgotten_rate);
+      multiply(operators[region].pressure_mass, pressure_work, dilatation);
+      sum += material.bulk_branches[k].bulk_modulus * local_product(pressure_work, forgotten_rate);
+    }
+  return sum;
+}
+
+template <int dim>
+PowerBalance PowerLedger<dim>::balance(const BalancedStep &step,
+                                       const BranchHistory &history,
+                                       const BulkHistory &bulk_history,
+                                       const bool relaxation)
 {
   PowerBalance balance;
   balance.time = step.step.balance_time;
   balance.materials.resize(operators.size());
   // Numbers of this rank; all are summed over the ranks at once.
   std::vector<double> sums;
-  sums.reserve(2 + 4 * operators.size());
+  sums.reserve(2 + 5 * operators.size());
 
   // What the equations leave at the nodes - inertia + inner forces - loads - is the force that
   // moves those of prescribed velocity; without such nodes nobody asks for it.
@@ -67,7 +100,7 @@ PowerBalance PowerLedger<dim>::balance(const BalancedStep &step, const BranchHis
     };
     multiply(operators[region].mass, velocity_work, step.acceleration);
     add_power(material.density);
-    if (history.mix_balanced(material, mixture))
+    if (history.mix_balanced(region, step.step, mixture))
     {
       multiply(operators[region].stiffness, velocity_work, mixture);
       add_power(1.);
@@ -91,6 +124,7 @@ PowerBalance PowerLedger<dim>::balance(const BalancedStep &step, const BranchHis
       multiply(operators[region].divergence, pressure_work, step.velocity);
       sums.push_back(-local_product(pressure_work, step.pressure));
     }
+    sums.push_back(relaxation ? relaxation_power(region, step, history, bulk_history) : 0.);
   }
   sums.push_back(reactions ? local_product(nodal_forces, step.prescribed) : 0.);
   Utilities::MPI::sum(sums, space.communicator, sums);
@@ -100,12 +134,13 @@ PowerBalance PowerLedger<dim>::balance(const BalancedStep &step, const BranchHis
   balance.exchanged = std::abs(balance.external);
   for (unsigned int region = 0; region < operators.size(); ++region)
   {
-    const double *const of_region = &sums[1 + 4 * region];
+    const double *const of_region = &sums[1 + 5 * region];
     Power &power = balance.materials[region];
     power.kinetic = of_region[0];
     power.strain = of_region[1];
     power.viscous = of_region[2];
     power.compressive = of_region[3];
+    power.relaxation = of_region[4];
     balance.residual -= balance.materials[region].sum();
     for (unsigned int i = 0; i < 4; ++i)
       balance.exchanged += std::abs(of_region[i]);
@@ -114,29 +149,47 @@ PowerBalance PowerLedger<dim>::balance(const BalancedStep &step, const BranchHis
 }
 
 template <int dim>
-Energy PowerLedger<dim>::energy(const State<dim> &state)
+Energy PowerLedger<dim>::energy(const State<dim> &state, const BulkHistory &bulk_history)
 {
-  std::vector<double> sums(3, 0.);
-  for (unsigned int region = 0; region < operators.size(); ++region)
+  const unsigned int n_regions = operators.size();
+  std::vector<double> sums(1 + 2 * n_regions, 0.);
+  for (unsigned int region = 0; region < n_regions; ++region)
   {
     const Material &material = problem.materials[region];
     multiply(operators[region].mass, velocity_work, state.velocity);
     sums[0] += 0.5 * material.density * local_product(velocity_work, state.velocity);
+    double &strain = sums[1 + region], &compressive = sums[1 + n_regions + region];
     for (const Branch &branch : material.branches)
     {
       const DistributedVector &internal =
           state.history.internal_displacement(branch.relaxation_time);
       multiply(operators[region].stiffness, velocity_work, internal);
-      sums[1] += 0.5 * branch.shear_modulus * local_product(velocity_work, internal);
+      strain += 0.5 * branch.shear_modulus * local_product(velocity_work, internal);
     }
-    multiply(operators[region].pressure_mass, pressure_work, state.pressure);
-    sums[2] += 0.5 * material.inverse_bulk_modulus * local_product(pressure_work, state.pressure);
+    for (unsigned int k = 0; k < material.bulk_branches.size(); ++k)
+    {
+      const DistributedVector &internal = bulk_history.internal_dilatation(region, k);
+      multiply(operators[region].pressure_mass, pressure_work, internal);
+      compressive +=
+          0.5 * material.bulk_branches[k].bulk_modulus * local_product(pressure_work, internal);
+    }
+    if (material.bulk_branches.empty())
+    {
+      multiply(operators[region].pressure_mass, pressure_work, state.pressure);
+      compressive +=
+          0.5 * material.inverse_bulk_modulus * local_product(pressure_work, state.pressure);
+    }
   }
   Utilities::MPI::sum(sums, space.communicator, sums);
   Energy energy;
   energy.kinetic = sums[0];
-  energy.strain = sums[1];
-  energy.compressive = sums[2];
+  energy.strain_of_materials.assign(sums.begin() + 1, sums.begin() + 1 + n_regions);
+  energy.compressive_of_materials.assign(sums.begin() + 1 + n_regions, sums.end());
+  for (unsigned int region = 0; region < n_regions; ++region)
+  {
+    energy.strain += energy.strain_of_materials[region];
+    energy.compressive += energy.compressive_of_materials[region];
+  }
   return energy;
 }
 

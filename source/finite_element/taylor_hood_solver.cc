@@ -28,6 +28,7 @@ TaylorHoodSolver<dim>::TaylorHoodSolver(parallel::TriangulationBase<dim> &triang
       constraints(space, problem.conditions),
       loads(space, problem),
       history(problem.materials),
+      bulk_history(problem.materials),
       system(space, operators, constraints, parameters.linear_solver),
       power_ledger(space, problem, operators, constraints, loads),
       mesh_transfer(space),
@@ -41,6 +42,7 @@ void TaylorHoodSolver<dim>::initialise()
 {
   setup();
   set_initial_state(space, problem, operators, log, velocity, history.displacement(), pressure);
+  bulk_history.start(pressure);
   velocity_older = velocity;
   pressure_older = pressure;
   pressure_known = pressure;
@@ -56,15 +58,16 @@ void TaylorHoodSolver<dim>::setup()
   for (const std::string &conflict : constraints.conflicts())
     log.warning(conflict);
   loads.build();
-  history.reinit(space);
+  history.reinit(space, operators);
+  bulk_history.reinit(space, operators);
   system.reinit();
   power_ledger.reinit();
   for (DistributedVector *vector :
        {&velocity, &velocity_older, &balanced.velocity, &balanced.acceleration, &prescribed,
         &balanced.prescribed, &momentum, &velocity_work, &mixture})
     *vector = space.velocity_vector();
-  for (DistributedVector *vector :
-       {&pressure, &pressure_older, &balanced.pressure, &pressure_known, &mass, &pressure_work})
+  for (DistributedVector *vector : {&pressure, &pressure_older, &balanced.pressure, &pressure_known,
+                                    &mass, &pressure_work, &mass_work})
     *vector = space.pressure_vector();
 
   // A pressure that no compressible material touches follows from the constraint alone.
@@ -92,8 +95,9 @@ void TaylorHoodSolver<dim>::set_coefficients(const Step &step)
   for (const Material &material : problem.materials)
   {
     coefficients.mass.push_back(step.a0 * material.density);
-    coefficients.stiffness.push_back(material.viscosity + history.step_stiffness(material, step));
-    coefficients.compressibility.push_back(material.inverse_bulk_modulus / step.pressure_time);
+    coefficients.stiffness.push_back(material.viscosity +
+                                     BranchHistory::step_stiffness(material, step));
+    coefficients.compressibility.push_back(BulkHistory::step_compressibility(material, step));
   }
 }
 
@@ -129,13 +133,12 @@ StepReport TaylorHoodSolver<dim>::advance(const Step &step)
       velocity_work.add(-step.a2, velocity_older);
     balanced.acceleration.equ(-1., velocity_work);
     momentum = 0.;
-    history.predict(step, velocity);
     for (unsigned int region = 0; region < operators.size(); ++region)
     {
       const Material &material = problem.materials[region];
       multiply(operators[region].mass, balanced.velocity, velocity_work);
       momentum.add(material.density, balanced.velocity);
-      if (history.mix_balanced(material, mixture))
+      if (history.predict(region, step, velocity, mixture))
       {
         multiply(operators[region].stiffness, balanced.velocity, mixture);
         momentum.add(-1., balanced.velocity);
@@ -150,16 +153,26 @@ StepReport TaylorHoodSolver<dim>::advance(const Step &step)
     mass = 0.;
     for (unsigned int region = 0; region < operators.size(); ++region)
     {
-      const double compressibility =
-          problem.materials[region].inverse_bulk_modulus / step.pressure_time;
-      if (compressibility != 0.)
+      const double compressibility = coefficients.compressibility[region];
+      const bool relaxes = bulk_history.has(region);
+      if (relaxes)
+      {
+        bulk_history.predict(region, step, mass_work);
+        multiply(operators[region].pressure_mass, balanced.pressure, mass_work);
+        mass.add(-compressibility, balanced.pressure);
+      }
+      else if (compressibility != 0.)
       {
         multiply(operators[region].pressure_mass, balanced.pressure, pressure_work);
         mass.add(-compressibility, balanced.pressure);
       }
+      if (step.divergence_old && !relaxes)
+      {
+        // What relaxes has the rate of the past in its own prediction.
+        multiply(operators[region].divergence, balanced.pressure, velocity);
+        mass.add(1., balanced.pressure);
+      }
     }
-    if (step.divergence_old)
-      system.add_divergence(1., velocity, mass);
 
     if (!constraints.is_homogeneous())
     {
@@ -188,8 +201,8 @@ StepReport TaylorHoodSolver<dim>::advance(const Step &step)
   TimerOutput::Scope scope(log.timer(), "update");
   set_extremes(step, report);
   balanced.acceleration.add(step.a0, balanced.velocity);
-  history.correct(step, balanced.velocity);
-  history.finish(step);
+  history.advance(step, velocity, balanced.velocity);
+  bulk_history.advance(step, balanced.pressure);
   velocity_older.swap(velocity);
   pressure_older.swap(pressure);
   if (step.extrapolate)
@@ -277,7 +290,7 @@ void TaylorHoodSolver<dim>::solve_steady(const double time)
   {
     steady.mass.push_back(0.);
     steady.stiffness.push_back(solid ? material.long_term_shear_modulus() : material.viscosity);
-    steady.compressibility.push_back(solid ? material.inverse_bulk_modulus : 0.);
+    steady.compressibility.push_back(solid ? material.long_term_inverse_bulk_modulus() : 0.);
   }
   {
     TimerOutput::Scope scope(log.timer(), "factor");
@@ -340,15 +353,15 @@ void TaylorHoodSolver<dim>::evaluate_probes(std::vector<double> &values)
 }
 
 template <int dim>
-PowerBalance TaylorHoodSolver<dim>::power_balance(const bool)
+PowerBalance TaylorHoodSolver<dim>::power_balance(const bool relaxation)
 {
-  return power_ledger.balance(balanced, history);
+  return power_ledger.balance(balanced, history, bulk_history, relaxation);
 }
 
 template <int dim>
 Energy TaylorHoodSolver<dim>::energy()
 {
-  return power_ledger.energy(state());
+  return power_ledger.energy(state(), bulk_history);
 }
 
 template <int dim>
@@ -397,7 +410,9 @@ std::vector<DistributedVector *> TaylorHoodSolver<dim>::velocity_vectors()
 template <int dim>
 std::vector<DistributedVector *> TaylorHoodSolver<dim>::pressure_vectors()
 {
-  return {&pressure, &pressure_older, &pressure_known};
+  std::vector<DistributedVector *> vectors = bulk_history.vectors();
+  vectors.insert(vectors.end(), {&pressure, &pressure_older, &pressure_known});
+  return vectors;
 }
 
 template <int dim>
@@ -424,6 +439,7 @@ void TaylorHoodSolver<dim>::save(ArchiveWriter &archive) const
   save_vector(archive, "pressure older", pressure_older);
   save_vector(archive, "pressure known", pressure_known);
   history.save(archive);
+  bulk_history.save(archive);
 }
 
 template <int dim>
@@ -437,6 +453,7 @@ void TaylorHoodSolver<dim>::load(const ArchiveReader &archive)
   load_vector(archive, "pressure older", pressure_older);
   load_vector(archive, "pressure known", pressure_known);
   history.load(archive);
+  bulk_history.load(archive);
 }
 
 template <int dim>

@@ -7,18 +7,24 @@
 
 namespace Continua
 {
-namespace
+template <int dim>
+PowerRecord<dim>::PowerRecord(const MPI_Comm communicator,
+                              const std::vector<std::string> &regions,
+                              const std::vector<bool> &relaxes)
+    : communicator(communicator),
+      regions(regions),
+      relaxes(relaxes),
+      any_relaxes(std::find(relaxes.begin(), relaxes.end(), true) != relaxes.end()),
+      taken(regions.size())
 {
-void append(std::vector<double> &row, const Power &power)
-{
-  row.insert(row.end(), {power.kinetic, power.strain, power.viscous, power.compressive});
 }
-} // namespace
 
 template <int dim>
-PowerRecord<dim>::PowerRecord(const MPI_Comm communicator, const std::vector<std::string> &regions)
-    : communicator(communicator), regions(regions), taken(regions.size())
+void PowerRecord<dim>::append(const Power &power, const bool with_relaxation)
 {
+  row.insert(row.end(), {power.kinetic, power.strain, power.viscous, power.compressive});
+  if (with_relaxation)
+    row.push_back(power.relaxation);
 }
 
 template <int dim>
@@ -27,10 +33,16 @@ std::vector<std::string> PowerRecord<dim>::header() const
   std::vector<std::string> names = {"time [s]",       "balance time [s]", "external [W]",
                                     "kinetic [W]",    "strain [W]",       "viscous [W]",
                                     "compressive [W]"};
+  if (any_relaxes)
+    names.emplace_back("relaxation [W]");
   if (regions.size() > 1)
-    for (const std::string &region : regions)
+    for (unsigned int region = 0; region < regions.size(); ++region)
+    {
       for (const char *const part : {"kinetic", "strain", "viscous", "compressive"})
-        names.push_back(region + ": " + part + " [W]");
+        names.push_back(regions[region] + ": " + part + " [W]");
+      if (region_relaxes(region))
+        names.push_back(regions[region] + ": relaxation [W]");
+    }
   for (const char *const name :
        {"residual [W]", "share [1]", "kinetic energy [J]", "strain energy [J]",
         "compressive energy [J]", "work of loads [J]"})
@@ -54,14 +66,17 @@ void PowerRecord<dim>::open(const std::string &file, const double restart_time)
 template <int dim>
 void PowerRecord<dim>::start(ContinuumSolver<dim> &solver)
 {
-  totals.initial_energy = solver.energy().sum();
+  const Energy energy = solver.energy();
+  totals.initial_energy = energy.sum();
+  initial_strain = energy.strain_of_materials;
+  initial_compressive = energy.compressive_of_materials;
   compare(totals.initial_energy);
 }
 
 template <int dim>
 void PowerRecord<dim>::record(ContinuumSolver<dim> &solver, const Step &step, const bool write)
 {
-  const PowerBalance balance = solver.power_balance(write);
+  const PowerBalance balance = solver.power_balance(write && any_relaxes);
   totals.largest_residual = std::max(totals.largest_residual, std::abs(balance.residual));
   totals.largest_exchanged = std::max(totals.largest_exchanged, balance.exchanged);
   totals.residual_energy += step.size() * balance.residual;
@@ -89,12 +104,13 @@ void PowerRecord<dim>::record(ContinuumSolver<dim> &solver, const Step &step, co
     whole.strain += power.strain;
     whole.viscous += power.viscous;
     whole.compressive += power.compressive;
+    whole.relaxation += power.relaxation;
   }
   row.assign({step.time, balance.time, balance.external});
-  append(row, whole);
+  append(whole, any_relaxes);
   if (regions.size() > 1)
-    for (const Power &power : balance.materials)
-      append(row, power);
+    for (unsigned int region = 0; region < regions.size(); ++region)
+      append(balance.materials[region], region_relaxes(region));
   const double share = balance.exchanged > 0. ? balance.residual / balance.exchanged : 0.;
   row.insert(row.end(), {balance.residual, share, energy.kinetic, energy.strain, energy.compressive,
                          totals.work});
@@ -110,8 +126,9 @@ void PowerRecord<dim>::compare(const double energy)
 }
 
 template <int dim>
-void PowerRecord<dim>::finish(Summary &summary)
+void PowerRecord<dim>::finish(ContinuumSolver<dim> &solver, Summary &summary)
 {
+  const Energy energy = any_relaxes ? solver.energy() : Energy();
   if (totals.largest_exchanged > 0.)
     summary.add({"power residual", totals.largest_residual / totals.largest_exchanged, "1", ""});
   if (totals.largest_energy > 0.)
@@ -124,9 +141,18 @@ void PowerRecord<dim>::finish(Summary &summary)
     summary.add({"work of the loads", totals.work, "J", ""});
   for (unsigned int region = 0; region < taken.size() && totals.largest_exchanged > 0.; ++region)
   {
+    double strain = taken[region].strain, compressive = taken[region].compressive;
+    if (region_relaxes(region))
+    {
+      strain = energy.strain_of_materials[region] - initial_strain[region];
+      compressive = energy.compressive_of_materials[region] - initial_compressive[region];
+      summary.add({"energy relaxed",
+                   taken[region].strain - strain + taken[region].compressive - compressive, "J",
+                   regions[region]});
+    }
     summary.add({"kinetic energy taken", taken[region].kinetic, "J", regions[region]});
-    summary.add({"strain energy taken", taken[region].strain, "J", regions[region]});
-    summary.add({"compressive energy taken", taken[region].compressive, "J", regions[region]});
+    summary.add({"strain energy taken", strain, "J", regions[region]});
+    summary.add({"compressive energy taken", compressive, "J", regions[region]});
     summary.add({"energy dissipated", taken[region].viscous, "J", regions[region]});
   }
   on_writing_rank(communicator,
@@ -144,8 +170,10 @@ void PowerRecord<dim>::save(ArchiveWriter &archive) const
       totals.largest_residual, totals.largest_exchanged, totals.residual_energy,      totals.work,
       totals.initial_energy,   totals.largest_energy,    totals.largest_energy_change};
   for (const Power &power : taken)
-    append(values, power);
+    values.insert(values.end(), {power.kinetic, power.strain, power.viscous, power.compressive});
   archive.add("power record", values);
+  archive.add("initial strain energies", initial_strain);
+  archive.add("initial compressive energies", initial_compressive);
 }
 
 template <int dim>
@@ -163,6 +191,8 @@ void PowerRecord<dim>::load(const ArchiveReader &archive)
     taken[region].viscous = value[2];
     taken[region].compressive = value[3];
   }
+  initial_strain = archive.values("initial strain energies");
+  initial_compressive = archive.values("initial compressive energies");
 }
 
 template class PowerRecord<2>;

@@ -1,5 +1,5 @@
-// Internal displacements over a step against the update worked out by hand, and what they are mixed
-// to.
+// Internal displacements over a step against the update worked out by hand, what they are mixed to,
+// and where they live.
 
 #include <continua/finite_element/branch_history.h>
 
@@ -14,52 +14,77 @@ using namespace dealii;
 int main(int argc, char **argv)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  // Three unit squares in a row: two solids with a branch of 0.5 s in common, one of them with a
+  // spring besides; and a fluid.
   small_problem::Mesh<2> mesh(MPI_COMM_WORLD);
-  small_problem::make_box<2>(mesh, {2, 1});
-  Space<2> space(mesh, SpaceParameters(), Model::plane_strain, 1);
+  small_problem::make_box<2>(mesh, {3, 1});
+  for (const auto &cell : mesh.active_cell_iterators())
+    cell->set_material_id(static_cast<unsigned int>(cell->center()[0]));
+  Space<2> space(mesh, SpaceParameters(), Model::plane_strain, 3);
   space.distribute();
+  std::vector<RegionOperators> operators(3);
+  assemble_region_operators(space, operators);
 
-  // Two solids with a branch of 0.5 s in common, one of them with a spring besides; and a fluid.
   const double infinite = std::numeric_limits<double>::infinity();
   std::vector<Material> materials(3);
   materials[0].branches = {Branch{7., infinite}, Branch{3., 0.5}};
   materials[1].branches = {Branch{11., 0.5}};
   materials[2].viscosity = 1.;
   BranchHistory history(materials);
-  history.reinit(space);
+  history.reinit(space, operators);
   check::is_true("equal relaxation times share a vector", history.vectors().size() == 2 * 2);
 
-  DistributedVector velocity = space.velocity_vector(), mixture = velocity;
+  DistributedVector velocity = space.velocity_vector(), mixture = velocity, work = velocity;
   velocity = 2.;
   const Step step = euler_step(0., 0.25, Update::implicit);
-  history.predict(step, velocity);
-  history.correct(step, velocity);
-  history.finish(step);
+  check::is_true("a fluid has no force of branches", !history.predict(2, step, velocity, mixture));
+  history.advance(step, velocity, velocity);
   // D = dt U and D = dt U / (1 + dt/tau): 0.5 and 1/3.
   check::absolute("displacement", history.displacement().linfty_norm(), 0.5, 1e-15);
   check::absolute("branch that relaxes", history.internal_displacement(0.5).linfty_norm(), 1. / 3.,
                   1e-15);
-  check::is_true("a solid has a mixture", history.mix(materials[0], mixture));
+  // The displacement is everywhere, in 7 x 3 nodes; the branch in two of three cells, 5 x 3 nodes.
+  check::absolute("nodes with a displacement", history.displacement().l1_norm() / 0.5, 42., 1e-12);
+  check::absolute("nodes with the branch", history.internal_displacement(0.5).l1_norm() * 3., 30.,
+                  1e-12);
+  check::is_true("a solid has a mixture", history.mix(0, mixture));
   check::absolute("its size", mixture.linfty_norm(), 7. * 0.5 + 3. / 3., 1e-14);
-  history.mix(materials[1], mixture);
+  mixture = 0.;
+  history.mix(1, mixture);
   check::absolute("the other solid's", mixture.linfty_norm(), 11. / 3., 1e-14);
-  check::is_true("a fluid has none", !history.mix(materials[2], mixture));
-  check::absolute("stiffness of the step", history.step_stiffness(materials[0], step),
+  check::is_true("a fluid has none", !history.mix(2, mixture));
+  check::absolute("stiffness of the step", BranchHistory::step_stiffness(materials[0], step),
                   7. * 0.25 + 3. * 0.25 / 1.5, 1e-15);
-  check::absolute("of a fluid", history.step_stiffness(materials[2], step), 0., 0.);
+  check::absolute("of a fluid", BranchHistory::step_stiffness(materials[2], step), 0., 0.);
 
   // A Crank-Nicolson step from there with U = 2 throughout: D + dt U, and (D + h U)/(1 + h/tau)
   // twice that minus D.
   const Step half = crank_nicolson_step(0.25, 0.25);
-  history.predict(half, velocity);
-  history.correct(half, velocity);
-  history.finish(half);
-  check::absolute("displacement after two steps", history.displacement().linfty_norm(), 1., 1e-15);
+  const double known = 1. / 3. / (1. + 0.125 / 0.5);
   const double middle = (1. / 3. + 0.125 * 2.) / (1. + 0.125 / 0.5);
+  mixture = 0.;
+  history.predict(1, half, velocity, mixture);
+  check::absolute("force known in advance", mixture.linfty_norm(), 11. * known, 1e-14);
+  history.advance(half, velocity, velocity);
+  check::absolute("displacement after two steps", history.displacement().linfty_norm(), 1., 1e-15);
   check::absolute("branch after two steps", history.internal_displacement(0.5).linfty_norm(),
                   2. * middle - 1. / 3., 1e-15);
-  // Long steps that average take the exponential update, and say so.
+  mixture = 0.;
+  history.mix_balanced(1, half, mixture);
+  check::absolute("mixture in the middle", mixture.linfty_norm(), 11. * middle, 1e-14);
+  history.forgotten_velocity(0.5, half, velocity, work);
+  check::absolute("forgotten: D / tau", work.linfty_norm(), middle / 0.5, 1e-14);
+
+  // Long steps that average take the exponential update, and say so; it is exact for a constant
+  // velocity: D_new = exp(-x) D + tau (1 - exp(-x)) U.
   check::is_true("a slow branch is not exponential", history.exponential_branches(half).empty());
-  check::is_true("a fast one is",
-                 history.exponential_branches(crank_nicolson_step(0., 0.6)).size() == 1);
+  const Step long_step = crank_nicolson_step(0.5, 5.);
+  check::is_true("a fast one is", history.exponential_branches(long_step).size() == 1);
+  const double before = 2. * middle - 1. / 3.;
+  history.advance(long_step, velocity, velocity);
+  const double after = std::exp(-10.) * before + 0.5 * (1. - std::exp(-10.)) * 2.;
+  check::absolute("long step", history.internal_displacement(0.5).linfty_norm(), after, 1e-14);
+  // Over such a step dD = (U - forgotten) dt by definition.
+  history.forgotten_velocity(0.5, long_step, velocity, work);
+  check::absolute("forgotten in it", work.linfty_norm(), 2. - (after - before) / 5., 1e-14);
 }

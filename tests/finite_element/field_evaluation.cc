@@ -47,7 +47,9 @@ struct Body
     small_problem::make_box<2>(mesh, {4, 2}, Point<2>(), 2.);
     small_problem::refine<2>(mesh, [](const Point<2> &x) { return x[0] > 2. && x[1] > 1.; });
     space.distribute();
-    history.reinit(space);
+    std::vector<RegionOperators> operators(2);
+    assemble_region_operators(space, operators);
+    history.reinit(space, operators);
     velocity = small_problem::interpolated<2>(
         space,
         [](const Point<2> &x) {
@@ -120,7 +122,9 @@ void test_three_dimensions()
   Space<3> space(mesh, SpaceParameters(), Model::three_dimensional, 1);
   space.distribute();
   BranchHistory history(problem.materials);
-  history.reinit(space);
+  std::vector<RegionOperators> operators(1);
+  assemble_region_operators(space, operators);
+  history.reinit(space, operators);
   FieldEvaluation<3> evaluation(space, problem);
   const DistributedVector velocity =
       small_problem::interpolated<3>(space,

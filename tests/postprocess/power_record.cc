@@ -25,7 +25,8 @@ void take_step(FakeSolver<2> &solver, PowerRecord<2> &record, const unsigned int
 {
   const double residuals[] = {0.25, -0.5, 0.25, 0.125};
   const Step step = step_from(0.5 * (n - 1));
-  solver.balance = {step.balance_time, 8., {{1., 2., 3., 0.5}, {0.25, 0.5, 0.125, 0.5}}, 0., 0.};
+  solver.balance = {
+      step.balance_time, 8., {{1., 2., 3., 0.5}, {0.25, 0.5, 0.125, 0.5}}, {}, 0., 0.};
   solver.balance.residual = residuals[n - 1];
   solver.balance.exchanged = 4. * n;
   // The energy is 10 J at the start, then 11, 12, 13, 14 J.
@@ -64,7 +65,7 @@ int main(int argc, char **argv)
     for (unsigned int n = 1; n <= 4; ++n)
       take_step(solver, record, n);
     Summary summary;
-    record.finish(summary);
+    record.finish(solver, summary);
     check::equal("file", read_text("power.csv"), expected);
     // 0.5 W of at most 16 W; the residuals' sum 0.125 W over 0.5 s of at most 14 J; 4 of 10 J.
     check::relative("power residual", quantity(summary, "power residual"), 1. / 32., 1e-14);
@@ -93,7 +94,7 @@ int main(int argc, char **argv)
     }
     take_step(solver, record, 4);
     Summary summary;
-    record.finish(summary);
+    record.finish(solver, summary);
   }
   {
     FakeSolver<2> solver;
@@ -104,7 +105,7 @@ int main(int argc, char **argv)
     take_step(solver, record, 3);
     take_step(solver, record, 4);
     Summary summary;
-    record.finish(summary);
+    record.finish(solver, summary);
     check::equal("file after a restart", read_text("restarted.csv"), expected);
     check::relative("energy residual after a restart", quantity(summary, "energy residual"),
                     0.0625 / 14., 1e-14);
@@ -112,6 +113,43 @@ int main(int argc, char **argv)
                     1e-14);
     check::relative("fluid: strain after a restart",
                     quantity(summary, "strain energy taken", "fluid"), 4., 1e-14);
+  }
+
+  // Two materials, the wall's stresses relax: it is given 0.5 + 0.5 W for 2 s, of which its springs
+  // hold 0.25 + 0.5 J at the end and 0.125 + 0.25 J at the start.
+  {
+    FakeSolver<2> solver;
+    solver.present_energy = {7., 0.125, 0.25, 0., {0., 0.125}, {0., 0.25}};
+    PowerRecord<2> record(MPI_COMM_WORLD, {"fluid", "wall"}, {false, true});
+    record.open("relaxing.csv");
+    record.start(solver);
+    for (unsigned int n = 1; n <= 4; ++n)
+    {
+      const Step step = step_from(0.5 * (n - 1));
+      solver.balance = {
+          step.balance_time, 8., {{1., 2., 3., 0.5}, {0.25, 0.5, 0.125, 0.5}}, {}, 0., 8.};
+      solver.balance.materials[1].relaxation = 0.375;
+      record.record(solver, step, n == 4);
+    }
+    solver.present_energy = {7., 0.25, 0.5, 0., {0., 0.25}, {0., 0.5}};
+    Summary summary;
+    record.finish(solver, summary);
+    check::equal("file with relaxation", read_text("relaxing.csv"),
+                 "time [s],balance time [s],external [W],kinetic [W],strain [W],viscous [W],"
+                 "compressive [W],relaxation [W],"
+                 "fluid: kinetic [W],fluid: strain [W],fluid: viscous [W],fluid: compressive [W],"
+                 "wall: kinetic [W],wall: strain [W],wall: viscous [W],wall: compressive [W],"
+                 "wall: relaxation [W],"
+                 "residual [W],share [1],kinetic energy [J],strain energy [J],"
+                 "compressive energy [J],work of loads [J]\n"
+                 "2,1.75,8,1.25,2.5,3.125,1,0.375,1,2,3,0.5,0.25,0.5,0.125,0.5,0.375,"
+                 "0,0,7,0.125,0.25,16\n");
+    check::relative("energy relaxed", quantity(summary, "energy relaxed", "wall"),
+                    2. * 0.5 - 0.125 + 2. * 0.5 - 0.25, 1e-14);
+    check::relative("held by the springs", quantity(summary, "strain energy taken", "wall"), 0.125,
+                    1e-14);
+    check::relative("given to the fluid's", quantity(summary, "strain energy taken", "fluid"), 4.,
+                    1e-14);
   }
 
   // One material, at rest, nothing to compare with.
@@ -123,7 +161,7 @@ int main(int argc, char **argv)
     solver.balance.materials.resize(1);
     record.record(solver, step_from(0.), true);
     Summary summary;
-    record.finish(summary);
+    record.finish(solver, summary);
     check::is_true("no quantities at rest", summary.quantities().empty());
     check::equal("file at rest", read_text("rest.csv"),
                  "time [s],balance time [s],external [W],kinetic [W],strain [W],viscous [W],"

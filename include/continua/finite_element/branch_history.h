@@ -2,6 +2,7 @@
 #define continua_finite_element_branch_history_h
 
 #include <continua/base/archive.h>
+#include <continua/finite_element/region_operators.h>
 #include <continua/finite_element/space.h>
 #include <continua/materials/material.h>
 #include <continua/time_integration/step.h>
@@ -16,31 +17,51 @@ namespace Continua
  * needs no storage at quadrature points and moves with the mesh like any field. Branches of the
  * same relaxation time, in whatever material, obey the same equation dD/dt = U - D/tau and share
  * one vector; the vector number 0 never relaxes and is the displacement [m] of the whole body,
- * fluid included.
+ * fluid included. A branch that relaxes is stepped at the nodes of the regions that have it, and is
+ * zero elsewhere: ten branches in a thin wall cost next to nothing.
  */
 class BranchHistory
 {
 public:
+  /// `materials` by material id; they must outlive this.
   explicit BranchHistory(const std::vector<Material> &materials);
 
+  /// Zero branches on the present mesh.
   template <int dim>
-  void reinit(const Space<dim> &space);
+  void reinit(const Space<dim> &space, const std::vector<RegionOperators> &operators);
 
-  /// D_plus of every branch for this step, from the state at its start and U there [m].
-  void predict(const Step &step, const DistributedVector &velocity_old);
-  /// D at the balanced level from U there.
-  void correct(const Step &step, const DistributedVector &velocity);
-  /// sum_k mu_k D_k of a material [Pa m], of D_plus after predict() and at the balanced level after
-  /// correct(); false, and `mixture` untouched, if it has no branches.
-  bool mix_balanced(const Material &material, DistributedVector &mixture) const;
-  /// Moves on to the end of the step.
-  void finish(const Step &step);
+  /// sum_k mu_k D_plus_k of a region [Pa m], the part of the branches' force that the step knows in
+  /// advance, from the velocity at its start. False, and `mixture` untouched, if the region has no
+  /// branches; else `mixture` is set at the region's nodes only, and so by the other functions.
+  bool predict(unsigned int region,
+               const Step &step,
+               const DistributedVector &velocity_old,
+               DistributedVector &mixture) const;
+  /// Carries all branches to the end of the step, from the velocity at its start and at the
+  /// balanced level.
+  void advance(const Step &step,
+               const DistributedVector &velocity_old,
+               const DistributedVector &velocity);
+  /// sum_k mu_k D_k at the balanced level of the step that was made last.
+  bool mix_balanced(unsigned int region, const Step &step, DistributedVector &mixture) const;
   /// The same at the present time.
-  bool mix(const Material &material, DistributedVector &mixture) const;
+  bool mix(unsigned int region, DistributedVector &mixture) const;
+
+  /// D of a relaxation time at the balanced level of the step that was made last [m], at the nodes
+  /// of the regions that have it.
+  void balanced_displacement(double relaxation_time,
+                             const Step &step,
+                             DistributedVector &displacement) const;
+  /// U - dD/dt there [m/s]: what of the motion the branch forgets, D / tau where the scheme obeys
+  /// the branch's equation at that level.
+  void forgotten_velocity(double relaxation_time,
+                          const Step &step,
+                          const DistributedVector &velocity,
+                          DistributedVector &forgotten) const;
 
   /// sum_k mu_k (velocity coefficient of the branch): the material's share of alpha (equation 7.4)
   /// [Pa s].
-  double step_stiffness(const Material &material, const Step &step) const;
+  static double step_stiffness(const Material &material, const Step &step);
 
   /// D of a relaxation time, at the present time.
   const DistributedVector &internal_displacement(double relaxation_time) const;
@@ -58,16 +79,18 @@ private:
   struct Branch
   {
     double relaxation_time;
-    DistributedVector present;  ///< D at the step's start; after finish() at its end
-    DistributedVector older;    ///< D one step before
-    DistributedVector balanced; ///< D_plus, then D at the balanced level
+    DistributedVector present;       ///< D at the step's start; after advance() at its end
+    DistributedVector older;         ///< D one step before
+    std::vector<unsigned int> nodes; ///< local indices of the dofs at which it is stepped
   };
+  const std::vector<Material> &materials;
   std::vector<Branch> branches;
+  std::vector<std::vector<unsigned int>> nodes_of_region; ///< local indices of dofs
 
   const Branch &find(double relaxation_time) const;
-  template <typename Select>
-  bool
-  mix_vectors(const Material &material, DistributedVector &mixture, const Select &select) const;
+  /// Sets `mixture` at the region's nodes to the sum of mu_k value(branch, index).
+  template <typename Value>
+  bool mix_values(unsigned int region, DistributedVector &mixture, const Value &value) const;
 };
 } // namespace Continua
 

@@ -4,6 +4,7 @@
 #include <continua/continuum/continuum_solver.h>
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/boundary_constraints.h>
+#include <continua/finite_element/bulk_history.h>
 #include <continua/finite_element/field_evaluation.h>
 #include <continua/finite_element/loads.h>
 #include <continua/finite_element/region_operators.h>
@@ -38,9 +39,13 @@ public:
 
   /// The mesh has changed.
   void reinit();
-  /// `history` holds the internal displacements at the balanced level.
-  PowerBalance balance(const BalancedStep &step, const BranchHistory &history);
-  Energy energy(const State<dim> &state);
+  /// The histories have just made the step. `relaxation`: also the power that relaxation turns into
+  /// heat, at the cost of a product for each branch that relaxes.
+  PowerBalance balance(const BalancedStep &step,
+                       const BranchHistory &history,
+                       const BulkHistory &bulk_history,
+                       bool relaxation);
+  Energy energy(const State<dim> &state, const BulkHistory &bulk_history);
 
 private:
   const Space<dim> &space;
@@ -48,7 +53,15 @@ private:
   const std::vector<RegionOperators> &operators;
   const BoundaryConstraints<dim> &constraints;
   const Loads<dim> &loads;
-  DistributedVector nodal_forces, velocity_work, mixture, pressure_work;
+  DistributedVector nodal_forces, velocity_work, mixture, forgotten, pressure_work, dilatation,
+      forgotten_rate;
+
+  /// This rank's part of what relaxation turns into heat in a region: sum of mu_k D_k S (U -
+  /// dD_k/dt) and K_k e_k M_p (d - de_k/dt), at the balanced level [W].
+  double relaxation_power(unsigned int region,
+                          const BalancedStep &step,
+                          const BranchHistory &history,
+                          const BulkHistory &bulk_history);
 };
 } // namespace Continua
 

@@ -6,6 +6,7 @@
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/boundary_constraints.h>
 #include <continua/finite_element/branch_history.h>
+#include <continua/finite_element/bulk_history.h>
 #include <continua/finite_element/field_evaluation.h>
 #include <continua/finite_element/field_output.h>
 #include <continua/finite_element/loads.h>
@@ -73,6 +74,7 @@ private:
   BoundaryConstraints<dim> constraints;
   Loads<dim> loads;
   BranchHistory history;
+  BulkHistory bulk_history;
   StepSystem<dim> system;
   PowerLedger<dim> power_ledger;
   MeshTransfer<dim> mesh_transfer;
@@ -93,7 +95,7 @@ private:
   std::set<double> exponential_branches_reported;
   // Work space of the step.
   SystemCoefficients coefficients;
-  DistributedVector momentum, mass, velocity_work, mixture, pressure_work;
+  DistributedVector momentum, mass, velocity_work, mixture, pressure_work, mass_work;
 
   void setup();
   void set_coefficients(const Step &step);

@@ -24,8 +24,11 @@ template <int dim>
 class PowerRecord
 {
 public:
-  /// `regions`: names by material id; with more than one, each has its own columns.
-  PowerRecord(MPI_Comm communicator, const std::vector<std::string> &regions);
+  /// `regions`: names by material id; with more than one, each has its own columns. `relaxes`: of
+  /// which of them stresses relax; none if empty. They have a column for what that turns into heat.
+  PowerRecord(MPI_Comm communicator,
+              const std::vector<std::string> &regions,
+              const std::vector<bool> &relaxes = {});
 
   /// Starts the file. Throws RunError on all ranks.
   void open(const std::string &file);
@@ -47,9 +50,11 @@ public:
    * the initial one, which says something of a body without loads and losses); each only where
    * there is something to compare with. And in J, over the whole run, `work of the loads` and of
    * each region what it took of it: `kinetic energy taken`, `strain energy taken`, `compressive
-   * energy taken`, `energy dissipated` (by viscosity). Throws RunError on all ranks.
+   * energy taken`, `energy dissipated` (by viscosity). Where stresses relax, the taken energies are
+   * those that the springs hold; what else they were given is `energy relaxed`, with what the
+   * scheme damps in them. Throws RunError on all ranks.
    */
-  void finish(Summary &summary);
+  void finish(ContinuumSolver<dim> &solver, Summary &summary);
 
   /// The sums and maxima of the steps so far, for a restart.
   void save(ArchiveWriter &archive) const;
@@ -68,12 +73,20 @@ private:
   };
   std::vector<std::string> header() const;
   void compare(double energy);
+  void append(const Power &power, bool with_relaxation);
+  bool region_relaxes(const unsigned int region) const
+  {
+    return region < relaxes.size() && relaxes[region];
+  }
 
   MPI_Comm communicator;
   std::vector<std::string> regions;
+  std::vector<bool> relaxes;
+  bool any_relaxes;
   Totals totals;
-  std::vector<Power> taken;           ///< by region, integrated over time [J]
-  std::unique_ptr<TableWriter> table; ///< on the rank that writes
+  std::vector<double> initial_strain, initial_compressive; ///< energies by region [J]
+  std::vector<Power> taken;                                ///< by region, integrated over time [J]
+  std::unique_ptr<TableWriter> table;                      ///< on the rank that writes
   std::vector<double> row;
 };
 } // namespace Continua

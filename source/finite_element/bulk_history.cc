@@ -1,0 +1,173 @@
+#include <continua/finite_element/bulk_history.h>
+#include <continua/finite_element/vector_archive.h>
+
+#include <Epetra_CrsMatrix.h>
+
+namespace Continua
+{
+BulkHistory::BulkHistory(const std::vector<Material> &materials)
+    : materials(materials), of_region(materials.size())
+{
+}
+
+template <int dim>
+void BulkHistory::reinit(const Space<dim> &space, const std::vector<RegionOperators> &operators)
+{
+  for (unsigned int r = 0; r < of_region.size(); ++r)
+    if (has(r))
+    {
+      Region &region = of_region[r];
+      region.nodes.clear();
+      for (unsigned int i = 0; i < space.pressure_owned.n_elements(); ++i)
+        if (operators[r].pressure_mass.trilinos_matrix().NumMyEntries(i) > 0)
+          region.nodes.push_back(i);
+      region.rate = space.pressure_vector();
+      region.balanced_rate = region.rate;
+      region.dilatations.assign(materials[r].bulk_branches.size(), {region.rate, region.rate});
+    }
+}
+
+void BulkHistory::start(const DistributedVector &pressure)
+{
+  for (unsigned int r = 0; r < of_region.size(); ++r)
+    for (Dilatation &dilatation : of_region[r].dilatations)
+      for (const unsigned int i : of_region[r].nodes)
+        dilatation.present.begin()[i] = dilatation.older.begin()[i] =
+            -materials[r].inverse_bulk_modulus * pressure.begin()[i];
+}
+
+double BulkHistory::step_modulus(const Material &material, const Step &step)
+{
+  double sum = 0.;
+  for (const BulkBranch &branch : material.bulk_branches)
+    sum += branch.bulk_modulus * step.branch(branch.relaxation_time).velocity;
+  return sum;
+}
+
+double BulkHistory::step_compressibility(const Material &material, const Step &step)
+{
+  return material.bulk_branches.empty() ? material.inverse_bulk_modulus / step.pressure_time
+                                        : 1. / step_modulus(material, step);
+}
+
+void BulkHistory::predict(const unsigned int r, const Step &step, DistributedVector &pressure) const
+{
+  const Region &region = of_region[r];
+  double *const entries = pressure.begin();
+  for (const unsigned int i : region.nodes)
+    entries[i] = 0.;
+  for (unsigned int k = 0; k < region.dilatations.size(); ++k)
+  {
+    const BulkBranch &branch = materials[r].bulk_branches[k];
+    const BranchCoefficients c = step.branch(branch.relaxation_time);
+    const double *const present = region.dilatations[k].present.begin();
+    const double *const older = region.dilatations[k].older.begin();
+    const double *const rate = region.rate.begin();
+    for (const unsigned int i : region.nodes)
+      entries[i] -= branch.bulk_modulus *
+                    (c.old * present[i] + c.older * older[i] + c.velocity_old * rate[i]);
+  }
+}
+
+void BulkHistory::advance(const Step &step, const DistributedVector &pressure)
+{
+  for (unsigned int r = 0; r < of_region.size(); ++r)
+    if (has(r))
+    {
+      Region &region = of_region[r];
+      double *const balanced = region.balanced_rate.begin();
+      double *const rate = region.rate.begin();
+      predict(r, step, region.balanced_rate);
+      const double inverse_modulus = 1. / step_modulus(materials[r], step);
+      for (const unsigned int i : region.nodes)
+        balanced[i] = inverse_modulus * (balanced[i] - pressure.begin()[i]);
+      for (unsigned int k = 0; k < region.dilatations.size(); ++k)
+      {
+        const BranchCoefficients c = step.branch(materials[r].bulk_branches[k].relaxation_time);
+        const double *const present = region.dilatations[k].present.begin();
+        double *const next = region.dilatations[k].older.begin();
+        for (const unsigned int i : region.nodes)
+        {
+          const double at_level = c.velocity * balanced[i] + c.old * present[i] +
+                                  c.older * next[i] + c.velocity_old * rate[i];
+          next[i] = step.extrapolate ? 2. * at_level - present[i] : at_level;
+        }
+        region.dilatations[k].present.swap(region.dilatations[k].older);
+      }
+      for (const unsigned int i : region.nodes)
+        rate[i] = step.extrapolate ? 2. * balanced[i] - rate[i] : balanced[i];
+    }
+}
+
+void BulkHistory::balanced_dilatation(const unsigned int r,
+                                      const unsigned int branch,
+                                      const Step &step,
+                                      DistributedVector &dilatation) const
+{
+  const Dilatation &of_branch = of_region[r].dilatations[branch];
+  for (const unsigned int i : of_region[r].nodes)
+    dilatation.begin()[i] = step.extrapolate
+                                ? 0.5 * (of_branch.present.begin()[i] + of_branch.older.begin()[i])
+                                : of_branch.present.begin()[i];
+}
+
+void BulkHistory::forgotten_rate(const unsigned int r,
+                                 const unsigned int branch,
+                                 const Step &step,
+                                 DistributedVector &forgotten) const
+{
+  const double relaxation_time = materials[r].bulk_branches[branch].relaxation_time;
+  if (!step.branch_is_exponential(relaxation_time))
+  {
+    balanced_dilatation(r, branch, step, forgotten);
+    for (const unsigned int i : of_region[r].nodes)
+      forgotten.begin()[i] /= relaxation_time;
+    return;
+  }
+  // The exponential update obeys the equation over the step as a whole.
+  const Dilatation &of_branch = of_region[r].dilatations[branch];
+  for (const unsigned int i : of_region[r].nodes)
+    forgotten.begin()[i] =
+        of_region[r].balanced_rate.begin()[i] -
+        (of_branch.present.begin()[i] - of_branch.older.begin()[i]) / (step.time - step.time_old);
+}
+
+template <typename Regions, typename Function>
+void BulkHistory::for_state(Regions &regions, const Function &function)
+{
+  for (unsigned int r = 0; r < regions.size(); ++r)
+    if (!regions[r].dilatations.empty())
+    {
+      const std::string name = "dilatation of region " + std::to_string(r);
+      function(name + ": rate", regions[r].rate);
+      for (unsigned int k = 0; k < regions[r].dilatations.size(); ++k)
+      {
+        function(name + ": " + std::to_string(k), regions[r].dilatations[k].present);
+        function(name + ": " + std::to_string(k) + " older", regions[r].dilatations[k].older);
+      }
+    }
+}
+
+std::vector<DistributedVector *> BulkHistory::vectors()
+{
+  std::vector<DistributedVector *> all;
+  for_state(of_region,
+            [&all](const std::string &, DistributedVector &vector) { all.push_back(&vector); });
+  return all;
+}
+
+void BulkHistory::save(ArchiveWriter &archive) const
+{
+  for_state(of_region, [&archive](const std::string &name, const DistributedVector &vector)
+            { save_vector(archive, name, vector); });
+}
+
+void BulkHistory::load(const ArchiveReader &archive)
+{
+  for_state(of_region, [&archive](const std::string &name, DistributedVector &vector)
+            { load_vector(archive, name, vector); });
+}
+
+template void BulkHistory::reinit(const Space<2> &, const std::vector<RegionOperators> &);
+template void BulkHistory::reinit(const Space<3> &, const std::vector<RegionOperators> &);
+} // namespace Continua
