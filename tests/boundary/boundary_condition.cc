@@ -71,6 +71,44 @@ int main()
                                   flow.tangential.is_zero() && flow.profile == "parabolic");
   check::relative("flow rate: value", flow.normal.along_normal(place, 0.), 5e-5, 1e-12);
   check::is_true("other types have no profile", fixed.profile.empty() && pressure.profile.empty());
+  const std::string windkessel_entries =
+      "set Type = windkessel\nset Proximal resistance = 2 MPa s/m^3\n"
+      "set Distal resistance = 1 mmHg s/ml\nset Compliance = 1.5 ml/mmHg\n";
+  const BoundaryCondition resistance =
+      inlet("set Type = resistance\nset Resistance = 3 MPa s/m^3\nset Pressure behind = 4*cos(t)");
+  check::is_true("resistance", resistance.outlet && resistance.outlet->name == "inlet" &&
+                                   resistance.outlet->coupling == Outlet::Coupling::pressure &&
+                                   resistance.outlet->impedance.n_ports() == 1 &&
+                                   resistance.outlet->impedance.direct(0, 0) == 3e6 &&
+                                   resistance.outlet->impedance.terms.empty() &&
+                                   resistance.outlet->pressure_behind(place, 0.) == 4.);
+  check::is_true("resistance: a traction that is no load",
+                 resistance.normal.kind == Kind::traction && resistance.normal.is_zero() &&
+                     resistance.tangential.kind == Kind::traction && resistance.profile.empty());
+  const BoundaryCondition windkessel = inlet(windkessel_entries + "set Tangential = fixed");
+  const double mmhg = 13.5951 * 9.80665;
+  check::is_true("windkessel", windkessel.outlet->impedance.direct(0, 0) == 2e6 &&
+                                   windkessel.outlet->impedance.terms.size() == 1 &&
+                                   windkessel.outlet->initial_states.empty() &&
+                                   windkessel.tangential.kind == Kind::velocity);
+  check::relative("windkessel: rate of 1/(R C)", windkessel.outlet->impedance.terms[0].rate,
+                  1. / 1.5, 1e-12);
+  check::relative("windkessel: its compliance", windkessel.outlet->impedance.terms[0].residue(0, 0),
+                  mmhg / 1.5e-6, 1e-12);
+  const BoundaryCondition charged =
+      inlet(windkessel_entries + "set Initial pressure = 80 mmHg\nset Pressure behind = 5 mmHg");
+  check::relative("windkessel: initial state", charged.outlet->initial_states[0], 75. * 1.5e-6,
+                  1e-12);
+  const BoundaryCondition by_flow =
+      inlet(windkessel_entries + "set Coupling = flow\nset Profile = flat", true);
+  check::is_true("windkessel that holds the flow",
+                 by_flow.outlet->coupling == Outlet::Coupling::flow && by_flow.profile == "flat" &&
+                     by_flow.normal.kind == Kind::velocity &&
+                     by_flow.tangential.kind == Kind::velocity && by_flow.normal.is_zero());
+  const BoundaryCondition absorbing = inlet("set Type = absorbing");
+  check::is_true("absorbing", absorbing.outlet && absorbing.outlet->impedance.n_ports() == 0 &&
+                                  absorbing.normal.kind == Kind::traction);
+  check::is_true("other types are no outlets", !fixed.outlet && !pressure.outlet);
   const BoundaryCondition roller = inlet("set Type = roller");
   check::is_true("roller", roller.normal.kind == Kind::velocity && roller.normal.is_zero() &&
                                roller.tangential.kind == Kind::traction);
@@ -111,6 +149,12 @@ int main()
                  pressure.initial_jump(place).find("a pressure of 3000 Pa:") != std::string::npos);
   check::is_true("start: flow rate",
                  flow.initial_jump(place).find("a flow rate of 5e-05 m^3/s") != std::string::npos);
+  check::is_true("start: pressure behind an outlet",
+                 resistance.initial_jump(place).find("a pressure of 4 Pa:") != std::string::npos);
+  check::is_true("start: a windkessel's initial pressure",
+                 charged.initial_jump(place).find("a pressure of 10665.8 Pa:") !=
+                     std::string::npos);
+  check::is_true("start: an empty windkessel", windkessel.initial_jump(place).empty());
   check::is_true("start: ramp", inlet("set Type = pressure\nset Pressure = 3 kPa\nset Ramp = 1 ms")
                                     .initial_jump(place)
                                     .empty());
@@ -134,6 +178,28 @@ int main()
   refused("flow rate in a plane model",
           child("inlet", "set Type = flow rate\nset Flow rate = 1") + end,
           ":2: 'inlet/Type'.*plane.*axisymmetric");
+  refused("negative resistance", child("inlet", "set Type = resistance\nset Resistance = -1") + end,
+          ":3: 'inlet/Resistance'");
+  refused("no resistance", child("inlet", "set Type = resistance") + end,
+          "'inlet'.*'Resistance' is missing");
+  refused("a resistance in another unit",
+          child("inlet", "set Type = resistance\nset Resistance = 1 Pa s") + end,
+          ":3: 'inlet/Resistance'.*wrong unit.*Pa s/m.3");
+  refused("no compliance",
+          child("inlet", "set Type = windkessel\nset Proximal resistance = 1\n"
+                         "set Distal resistance = 1\nset Compliance = 0") +
+              end,
+          ":5: 'inlet/Compliance'");
+  refused("pressure behind that depends on place",
+          child("inlet", "set Type = resistance\nset Resistance = 1\nset Pressure behind = x") +
+              end,
+          ":4: 'inlet/Pressure behind'.*depends on x, y or z");
+  refused("a profile without flow",
+          child("inlet", "set Type = resistance\nset Resistance = 1\nset Profile = flat") + end,
+          ":4: 'inlet/Profile'.*Coupling = flow");
+  refused("a profile in a plane model",
+          child("inlet", "set Type = resistance\nset Resistance = 1\nset Coupling = flow") + end,
+          ":4: 'inlet/Coupling'.*plane model.*axisymmetric");
   check::throws<InputError>(
       "flow rate that depends on place",
       [] { inlet("set Type = flow rate\nset Flow rate = 1e-6*y", true); },
