@@ -59,6 +59,16 @@ def power_law(density, kappa, c, n):
     return {"rho": mpf(density), "kappa": kappa, "mu": modulus}
 
 
+def power_law_with_poissons_ratio(density, nu, c, n):
+    """Shear and volume relax alike: mu = Y/(2 (1 + nu)), kappa = 3 (1 - 2 nu)/Y, a function of frequency as mu is."""
+    c, n, nu = mpf(c), mpf(n), mpf(nu)
+
+    def young(omega):
+        return c * gamma(1 - n) * (I * omega)**n
+    return {"rho": mpf(density), "kappa": lambda omega: 3 * (1 - 2 * nu) / young(omega),
+            "mu": lambda omega: young(omega) / (2 * (1 + nu))}
+
+
 def liquid(density, viscosity, kappa):
     return {"rho": mpf(density), "kappa": mpf(kappa), "mu": lambda omega: I * omega * mpf(viscosity)}
 
@@ -262,6 +272,8 @@ CASES = {
                  "layers": [("0.01e-3", solid("1000", "60e6", "0.5"))]},
     "steel": {"radius": "0.1", "fluid": OIL, "layers": [("5e-3", solid("7850", "200e9", "0.3"))]},
     "power-law": {"radius": "12.5e-3", "fluid": BLOOD, "layers": [("1e-3", power_law("880", 0, "1.3e6", "0.065"))]},
+    "power-law-nu": {"radius": "12.5e-3", "fluid": BLOOD,
+                     "layers": [("1e-3", power_law_with_poissons_ratio("880", "0.3", "1.3e6", "0.065"))]},
     "layered": {"radius": "9e-3", "fluid": BLOOD,
                 "layers": [("0.2e-3", solid("1100", "0.3e6", "0.49")),
                            ("0.9e-3", maxwell("1050", "1e-9", [("0.4e6", None), ("0.3e6", "5e-3")])),
@@ -305,8 +317,16 @@ def starts(case, omega):
 RUNS = [("thin", 10, 0), ("thin", 20, 28), ("thin", 200, 0), ("tube-3d", 20, 0), ("tube-3d", 100, 0), ("tube-3d", 167, 0),
         ("tube-3d-held", 20, 0), ("thick", 5, 30), ("thick", 100, 0), ("membrane", 2, 0),
         ("steel", 50, 0),
-        ("steel", 400, 200), ("power-law", 20, 0), ("layered", 20, 10), ("rigid", 50, 0), ("rigid", 2000, 300),
+        ("steel", 400, 200), ("power-law", 20, 0), ("power-law-nu", 20, 10), ("layered", 20, 10), ("rigid", 50, 0), ("rigid", 2000, 300),
         ("inviscid", 20, 0), ("tube-3d-inviscid", 20, 0), ("tube-3d-inviscid", 100, 0), ("tube-3d-inviscid", 167, 0)]
+
+
+def at_frequency(case, omega):
+    """The case with the numbers of its materials' compressibilities, which may depend on frequency."""
+    def resolved(material):
+        kappa = material["kappa"]
+        return dict(material, kappa=kappa(omega) if callable(kappa) else kappa)
+    return dict(case, fluid=resolved(case["fluid"]), layers=[(h, resolved(m)) for h, m in case.get("layers", [])])
 
 
 def show(z):
@@ -321,7 +341,8 @@ def main():
     for name, frequency, decay in RUNS:
         if wanted and name not in wanted:
             continue
-        case, omega = CASES[name], mpc(2 * pi * frequency, -decay)
+        omega = mpc(2 * pi * frequency, -decay)
+        case = at_frequency(CASES[name], omega)
         set_digits(case, omega)
         for family, start in starts(case, omega):
             if family == "bending" and name == "thin" and frequency == 200:

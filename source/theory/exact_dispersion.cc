@@ -137,14 +137,14 @@ ExactDispersion::layer(const Material &material, const Complex &omega, const Com
   Layer result;
   const Ball mu = material.complex_shear_modulus(omega);
   const Ball inertia = Ball(material.density) * Ball(omega) * Ball(omega);
-  const Ball softness = mu * Ball(material.inverse_bulk_modulus) / Ball(3.);
+  const Ball inverse_bulk = material.complex_inverse_bulk_modulus(omega);
+  const Ball softness = mu * inverse_bulk / Ball(3.);
   const Ball stiff = Ball(1.) + Ball(4.) * softness;
   result.mu = mu;
   result.k = k;
   result.pressure = inertia / stiff;
   result.lame_term = inertia * (Ball(1.) - Ball(2.) * softness) / stiff;
-  result.q_l =
-      square_root(result.pressure * Ball(material.inverse_bulk_modulus) - result.k * result.k);
+  result.q_l = square_root(result.pressure * inverse_bulk - result.k * result.k);
   if (material.is_solid() || material.viscosity > 0.)
     result.q_s = square_root(inertia / mu - result.k * result.k);
   return result;

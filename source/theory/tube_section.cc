@@ -12,12 +12,17 @@ bool is_same(const Material &a, const Material &b)
   {
     return one.shear_modulus == other.shear_modulus && one.relaxation_time == other.relaxation_time;
   };
+  const auto is_same_bulk_branch = [](const BulkBranch &one, const BulkBranch &other) {
+    return one.bulk_modulus == other.bulk_modulus && one.relaxation_time == other.relaxation_time;
+  };
   return a.density == b.density && a.inverse_bulk_modulus == b.inverse_bulk_modulus &&
          a.viscosity == b.viscosity && a.power_law_modulus == b.power_law_modulus &&
          a.power_law_exponent == b.power_law_exponent &&
          a.power_law_poissons_ratio == b.power_law_poissons_ratio &&
          std::equal(a.branches.begin(), a.branches.end(), b.branches.begin(), b.branches.end(),
-                    is_same_branch);
+                    is_same_branch) &&
+         std::equal(a.bulk_branches.begin(), a.bulk_branches.end(), b.bulk_branches.begin(),
+                    b.bulk_branches.end(), is_same_bulk_branch);
 }
 } // namespace
 
@@ -34,6 +39,12 @@ double TubeSection::wall_thickness() const
   for (const double thickness : layer_thicknesses)
     sum += thickness;
   return sum;
+}
+
+double TubeSection::wall_area() const
+{
+  const double thickness = wall_thickness();
+  return 3.14159265358979323846 * thickness * (2. * inner_radius + thickness);
 }
 
 std::complex<double> TubeSection::membrane_modulus(const std::complex<double> &omega) const

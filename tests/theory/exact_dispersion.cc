@@ -121,6 +121,9 @@ void references()
       tube(0.01, liquid(1050., 1e-5), {1e-5}, {solid(1000., 60e6, 0.5)}, true);
   const TubeSection steel = tube(0.1, oil, {5e-3}, {solid(7850., 200e9, 0.3)});
   const TubeSection power_law_wall = tube(12.5e-3, blood, {1e-3}, {power_law(880., 1.3e6, 0.065)});
+  Material constant_ratio = power_law(880., 1.3e6, 0.065);
+  constant_ratio.power_law_poissons_ratio = 0.3;
+  const TubeSection power_law_nu = tube(12.5e-3, blood, {1e-3}, {constant_ratio});
   Material middle;
   middle.density = 1050.;
   middle.inverse_bulk_modulus = 1e-9;
@@ -330,6 +333,24 @@ void references()
              Complex(2299.817189765928, -7324.027563068082),
              Complex(8.923603466623581, -7.118265890825893),
              Complex(273352154.4869913, 319207223.0279558)});
+  reference("power-law-nu, 20 Hz, pressure", power_law_nu, 20., 10., ExactDispersion::pressure_wave,
+            Complex(15.592841797757593, -2.1310933296814896),
+            {Complex(0.013319210768514437, 0.097452168959244513),
+             Complex(1548.9440975590030, -2049.6512484491492),
+             Complex(1.0036054710812446e-4, 3.1338270130035909e-4),
+             Complex(563858.83333092993, 13678469.218911689)});
+  reference("power-law-nu, 20 Hz, axial", power_law_nu, 20., 10., ExactDispersion::axial_wave,
+            Complex(2.7820146509655887, -0.53114599623719273),
+            {Complex(0.0032981478844738260, 0.017387849729039200),
+             Complex(-130675.59493845158, -114726.44992168721),
+             Complex(-3.6753723489278069e-6, 5.7032658506680781e-6),
+             Complex(94622969.379997158, -1131298.2622638435)});
+  reference("power-law-nu, 20 Hz, bending", power_law_nu, 20., 10., ExactDispersion::bending_wave,
+            Complex(351.61639009921608, -360.89655978706335),
+            {Complex(2.2556035504845266, 2.1976023566757953),
+             Complex(1777.7432969166655, -8100.4334460984294),
+             Complex(8.5440033270152060, -6.8638969748662418),
+             Complex(289145653.28214915, 337442050.88041346)});
   reference("layered, 20 Hz, pressure", layered, 20., 10., ExactDispersion::pressure_wave,
             Complex(13.45782379884993, -2.402507701969906),
             {Complex(0.01081127467310527, 0.06055762890133674),

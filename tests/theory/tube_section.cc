@@ -27,6 +27,8 @@ int main()
   section.layers = {solid(1000., 1e6, 0.3), solid(1200., 2e6, 0.5)};
   const std::complex<double> omega = 100.;
   check::relative("thickness", section.wall_thickness(), 4e-3, 1e-14);
+  // pi (14^2 - 10^2) mm^2
+  check::relative("area of the wall", section.wall_area(), 96e-6 * 3.14159265358979323846, 1e-14);
   check::relative("density", section.wall_density(), 1150., 1e-14);
   check::relative("modulus", section.membrane_modulus(omega).real(), 1.75e6, 1e-12);
   // (0.3 * 1 + 0.5 * 2 * 3) / (1 + 2 * 3)
@@ -54,4 +56,11 @@ int main()
   other = section;
   other.layer_thicknesses[0] = 1e-3;
   check::is_true("thinner", !(section == other));
+  section.layers[0].bulk_branches = {BulkBranch{1e7, 0.01}};
+  other = section;
+  check::is_true("equal with bulk branches", section == other);
+  other.layers[0].bulk_branches[0].relaxation_time = 0.02;
+  check::is_true("another relaxation of the volume", !(section == other));
+  other.layers[0].bulk_branches.clear();
+  check::is_true("no relaxation of the volume", !(section == other));
 }

@@ -19,6 +19,7 @@ struct TubeSection
   bool tethered = false; ///< the outer surface is held axially; else it is free of shear stress
 
   double wall_thickness() const; ///< h [m]
+  double wall_area() const;      ///< of the wall's section [m^2]
   /// sum Y_i(omega) h_i / h: Young's modulus of the wall as a membrane [Pa].
   std::complex<double> membrane_modulus(const std::complex<double> &omega) const;
   /// sum rho_i h_i / h [kg/m^3].
