@@ -53,9 +53,7 @@ double impedance_of_branches(const Material &fluid, const WaveTheoryParameters &
 
 /// One end of the wall, whose layers must all be held alike.
 template <int dim>
-std::string read_wall_end(const Case<dim> &input,
-                          const std::string &boundary,
-                          TubeWaveProblem::WallEnd &wall_end)
+std::string read_wall_end(const Case<dim> &input, const std::string &boundary, WallEnd &wall_end)
 {
   for (unsigned int region = 1; region < input.problem.regions.size(); ++region)
   {
@@ -64,10 +62,12 @@ std::string read_wall_end(const Case<dim> &input,
       return "the mesh has no boundary '" + boundary + "'";
     const bool clamped = is_fixed(condition->normal) && is_fixed(condition->tangential);
     const bool free = is_free(condition->normal) && is_free(condition->tangential);
-    const TubeWaveProblem::WallEnd present =
-        clamped ? TubeWaveProblem::WallEnd::clamped : TubeWaveProblem::WallEnd::free;
-    if (!clamped && !free)
-      return "the '" + boundary + "' is neither fixed nor free";
+    const bool absorbing = condition->type == "absorbing";
+    const WallEnd present = absorbing ? WallEnd::absorbing
+                            : clamped ? WallEnd::clamped
+                                      : WallEnd::free;
+    if (!absorbing && (condition->outlet || (!clamped && !free)))
+      return "the '" + boundary + "' is neither fixed, free nor absorbing";
     if (region > 1 && present != wall_end)
       return "the layers' ends at '" + boundary + "' are held differently";
     wall_end = present;
@@ -136,16 +136,17 @@ std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case)
   else if (input.wave_theory.far_end == "branches")
   {
     problem.outlet = TubeWaveProblem::Outlet::loaded;
-    problem.load_impedance = impedance_of_branches(input.problem.materials[0], input.wave_theory);
+    problem.load =
+        Impedance::resistance(impedance_of_branches(input.problem.materials[0], input.wave_theory));
   }
+  else if (outlet->type == "absorbing")
+    problem.outlet = TubeWaveProblem::Outlet::absorbing;
   else if (outlet->outlet)
   {
-    const Impedance &impedance = outlet->outlet->impedance;
-    if (impedance.n_ports() == 0 || !impedance.terms.empty() ||
-        !outlet->outlet->pressure_behind.is_zero())
-      return "the outlet is no resistance into no pressure";
+    if (!outlet->outlet->pressure_behind.is_zero() || !outlet->outlet->initial_states.empty())
+      return "the pressure behind the outlet or in it is not zero at the start";
     problem.outlet = TubeWaveProblem::Outlet::loaded;
-    problem.load_impedance = impedance.direct(0, 0);
+    problem.load = outlet->outlet->impedance;
   }
   else if (is_fixed(outlet->normal))
     problem.outlet = TubeWaveProblem::Outlet::closed;
@@ -158,6 +159,11 @@ std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case)
         read_wall_end(input, "wall outlet end", problem.wall_outlet_end)})
     if (!problem_of_end.empty())
       return problem_of_end;
+  if (problem.wall_inlet_end == WallEnd::absorbing)
+    return "the wall's end at the inlet absorbs, but not the liquid's";
+  if (problem.wall_outlet_end == WallEnd::absorbing &&
+      problem.outlet != TubeWaveProblem::Outlet::absorbing)
+    return "the wall's end at the outlet absorbs, but not the liquid's";
   const BoundaryCondition *outside =
       find_condition(input, "outside", input.problem.regions.size() - 1);
   if (outside == nullptr || !is_free(outside->normal) ||

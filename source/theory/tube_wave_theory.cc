@@ -1,13 +1,15 @@
 #include <continua/signal/fourier_transform.h>
 #include <continua/theory/dispersion_curves.h>
+#include <continua/theory/matched_impedance.h>
+#include <continua/theory/scaled_system.h>
 #include <continua/theory/tube_wave_theory.h>
 
-#include <gsl/gsl_linalg.h>
 #include <gsl/gsl_spline.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 
 namespace Continua
 {
@@ -18,67 +20,7 @@ constexpr double pi = 3.14159265358979323846;
 constexpr unsigned int largest_n_samples = 1 << 18;
 const Complex imaginary(0., 1.);
 
-/// A small dense matrix, row by row.
-struct Matrix
-{
-  Matrix(const unsigned int n_rows, const unsigned int n_columns)
-      : n_rows(n_rows), n_columns(n_columns), entries(static_cast<std::size_t>(n_rows) * n_columns)
-  {
-  }
-  Complex &operator()(const unsigned int i, const unsigned int j)
-  {
-    return entries[i * n_columns + j];
-  }
-  const Complex &operator()(const unsigned int i, const unsigned int j) const
-  {
-    return entries[i * n_columns + j];
-  }
-  unsigned int n_rows, n_columns;
-  std::vector<Complex> entries;
-};
-
-/// Solves matrix x = right for each column of `right`, after scaling rows and columns to size one:
-/// pressures, displacements and moments stand side by side.
-Matrix solve(Matrix matrix, Matrix right)
-{
-  const unsigned int n = matrix.n_rows;
-  std::vector<double> column_sizes(n, 0.);
-  for (unsigned int i = 0; i < n; ++i)
-  {
-    double size = 0.;
-    for (unsigned int j = 0; j < n; ++j)
-      size = std::max(size, std::abs(matrix(i, j)));
-    for (unsigned int j = 0; j < n; ++j)
-      matrix(i, j) /= size;
-    for (unsigned int j = 0; j < right.n_columns; ++j)
-      right(i, j) /= size;
-  }
-  for (unsigned int j = 0; j < n; ++j)
-  {
-    for (unsigned int i = 0; i < n; ++i)
-      column_sizes[j] = std::max(column_sizes[j], std::abs(matrix(i, j)));
-    for (unsigned int i = 0; i < n; ++i)
-      matrix(i, j) /= column_sizes[j];
-  }
-  gsl_matrix_complex_view view =
-      gsl_matrix_complex_view_array(reinterpret_cast<double *>(matrix.entries.data()), n, n);
-  const std::unique_ptr<gsl_permutation, decltype(&gsl_permutation_free)> permutation(
-      gsl_permutation_alloc(n), &gsl_permutation_free);
-  int sign = 0;
-  gsl_linalg_complex_LU_decomp(&view.matrix, permutation.get(), &sign);
-  std::vector<Complex> column(n);
-  for (unsigned int j = 0; j < right.n_columns; ++j)
-  {
-    for (unsigned int i = 0; i < n; ++i)
-      column[i] = right(i, j);
-    gsl_vector_complex_view vector =
-        gsl_vector_complex_view_array(reinterpret_cast<double *>(column.data()), n);
-    gsl_linalg_complex_LU_svx(&view.matrix, permutation.get(), &vector.vector);
-    for (unsigned int i = 0; i < n; ++i)
-      right(i, j) = column[i] / column_sizes[i];
-  }
-  return right;
-}
+using Matrix = ComplexMatrix;
 
 /// The quantities that join segments of these families.
 std::vector<WaveMode::Junction>
@@ -122,20 +64,14 @@ Complex decay(const WaveMode &mode, const double length)
 /// The equations of an end, one a row: what they make of each forward wave at the end.
 Matrix end_conditions(const std::vector<WaveMode> &modes,
                       const WaveMode::Junction liquid,
-                      const TubeWaveProblem::WallEnd wall,
+                      const WallEnd wall,
                       const Complex &load_impedance,
                       const double direction)
 {
   const unsigned int n = modes.size();
   std::vector<WaveMode::Junction> rows = {liquid};
-  const bool clamped = wall == TubeWaveProblem::WallEnd::clamped;
-  if (n > 1)
-  {
-    rows.push_back(clamped ? WaveMode::radial_displacement : WaveMode::shear_force);
-    rows.push_back(clamped ? WaveMode::rotation : WaveMode::bending_moment);
-  }
-  if (n > 3)
-    rows.push_back(clamped ? WaveMode::axial_displacement : WaveMode::axial_force);
+  for (const WaveMode::Junction quantity : zero_quantities(wall, n))
+    rows.push_back(quantity);
   Matrix matrix(n, n);
   for (unsigned int j = 0; j < n; ++j)
     for (unsigned int i = 0; i < n; ++i)
@@ -150,6 +86,37 @@ Matrix end_conditions(const std::vector<WaveMode> &modes,
           modes[j].junction[WaveMode::traction] -
           (direction > 0. ? 1. : -1.) * load_impedance * modes[j].junction[WaveMode::flow_rate];
   return matrix;
+}
+
+/// Backward waves at the end of the last segment over forward ones at its start.
+Matrix far_end_reflection(const TubeWaveProblem &problem,
+                          const std::vector<WaveMode> &modes,
+                          const Complex &omega)
+{
+  using Outlet = TubeWaveProblem::Outlet;
+  const unsigned int n = modes.size();
+  const TubeSegment &segment = problem.segments.back();
+  const WallEnd wall = problem.wall_outlet_end;
+  // A tube that goes on for ever.
+  if (problem.outlet == Outlet::absorbing && wall == WallEnd::absorbing)
+    return Matrix(n, n);
+  if (wall == WallEnd::absorbing)
+    throw std::invalid_argument("The wall's end absorbs, but the liquid's does not.");
+  Complex load = 0.;
+  if (problem.outlet == Outlet::absorbing)
+    load = matched_impedance(modes, wall, omega, segment.section.wall_area())(0, 0);
+  else if (problem.outlet == Outlet::matched)
+    load = modes[0].junction[WaveMode::traction] / modes[0].junction[WaveMode::flow_rate];
+  else if (problem.outlet == Outlet::loaded)
+    load = problem.load.value(imaginary * omega)(0, 0);
+  const WaveMode::Junction liquid =
+      problem.outlet == Outlet::closed ? WaveMode::flow_rate : WaveMode::traction;
+  Matrix forward = end_conditions(modes, liquid, wall, load, 1.);
+  const Matrix backward = end_conditions(modes, liquid, wall, load, -1.);
+  for (unsigned int j = 0; j < n; ++j)
+    for (unsigned int i = 0; i < n; ++i)
+      forward(i, j) *= -decay(modes[j], segment.length);
+  return solve_scaled(backward, forward);
 }
 } // namespace
 
@@ -334,20 +301,7 @@ TubeWaveTheory::Amplitudes TubeWaveTheory::amplitudes(
     const double length = problem.segments[s].length;
     if (s + 1 == n_segments)
     {
-      const WaveMode::Junction liquid = problem.outlet == TubeWaveProblem::Outlet::closed
-                                            ? WaveMode::flow_rate
-                                            : WaveMode::traction;
-      Complex load = 0.;
-      if (problem.outlet == TubeWaveProblem::Outlet::matched)
-        load = modes[s][0].junction[WaveMode::traction] / modes[s][0].junction[WaveMode::flow_rate];
-      else if (problem.outlet == TubeWaveProblem::Outlet::loaded)
-        load = problem.load_impedance;
-      Matrix forward = end_conditions(modes[s], liquid, problem.wall_outlet_end, load, 1.);
-      const Matrix backward = end_conditions(modes[s], liquid, problem.wall_outlet_end, load, -1.);
-      for (unsigned int j = 0; j < n; ++j)
-        for (unsigned int i = 0; i < n; ++i)
-          forward(i, j) *= -decay(modes[s][j], length);
-      reflections[s] = solve(backward, forward);
+      reflections[s] = far_end_reflection(problem, modes[s], omega);
       continue;
     }
     // Liquid and wall are continuous: unknown are the backward waves here and the forward ones
@@ -365,7 +319,7 @@ TubeWaveTheory::Amplitudes TubeWaveTheory::amplitudes(
         system(i, n + j) = -behind;
         right(i, j) = -values(s, j, i, true) * decay(modes[s][j], length);
       }
-    const Matrix solution = solve(system, right);
+    const Matrix solution = solve_scaled(system, right);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
       {
@@ -386,7 +340,7 @@ TubeWaveTheory::Amplitudes TubeWaveTheory::amplitudes(
             backward(i, m) * decay(modes[0][m], problem.segments[0].length) * reflections[0](m, j);
   Matrix right(n, 1);
   right(0, 0) = inlet;
-  const Matrix start = solve(system, right);
+  const Matrix start = solve_scaled(system, right);
   Amplitudes result;
   std::vector<Complex> forward(start.entries);
   for (unsigned int s = 0; s < n_segments; ++s)

@@ -16,7 +16,7 @@ int main()
     TubeWaveProblem problem;
     problem.segments = {{0.446, section}};
     if (is_free)
-      problem.wall_inlet_end = problem.wall_outlet_end = TubeWaveProblem::WallEnd::free;
+      problem.wall_inlet_end = problem.wall_outlet_end = WallEnd::free;
     const std::vector<WaveHistory> histories =
         TubeWaveTheory(
             problem, [](const double time) { return 1000. * pulse(time, 0.05); }, 0.4, 1e-4)

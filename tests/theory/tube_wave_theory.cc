@@ -114,10 +114,39 @@ void joints(const LongTube &tube, const WaveHistory &whole)
   };
   check_step("step of the wall's modulus");
 }
+
+/// A windkessel whose proximal resistance is the tube's impedance Z sends back
+/// R_d/(R_d + 2 Z (1 + s tau)) of the pulse, tau = R_d C: a first-order response, here stepped
+/// along.
+void windkessel(const LongTube &tube)
+{
+  const double z = 3., distal = 3. * tube.impedance(), time_constant = 0.2;
+  const std::vector<double> times = times_up_to(1.2, 1e-3);
+  const auto inlet = [](const double time) { return 100. * pulse(time, LongTube::duration); };
+  TubeWaveProblem problem;
+  problem.segments = {{tube.length, tube.section}};
+  problem.outlet = TubeWaveProblem::Outlet::loaded;
+  problem.load = Impedance::windkessel(tube.impedance(), distal, time_constant / distal);
+  const WaveHistory history = TubeWaveTheory(problem, inlet, 1.2, 1e-3).histories({z}, times)[0];
+  const double gain = distal / (2. * tube.impedance() * time_constant),
+               rate = gain + 1. / time_constant;
+  std::vector<double> pressure;
+  double reflected = 0.;
+  for (const double time : times)
+  {
+    const double arrived = time - (2. * tube.length - z) / tube.speed;
+    pressure.push_back(inlet(time - z / tube.speed) + reflected);
+    // Exact for a pulse that is constant over the step, taken in its middle.
+    const double decay = std::exp(-rate * 1e-3);
+    reflected = decay * reflected + gain / rate * (1. - decay) * inlet(arrived + 0.5e-3);
+  }
+  check::absolute("windkessel", largest_difference(pressure, history.pressure), 0., 0.01);
+}
 } // namespace
 
 int main()
 {
   const LongTube tube;
   joints(tube, ends(tube));
+  windkessel(tube);
 }

@@ -2,6 +2,8 @@
 #define continua_theory_tube_wave_theory_h
 
 #include <continua/theory/closed_form_waves.h>
+#include <continua/theory/impedance.h>
+#include <continua/theory/wall_end.h>
 
 #include <functional>
 #include <memory>
@@ -29,13 +31,10 @@ struct TubeWaveProblem
   {
     closed,  ///< no flow
     open,    ///< no traction
-    matched, ///< the impedance of the pressure wave there: it leaves without reflection
-    loaded   ///< a given impedance, such as that of branches
-  };
-  enum class WallEnd
-  {
-    clamped, ///< no displacement of the wall's end
-    free     ///< no stress on it
+    matched, ///< the pressure wave's own impedance: it leaves, but for what the wall's end demands
+    absorbing, ///< what a long tube behind would do: no pressure wave comes back, and where the
+               ///< wall's end is absorbing too, none at all
+    loaded     ///< a given impedance, such as that of branches
   };
   WaveLevel level = WaveLevel::exact;
   std::vector<TubeSegment> segments;
@@ -44,7 +43,7 @@ struct TubeWaveProblem
   unsigned int n_computed_sections = 6;
   Inlet inlet = Inlet::pressure;
   Outlet outlet = Outlet::closed;
-  double load_impedance = 0.; ///< traction over flow rate of a loaded outlet [Pa s/m^3]
+  Impedance load; ///< traction over flow rate of a loaded outlet; one port
   WallEnd wall_inlet_end = WallEnd::clamped;
   WallEnd wall_outlet_end = WallEnd::clamped;
 
