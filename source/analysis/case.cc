@@ -123,6 +123,9 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator)
   // Before the checks across entries: a misspelt key is the likelier reason for them to fail.
   file.refuse_unknown();
   check_case(*this, root);
+  // Wave theory takes the laws themselves.
+  if (general.analysis == "transient")
+    power_laws.fit(problem, time, materials);
   set_flow_profiles(problem.conditions, root.subsection("Boundaries"), *triangulation,
                     problem.materials, {!transient, time.end_time, time.time_step});
   problem.outlets = make_outlets(problem.conditions, root.subsection("Boundaries"), *triangulation,

@@ -137,16 +137,17 @@ void check_linear_solver(const Case<dim> &input, ParameterSection root)
 }
 } // namespace
 
-/// A power law has no branches for a discretised run to step.
+/// A power law relaxes for ever.
 template <int dim>
 void check_power_laws(const Case<dim> &input, ParameterSection root)
 {
   for (unsigned int region = 0; region < input.problem.materials.size(); ++region)
-    if (input.problem.materials[region].power_law_modulus > 0.)
+    if (is_steady(input) && input.problem.materials[region].power_law_modulus > 0.)
       root.subsection("Materials")
           .subsection(input.problem.regions[region])
-          .refuse("Type", "a power law is known to wave theory only",
-                  "Use 'prony' with branches that follow it, or Analysis = linear wave theory");
+          .refuse("Type",
+                  "the stress of a power law relaxes to zero, so that it has no state at rest",
+                  "Use a law with a long-term modulus, or Analysis = transient");
 }
 
 template <int dim>

@@ -57,6 +57,7 @@ void Run<dim>::initialise(const std::string &mesh_file)
     else
       input.triangulation->load(mesh_file);
   }
+  input.power_laws.report(log, summary);
   solver = std::make_unique<TaylorHoodSolver<dim>>(*input.triangulation, input.problem,
                                                    input.taylor_hood, log);
   solver->initialise();

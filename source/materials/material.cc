@@ -158,6 +158,7 @@ Material power_law(ParameterSection &section, const Model model)
   section.add("Bulk modulus", bulk_modulus, Dimensions::pressure,
               "Bulk modulus K, elastic; left out: incompressible (nu = 0.5).", Range::positive());
   material.inverse_bulk_modulus = 1. / bulk_modulus;
+  material.prony_fit.read(section);
   return material;
 }
 
@@ -194,7 +195,9 @@ const std::vector<Row> &table()
       {"kelvin-voigt", "Elastic solid with a viscosity beside the spring.", kelvin_voigt},
       {"maxwell", "Elastic volume change, shear stress that relaxes to zero.", maxwell},
       {"prony", "Elastic solid with further springs that relax (generalised Maxwell).", prony},
-      {"power law", "Solid whose modulus relaxes as a power of time; wave theory only.",
+      {"power law",
+       "Solid whose modulus relaxes as a power of time; a run takes a Prony series that is fitted "
+       "to it.",
        power_law}};
   return rows;
 }

@@ -2,6 +2,7 @@
 #define continua_analysis_case_h
 
 #include <continua/analysis/measured_waves.h>
+#include <continua/analysis/power_laws.h>
 #include <continua/analysis/wave_theory_parameters.h>
 #include <continua/base/command_line.h>
 #include <continua/base/expected_value.h>
@@ -72,6 +73,7 @@ struct Case
   std::unique_ptr<Geometry<dim>> geometry;
   std::unique_ptr<dealii::parallel::distributed::Triangulation<dim>> triangulation; ///< coarse
   Problem problem;
+  PowerLaws power_laws; ///< what the branches of `problem` come from in a run in time
 };
 } // namespace Continua
 

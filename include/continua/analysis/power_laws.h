@@ -1,0 +1,41 @@
+#ifndef continua_analysis_power_laws_h
+#define continua_analysis_power_laws_h
+
+#include <continua/base/archive.h>
+#include <continua/base/log.h>
+#include <continua/base/parameter_section.h>
+#include <continua/base/summary.h>
+#include <continua/continuum/problem.h>
+#include <continua/materials/prony_series.h>
+#include <continua/time_integration/time_control.h>
+
+#include <map>
+#include <string>
+
+namespace Continua
+{
+/**
+ * The Prony series that a run in time takes for the power laws of its regions. Its band is that of
+ * the material, or else that of the run: from the frequency whose period is 2 pi times the end time
+ * to that whose period is ten of the smallest time steps.
+ */
+class PowerLaws
+{
+public:
+  /// Gives the regions with a power law their branches. `materials`: the section of that name.
+  /// Throws InputError.
+  void fit(Problem &problem, const TimeParameters &time, ParameterSection materials);
+  /// A line and a quantity "Prony fit error" for each of these regions, and the series.
+  void report(Log &log, Summary &summary) const;
+
+  void save(ArchiveWriter &archive) const;
+  /// The series of the run that is taken up again: another end time may have moved its band.
+  void load(const ArchiveReader &archive, Problem &problem);
+
+private:
+  std::map<std::string, PronySeries> series; ///< of the shear modulus, by region
+  double smallest_step = 0.;                 ///< [s]
+};
+} // namespace Continua
+
+#endif

@@ -1,0 +1,60 @@
+#include <continua/materials/power_law_fit.h>
+
+#include <continua/materials/bulk_relaxation.h>
+
+#include <sstream>
+#include <stdexcept>
+
+namespace Continua
+{
+namespace
+{
+PronySeries fit_law(const ComplexModulus &law,
+                    const PronyFitParameters &parameters,
+                    const double lowest_frequency,
+                    const double highest_frequency)
+{
+  if (parameters.n_branches == 0)
+    return fit_prony_series_within(law, lowest_frequency, highest_frequency, parameters.tolerance);
+  const PronySeries series =
+      fit_prony_series(law, lowest_frequency, highest_frequency, parameters.n_branches);
+  if (!(series.error <= parameters.tolerance))
+  {
+    std::ostringstream text;
+    text << "a Prony series of " << parameters.n_branches << " branches follows the law within "
+         << series.error << " only";
+    throw std::range_error(text.str());
+  }
+  return series;
+}
+} // namespace
+
+void take_branches(Material &material, const PronySeries &series)
+{
+  material.branches = {Branch{series.spring}};
+  for (std::size_t k = 0; k < series.moduli.size(); ++k)
+    material.branches.push_back(Branch{series.moduli[k], series.times[k]});
+  if (material.power_law_poissons_ratio >= 0.)
+    relax_volume_as_shear(material, material.power_law_poissons_ratio);
+}
+
+PronySeries
+fit_power_law(Material &material, const double lowest_frequency, const double highest_frequency)
+{
+  // Of a law with c = 1 Pa: round-off does not depend on c then, and walls that differ by their c
+  // share the internal displacements of their branches.
+  const double scale = material.power_law_modulus;
+  Material unit = material;
+  unit.power_law_modulus = 1.;
+  unit.inverse_bulk_modulus *= scale;
+  PronySeries series =
+      fit_law([&unit](const double omega) { return unit.complex_shear_modulus(omega); },
+              material.prony_fit, lowest_frequency, highest_frequency);
+
+  series.spring *= scale;
+  for (double &modulus : series.moduli)
+    modulus *= scale;
+  take_branches(material, series);
+  return series;
+}
+} // namespace Continua
