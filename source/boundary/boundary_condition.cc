@@ -179,7 +179,7 @@ void read_absorbing(ParameterSection &section, BoundaryCondition &condition, uns
 {
   Outlet outlet;
   outlet.name = condition.name;
-  read_tangential(section, condition);
+  condition.absorbing.read(section);
   condition.outlet = std::make_shared<const Outlet>(outlet);
 }
 
@@ -257,7 +257,12 @@ const std::vector<Row> &table()
        "resistance drains.",
        read_windkessel},
       {"absorbing",
-       "The end of a tube that goes on: what behind it answers to the waves that leave.",
+       "The end of a tube that goes on: the pressure follows the flow rate as its impedance says, "
+       "so "
+       "that waves leave; at the end of the wall the axial stress follows the axial velocity. "
+       "Along "
+       "the boundary there is no traction. Without a wall: the plane wave in a compressible "
+       "liquid.",
        read_absorbing},
       {"roller", "No velocity along the normal, no traction along the boundary.", read_roller},
       {"axis", "The axis of an axisymmetric model: as roller.", read_roller},

@@ -1,6 +1,7 @@
 #ifndef continua_analysis_case_h
 #define continua_analysis_case_h
 
+#include <continua/analysis/absorbing_ends.h>
 #include <continua/analysis/measured_waves.h>
 #include <continua/analysis/power_laws.h>
 #include <continua/analysis/wave_theory_parameters.h>
@@ -74,6 +75,7 @@ struct Case
   std::unique_ptr<dealii::parallel::distributed::Triangulation<dim>> triangulation; ///< coarse
   Problem problem;
   PowerLaws power_laws; ///< what the branches of `problem` come from in a run in time
+  AbsorbingEnds absorbing_ends; ///< what some of its outlets come from in a run in time
 };
 } // namespace Continua
 

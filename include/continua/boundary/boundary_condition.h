@@ -2,6 +2,7 @@
 #define continua_boundary_boundary_condition_h
 
 #include <continua/base/parameter_section.h>
+#include <continua/boundary/absorbing_end_parameters.h>
 #include <continua/boundary/flow_profile.h>
 #include <continua/boundary/outlet.h>
 #include <continua/signal/waveform.h>
@@ -51,6 +52,7 @@ struct BoundaryCondition
   /// Of an outlet, else null: what was read, for the whole tube. Without a port where the tube
   /// itself has to tell the impedance (absorbing). Its pressure is no part of `normal`.
   std::shared_ptr<const Outlet> outlet;
+  AbsorbingEndParameters absorbing; ///< of that type
 
   /// A sentence for the log where the prescribed value at t = 0 is not zero at `point` (three
   /// coordinates [m]), so that a body at rest meets a jump; else empty.
