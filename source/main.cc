@@ -1,6 +1,7 @@
 #include <continua/analysis/analyses.h>
 #include <continua/analysis/case.h>
 #include <continua/analysis/documentation.h>
+#include <continua/analysis/material_laboratory.h>
 #include <continua/analysis/run.h>
 #include <continua/analysis/spin_coating_analysis.h>
 #include <continua/base/command_line.h>
@@ -114,6 +115,16 @@ void run_spin_coating(ParameterFile &file,
               });
 }
 
+void run_material_laboratory(ParameterFile &file,
+                             const CommandLine &command_line,
+                             const MPI_Comm communicator)
+{
+  const MaterialLaboratory laboratory(file);
+  with_output(file, command_line, communicator, laboratory.title(),
+              [&](const OutputDirectory &directory, Log &log)
+              { laboratory.perform(command_line, communicator, directory, log); });
+}
+
 int run(const CommandLine &command_line, const MPI_Comm communicator)
 {
   const bool is_writer = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
@@ -135,6 +146,8 @@ int run(const CommandLine &command_line, const MPI_Comm communicator)
   general.read(file.root());
   if (general.analysis == "spin coating")
     run_spin_coating(file, command_line, communicator);
+  else if (general.analysis == "material")
+    run_material_laboratory(file, command_line, communicator);
   else if (n_dimensions(model_of(general.model)) == 2)
     run_case<2>(file, command_line, communicator);
   else

@@ -38,8 +38,10 @@ std::vector<std::pair<std::string, std::string>> analysis_types()
   std::vector<std::pair<std::string, std::string>> types;
   for (const Row<2> &row : table<2>())
     types.emplace_back(row.name, row.description);
-  // Not of a body: SpinCoatingAnalysis, which has no Run.
+  // Not of a body: SpinCoatingAnalysis and MaterialLaboratory, which have no Run.
   types.emplace_back("spin coating", "How a tube is made: what the motors do along the rod.");
+  types.emplace_back("material",
+                     "What a solid is like: its complex modulus, and simulated material tests.");
   return types;
 }
 

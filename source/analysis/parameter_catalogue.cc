@@ -1,6 +1,7 @@
 #include <continua/analysis/parameter_catalogue.h>
 
 #include <continua/analysis/case.h>
+#include <continua/analysis/laboratory_parameters.h>
 #include <continua/analysis/measured_waves.h>
 #include <continua/base/input_error.h>
 #include <continua/base/parameter_text.h>
@@ -159,6 +160,13 @@ std::vector<Source> sources()
        "How a tube is made, of `Analysis = spin coating`.",
        {},
        [](Root root, const General &) { SpinCoating::read(root.subsection("Spin coating")); },
+       "",
+       {}},
+      {"Laboratory",
+       "What is reported of a material, and its simulated tests, of `Analysis = material`.",
+       {},
+       [](Root root, const General &)
+       { LaboratoryParameters().read(root.subsection("Laboratory")); },
        "",
        {}},
       {"Wave theory",

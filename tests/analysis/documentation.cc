@@ -119,8 +119,8 @@ int main(int argc, char **argv)
   for (const char *title :
        {"General", "Geometry and mesh", "Painted regions", "Materials", "Boundaries",
         "Body force and initial state", "Finite elements and linear solver", "Time", "Steady",
-        "Spin coating", "Wave theory", "Adaptivity", "Output", "Probes", "Exact solution",
-        "Expected"})
+        "Spin coating", "Laboratory", "Wave theory", "Adaptivity", "Output", "Probes",
+        "Exact solution", "Expected"})
     check::is_true(title, contains(markdown(), std::string("## ") + title + "\n"));
   check_types("Geometry and mesh", geometry_types<2>());
   check_types("Materials", material_types());

@@ -1,0 +1,56 @@
+#ifndef continua_analysis_material_laboratory_h
+#define continua_analysis_material_laboratory_h
+
+#include <continua/analysis/case.h>
+#include <continua/analysis/laboratory_parameters.h>
+#include <continua/base/log.h>
+#include <continua/base/output_directory.h>
+#include <continua/base/summary.h>
+#include <continua/materials/prony_series.h>
+
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * `Analysis = material`: one solid of the section Materials without a body. Reports its complex
+ * modulus over a band (modulus.csv), its mean modulus and its branches (prony.csv), for a power law
+ * those that are fitted to it, and simulates material tests with one element (LaboratoryTests).
+ */
+class MaterialLaboratory
+{
+public:
+  /// Throws InputError.
+  explicit MaterialLaboratory(ParameterFile &file);
+
+  /// On every rank alike; rank 0 of the communicator writes.
+  void perform(const CommandLine &command_line,
+               MPI_Comm communicator,
+               const OutputDirectory &directory,
+               Log &log) const;
+  const std::string &title() const { return general.title; }
+
+private:
+  GeneralParameters general;
+  std::string name; ///< of the material
+  Material material;
+  PronySeries series; ///< of a power law
+  LaboratoryParameters laboratory;
+  TimeParameters time;
+  std::vector<ExpectedValue> expected;
+
+  bool is_power_law() const { return material.power_law_modulus > 0.; }
+  void read_model(ParameterSection root);
+  void read_material_of(ParameterSection materials);
+  void check_loading_time(const ParameterSection &section) const;
+  void fit(const ParameterSection &section);
+  void report(Log &log, Summary &summary) const;
+  void write_modulus(const OutputDirectory &directory) const;
+  void write_branches(const OutputDirectory &directory) const;
+  template <int dim>
+  void simulate(const OutputDirectory &directory, bool is_writer, Log &log, Summary &summary) const;
+};
+} // namespace Continua
+
+#endif

@@ -1,0 +1,261 @@
+#include <continua/analysis/laboratory_tests.h>
+#include <continua/analysis/material_laboratory.h>
+#include <continua/base/citations.h>
+#include <continua/base/table_writer.h>
+#include <continua/base/version.h>
+#include <continua/materials/power_law_fit.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace Continua
+{
+using dealii::numbers::PI;
+
+MaterialLaboratory::MaterialLaboratory(ParameterFile &file)
+{
+  ParameterSection root = file.root();
+  general.read(root);
+  read_model(root);
+  read_material_of(root.subsection("Materials"));
+  ParameterSection section = root.subsection("Laboratory");
+  laboratory.read(section);
+  if (!laboratory.tests.empty())
+    time.read(root.subsection("Time"));
+  expected = read_expected(root.subsection("Expected"));
+  // Before the checks across entries: a misspelt key is the likelier reason for them to fail.
+  file.refuse_unknown();
+  if (laboratory.has("relaxation"))
+    check_loading_time(section);
+  if (is_power_law())
+    fit(root.subsection("Materials").subsection(name));
+}
+
+void MaterialLaboratory::read_model(ParameterSection root)
+{
+  if (!root.given("Model"))
+    general.model = "axisymmetric";
+  if (general.model != "axisymmetric" && general.model != "three-dimensional")
+    root.refuse("Model",
+                "a specimen that is pulled is free at its sides, which '" + general.model +
+                    "' does not allow",
+                "Leave the entry out (axisymmetric), or give three-dimensional");
+}
+
+void MaterialLaboratory::read_material_of(ParameterSection materials)
+{
+  const std::vector<std::string> names = materials.subsections();
+  if (names.size() != 1)
+    materials.refuse("",
+                     names.empty() ? "there is no material"
+                                   : "there are " + std::to_string(names.size()) +
+                                         " materials, and the laboratory has one specimen",
+                     "Give one subsection, of any name, with a Type");
+  name = names.front();
+  ParameterSection section = materials.subsection(name);
+  material = read_material(section, model_of(general.model));
+  if (!material.is_solid())
+    section.refuse("Type", "'" + material.type + "' is a fluid, which cannot be pulled",
+                   "Give the law of a solid");
+}
+
+void MaterialLaboratory::check_loading_time(const ParameterSection &section) const
+{
+  const double loading_time = laboratory.loading_time;
+  TimeControl control(time);
+  while (!control.at_end() && control.time() < loading_time * (1. - 1e-6))
+    control.next();
+  if (std::abs(control.time() - loading_time) > 1e-6 * loading_time)
+    section.refuse("Loading time",
+                   "the loading ends at " + shortest_number(loading_time) +
+                       " s, within a time step or after the end of the run",
+                   "Give a whole number of time steps before Time/End time");
+}
+
+void MaterialLaboratory::fit(const ParameterSection &section)
+{
+  // What the tests see beside the band of the table: their duration and, of a step, a period of
+  // ten.
+  double lowest = laboratory.lowest_frequency, highest = laboratory.highest_frequency;
+  for (const double frequency : laboratory.frequencies)
+    if (laboratory.has("harmonic"))
+    {
+      lowest = std::min(lowest, frequency);
+      highest = std::max(highest, frequency);
+    }
+  if (laboratory.has("relaxation") || laboratory.has("creep"))
+  {
+    double step = time.time_step;
+    for (const auto &change : time.changes)
+      step = std::min(step, change.second);
+    lowest = std::min(lowest, 1. / (2. * PI * time.end_time));
+    highest = std::max(highest, 1. / (10. * step));
+  }
+  const PronyFitParameters &asked = material.prony_fit;
+  if (asked.lowest_frequency > 0.)
+    lowest = asked.lowest_frequency;
+  if (asked.highest_frequency > 0.)
+    highest = asked.highest_frequency;
+  if (lowest >= highest)
+    section.refuse(asked.lowest_frequency > 0. ? "Lowest frequency" : "Highest frequency",
+                   "the band of the Prony fit is empty: from " + shortest_number(lowest) + " to " +
+                       shortest_number(highest) + " Hz",
+                   "Give a lowest frequency below the highest one");
+  try
+  {
+    series = fit_power_law(material, lowest, highest);
+  }
+  catch (const std::range_error &error)
+  {
+    std::ostringstream text;
+    text << error.what() << ", from " << lowest << " to " << highest << " Hz; the tolerance is "
+         << asked.tolerance;
+    section.refuse(asked.n_branches > 0 ? "Branches" : "Fit tolerance", text.str(),
+                   "Give more branches, a larger 'Fit tolerance' or a narrower band ('Lowest "
+                   "frequency', 'Highest frequency')");
+  }
+}
+
+void MaterialLaboratory::perform(const CommandLine &command_line,
+                                 const MPI_Comm communicator,
+                                 const OutputDirectory &directory,
+                                 Log &log) const
+{
+  const bool is_writer = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+  Summary summary;
+  summary.set("title", general.title);
+  summary.set("status", "finished");
+  summary.set("version", version());
+  summary.set("revision", revision());
+  summary.set("command line", command_line.text);
+  summary.set("parameter file", command_line.parameter_file);
+  summary.set("analysis", general.analysis);
+  summary.set("model", general.model);
+  summary.set("ranks", static_cast<double>(dealii::Utilities::MPI::n_mpi_processes(communicator)));
+  summary.set("material", name + ", " + material.type);
+  report(log, summary);
+  if (is_writer)
+  {
+    write_modulus(directory);
+    write_branches(directory);
+  }
+  if (general.model == "axisymmetric")
+    simulate<2>(directory, is_writer, log, summary);
+  else
+    simulate<3>(directory, is_writer, log, summary);
+  bool all_passed = true;
+  for (const std::string &verdict : summary.check(expected, all_passed))
+    log.line(verdict);
+  summary.set("warnings", log.warnings());
+  if (is_writer)
+  {
+    summary.write(directory.file("summary.json"));
+    Citations().write(directory.file("citation.bib"));
+  }
+}
+
+void MaterialLaboratory::report(Log &log, Summary &summary) const
+{
+  const std::complex<double> young =
+      material.complex_young_modulus(2. * PI * laboratory.fundamental);
+  std::ostringstream text;
+  text.precision(6);
+  if (is_power_law())
+  {
+    text << name << ": relaxation modulus " << material.power_law_modulus << " Pa (t/1 s)^-"
+         << material.power_law_exponent;
+    log.line(text.str());
+    summary.add({"c", material.power_law_modulus, "Pa", ""});
+    summary.add({"n", material.power_law_exponent, "1", ""});
+    text.str("");
+    text.precision(3);
+    text << name << ": a spring and " << series.moduli.size()
+         << (series.moduli.size() == 1 ? " branch" : " branches") << " follow the power law from "
+         << series.lowest_frequency << " to " << series.highest_frequency << " Hz within ";
+    text.precision(2);
+    text << series.error;
+    log.line(text.str());
+    summary.add({"Prony fit error", series.error, "1", ""});
+    summary.add({"branches", static_cast<double>(series.moduli.size()), "1", ""});
+  }
+  summary.add({"storage modulus", young.real(), "Pa", ""});
+  summary.add({"loss modulus", young.imag(), "Pa", ""});
+  summary.add({"tan delta", young.imag() / young.real(), "1", ""});
+}
+
+void MaterialLaboratory::write_modulus(const OutputDirectory &directory) const
+{
+  std::vector<std::string> header = {"frequency [Hz]", "storage modulus [Pa]", "loss modulus [Pa]",
+                                     "tan delta [1]"};
+  if (is_power_law())
+    header.insert(header.end(), {"storage modulus of the Prony series [Pa]",
+                                 "loss modulus of the Prony series [Pa]",
+                                 "relative error of the Prony series [1]"});
+  TableWriter table(directory.file("modulus.csv"), header);
+  const UniaxialResponse branches(material);
+  const double decades = std::log10(laboratory.highest_frequency / laboratory.lowest_frequency);
+  const unsigned int n_intervals =
+      std::max(1., std::ceil(decades * laboratory.points_per_decade - 1e-9));
+  for (unsigned int i = 0; i <= n_intervals; ++i)
+  {
+    const double frequency = laboratory.lowest_frequency * std::pow(10., decades * i / n_intervals);
+    const std::complex<double> young = material.complex_young_modulus(2. * PI * frequency);
+    std::vector<double> row = {frequency, young.real(), young.imag(), young.imag() / young.real()};
+    if (is_power_law())
+    {
+      const std::complex<double> of_series = branches.modulus(2. * PI * frequency);
+      row.insert(row.end(), {of_series.real(), of_series.imag(), std::abs(of_series / young - 1.)});
+    }
+    table.row(row);
+  }
+  table.flush();
+}
+
+void MaterialLaboratory::write_branches(const OutputDirectory &directory) const
+{
+  // One row for each relaxation time, of the shear, of the volume change or of both; inf: a spring.
+  std::vector<double> times;
+  for (const Branch &branch : material.branches)
+    times.push_back(branch.relaxation_time);
+  for (const BulkBranch &branch : material.bulk_branches)
+    times.push_back(branch.relaxation_time);
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  TableWriter table(directory.file("prony.csv"),
+                    {"relaxation time [s]", "shear modulus [Pa]", "bulk modulus [Pa]"});
+  for (const double relaxation_time : times)
+  {
+    double shear = 0., bulk = 0.;
+    for (const Branch &branch : material.branches)
+      if (branch.relaxation_time == relaxation_time)
+        shear += branch.shear_modulus;
+    for (const BulkBranch &branch : material.bulk_branches)
+      if (branch.relaxation_time == relaxation_time)
+        bulk += branch.bulk_modulus;
+    if (material.bulk_branches.empty() && std::isinf(relaxation_time))
+      bulk = 1. / material.inverse_bulk_modulus;
+    table.row({relaxation_time, shear, bulk});
+  }
+  table.flush();
+}
+
+template <int dim>
+void MaterialLaboratory::simulate(const OutputDirectory &directory,
+                                  const bool is_writer,
+                                  Log &log,
+                                  Summary &summary) const
+{
+  LaboratoryTests<dim> tests(material, laboratory, time, directory, is_writer, log, summary);
+  if (laboratory.has("relaxation"))
+    tests.relaxation();
+  if (laboratory.has("creep"))
+    tests.creep();
+  if (laboratory.has("harmonic"))
+    tests.harmonic();
+}
+} // namespace Continua
