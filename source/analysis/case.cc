@@ -89,6 +89,9 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator)
       materials.refuse("", "the region '" + region + "' has no material",
                        "Add 'subsection " + region + "' with a Type to Materials");
     problem.materials.push_back(read_material(materials.subsection(region), problem.model));
+    if (problem.materials.back().power_law_modulus > 0. &&
+        materials.subsection(region).given("Relaxation table"))
+      power_laws.note_table(region, materials.subsection(region));
   }
   problem.interior.read(root.subsection("Body force"), root.subsection("Initial state"),
                         problem.regions, dim);
@@ -130,6 +133,7 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator)
                     problem.materials, {!transient, time.end_time, time.time_step});
   problem.outlets = make_outlets(problem.conditions, root.subsection("Boundaries"), *triangulation,
                                  problem.materials);
+  absorbing_ends.add(*this, root.subsection("Boundaries"));
   probes.check(*triangulation, FieldEvaluation<dim>::fields(problem.model), pairs);
 }
 

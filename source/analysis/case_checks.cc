@@ -52,11 +52,13 @@ void check_steady(const Case<dim> &input, ParameterSection root)
       std::any_of(materials.begin(), materials.end(),
                   [](const Material &material) { return !material.branches.empty(); });
   for (unsigned int region = 0; region < materials.size(); ++region)
-    if (!materials[region].branches.empty() && materials[region].long_term_shear_modulus() == 0.)
+    if (!materials[region].branches.empty() &&
+        (materials[region].long_term_shear_modulus() == 0. ||
+         std::isinf(materials[region].long_term_inverse_bulk_modulus())))
       root.subsection("Materials")
           .subsection(input.problem.regions[region])
           .refuse("Type",
-                  "the shear stress of this solid relaxes to zero, so that it has no state at rest",
+                  "the stress of this solid relaxes to zero, so that it has no state at rest",
                   "Use a law with a long-term modulus, or Analysis = transient");
   bool held = false;
   for (const BoundaryCondition &condition : input.problem.conditions)

@@ -10,6 +10,26 @@
 
 namespace Continua
 {
+void PowerLaws::note_table(const std::string &region, const ParameterSection section)
+{
+  tables[region] = fit_relaxation_test(read_relaxation_test(section));
+}
+
+void PowerLaws::report_tables(Log &log, Summary &summary) const
+{
+  for (const auto &[region, fit] : tables)
+  {
+    std::ostringstream text;
+    text.precision(4);
+    text << region << ": the relaxation table follows " << fit.modulus << " Pa (t/1 s)^-"
+         << fit.exponent << ", root of the mean square misfit " << fit.misfit;
+    log.line(text.str());
+    summary.add({"relaxation modulus at one second", fit.modulus, "Pa", region});
+    summary.add({"relaxation exponent", fit.exponent, "1", region});
+    summary.add({"relaxation misfit", fit.misfit, "1", region});
+  }
+}
+
 void PowerLaws::fit(Problem &problem, const TimeParameters &time, ParameterSection materials)
 {
   smallest_step = time.time_step;
@@ -56,7 +76,7 @@ void PowerLaws::fit(Problem &problem, const TimeParameters &time, ParameterSecti
   }
 }
 
-void PowerLaws::report(Log &log, Summary &summary) const
+void PowerLaws::report_series(Log &log, Summary &summary) const
 {
   for (const auto &[region, prony] : series)
   {

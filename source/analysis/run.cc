@@ -41,6 +41,7 @@ void Run<dim>::describe_run()
   summary.set("model", input.general.model);
   summary.set("ranks", static_cast<double>(Utilities::MPI::n_mpi_processes(input.communicator)));
   summary.set("libraries", library_versions());
+  input.power_laws.report_tables(log, summary);
   if (blas_is_reference())
     log.warning("the BLAS linked is the slow reference implementation: factorisation takes 3 to 7 "
                 "times as long as "
@@ -57,7 +58,8 @@ void Run<dim>::initialise(const std::string &mesh_file)
     else
       input.triangulation->load(mesh_file);
   }
-  input.power_laws.report(log, summary);
+  input.power_laws.report_series(log, summary);
+  input.absorbing_ends.report(log, summary);
   solver = std::make_unique<TaylorHoodSolver<dim>>(*input.triangulation, input.problem,
                                                    input.taylor_hood, log);
   solver->initialise();

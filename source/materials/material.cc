@@ -1,7 +1,11 @@
 #include <continua/materials/material.h>
 
+#include <continua/materials/bulk_relaxation.h>
+#include <continua/materials/relaxation_test.h>
+
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace Continua
 {
@@ -78,6 +82,58 @@ void refuse_plane_stress(const ParameterSection &section, const Model model)
                    "Use 'hookean' here, or Model = plane strain or three-dimensional");
 }
 
+constexpr const char *volume_elastic = "none";
+constexpr const char *volume_as_shear = "as the shear";
+constexpr const char *volume_own = "own branches";
+
+/// How the volume change relaxes: one of `choices`.
+std::string read_volumetric_relaxation(ParameterSection &section,
+                                       const std::vector<std::string> &choices,
+                                       const std::string &text)
+{
+  std::string choice = volume_elastic;
+  section.add_choice("Volumetric relaxation", choice, choices,
+                     "How the pressure of a volume change relaxes: " + text);
+  return choice;
+}
+
+/// Moduli and times of as many branches; `kind`: "shear moduli" or "bulk moduli", for messages.
+void require_pairs(const ParameterSection &section,
+                   const std::vector<double> &moduli,
+                   const std::vector<double> &times,
+                   const std::string &times_key,
+                   const std::string &kind)
+{
+  if (moduli.size() != times.size())
+    section.refuse(times_key,
+                   std::to_string(moduli.size()) + " " + kind + " stand beside " +
+                       std::to_string(times.size()) + " relaxation times",
+                   "Give as many of the one as of the other");
+}
+
+/// Bulk branches of their own beside the long-term K, which `material` has.
+void read_bulk_branches(ParameterSection &section, Material &material)
+{
+  std::vector<double> moduli, times;
+  section.add("Bulk moduli", moduli, Dimensions::pressure,
+              "Bulk moduli K_k of the branches that relax, beside the long-term one of Young's "
+              "modulus and Poisson's ratio.",
+              Range::positive());
+  section.add("Bulk relaxation times", times, Dimensions::time,
+              "Relaxation times of these branches.", Range::positive());
+  section.require("Bulk moduli");
+  require_pairs(section, moduli, times, "Bulk relaxation times", "bulk moduli");
+  if (material.inverse_bulk_modulus == 0.)
+    section.refuse(
+        "Volumetric relaxation",
+        "an incompressible solid (Poisson's ratio 0.5) has no volume change that relaxes",
+        "Give a ratio below 0.5, or Volumetric relaxation = none");
+  std::vector<BulkBranch> branches = {BulkBranch{1. / material.inverse_bulk_modulus}};
+  for (std::size_t k = 0; k < moduli.size(); ++k)
+    branches.push_back({moduli[k], times[k]});
+  set_bulk_branches(material, branches);
+}
+
 Material newtonian(ParameterSection &section, const Model model)
 {
   refuse_plane_stress(section, model);
@@ -121,6 +177,18 @@ Material maxwell(ParameterSection &section, const Model model)
   branch.relaxation_time = required(section, "Relaxation time", Dimensions::time,
                                     "Relaxation time tau.", Range::positive());
   material.branches = {branch};
+  const std::string volume = read_volumetric_relaxation(
+      section, {volume_elastic, volume_as_shear},
+      "none - not at all, it is elastic; as the shear - to zero, with the same relaxation time.");
+  if (volume == volume_as_shear)
+  {
+    if (material.inverse_bulk_modulus == 0.)
+      section.refuse("Volumetric relaxation",
+                     "an incompressible solid has no volume change that relaxes",
+                     "Give a bulk modulus, or Volumetric relaxation = none");
+    set_bulk_branches(material,
+                      {BulkBranch{1. / material.inverse_bulk_modulus, branch.relaxation_time}});
+  }
   return material;
 }
 
@@ -134,14 +202,62 @@ Material prony(ParameterSection &section, const Model model)
   section.add("Relaxation times", times, Dimensions::time,
               "Relaxation times tau_k of these branches.", Range::positive());
   section.require("Shear moduli");
-  if (moduli.size() != times.size())
-    section.refuse("Relaxation times",
-                   std::to_string(moduli.size()) + " shear moduli stand beside " +
-                       std::to_string(times.size()) + " relaxation times",
-                   "Give as many of the one as of the other");
-  for (unsigned int k = 0; k < moduli.size(); ++k)
+  require_pairs(section, moduli, times, "Relaxation times", "shear moduli");
+  for (std::size_t k = 0; k < moduli.size(); ++k)
     material.branches.push_back(Branch{moduli[k], times[k]});
+  const std::string volume = read_volumetric_relaxation(
+      section, {volume_elastic, volume_as_shear, volume_own},
+      "none - not at all, K is elastic, that of Young's modulus and Poisson's ratio; as the shear "
+      "- Poisson's ratio is constant, each spring has its share of K; own branches - by branches "
+      "of its own.");
+  if (volume == volume_as_shear)
+  {
+    const double mu_over_K = material.long_term_shear_modulus() * material.inverse_bulk_modulus;
+    relax_volume_as_shear(material, (3. - 2. * mu_over_K) / (6. + 2. * mu_over_K));
+  }
+  else if (volume == volume_own)
+    read_bulk_branches(section, material);
   return material;
+}
+
+/// c and n: the two numbers, or a table to which they are fitted.
+void read_relaxation(ParameterSection &section, Material &material)
+{
+  double modulus = std::numeric_limits<double>::quiet_NaN(), exponent = modulus;
+  section.add(
+      "Relaxation modulus at one second", modulus, Dimensions::pressure,
+      "c of the relaxation Y(t) = c (t/1 s)^-n of Young's modulus. Required unless there is "
+      "a relaxation table.",
+      Range::positive());
+  section.add("Exponent", exponent, Dimensions::none,
+              "n of the relaxation. Required unless there is a relaxation table.",
+              Range{0., 1., false, true});
+  const RelaxationTest test = read_relaxation_test(section);
+  if (test.file.empty())
+  {
+    section.require("Relaxation modulus at one second");
+    section.require("Exponent");
+  }
+  else
+  {
+    for (const char *key : {"Relaxation modulus at one second", "Exponent"})
+      if (section.given(key))
+        section.refuse(key, "the relaxation table gives c and n", "Remove this or the table");
+    const RelaxationFit fit = fit_relaxation_test(test);
+    modulus = fit.modulus;
+    exponent = fit.exponent;
+    if (exponent < 0. || exponent >= 1.)
+    {
+      std::ostringstream text;
+      text.precision(3);
+      text << "the exponent of the power law through it is " << exponent
+           << ", which no solid that relaxes has";
+      section.refuse("Relaxation table", text.str(),
+                     "The stress must fall with time, slower than 1/t; check columns and units");
+    }
+  }
+  material.power_law_modulus = modulus;
+  material.power_law_exponent = exponent;
 }
 
 Material power_law(ParameterSection &section, const Model model)
@@ -149,15 +265,21 @@ Material power_law(ParameterSection &section, const Model model)
   refuse_plane_stress(section, model);
   Material material;
   material.density = read_density(section);
-  material.power_law_modulus =
-      required(section, "Relaxation modulus at one second", Dimensions::pressure,
-               "c of the relaxation Y(t) = c (t/1 s)^-n of Young's modulus.", Range::positive());
-  material.power_law_exponent = required(section, "Exponent", Dimensions::none,
-                                         "n of the relaxation.", Range{0., 1., false, true});
-  double bulk_modulus = std::numeric_limits<double>::infinity();
-  section.add("Bulk modulus", bulk_modulus, Dimensions::pressure,
-              "Bulk modulus K, elastic; left out: incompressible (nu = 0.5).", Range::positive());
-  material.inverse_bulk_modulus = 1. / bulk_modulus;
+  read_relaxation(section, material);
+  const std::string volume = read_volumetric_relaxation(
+      section, {volume_elastic, volume_as_shear},
+      "none - not at all, K is elastic; as the shear - Poisson's ratio is constant.");
+  if (volume == volume_as_shear)
+    material.power_law_poissons_ratio = required(
+        section, "Poisson's ratio", Dimensions::none,
+        "Poisson's ratio nu, the same at all times and frequencies.", Range{0., 0.5, false, true});
+  else
+  {
+    double bulk_modulus = std::numeric_limits<double>::infinity();
+    section.add("Bulk modulus", bulk_modulus, Dimensions::pressure,
+                "Bulk modulus K, elastic; left out: incompressible (nu = 0.5).", Range::positive());
+    material.inverse_bulk_modulus = 1. / bulk_modulus;
+  }
   material.prony_fit.read(section);
   return material;
 }

@@ -2,6 +2,7 @@
 // what is refused.
 
 #include <continua/materials/material.h>
+#include <continua/materials/mean_modulus.h>
 
 #include "../check.h"
 #include "../parameter_text.h"
@@ -32,6 +33,19 @@ std::string solid(const std::string &ratio, const std::string &type = "hookean")
   return "set Type = " + type + "\nset Density = 1000 kg/m^3\nset Young's modulus = 2.6 MPa\n" +
          "set Poisson's ratio = " + ratio + "\n";
 }
+/// nu = (3 K - 2 mu)/(6 K + 2 mu) in harmonic motion: this number, real, at all frequencies.
+void check_ratio(const std::string &name, const Material &material, const double ratio)
+{
+  double largest = 0.;
+  for (const double omega : {0.1, 3., 20., 143., 1e4})
+  {
+    const std::complex<double> bulk = 1. / material.complex_inverse_bulk_modulus(omega);
+    const std::complex<double> mu = material.complex_shear_modulus(omega);
+    largest = std::max(largest, std::abs((3. * bulk - 2. * mu) / (6. * bulk + 2. * mu) - ratio));
+  }
+  check::absolute(name, largest, 0., 1e-13);
+}
+
 const std::string water = "set Type = newtonian\nset Density = 998\nset Viscosity = 1 mPa s\n";
 } // namespace
 
@@ -113,6 +127,123 @@ int main()
       "power law: Young's modulus does not depend on K",
       std::abs(compressible.complex_young_modulus(3.) / power_law.complex_young_modulus(3.)), 1.,
       1e-14);
+
+  // A volume change that relaxes. K/mu = 2(1 + nu)/(3(1 - 2 nu)) = 13/6 for nu = 0.3.
+  const std::string two_branches = solid("0.3", "prony") + "set Shear moduli = 0.2 MPa, 0.1 MPa\n"
+                                                           "set Relaxation times = 5 ms, 50 ms\n";
+  const Material constant_ratio = read(two_branches + "set Volumetric relaxation = as the shear\n");
+  check::is_true("prony, as the shear: a spring and two branches",
+                 constant_ratio.bulk_branches.size() == 3 &&
+                     std::isinf(constant_ratio.bulk_branches[0].relaxation_time) &&
+                     constant_ratio.bulk_branches[1].relaxation_time == 5e-3 &&
+                     constant_ratio.bulk_branches[2].relaxation_time == 50e-3);
+  check::relative("prony, as the shear: K of a branch",
+                  constant_ratio.bulk_branches.at(1).bulk_modulus, 0.2e6 * 13. / 6., 1e-13);
+  check::relative("prony, as the shear: instantaneous K", 1. / constant_ratio.inverse_bulk_modulus,
+                  1.3e6 * 13. / 6., 1e-13);
+  check::relative("prony, as the shear: long-term K",
+                  1. / constant_ratio.long_term_inverse_bulk_modulus(), 13e6 / 6., 1e-13);
+  check::relative("prony, as the shear: longitudinal speed", constant_ratio.longitudinal_speed(),
+                  std::sqrt(1.3) * 59.160797830996161, 1e-13);
+  check_ratio("prony, as the shear: Poisson's ratio", constant_ratio, 0.3);
+  // mu(omega) at omega = 1/50 ms: 1e6 + 0.2e6 x/(1 + x) + 0.1e6 i/(1 + i), x = i/10; Y = 2.6 mu.
+  const std::complex<double> young_20 = constant_ratio.complex_young_modulus(20.);
+  check::relative("prony, as the shear: storage modulus", young_20.real(),
+                  2.6 * (1e6 + 0.2e6 / 101. + 0.05e6), 1e-13);
+  check::relative("prony, as the shear: loss modulus", young_20.imag(),
+                  2.6 * (0.2e6 * 10. / 101. + 0.05e6), 1e-13);
+  const Material incompressible_ratio =
+      read(solid("0.5", "prony") + "set Shear moduli = 1 MPa\nset Relaxation times = 1 s\n"
+                                   "set Volumetric relaxation = as the shear\n");
+  check::is_true("prony, as the shear, nu = 0.5: incompressible",
+                 incompressible_ratio.inverse_bulk_modulus == 0. &&
+                     incompressible_ratio.bulk_branches.empty());
+
+  const Material own = read(two_branches + "set Volumetric relaxation = own branches\n"
+                                           "set Bulk moduli = 3 MPa\n"
+                                           "set Bulk relaxation times = 20 ms\n");
+  check::relative("prony, own branches: long-term K", 1. / own.long_term_inverse_bulk_modulus(),
+                  13e6 / 6., 1e-13);
+  check::relative("prony, own branches: instantaneous K", 1. / own.inverse_bulk_modulus,
+                  13e6 / 6. + 3e6, 1e-13);
+  const std::complex<double> bulk = 1. / own.complex_inverse_bulk_modulus(50.);
+  check::relative("prony, own branches: Re K at omega tau = 1", bulk.real(), 13e6 / 6. + 1.5e6,
+                  1e-13);
+  check::relative("prony, own branches: Im K at omega tau = 1", bulk.imag(), 1.5e6, 1e-13);
+
+  const std::string liquid_like = "set Type = maxwell\nset Density = 900\n"
+                                  "set Shear modulus = 3 MPa\nset Relaxation time = 7 ms\n";
+  const Material all_relaxes =
+      read(liquid_like + "set Bulk modulus = 4 MPa\nset Volumetric relaxation = as the shear\n");
+  check::is_true("maxwell, as the shear: no long-term K",
+                 std::isinf(all_relaxes.long_term_inverse_bulk_modulus()) &&
+                     all_relaxes.inverse_bulk_modulus == 1. / 4e6);
+  check::relative("maxwell, as the shear: K at omega tau = 1",
+                  (1. / all_relaxes.complex_inverse_bulk_modulus(1. / 7e-3)).imag(), 2e6, 1e-13);
+  // nu of K = 4 MPa, mu = 3 MPa: (3 K - 2 mu)/(6 K + 2 mu) = 0.2.
+  check_ratio("maxwell, as the shear: Poisson's ratio", all_relaxes, 0.2);
+
+  const std::string law = "set Type = power law\nset Density = 880\n";
+  const std::string numbers = "set Relaxation modulus at one second = 1.3 MPa\n"
+                              "set Exponent = 0.065\n";
+  const Material law_of_ratio = read(
+      law + numbers + "set Volumetric relaxation = as the shear\nset Poisson's ratio = 0.45\n");
+  check_ratio("power law, as the shear: Poisson's ratio", law_of_ratio, 0.45);
+  check::relative(
+      "power law, as the shear: Young's modulus is the law",
+      std::abs(law_of_ratio.complex_young_modulus(3.) / power_law.complex_young_modulus(3.)), 1.,
+      1e-13);
+  check::is_true("power law: how the fit is asked for",
+                 law_of_ratio.prony_fit.n_branches == 0 &&
+                     law_of_ratio.prony_fit.tolerance == 5e-4);
+
+  // The mean modulus of the thesis is 1.72 MPa (section 5.3). It belongs to a fundamental of 0.42
+  // Hz; at 0.5 Hz its 40 harmonics have a mean of c Gamma(1 - n) cos(n pi/2) pi^n sum i^n/40 =
+  // 1.739266 MPa.
+  check::relative("mean modulus of 40 harmonics of 0.5 Hz", mean_modulus(power_law, 0.5),
+                  1.739266e6, 1e-6);
+  check::relative("mean modulus of 40 harmonics of 0.42125 Hz", mean_modulus(power_law, 0.42125),
+                  1.72e6, 1e-5);
+  check::relative("mean modulus: 0.5 Hz is 1.2 % off the thesis", mean_modulus(power_law, 0.5),
+                  1.72e6, 0.012);
+  check::relative("mean modulus of a Hookean solid", mean_modulus(hookean, 3., 7), 2.6e6, 1e-13);
+
+  refused("own branches without moduli",
+          two_branches + "set Volumetric relaxation = own branches\n", "'Bulk moduli'");
+  refused("as many bulk times as moduli",
+          two_branches +
+              "set Volumetric relaxation = own branches\nset Bulk moduli = 1 MPa, 2 MPa\n"
+              "set Bulk relaxation times = 1 s\n",
+          ":9: 'Bulk relaxation times'.*2 bulk moduli.*1 relaxation");
+  refused("bulk modulus of a branch 0",
+          two_branches + "set Volumetric relaxation = own branches\nset Bulk moduli = 0 MPa\n"
+                         "set Bulk relaxation times = 1 s\n",
+          ":8: 'Bulk moduli'.*> 0");
+  refused("own branches of an incompressible solid",
+          solid("0.5", "prony") + "set Shear moduli = 1 MPa\nset Relaxation times = 1 s\n"
+                                  "set Volumetric relaxation = own branches\n"
+                                  "set Bulk moduli = 1 MPa\nset Bulk relaxation times = 1 s\n",
+          ":7: 'Volumetric relaxation'.*incompressible");
+  refused("an incompressible Maxwell solid",
+          liquid_like + "set Incompressible = true\nset Volumetric relaxation = as the shear\n",
+          ":6: 'Volumetric relaxation'.*incompressible");
+  refused("own branches of a Maxwell solid",
+          liquid_like + "set Bulk modulus = 4 MPa\nset Volumetric relaxation = own branches\n",
+          ":6: 'Volumetric relaxation'.*as the shear");
+  refused("constant ratio 0.5 of a power law",
+          law + numbers + "set Volumetric relaxation = as the shear\nset Poisson's ratio = 0.5\n",
+          ":6: 'Poisson's ratio'.*< 0.5");
+  refused("a bulk modulus beside the constant ratio of a power law",
+          law + numbers +
+              "set Volumetric relaxation = as the shear\nset Poisson's ratio = 0.4\n"
+              "set Bulk modulus = 1 MPa\n",
+          ":7.*Bulk modulus");
+  refused("more branches than are tried", law + numbers + "set Branches = 41\n",
+          ":5: 'Branches'.*40");
+  refused("shear modulus of a branch negative",
+          solid("0.3", "prony") + "set Shear moduli = -1 MPa\nset Relaxation times = 1 s\n",
+          ":5: 'Shear moduli'.*> 0");
+  refused("power law without numbers", law, "'Relaxation modulus at one second' is missing");
   refused("exponent 1",
           "set Type = power law\nset Density = 880\n"
           "set Relaxation modulus at one second = 1 MPa\nset Exponent = 1\n",

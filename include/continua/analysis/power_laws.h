@@ -7,6 +7,7 @@
 #include <continua/base/summary.h>
 #include <continua/continuum/problem.h>
 #include <continua/materials/prony_series.h>
+#include <continua/materials/relaxation_test.h>
 #include <continua/time_integration/time_control.h>
 
 #include <map>
@@ -15,26 +16,34 @@
 namespace Continua
 {
 /**
- * The Prony series that a run in time takes for the power laws of its regions. Its band is that of
- * the material, or else that of the run: from the frequency whose period is 2 pi times the end time
- * to that whose period is ten of the smallest time steps.
+ * The relaxation tests behind the power laws of the regions, and the Prony series that a run in
+ * time takes for these laws. Its band is that of the material, or else that of the run: from the
+ * frequency whose period is 2 pi times the end time to that whose period is ten of the smallest
+ * time steps.
  */
 class PowerLaws
 {
 public:
+  /// Remembers what a region's relaxation table, which the material has read, came to.
+  void note_table(const std::string &region, ParameterSection section);
+  /// A line and the quantities "relaxation modulus at one second", "relaxation exponent" and
+  /// "relaxation misfit" for each table.
+  void report_tables(Log &log, Summary &summary) const;
+
   /// Gives the regions with a power law their branches. `materials`: the section of that name.
   /// Throws InputError.
   void fit(Problem &problem, const TimeParameters &time, ParameterSection materials);
   /// A line and a quantity "Prony fit error" for each of these regions, and the series.
-  void report(Log &log, Summary &summary) const;
+  void report_series(Log &log, Summary &summary) const;
 
   void save(ArchiveWriter &archive) const;
   /// The series of the run that is taken up again: another end time may have moved its band.
   void load(const ArchiveReader &archive, Problem &problem);
 
 private:
-  std::map<std::string, PronySeries> series; ///< of the shear modulus, by region
-  double smallest_step = 0.;                 ///< [s]
+  std::map<std::string, RelaxationFit> tables; ///< by region
+  std::map<std::string, PronySeries> series;   ///< of the shear modulus, by region
+  double smallest_step = 0.;                   ///< [s]
 };
 } // namespace Continua
 
