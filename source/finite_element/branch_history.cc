@@ -6,85 +6,183 @@
 #include <Epetra_CrsMatrix.h>
 
 #include <algorithm>
-#include <iterator>
+#include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace Continua
 {
+namespace
+{
+void add(std::vector<double> &sum, const double factor, const std::vector<double> &values)
+{
+  double *const to = sum.data();
+  const double *const from = values.data();
+  for (std::size_t j = 0; j < sum.size(); ++j)
+    to[j] += factor * from[j];
+}
+
+void gather(std::vector<double> &values,
+            const std::vector<unsigned int> &nodes,
+            const DistributedVector &vector)
+{
+  values.resize(nodes.size());
+  const double *const entries = vector.begin();
+  for (std::size_t j = 0; j < nodes.size(); ++j)
+    values[j] = entries[nodes[j]];
+}
+
+void scatter(const std::vector<double> &values,
+             const std::vector<unsigned int> &nodes,
+             DistributedVector &vector)
+{
+  double *const entries = vector.begin();
+  for (std::size_t j = 0; j < nodes.size(); ++j)
+    entries[nodes[j]] = values[j];
+}
+
+/// Weights of D at the present time and one step before.
+struct Weights
+{
+  double present, older;
+};
+
+/// Carries one branch to the end of the step, at n places; `next` holds what is two steps old.
+void advance_entries(const BranchCoefficients &c,
+                     const bool extrapolate,
+                     const std::size_t n,
+                     const double *const start,
+                     const double *const balanced,
+                     const double *const present,
+                     double *const next)
+{
+  // Of the end of the step: twice the balanced level less the start, or that level.
+  const double scale = extrapolate ? 2. : 1.;
+  const double of_balanced = scale * c.velocity, of_start = scale * c.velocity_old,
+               of_present = scale * c.old - (extrapolate ? 1. : 0.), of_older = scale * c.older;
+  if (of_start == 0. && of_older == 0.)
+    for (std::size_t i = 0; i < n; ++i)
+      next[i] = of_balanced * balanced[i] + of_present * present[i];
+  else
+    for (std::size_t i = 0; i < n; ++i)
+      next[i] = of_balanced * balanced[i] + of_present * present[i] + of_older * next[i] +
+                of_start * start[i];
+}
+} // namespace
+
 BranchHistory::BranchHistory(const std::vector<Material> &materials) : materials(materials)
 {
-  branches.push_back({std::numeric_limits<double>::infinity(), {}, {}, {}});
+  branches.push_back({std::numeric_limits<double>::infinity(), {}, {}});
   for (const Material &material : materials)
+  {
+    Region region;
     for (const Continua::Branch &branch : material.branches)
     {
-      bool known = false;
-      for (const Branch &other : branches)
-        known = known || other.relaxation_time == branch.relaxation_time;
-      if (!known)
-        branches.push_back({branch.relaxation_time, {}, {}, {}});
+      if (std::isinf(branch.relaxation_time))
+      {
+        region.spring += branch.shear_modulus;
+        continue;
+      }
+      unsigned int number = 0;
+      while (number < branches.size() && branches[number].relaxation_time != branch.relaxation_time)
+        ++number;
+      if (number == branches.size())
+        branches.push_back({branch.relaxation_time, {}, {}});
+      region.branches.push_back({number, branch.shear_modulus, branch.relaxation_time, {}, {}});
     }
+    regions.push_back(region);
+  }
 }
 
 template <int dim>
 void BranchHistory::reinit(const Space<dim> &space, const std::vector<RegionOperators> &operators)
 {
   const unsigned int n_dofs = space.velocity_owned.n_elements();
-  nodes_of_region.assign(operators.size(), {});
-  for (unsigned int region = 0; region < operators.size(); ++region)
+  for (unsigned int number = 0; number < regions.size(); ++number)
+  {
+    Region &region = regions[number];
+    region.nodes.clear();
     for (unsigned int i = 0; i < n_dofs; ++i)
-      if (operators[region].stiffness.trilinos_matrix().NumMyEntries(i) > 0)
-        nodes_of_region[region].push_back(i);
+      if (operators[number].stiffness.trilinos_matrix().NumMyEntries(i) > 0)
+        region.nodes.push_back(i);
+    region.sum.assign(region.nodes.size(), 0.);
+    for (NodalBranch &branch : region.branches)
+    {
+      branch.present.assign(region.nodes.size(), 0.);
+      branch.older.assign(region.nodes.size(), 0.);
+    }
+  }
   for (Branch &branch : branches)
   {
     branch.present = space.velocity_vector();
     branch.older = branch.present;
-    branch.nodes.clear();
-    for (unsigned int region = 0; region < operators.size(); ++region)
-      for (const Continua::Branch &of_material : materials[region].branches)
-        if (of_material.relaxation_time == branch.relaxation_time)
-        {
-          std::vector<unsigned int> both;
-          std::set_union(branch.nodes.begin(), branch.nodes.end(), nodes_of_region[region].begin(),
-                         nodes_of_region[region].end(), std::back_inserter(both));
-          branch.nodes.swap(both);
-          break;
-        }
   }
-  // The displacement is that of the whole body.
-  branches[0].nodes.resize(n_dofs);
-  std::iota(branches[0].nodes.begin(), branches[0].nodes.end(), 0);
+  vectors_are_current = nodes_are_current = true;
 }
 
-const BranchHistory::Branch &BranchHistory::find(const double relaxation_time) const
+unsigned int BranchHistory::find(const double relaxation_time) const
 {
-  for (const Branch &branch : branches)
-    if (branch.relaxation_time == relaxation_time)
-      return branch;
+  for (unsigned int number = 0; number < branches.size(); ++number)
+    if (branches[number].relaxation_time == relaxation_time)
+      return number;
   AssertThrow(false, dealii::ExcInternalError());
-  return branches.front();
+  return 0;
 }
 
-template <typename Value>
-bool BranchHistory::mix_values(const unsigned int region,
-                               DistributedVector &mixture,
-                               const Value &value) const
+void BranchHistory::update_vectors() const
 {
-  const std::vector<Continua::Branch> &of_region = materials[region].branches;
-  double *const entries = mixture.begin();
-  for (std::size_t k = 0; k < of_region.size(); ++k)
+  if (vectors_are_current)
+    return;
+  for (const Region &region : regions)
+    for (const NodalBranch &branch : region.branches)
+    {
+      scatter(branch.present, region.nodes, branches[branch.branch].present);
+      scatter(branch.older, region.nodes, branches[branch.branch].older);
+    }
+  vectors_are_current = true;
+}
+
+void BranchHistory::update_nodes() const
+{
+  if (nodes_are_current)
+    return;
+  for (Region &region : regions)
+    for (NodalBranch &branch : region.branches)
+    {
+      gather(branch.present, region.nodes, branches[branch.branch].present);
+      gather(branch.older, region.nodes, branches[branch.branch].older);
+    }
+  nodes_are_current = true;
+}
+
+template <typename WeightsOf>
+bool BranchHistory::mix_values(const unsigned int number,
+                               DistributedVector &mixture,
+                               const WeightsOf &weights_of) const
+{
+  if (materials[number].branches.empty())
+    return false;
+  update_nodes();
+  Region &region = regions[number];
+  std::fill(region.sum.begin(), region.sum.end(), 0.);
+  for (const NodalBranch &branch : region.branches)
   {
-    const Branch &branch = find(of_region[k].relaxation_time);
-    const double modulus = of_region[k].shear_modulus;
-    const auto of_branch = value(branch);
-    if (k == 0)
-      for (const unsigned int i : nodes_of_region[region])
-        entries[i] = modulus * of_branch(i);
-    else
-      for (const unsigned int i : nodes_of_region[region])
-        entries[i] += modulus * of_branch(i);
+    const Weights weights = weights_of(branch.relaxation_time);
+    add(region.sum, branch.shear_modulus * weights.present, branch.present);
+    if (weights.older != 0.)
+      add(region.sum, branch.shear_modulus * weights.older, branch.older);
   }
-  return !of_region.empty();
+  const Weights weights = weights_of(branches[0].relaxation_time);
+  const double of_present = region.spring * weights.present,
+               of_older = region.spring * weights.older;
+  const double *const present = branches[0].present.begin();
+  const double *const older = branches[0].older.begin();
+  double *const entries = mixture.begin();
+  for (std::size_t j = 0; j < region.nodes.size(); ++j)
+  {
+    const unsigned int i = region.nodes[j];
+    entries[i] = region.sum[j] + of_present * present[i] + of_older * older[i];
+  }
+  return true;
 }
 
 bool BranchHistory::predict(const unsigned int region,
@@ -92,38 +190,46 @@ bool BranchHistory::predict(const unsigned int region,
                             const DistributedVector &velocity_old,
                             DistributedVector &mixture) const
 {
-  const double *const velocity = velocity_old.begin();
-  return mix_values(region, mixture,
-                    [&step, velocity](const Branch &branch)
-                    {
-                      const BranchCoefficients c = step.branch(branch.relaxation_time);
-                      const double *const present = branch.present.begin();
-                      const double *const older = branch.older.begin();
-                      return [c, present, older, velocity](const unsigned int i) {
-                        return c.old * present[i] + c.older * older[i] +
-                               c.velocity_old * velocity[i];
-                      };
-                    });
+  const auto weights_of = [&step](const double relaxation_time)
+  {
+    const BranchCoefficients c = step.branch(relaxation_time);
+    return Weights{c.old, c.older};
+  };
+  if (!mix_values(region, mixture, weights_of))
+    return false;
+  double of_velocity = 0.;
+  for (const Continua::Branch &branch : materials[region].branches)
+    of_velocity += branch.shear_modulus * step.branch(branch.relaxation_time).velocity_old;
+  if (of_velocity != 0.)
+    for (const unsigned int i : regions[region].nodes)
+      mixture.begin()[i] += of_velocity * velocity_old.begin()[i];
+  return true;
 }
 
 void BranchHistory::advance(const Step &step,
                             const DistributedVector &velocity_old,
                             const DistributedVector &velocity)
 {
-  const double *const start = velocity_old.begin();
-  const double *const balanced = velocity.begin();
-  for (Branch &branch : branches)
+  update_nodes();
+  Branch &displacement = branches[0];
+  advance_entries(step.branch(displacement.relaxation_time), step.extrapolate,
+                  displacement.present.locally_owned_size(), velocity_old.begin(), velocity.begin(),
+                  displacement.present.begin(), displacement.older.begin());
+  displacement.present.swap(displacement.older);
+  for (Region &region : regions)
   {
-    const BranchCoefficients c = step.branch(branch.relaxation_time);
-    const double *const present = branch.present.begin();
-    double *const next = branch.older.begin(); // takes the place of what is two steps old then
-    for (const unsigned int i : branch.nodes)
+    if (region.branches.empty())
+      continue;
+    vectors_are_current = false;
+    gather(start_at_nodes, region.nodes, velocity_old);
+    gather(balanced_at_nodes, region.nodes, velocity);
+    for (NodalBranch &branch : region.branches)
     {
-      const double at_level = c.velocity * balanced[i] + c.old * present[i] + c.older * next[i] +
-                              c.velocity_old * start[i];
-      next[i] = step.extrapolate ? 2. * at_level - present[i] : at_level;
+      advance_entries(step.branch(branch.relaxation_time), step.extrapolate, region.nodes.size(),
+                      start_at_nodes.data(), balanced_at_nodes.data(), branch.present.data(),
+                      branch.older.data());
+      branch.present.swap(branch.older);
     }
-    branch.present.swap(branch.older);
   }
 }
 
@@ -133,35 +239,39 @@ bool BranchHistory::mix_balanced(const unsigned int region,
 {
   if (!step.extrapolate)
     return mix(region, mixture);
-  return mix_values(region, mixture,
-                    [](const Branch &branch)
-                    {
-                      const double *const present = branch.present.begin();
-                      const double *const older = branch.older.begin();
-                      return [present, older](const unsigned int i)
-                      { return 0.5 * (present[i] + older[i]); };
-                    });
+  return mix_values(region, mixture, [](double) { return Weights{0.5, 0.5}; });
 }
 
 bool BranchHistory::mix(const unsigned int region, DistributedVector &mixture) const
 {
-  return mix_values(region, mixture,
-                    [](const Branch &branch)
-                    {
-                      const double *const present = branch.present.begin();
-                      return [present](const unsigned int i) { return present[i]; };
-                    });
+  return mix_values(region, mixture, [](double) { return Weights{1., 0.}; });
+}
+
+template <typename Value>
+void BranchHistory::set_at_nodes(const double relaxation_time,
+                                 DistributedVector &vector,
+                                 const Value &value) const
+{
+  update_nodes();
+  const unsigned int number = find(relaxation_time);
+  for (const Region &region : regions)
+    for (const NodalBranch &branch : region.branches)
+      if (branch.branch == number)
+        for (std::size_t j = 0; j < region.nodes.size(); ++j)
+        {
+          const unsigned int i = region.nodes[j];
+          vector.begin()[i] = value(branch.present[j], branch.older[j], i);
+        }
 }
 
 void BranchHistory::balanced_displacement(const double relaxation_time,
                                           const Step &step,
                                           DistributedVector &displacement) const
 {
-  const Branch &branch = find(relaxation_time);
-  for (const unsigned int i : branch.nodes)
-    displacement.begin()[i] = step.extrapolate
-                                  ? 0.5 * (branch.present.begin()[i] + branch.older.begin()[i])
-                                  : branch.present.begin()[i];
+  const bool middle = step.extrapolate;
+  set_at_nodes(relaxation_time, displacement,
+               [middle](const double present, const double older, unsigned int)
+               { return middle ? 0.5 * (present + older) : present; });
 }
 
 void BranchHistory::forgotten_velocity(const double relaxation_time,
@@ -169,19 +279,20 @@ void BranchHistory::forgotten_velocity(const double relaxation_time,
                                        const DistributedVector &velocity,
                                        DistributedVector &forgotten) const
 {
-  const Branch &branch = find(relaxation_time);
+  const bool middle = step.extrapolate;
   if (!step.branch_is_exponential(relaxation_time))
   {
-    balanced_displacement(relaxation_time, step, forgotten);
-    for (const unsigned int i : branch.nodes)
-      forgotten.begin()[i] /= relaxation_time;
+    set_at_nodes(relaxation_time, forgotten,
+                 [middle, relaxation_time](const double present, const double older, unsigned int)
+                 { return (middle ? 0.5 * (present + older) : present) / relaxation_time; });
     return;
   }
   // The exponential update obeys the equation over the step as a whole.
-  for (const unsigned int i : branch.nodes)
-    forgotten.begin()[i] =
-        velocity.begin()[i] -
-        (branch.present.begin()[i] - branch.older.begin()[i]) / (step.time - step.time_old);
+  const double *const balanced = velocity.begin();
+  const double size = step.time - step.time_old;
+  set_at_nodes(relaxation_time, forgotten,
+               [balanced, size](const double present, const double older, const unsigned int i)
+               { return balanced[i] - (present - older) / size; });
 }
 
 double BranchHistory::step_stiffness(const Material &material, const Step &step)
@@ -194,7 +305,8 @@ double BranchHistory::step_stiffness(const Material &material, const Step &step)
 
 const DistributedVector &BranchHistory::internal_displacement(const double relaxation_time) const
 {
-  return find(relaxation_time).present;
+  update_vectors();
+  return branches[find(relaxation_time)].present;
 }
 
 std::vector<double> BranchHistory::exponential_branches(const Step &step) const
@@ -208,6 +320,8 @@ std::vector<double> BranchHistory::exponential_branches(const Step &step) const
 
 std::vector<DistributedVector *> BranchHistory::vectors()
 {
+  update_vectors();
+  nodes_are_current = false;
   std::vector<DistributedVector *> all;
   for (Branch &branch : branches)
   {
@@ -219,6 +333,7 @@ std::vector<DistributedVector *> BranchHistory::vectors()
 
 void BranchHistory::save(ArchiveWriter &archive) const
 {
+  update_vectors();
   for (unsigned int k = 0; k < branches.size(); ++k)
   {
     save_vector(archive, "branch " + std::to_string(k), branches[k].present);
@@ -233,6 +348,8 @@ void BranchHistory::load(const ArchiveReader &archive)
     load_vector(archive, "branch " + std::to_string(k), branches[k].present);
     load_vector(archive, "branch " + std::to_string(k) + " older", branches[k].older);
   }
+  vectors_are_current = true;
+  nodes_are_current = false;
 }
 
 template void BranchHistory::reinit(const Space<2> &, const std::vector<RegionOperators> &);

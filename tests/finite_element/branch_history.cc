@@ -87,4 +87,10 @@ int main(int argc, char **argv)
   // Over such a step dD = (U - forgotten) dt by definition.
   history.forgotten_velocity(0.5, long_step, velocity, work);
   check::absolute("forgotten in it", work.linfty_norm(), 2. - (after - before) / 5., 1e-14);
+
+  // What is set from outside, after a change of the mesh, is what the next step starts from.
+  *history.vectors()[2] = 0.25;
+  mixture = 0.;
+  history.predict(1, euler_step(5.5, 0.5, Update::implicit), velocity, mixture);
+  check::absolute("set from outside", mixture.linfty_norm(), 11. * 0.25 / 2., 1e-14);
 }

@@ -17,8 +17,9 @@ namespace Continua
  * needs no storage at quadrature points and moves with the mesh like any field. Branches of the
  * same relaxation time, in whatever material, obey the same equation dD/dt = U - D/tau and share
  * one vector; the vector number 0 never relaxes and is the displacement [m] of the whole body,
- * fluid included. A branch that relaxes is stepped at the nodes of the regions that have it, and is
- * zero elsewhere: ten branches in a thin wall cost next to nothing.
+ * fluid included. A branch that relaxes is zero but at the nodes of the regions that have it, and
+ * there it is kept a second time, node after node: a step touches nothing else, so that ten
+ * branches in a thin wall cost next to nothing. The vectors follow when they are asked for.
  */
 class BranchHistory
 {
@@ -70,7 +71,8 @@ public:
   /// Relaxation times for which the step takes the exponential update.
   std::vector<double> exponential_branches(const Step &step) const;
 
-  /// All vectors that a change of the mesh must carry over.
+  /// All vectors that a change of the mesh must carry over. They may be set until the next call of
+  /// another function.
   std::vector<DistributedVector *> vectors();
   void save(ArchiveWriter &archive) const;
   void load(const ArchiveReader &archive);
@@ -79,18 +81,42 @@ private:
   struct Branch
   {
     double relaxation_time;
-    DistributedVector present;       ///< D at the step's start; after advance() at its end
-    DistributedVector older;         ///< D one step before
-    std::vector<unsigned int> nodes; ///< local indices of the dofs at which it is stepped
+    mutable DistributedVector present; ///< D at the step's start; after advance() at its end
+    mutable DistributedVector older;   ///< D one step before
+  };
+  /// A branch that relaxes, at the nodes of its region.
+  struct NodalBranch
+  {
+    unsigned int branch; ///< the number of its vectors
+    double shear_modulus, relaxation_time;
+    std::vector<double> present, older;
+  };
+  struct Region
+  {
+    std::vector<unsigned int> nodes; ///< local indices of its dofs
+    double spring = 0.;              ///< shear modulus of what never relaxes [Pa]
+    std::vector<NodalBranch> branches;
+    std::vector<double> sum; ///< work space
   };
   const std::vector<Material> &materials;
   std::vector<Branch> branches;
-  std::vector<std::vector<unsigned int>> nodes_of_region; ///< local indices of dofs
+  mutable std::vector<Region> regions;
+  /// Which of the two has the present state: the vectors, what is kept at the nodes, or both.
+  mutable bool vectors_are_current = true, nodes_are_current = true;
+  std::vector<double> start_at_nodes, balanced_at_nodes; ///< work space
 
-  const Branch &find(double relaxation_time) const;
-  /// Sets `mixture` at the region's nodes to the sum of mu_k value(branch, index).
+  unsigned int find(double relaxation_time) const;
+  /// Bring the one from the other where it is not current.
+  void update_vectors() const;
+  void update_nodes() const;
+  /// Sets `mixture` at the region's nodes to the sum of mu_k (w.present D_k + w.older D_older_k)
+  /// over its branches, w = weights(tau_k); false if there are none.
+  template <typename WeightsOf>
+  bool
+  mix_values(unsigned int region, DistributedVector &mixture, const WeightsOf &weights_of) const;
+  /// Sets `vector` at the nodes that have the branch to value(present, older, i), i their index.
   template <typename Value>
-  bool mix_values(unsigned int region, DistributedVector &mixture, const Value &value) const;
+  void set_at_nodes(double relaxation_time, DistributedVector &vector, const Value &value) const;
 };
 } // namespace Continua
 
