@@ -41,6 +41,13 @@ class Energies(unittest.TestCase):
         self.assertEqual(rows[3], ["", "", "wall", "1", "1", "0", "0", "2", "", "", ""])
         self.assertEqual(len(rows[1]), len(rows[0]))
 
+    def test_outlet(self):
+        content = summary()
+        content["quantities"] += [{"name": "energy left", "probe": "outlet", "value": 0.5},
+                                  {"name": "energy dissipated", "probe": "outlet", "value": 0.25}]
+        rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in self.run_on(content).stdout.splitlines()]
+        self.assertEqual(rows[4], ["", "", "outlet", "0", "0.25", "0", "0.25", "0", "", "", ""])
+
     def test_without_energies(self):
         steady = summary()
         steady["quantities"] = []
