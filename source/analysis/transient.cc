@@ -28,7 +28,8 @@ Transient<dim>::Transient(Run<dim> &run)
       time_control(run.input.time),
       power(run.input.communicator,
             run.input.problem.regions,
-            relaxing_regions(run.input.problem.materials)),
+            relaxing_regions(run.input.problem.materials),
+            run.input.problem.outlets),
       fields(run.input.communicator,
              run.directory.path(),
              run.input.output.subdivisions_for(run.input.taylor_hood.space.velocity_degree),
@@ -128,6 +129,7 @@ void Transient<dim>::restart()
 {
   const ArchiveReader archive = checkpoint.read();
   run.input.power_laws.load(archive, run.input.problem);
+  run.input.absorbing_ends.load(archive, run.input.problem);
   const std::string mesh_file = checkpoint.mesh_file();
   mesh_has_changed = !mesh_file.empty();
   run.initialise(mesh_file);
@@ -243,6 +245,7 @@ void Transient<dim>::write_checkpoint()
       {
         time_control.save(archive);
         run.input.power_laws.save(archive);
+        run.input.absorbing_ends.save(archive, run.input.problem);
         archive.add("size of the last step", last_size);
         archive.add("adaptation is due", static_cast<unsigned long>(
                                              adaptation_is_due() && time_control.at_end() ? 1 : 0));

@@ -127,8 +127,8 @@ void read_outlet(ParameterSection &section, BoundaryCondition &condition, Outlet
   read_tangential(section, condition);
   if (coupling == "flow")
   {
-    if (section.given("Tangential"))
-      section.refuse("Tangential", "with Coupling = flow the whole velocity has its distribution",
+    if (section.given("Tangential") && condition.tangential.kind == Kind::traction)
+      section.refuse("Tangential", "with Coupling = flow the section has no velocity along it",
                      "Remove the entry, or set Coupling = pressure");
     outlet.coupling = Outlet::Coupling::flow;
     condition.normal.kind = condition.tangential.kind = Kind::velocity;

@@ -374,6 +374,33 @@ double OutletCoupling<dim>::energy() const
 }
 
 template <int dim>
+std::vector<double> OutletCoupling<dim>::present_pressures(const double time,
+                                                           const DistributedVector &velocity) const
+{
+  std::vector<double> pressures(problem.conditions.size(), 0.), flow_rates;
+  for (const Port &port : ports)
+    flow_rates.push_back(product(port.flow, velocity));
+  Utilities::MPI::sum(flow_rates, space.communicator, flow_rates);
+  for (unsigned int o = 0; o < problem.outlets.size(); ++o)
+  {
+    const Outlet &outlet = problem.outlets[o];
+    for (unsigned int i = 0; i < outlet.conditions.size(); ++i)
+    {
+      double &pressure = pressures[outlet.conditions[i]];
+      if (i == 0)
+        pressure += outlet.pressure_behind(origin, time);
+      for (unsigned int j = 0; j < outlet.conditions.size(); ++j)
+      {
+        pressure += outlet.impedance.direct(i, j) * flow_rates[first_port[o] + j];
+        for (unsigned int k = 0; k < states[o].size(); ++k)
+          pressure += outlet.impedance.terms[k].residue(i, j) * states[o][k].present[j];
+      }
+    }
+  }
+  return pressures;
+}
+
+template <int dim>
 bool OutletCoupling<dim>::jumps(const double begin, const double end) const
 {
   for (const Outlet &outlet : problem.outlets)

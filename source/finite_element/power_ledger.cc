@@ -23,8 +23,14 @@ PowerLedger<dim>::PowerLedger(const Space<dim> &space,
                               const Problem &problem,
                               const std::vector<RegionOperators> &operators,
                               const BoundaryConstraints<dim> &constraints,
-                              const Loads<dim> &loads)
-    : space(space), problem(problem), operators(operators), constraints(constraints), loads(loads)
+                              const Loads<dim> &loads,
+                              const OutletCoupling<dim> &outlets)
+    : space(space),
+      problem(problem),
+      operators(operators),
+      constraints(constraints),
+      loads(loads),
+      outlets(outlets)
 {
 }
 
@@ -87,7 +93,10 @@ PowerBalance PowerLedger<dim>::balance(const BalancedStep &step,
   loads.add(step.step.balance_time, nodal_forces);
   sums.push_back(local_product(nodal_forces, step.velocity));
   if (reactions)
+  {
+    outlets.add_forces(1., nodal_forces);
     nodal_forces *= -1.;
+  }
   for (unsigned int region = 0; region < operators.size(); ++region)
   {
     const Material &material = problem.materials[region];
@@ -145,6 +154,12 @@ PowerBalance PowerLedger<dim>::balance(const BalancedStep &step,
     for (unsigned int i = 0; i < 4; ++i)
       balance.exchanged += std::abs(of_region[i]);
   }
+  outlets.power(balance.outlets);
+  for (const OutletPower &power : balance.outlets)
+  {
+    balance.residual -= power.leaving;
+    balance.exchanged += std::abs(power.leaving);
+  }
   return balance;
 }
 
@@ -182,6 +197,7 @@ Energy PowerLedger<dim>::energy(const State<dim> &state, const BulkHistory &bulk
   }
   Utilities::MPI::sum(sums, space.communicator, sums);
   Energy energy;
+  energy.outlets = outlets.energy();
   energy.kinetic = sums[0];
   energy.strain_of_materials.assign(sums.begin() + 1, sums.begin() + 1 + n_regions);
   energy.compressive_of_materials.assign(sums.begin() + 1 + n_regions, sums.end());

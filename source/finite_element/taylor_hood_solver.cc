@@ -30,7 +30,8 @@ TaylorHoodSolver<dim>::TaylorHoodSolver(parallel::TriangulationBase<dim> &triang
       history(problem.materials),
       bulk_history(problem.materials),
       system(space, operators, constraints, parameters.linear_solver),
-      power_ledger(space, problem, operators, constraints, loads),
+      outlets(space, problem, loads, constraints),
+      power_ledger(space, problem, operators, constraints, loads, outlets),
       mesh_transfer(space),
       evaluation(space, problem),
       output(space, problem, evaluation)
@@ -41,6 +42,7 @@ template <int dim>
 void TaylorHoodSolver<dim>::initialise()
 {
   setup();
+  outlets.initialise();
   set_initial_state(space, problem, operators, log, velocity, history.displacement(), pressure);
   bulk_history.start(pressure);
   velocity_older = velocity;
@@ -61,6 +63,7 @@ void TaylorHoodSolver<dim>::setup()
   history.reinit(space, operators);
   bulk_history.reinit(space, operators);
   system.reinit();
+  outlets.build();
   power_ledger.reinit();
   for (DistributedVector *vector :
        {&velocity, &velocity_older, &balanced.velocity, &balanced.acceleration, &prescribed,
@@ -122,6 +125,8 @@ StepReport TaylorHoodSolver<dim>::advance(const Step &step)
     TimerOutput::Scope scope(log.timer(), "factor");
     set_coefficients(step);
     report.factored = system.prepare(coefficients);
+    if (report.factored)
+      outlets.respond(system);
   }
   if (report.factored)
     report_exponential_branches(step);
@@ -145,6 +150,7 @@ StepReport TaylorHoodSolver<dim>::advance(const Step &step)
       }
     }
     loads.add(step.balance_time, momentum);
+    outlets.take_forces(momentum);
 
     // Mass: the pressure of the past.
     pressure_work.equ(step.pressure_old, pressure);
@@ -183,6 +189,7 @@ StepReport TaylorHoodSolver<dim>::advance(const Step &step)
         // the start.
         constraints.prescribed_part(velocity, balanced.prescribed);
         balanced.prescribed.sadd(0.5, 0.5, prescribed);
+        outlets.leave_out_ports(balanced.prescribed);
       }
       else
         balanced.prescribed.equ(1., prescribed);
@@ -197,6 +204,7 @@ StepReport TaylorHoodSolver<dim>::advance(const Step &step)
     TimerOutput::Scope scope(log.timer(), "solve");
     system.solve(momentum, mass, balanced.velocity, balanced.pressure);
     constraints.set_constrained(balanced.velocity, balanced.prescribed);
+    outlets.couple(step, velocity, balanced.velocity, balanced.pressure);
   }
   TimerOutput::Scope scope(log.timer(), "update");
   set_extremes(step, report);
@@ -294,11 +302,13 @@ void TaylorHoodSolver<dim>::solve_steady(const double time)
   }
   {
     TimerOutput::Scope scope(log.timer(), "factor");
-    system.prepare(steady);
+    if (system.prepare(steady) && !solid)
+      outlets.respond(system);
   }
   momentum = 0.;
   mass = 0.;
   loads.add(time, momentum);
+  outlets.take_forces(momentum);
   balanced.prescribed = 0.;
   // A solid at rest has no velocity to prescribe: its supports hold.
   if (!solid && !constraints.is_homogeneous())
@@ -316,6 +326,9 @@ void TaylorHoodSolver<dim>::solve_steady(const double time)
     system.solve(momentum, mass, velocity_work, pressure);
   }
   constraints.set_constrained(velocity_work, balanced.prescribed);
+  // Nothing flows out of a solid at rest.
+  if (!solid)
+    outlets.couple_steady(time, velocity_work, pressure);
   if (!std::isfinite(velocity_work.linfty_norm()))
     throw RunError("the steady solution is not finite");
   (solid ? history.displacement() : velocity) = velocity_work;
@@ -325,7 +338,7 @@ void TaylorHoodSolver<dim>::solve_steady(const double time)
 template <int dim>
 bool TaylorHoodSolver<dim>::data_jump(const double begin, const double end) const
 {
-  return loads.jumps(begin, end) || constraints.jumps(begin, end);
+  return loads.jumps(begin, end) || constraints.jumps(begin, end) || outlets.jumps(begin, end);
 }
 
 template <int dim>
@@ -395,7 +408,9 @@ std::map<std::string, std::string> TaylorHoodSolver<dim>::add_output(DataOut<dim
 template <int dim>
 void TaylorHoodSolver<dim>::indicators(Vector<float> &per_cell)
 {
-  traction_jump_indicators(space, problem, evaluation, state(), present_time, per_cell);
+  traction_jump_indicators(space, problem, evaluation, state(),
+                           outlets.present_pressures(present_time, velocity), present_time,
+                           per_cell);
 }
 
 template <int dim>
@@ -440,6 +455,7 @@ void TaylorHoodSolver<dim>::save(ArchiveWriter &archive) const
   save_vector(archive, "pressure known", pressure_known);
   history.save(archive);
   bulk_history.save(archive);
+  outlets.save(archive);
 }
 
 template <int dim>
@@ -454,6 +470,7 @@ void TaylorHoodSolver<dim>::load(const ArchiveReader &archive)
   load_vector(archive, "pressure known", pressure_known);
   history.load(archive);
   bulk_history.load(archive);
+  outlets.load(archive);
 }
 
 template <int dim>

@@ -120,6 +120,7 @@ void traction_jump_indicators(const Space<dim> &space,
                               const Problem &problem,
                               const FieldEvaluation<dim> &evaluation,
                               const State<dim> &state,
+                              const std::vector<double> &outlet_pressures,
                               const double time,
                               Vector<float> &per_cell)
 {
@@ -167,7 +168,8 @@ void traction_jump_indicators(const Space<dim> &space,
             // Only the halves that are given as a traction can be missed.
             const Tensor<1, dim> along = (present[q] * normal) * normal;
             if (condition.normal.kind == BoundaryPart::Kind::traction)
-              difference += along;
+              difference +=
+                  along + outlet_pressures[&condition - problem.conditions.data()] * normal;
             if (condition.tangential.kind == BoundaryPart::Kind::traction)
               difference += present[q] - along;
             difference -= Loads<dim>::prescribed_traction(condition, values.quadrature_point(q),
@@ -206,12 +208,14 @@ template void traction_jump_indicators(const Space<2> &,
                                        const Problem &,
                                        const FieldEvaluation<2> &,
                                        const State<2> &,
+                                       const std::vector<double> &,
                                        double,
                                        Vector<float> &);
 template void traction_jump_indicators(const Space<3> &,
                                        const Problem &,
                                        const FieldEvaluation<3> &,
                                        const State<3> &,
+                                       const std::vector<double> &,
                                        double,
                                        Vector<float> &);
 } // namespace Continua

@@ -10,13 +10,20 @@ namespace Continua
 template <int dim>
 PowerRecord<dim>::PowerRecord(const MPI_Comm communicator,
                               const std::vector<std::string> &regions,
-                              const std::vector<bool> &relaxes)
+                              const std::vector<bool> &relaxes,
+                              const std::vector<Outlet> &outlets)
     : communicator(communicator),
       regions(regions),
       relaxes(relaxes),
       any_relaxes(std::find(relaxes.begin(), relaxes.end(), true) != relaxes.end()),
-      taken(regions.size())
+      taken(regions.size()),
+      given(outlets.size())
 {
+  for (const Outlet &outlet : outlets)
+  {
+    outlet_names.push_back(outlet.name);
+    outlet_stores.push_back(outlet.impedance.terms_store_energy && !outlet.impedance.terms.empty());
+  }
 }
 
 template <int dim>
@@ -43,6 +50,12 @@ std::vector<std::string> PowerRecord<dim>::header() const
       if (region_relaxes(region))
         names.push_back(regions[region] + ": relaxation [W]");
     }
+  for (unsigned int outlet = 0; outlet < given.size(); ++outlet)
+  {
+    names.push_back("outlet " + outlet_names[outlet] + ": leaving [W]");
+    if (outlet_stores[outlet])
+      names.push_back("outlet " + outlet_names[outlet] + ": stored [W]");
+  }
   for (const char *const name :
        {"residual [W]", "share [1]", "kinetic energy [J]", "strain energy [J]",
         "compressive energy [J]", "work of loads [J]"})
@@ -89,6 +102,11 @@ void PowerRecord<dim>::record(ContinuumSolver<dim> &solver, const Step &step, co
     taken[region].viscous += step.size() * power.viscous;
     taken[region].compressive += step.size() * power.compressive;
   }
+  for (unsigned int outlet = 0; outlet < given.size(); ++outlet)
+  {
+    given[outlet].leaving += step.size() * balance.outlets[outlet].leaving;
+    given[outlet].stored += step.size() * balance.outlets[outlet].stored;
+  }
   if (!write)
     return;
 
@@ -111,6 +129,12 @@ void PowerRecord<dim>::record(ContinuumSolver<dim> &solver, const Step &step, co
   if (regions.size() > 1)
     for (unsigned int region = 0; region < regions.size(); ++region)
       append(balance.materials[region], region_relaxes(region));
+  for (unsigned int outlet = 0; outlet < given.size(); ++outlet)
+  {
+    row.push_back(balance.outlets[outlet].leaving);
+    if (outlet_stores[outlet])
+      row.push_back(balance.outlets[outlet].stored);
+  }
   const double share = balance.exchanged > 0. ? balance.residual / balance.exchanged : 0.;
   row.insert(row.end(), {balance.residual, share, energy.kinetic, energy.strain, energy.compressive,
                          totals.work});
@@ -155,6 +179,14 @@ void PowerRecord<dim>::finish(ContinuumSolver<dim> &solver, Summary &summary)
     summary.add({"compressive energy taken", compressive, "J", regions[region]});
     summary.add({"energy dissipated", taken[region].viscous, "J", regions[region]});
   }
+  for (unsigned int outlet = 0; outlet < given.size() && totals.largest_exchanged > 0.; ++outlet)
+  {
+    const OutletPower &energy_given = given[outlet];
+    summary.add({"energy left", energy_given.leaving, "J", outlet_names[outlet]});
+    if (outlet_stores[outlet])
+      summary.add({"energy dissipated", energy_given.leaving - energy_given.stored, "J",
+                   outlet_names[outlet]});
+  }
   on_writing_rank(communicator,
                   [&]()
                   {
@@ -171,6 +203,8 @@ void PowerRecord<dim>::save(ArchiveWriter &archive) const
       totals.initial_energy,   totals.largest_energy,    totals.largest_energy_change};
   for (const Power &power : taken)
     values.insert(values.end(), {power.kinetic, power.strain, power.viscous, power.compressive});
+  for (const OutletPower &power : given)
+    values.insert(values.end(), {power.leaving, power.stored});
   archive.add("power record", values);
   archive.add("initial strain energies", initial_strain);
   archive.add("initial compressive energies", initial_compressive);
@@ -180,7 +214,7 @@ template <int dim>
 void PowerRecord<dim>::load(const ArchiveReader &archive)
 {
   const std::vector<double> values = archive.values("power record");
-  if (values.size() != 7 + 4 * taken.size())
+  if (values.size() != 7 + 4 * taken.size() + 2 * given.size())
     throw RunError("the checkpoint's power record is that of another version of the program");
   totals = {values[0], values[1], values[2], values[3], values[4], values[5], values[6]};
   for (unsigned int region = 0; region < taken.size(); ++region)
@@ -190,6 +224,11 @@ void PowerRecord<dim>::load(const ArchiveReader &archive)
     taken[region].strain = value[1];
     taken[region].viscous = value[2];
     taken[region].compressive = value[3];
+  }
+  for (unsigned int outlet = 0; outlet < given.size(); ++outlet)
+  {
+    const double *const value = &values[7 + 4 * taken.size() + 2 * outlet];
+    given[outlet] = {value[0], value[1]};
   }
   initial_strain = archive.values("initial strain energies");
   initial_compressive = archive.values("initial compressive energies");

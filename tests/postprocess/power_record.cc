@@ -30,14 +30,14 @@ void take_step(FakeSolver<2> &solver, PowerRecord<2> &record, const unsigned int
   solver.balance.residual = residuals[n - 1];
   solver.balance.exchanged = 4. * n;
   // The energy is 10 J at the start, then 11, 12, 13, 14 J.
-  solver.present_energy = {7. + n, 2., 1.};
+  solver.present_energy = {7. + n, 2., 1., 0., {}, {}};
   record.record(solver, step, n != 3);
 }
 
 PowerRecord<2> new_record(FakeSolver<2> &solver)
 {
   PowerRecord<2> record(MPI_COMM_WORLD, {"fluid", "wall"});
-  solver.present_energy = {7., 2., 1.};
+  solver.present_energy = {7., 2., 1., 0., {}, {}};
   record.start(solver);
   return record;
 }
@@ -149,6 +149,54 @@ int main(int argc, char **argv)
     check::relative("held by the springs", quantity(summary, "strain energy taken", "wall"), 0.125,
                     1e-14);
     check::relative("given to the fluid's", quantity(summary, "strain energy taken", "fluid"), 4.,
+                    1e-14);
+  }
+
+  // Two outlets, of which one stores: it is given 3 W for 2 s, of which it keeps 1 W.
+  {
+    FakeSolver<2> solver;
+    Outlet windkessel, resistance;
+    windkessel.name = "artery";
+    windkessel.impedance = Impedance::windkessel(1., 2., 3.);
+    resistance.name = "vein";
+    resistance.impedance = Impedance::resistance(4.);
+    const std::vector<Outlet> outlets = {windkessel, resistance};
+    {
+      PowerRecord<2> record(MPI_COMM_WORLD, {"fluid"}, {}, outlets);
+      record.open("outlets.csv");
+      record.start(solver);
+      for (unsigned int n = 1; n <= 4; ++n)
+      {
+        const Step step = step_from(0.5 * (n - 1));
+        solver.balance = {step.balance_time, 8., {{1., 2., 0., 0.}}, {{3., 1.}, {2., 0.}}, 0., 8.};
+        record.record(solver, step, n == 1);
+        if (n == 2 && dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        {
+          ArchiveWriter archive;
+          record.save(archive);
+          archive.write("outlets.archive");
+        }
+      }
+      Summary summary;
+      record.finish(solver, summary);
+      check::equal("file with outlets", read_text("outlets.csv"),
+                   "time [s],balance time [s],external [W],kinetic [W],strain [W],viscous [W],"
+                   "compressive [W],outlet artery: leaving [W],outlet artery: stored [W],"
+                   "outlet vein: leaving [W],residual [W],share [1],kinetic energy [J],"
+                   "strain energy [J],compressive energy [J],work of loads [J]\n"
+                   "0.5,0.25,8,1,2,0,0,3,1,2,0,0,0,0,0,4\n");
+      check::relative("energy left", quantity(summary, "energy left", "artery"), 6., 1e-14);
+      check::relative("energy dissipated", quantity(summary, "energy dissipated", "artery"), 4.,
+                      1e-14);
+      check::relative("energy left by a resistance", quantity(summary, "energy left", "vein"), 4.,
+                      1e-14);
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+    PowerRecord<2> record(MPI_COMM_WORLD, {"fluid"}, {}, outlets);
+    record.load(ArchiveReader("outlets.archive"));
+    Summary summary;
+    record.finish(solver, summary);
+    check::relative("energy left before a restart", quantity(summary, "energy left", "artery"), 3.,
                     1e-14);
   }
 

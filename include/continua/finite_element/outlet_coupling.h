@@ -81,6 +81,9 @@ public:
   {
     return ports[first_port[outlet] + port].flow_rate;
   }
+  /// The ports' pressures at the present time with the velocity there, by condition; 0 of
+  /// conditions that are no port [Pa].
+  std::vector<double> present_pressures(double time, const DistributedVector &velocity) const;
   /// Whether the pressure behind an outlet jumps between the two times [s].
   bool jumps(double begin, double end) const;
 

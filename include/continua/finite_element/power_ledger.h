@@ -7,6 +7,7 @@
 #include <continua/finite_element/bulk_history.h>
 #include <continua/finite_element/field_evaluation.h>
 #include <continua/finite_element/loads.h>
+#include <continua/finite_element/outlet_coupling.h>
 #include <continua/finite_element/region_operators.h>
 
 #include <vector>
@@ -35,7 +36,8 @@ public:
               const Problem &problem,
               const std::vector<RegionOperators> &operators,
               const BoundaryConstraints<dim> &constraints,
-              const Loads<dim> &loads);
+              const Loads<dim> &loads,
+              const OutletCoupling<dim> &outlets);
 
   /// The mesh has changed.
   void reinit();
@@ -53,6 +55,7 @@ private:
   const std::vector<RegionOperators> &operators;
   const BoundaryConstraints<dim> &constraints;
   const Loads<dim> &loads;
+  const OutletCoupling<dim> &outlets;
   DistributedVector nodal_forces, velocity_work, mixture, forgotten, pressure_work, dilatation,
       forgotten_rate;
 

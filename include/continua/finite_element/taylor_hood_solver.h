@@ -11,6 +11,7 @@
 #include <continua/finite_element/field_output.h>
 #include <continua/finite_element/loads.h>
 #include <continua/finite_element/mesh_transfer.h>
+#include <continua/finite_element/outlet_coupling.h>
 #include <continua/finite_element/power_ledger.h>
 #include <continua/finite_element/region_operators.h>
 #include <continua/finite_element/space.h>
@@ -76,6 +77,7 @@ private:
   BranchHistory history;
   BulkHistory bulk_history;
   StepSystem<dim> system;
+  OutletCoupling<dim> outlets;
   PowerLedger<dim> power_ledger;
   MeshTransfer<dim> mesh_transfer;
   FieldEvaluation<dim> evaluation;

@@ -4,6 +4,7 @@
 #include <continua/base/archive.h>
 #include <continua/base/summary.h>
 #include <continua/base/table_writer.h>
+#include <continua/boundary/outlet.h>
 #include <continua/continuum/continuum_solver.h>
 
 #include <mpi.h>
@@ -26,9 +27,11 @@ class PowerRecord
 public:
   /// `regions`: names by material id; with more than one, each has its own columns. `relaxes`: of
   /// which of them stresses relax; none if empty. They have a column for what that turns into heat.
+  /// `outlets` as in the problem; each has a column, and one more if it has stores of its own.
   PowerRecord(MPI_Comm communicator,
               const std::vector<std::string> &regions,
-              const std::vector<bool> &relaxes = {});
+              const std::vector<bool> &relaxes = {},
+              const std::vector<Outlet> &outlets = {});
 
   /// Starts the file. Throws RunError on all ranks.
   void open(const std::string &file);
@@ -52,7 +55,8 @@ public:
    * each region what it took of it: `kinetic energy taken`, `strain energy taken`, `compressive
    * energy taken`, `energy dissipated` (by viscosity). Where stresses relax, the taken energies are
    * those that the springs hold; what else they were given is `energy relaxed`, with what the
-   * scheme damps in them. Throws RunError on all ranks.
+   * scheme damps in them. Of each outlet `energy left`, and where it has stores `energy
+   * dissipated`: what it has not stored. Throws RunError on all ranks.
    */
   void finish(ContinuumSolver<dim> &solver, Summary &summary);
 
@@ -83,9 +87,12 @@ private:
   std::vector<std::string> regions;
   std::vector<bool> relaxes;
   bool any_relaxes;
+  std::vector<std::string> outlet_names;
+  std::vector<bool> outlet_stores; ///< whether they have stores of their own
   Totals totals;
   std::vector<double> initial_strain, initial_compressive; ///< energies by region [J]
   std::vector<Power> taken;                                ///< by region, integrated over time [J]
+  std::vector<OutletPower> given;                          ///< to outlets, over time [J]
   std::unique_ptr<TableWriter> table;                      ///< on the rank that writes
   std::vector<double> row;
 };
