@@ -25,6 +25,17 @@ def header(path):
     return entries
 
 
+def overrides(lines):
+    """The arguments for a list of texts `KEY = VALUE`."""
+    arguments = []
+    for line in lines:
+        key, equals, value = line.partition("=")
+        if not equals:
+            raise TestFailure(f"'{line}' is not KEY = VALUE")
+        arguments += ["--set", f"{key.strip()}={value.strip()}"]
+    return arguments
+
+
 def single(entries, key, default=None):
     """The one value of a key; the default when it is not there."""
     values = entries.get(key, [])

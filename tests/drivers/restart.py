@@ -15,16 +15,6 @@ import os
 import driver
 
 
-def overrides(lines):
-    arguments = []
-    for line in lines:
-        key, equals, value = line.partition("=")
-        if not equals:
-            raise driver.TestFailure(f"'{line}' is not KEY = VALUE")
-        arguments += ["--set", f"{key.strip()}={value.strip()}"]
-    return arguments
-
-
 def compare(first, second, tolerance):
     if tolerance > 0:
         driver.compare_tables(first, second, tolerance, left_out=("residual [W]", "share [1]"))
@@ -46,14 +36,14 @@ def case(program, parameter_file, folder):
     stop = entries.get("stop", [])
     if not stop:
         raise driver.TestFailure("the header needs '# stop: KEY = VALUE'")
-    common = overrides(entries.get("set", []))
+    common = driver.overrides(entries.get("set", []))
     ranks = int(driver.single(entries, "ranks", "1"))
     restart_ranks = int(driver.single(entries, "restart ranks", str(ranks)))
     tolerance = float(driver.single(entries, "tolerance", "0"))
 
     whole, pieces = os.path.join(folder, "whole"), os.path.join(folder, "pieces")
     driver.run_to_the_end(program, [parameter_file, "--output", whole, *common], ranks, folder)
-    driver.run_to_the_end(program, [parameter_file, "--output", pieces, *common, *overrides(stop)], ranks, folder)
+    driver.run_to_the_end(program, [parameter_file, "--output", pieces, *common, *driver.overrides(stop)], ranks, folder)
     n_whole = len(driver.read_table(os.path.join(whole, "probes.csv"))[1])
     n_half = len(driver.read_table(os.path.join(pieces, "probes.csv"))[1])
     if not 0 < n_half < n_whole:
