@@ -232,16 +232,38 @@ void PreflightReport::report_tube_mesh(const double wavelength)
   }
 }
 
+void PreflightReport::report_outlet(const PreflightInput::End &end, const std::string &which)
+{
+  if (end.outlet->impedance.n_ports() == 0)
+  {
+    add("reflection, " + which, 0., "1", "'" + end.boundary + "': the tube goes on");
+    return;
+  }
+  const double omega = reference_angular_frequency();
+  const double speed =
+      SectionWaves(end.section, omega)
+          .korteweg(end.section.tethered ? Anchoring::throughout : Anchoring::expansion_joints);
+  const double radius = end.section.inner_radius;
+  const double of_tube = end.section.fluid.density * speed / (M_PI * radius * radius);
+  const Complex of_outlet = end.outlet->impedance.value(Complex(0., omega))(0, 0);
+  add("reflection, " + which, std::abs((of_outlet - of_tube) / (of_outlet + of_tube)), "1",
+      "'" + end.boundary + "': an outlet; the magnitude at the frequency, of a tube of " +
+          text_of(of_tube, "Pa s/m^3"));
+}
+
 void PreflightReport::report_ends(const double speed)
 {
   for (unsigned int i = 0; i < 2; ++i)
   {
     const PreflightInput::End &end = input.ends[i];
     const std::string which = i == 0 ? "near end" : "far end";
-    add("reflection, " + which, end.flow_is_given ? 1. : -1., "1",
-        "'" + end.boundary + "': " +
-            (end.flow_is_given ? "the flow is prescribed (closed)"
-                               : "the pressure is prescribed (open)"));
+    if (end.outlet != nullptr)
+      report_outlet(end, which);
+    else
+      add("reflection, " + which, end.flow_is_given ? 1. : -1., "1",
+          "'" + end.boundary + "': " +
+              (end.flow_is_given ? "the flow is prescribed (closed)"
+                                 : "the pressure is prescribed (open)"));
     if (!end.wall_is_clamped)
       continue;
     const double nu = end.section.poisson_ratio(reference_angular_frequency()).real();

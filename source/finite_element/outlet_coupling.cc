@@ -37,10 +37,8 @@ void OutletCoupling<dim>::initialise()
   states.clear();
   for (const Outlet &outlet : problem.outlets)
   {
-    const State empty = {Vector<double>(outlet.impedance.n_ports()),
-                         Vector<double>(outlet.impedance.n_ports()),
-                         Vector<double>(outlet.impedance.n_ports())};
-    states.emplace_back(outlet.impedance.terms.size(), empty);
+    const Vector<double> zero(outlet.impedance.n_ports());
+    states.emplace_back(outlet.impedance.terms.size(), State{zero, zero, zero, zero});
     for (unsigned int k = 0; k < outlet.initial_states.size(); ++k)
     {
       State &state = states.back()[k];
@@ -278,10 +276,16 @@ void OutletCoupling<dim>::couple(const Step &step,
 
   coefficient = coefficients.begin();
   for (unsigned int o = 0; o < states.size(); ++o)
-    for (State &state : states[o])
+    for (unsigned int k = 0; k < states[o].size(); ++k)
     {
+      State &state = states[o][k];
+      const Impedance::Term &term = problem.outlets[o].impedance.terms[k];
       for (unsigned int j = 0; j < state.balanced.size(); ++j)
-        state.balanced[j] += *coefficient * ports[first_port[o] + j].flow_rate;
+      {
+        const double flow_rate = ports[first_port[o] + j].flow_rate;
+        state.balanced[j] += *coefficient * flow_rate;
+        state.rate[j] = flow_rate - term.rate * state.balanced[j];
+      }
       ++coefficient;
       state.older.swap(state.present);
       if (step.extrapolate)
@@ -291,6 +295,12 @@ void OutletCoupling<dim>::couple(const Step &step,
       }
       else
         state.present = state.balanced;
+      // The exponential update obeys the equation over the step as a whole.
+      if (step.branch_is_exponential(relaxation_time(term)))
+      {
+        state.rate.equ(1. / step.size(), state.present);
+        state.rate.add(-1. / step.size(), state.older);
+      }
     }
 }
 
@@ -355,8 +365,7 @@ void OutletCoupling<dim>::power(std::vector<OutletPower> &of_outlets) const
       const Vector<double> &x = states[o][k].balanced;
       for (unsigned int i = 0; i < x.size(); ++i)
         for (unsigned int j = 0; j < x.size(); ++j)
-          of_outlets[o].stored +=
-              x[i] * term.residue(i, j) * (ports[first_port[o] + j].flow_rate - term.rate * x[j]);
+          of_outlets[o].stored += x[i] * term.residue(i, j) * states[o][k].rate[j];
     }
   }
 }

@@ -100,6 +100,27 @@ void numbers()
     std::cout << warning << std::endl;
 }
 
+void outlets()
+{
+  // Ends of three times the tube's own impedance, rho c/(pi R^2), and of the tube itself.
+  PreflightInput input = tube();
+  const double of_tube = water().density * 2.615241564734113 /
+                         (M_PI * std::pow(input.ends[1].section.inner_radius, 2));
+  Outlet outlet;
+  outlet.impedance = Impedance::resistance(3. * of_tube);
+  input.ends[1].outlet = std::make_shared<const Outlet>(outlet);
+  check::relative("reflection by a resistance", PreflightReport(input).value("reflection, far end"),
+                  0.5, 1e-10);
+  // The compliance of a windkessel takes all of the flow at high frequencies.
+  outlet.impedance = Impedance::windkessel(of_tube, 1e9, 1e3);
+  input.ends[1].outlet = std::make_shared<const Outlet>(outlet);
+  check::absolute("reflection by a windkessel", PreflightReport(input).value("reflection, far end"),
+                  0., 1e-6);
+  input.ends[1].outlet = std::make_shared<const Outlet>();
+  check::absolute("reflection by an absorbing end",
+                  PreflightReport(input).value("reflection, far end"), 0., 0.);
+}
+
 void warns(const std::string &name, const PreflightInput &input, const std::string &pattern)
 {
   const PreflightReport report(input);
@@ -173,6 +194,7 @@ void others()
 int main()
 {
   numbers();
+  outlets();
   {
     PreflightInput input = tube();
     input.axial_cell = 0.02;

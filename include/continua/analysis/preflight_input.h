@@ -28,6 +28,7 @@ struct PreflightInput
     TubeSection section;
     std::string boundary;       ///< name of the fluid's boundary there
     bool flow_is_given = false; ///< the velocity along the axis is prescribed, else the pressure
+    std::shared_ptr<const Outlet> outlet; ///< of the whole tube; null if there is none
     bool wall_is_clamped = false;
     double wall_cell = 0.; ///< largest axial extent of the wall's cells there [m]
   };

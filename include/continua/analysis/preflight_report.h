@@ -58,6 +58,7 @@ private:
   void report_tube();
   void report_tube_mesh(double wavelength);
   void report_ends(double speed);
+  void report_outlet(const PreflightInput::End &end, const std::string &which);
   void report_body_mesh();
   void report_time();
   void report_stiffest_mode();

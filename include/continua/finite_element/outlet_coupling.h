@@ -97,6 +97,7 @@ private:
   struct State
   {
     dealii::Vector<double> present, older, balanced;
+    dealii::Vector<double> rate; ///< dx_k/dt as the step has it [m^3/s]
   };
   struct Port
   {
