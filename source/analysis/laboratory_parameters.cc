@@ -20,6 +20,9 @@ void LaboratoryParameters::read(ParameterSection section)
               "Tests that are simulated with one element: a list of relaxation (a strain that is "
               "loaded within a time and held), creep (a stress from t = 0 on) and harmonic (a "
               "sinusoidal strain). Relaxation and creep last until Time/End time.");
+  section.add_choice("Specimen", specimen, {"cylinder", "cube"},
+                     "The one element of the simulated tests: a cylinder (axisymmetric) or a cube "
+                     "(three-dimensional); both find the same.");
   section.add("Lowest frequency", lowest_frequency, Dimensions::frequency,
               "Lower end of the band over which the complex modulus is tabulated.",
               Range::positive());

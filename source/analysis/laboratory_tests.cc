@@ -1,5 +1,6 @@
 #include <continua/analysis/laboratory_tests.h>
 #include <continua/base/units.h>
+#include <continua/materials/relaxation_test.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -133,6 +134,8 @@ void LaboratoryTests<dim>::relaxation()
   const auto rows = table("relaxation.csv", header);
   Difference from_branches, from_law;
   double largest = 0., last = 0.;
+  RelaxationTest test_table;
+  test_table.loading_time = loading_time;
   while (!specimen.at_end())
   {
     const Sample sample = specimen.advance();
@@ -146,6 +149,11 @@ void LaboratoryTests<dim>::relaxation()
     }
     largest = std::max(largest, sample.stress);
     last = sample.stress;
+    if (sample.time >= loading_times_left_out * loading_time)
+    {
+      test_table.times.push_back(sample.time);
+      test_table.moduli.push_back(sample.stress / parameters.strain);
+    }
     if (rows)
       rows->row(row);
   }
@@ -155,8 +163,16 @@ void LaboratoryTests<dim>::relaxation()
   summary.add({"largest stress", largest, "Pa", test});
   summary.add({"final stress", last, "Pa", test});
   summary.add({"largest difference from the closed solution", from_branches.value(), "1", test});
-  if (is_power_law)
-    summary.add({"largest difference from the power law", from_law.value(), "1", test});
+  if (!is_power_law)
+    return;
+  summary.add({"largest difference from the power law", from_law.value(), "1", test});
+  // As c and n would be found from a measured table.
+  if (test_table.times.size() >= 3)
+  {
+    const RelaxationFit fit = fit_relaxation_test(test_table);
+    summary.add({"c", fit.modulus, "Pa", test});
+    summary.add({"n", fit.exponent, "1", test});
+  }
 }
 
 template <int dim>

@@ -3,6 +3,7 @@
 #include <continua/base/citations.h>
 #include <continua/base/table_writer.h>
 #include <continua/base/version.h>
+#include <continua/materials/mean_modulus.h>
 #include <continua/materials/power_law_fit.h>
 
 #include <deal.II/base/mpi.h>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 #include <stdexcept>
 
@@ -21,7 +23,6 @@ MaterialLaboratory::MaterialLaboratory(ParameterFile &file)
 {
   ParameterSection root = file.root();
   general.read(root);
-  read_model(root);
   read_material_of(root.subsection("Materials"));
   ParameterSection section = root.subsection("Laboratory");
   laboratory.read(section);
@@ -36,17 +37,6 @@ MaterialLaboratory::MaterialLaboratory(ParameterFile &file)
     fit(root.subsection("Materials").subsection(name));
 }
 
-void MaterialLaboratory::read_model(ParameterSection root)
-{
-  if (!root.given("Model"))
-    general.model = "axisymmetric";
-  if (general.model != "axisymmetric" && general.model != "three-dimensional")
-    root.refuse("Model",
-                "a specimen that is pulled is free at its sides, which '" + general.model +
-                    "' does not allow",
-                "Leave the entry out (axisymmetric), or give three-dimensional");
-}
-
 void MaterialLaboratory::read_material_of(ParameterSection materials)
 {
   const std::vector<std::string> names = materials.subsections();
@@ -58,10 +48,12 @@ void MaterialLaboratory::read_material_of(ParameterSection materials)
                      "Give one subsection, of any name, with a Type");
   name = names.front();
   ParameterSection section = materials.subsection(name);
-  material = read_material(section, model_of(general.model));
+  material = read_material(section, Model::three_dimensional);
   if (!material.is_solid())
     section.refuse("Type", "'" + material.type + "' is a fluid, which cannot be pulled",
                    "Give the law of a solid");
+  if (is_power_law())
+    table = read_relaxation_test(section);
 }
 
 void MaterialLaboratory::check_loading_time(const ParameterSection &section) const
@@ -135,7 +127,7 @@ void MaterialLaboratory::perform(const CommandLine &command_line,
   summary.set("command line", command_line.text);
   summary.set("parameter file", command_line.parameter_file);
   summary.set("analysis", general.analysis);
-  summary.set("model", general.model);
+  summary.set("specimen", laboratory.specimen);
   summary.set("ranks", static_cast<double>(dealii::Utilities::MPI::n_mpi_processes(communicator)));
   summary.set("material", name + ", " + material.type);
   report(log, summary);
@@ -143,8 +135,10 @@ void MaterialLaboratory::perform(const CommandLine &command_line,
   {
     write_modulus(directory);
     write_branches(directory);
+    if (!table.file.empty())
+      write_table(directory);
   }
-  if (general.model == "axisymmetric")
+  if (laboratory.specimen == "cylinder")
     simulate<2>(directory, is_writer, log, summary);
   else
     simulate<3>(directory, is_writer, log, summary);
@@ -169,9 +163,15 @@ void MaterialLaboratory::report(Log &log, Summary &summary) const
   {
     text << name << ": relaxation modulus " << material.power_law_modulus << " Pa (t/1 s)^-"
          << material.power_law_exponent;
+    if (!table.file.empty())
+      text << ", fitted to " << table.times.size() - table.first_used << " of "
+           << table.times.size() << " rows of the table within " << std::setprecision(2)
+           << fit_relaxation_test(table).misfit << " (root mean square)" << std::setprecision(6);
     log.line(text.str());
-    summary.add({"c", material.power_law_modulus, "Pa", ""});
-    summary.add({"n", material.power_law_exponent, "1", ""});
+    summary.add({"c", material.power_law_modulus, "Pa", name});
+    summary.add({"n", material.power_law_exponent, "1", name});
+    if (!table.file.empty())
+      summary.add({"misfit of the relaxation table", fit_relaxation_test(table).misfit, "1", name});
     text.str("");
     text.precision(3);
     text << name << ": a spring and " << series.moduli.size()
@@ -180,12 +180,19 @@ void MaterialLaboratory::report(Log &log, Summary &summary) const
     text.precision(2);
     text << series.error;
     log.line(text.str());
-    summary.add({"Prony fit error", series.error, "1", ""});
-    summary.add({"branches", static_cast<double>(series.moduli.size()), "1", ""});
+    summary.add({"Prony fit error", series.error, "1", name});
+    summary.add({"branches", static_cast<double>(series.moduli.size()), "1", name});
   }
-  summary.add({"storage modulus", young.real(), "Pa", ""});
-  summary.add({"loss modulus", young.imag(), "Pa", ""});
-  summary.add({"tan delta", young.imag() / young.real(), "1", ""});
+  summary.add({"storage modulus", young.real(), "Pa", name});
+  summary.add({"loss modulus", young.imag(), "Pa", name});
+  summary.add({"tan delta", young.imag() / young.real(), "1", name});
+  const double mean = mean_modulus(material, laboratory.fundamental, laboratory.n_harmonics);
+  summary.add({"mean modulus", mean, "Pa", name});
+  text.str("");
+  text.precision(6);
+  text << name << ": mean modulus " << mean << " Pa over " << laboratory.n_harmonics
+       << " harmonics of " << laboratory.fundamental << " Hz";
+  log.line(text.str());
 }
 
 void MaterialLaboratory::write_modulus(const OutputDirectory &directory) const
@@ -242,6 +249,22 @@ void MaterialLaboratory::write_branches(const OutputDirectory &directory) const
     table.row({relaxation_time, shear, bulk});
   }
   table.flush();
+}
+
+void MaterialLaboratory::write_table(const OutputDirectory &directory) const
+{
+  TableWriter rows(directory.file("relaxation-table.csv"),
+                   {"time [s]", "modulus [Pa]", "modulus of the power law [Pa]", "fitted [1]"});
+  for (std::size_t i = 0; i < table.times.size(); ++i)
+  {
+    const double law_time = table.law_time(i);
+    rows.row({table.times[i], table.moduli[i],
+              law_time > 0.
+                  ? material.power_law_modulus * std::pow(law_time, -material.power_law_exponent)
+                  : std::numeric_limits<double>::quiet_NaN(),
+              i < table.first_used ? 0. : 1.});
+  }
+  rows.flush();
 }
 
 template <int dim>

@@ -12,7 +12,8 @@ namespace Continua
 struct LaboratoryParameters
 {
   std::vector<std::string> tests; ///< some of test_names()
-  double lowest_frequency = 0.5;  ///< of the table of the modulus [Hz]
+  std::string specimen = "cylinder";
+  double lowest_frequency = 0.5; ///< of the table of the modulus [Hz]
   double highest_frequency = 100.;
   unsigned int points_per_decade = 20;
   double fundamental = 0.5;        ///< of the mean modulus [Hz]

@@ -7,6 +7,7 @@
 #include <continua/base/output_directory.h>
 #include <continua/base/summary.h>
 #include <continua/materials/prony_series.h>
+#include <continua/materials/relaxation_test.h>
 
 #include <string>
 #include <vector>
@@ -16,7 +17,8 @@ namespace Continua
 /**
  * `Analysis = material`: one solid of the section Materials without a body. Reports its complex
  * modulus over a band (modulus.csv), its mean modulus and its branches (prony.csv), for a power law
- * those that are fitted to it, and simulates material tests with one element (LaboratoryTests).
+ * those that are fitted to it, beside a relaxation table the law found (relaxation-table.csv), and
+ * simulates material tests with one element (LaboratoryTests).
  */
 class MaterialLaboratory
 {
@@ -35,19 +37,20 @@ private:
   GeneralParameters general;
   std::string name; ///< of the material
   Material material;
-  PronySeries series; ///< of a power law
+  RelaxationTest table; ///< of a power law, if it has one
+  PronySeries series;   ///< of a power law
   LaboratoryParameters laboratory;
   TimeParameters time;
   std::vector<ExpectedValue> expected;
 
   bool is_power_law() const { return material.power_law_modulus > 0.; }
-  void read_model(ParameterSection root);
   void read_material_of(ParameterSection materials);
   void check_loading_time(const ParameterSection &section) const;
   void fit(const ParameterSection &section);
   void report(Log &log, Summary &summary) const;
   void write_modulus(const OutputDirectory &directory) const;
   void write_branches(const OutputDirectory &directory) const;
+  void write_table(const OutputDirectory &directory) const;
   template <int dim>
   void simulate(const OutputDirectory &directory, bool is_writer, Log &log, Summary &summary) const;
 };
