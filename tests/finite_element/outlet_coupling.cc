@@ -325,7 +325,11 @@ void two_outlets()
   check::absolute("two outlets: the body's equations", residuals[0], 0., 1e-11);
   check::absolute("two outlets: virtual power", residuals[1], 0., 1e-11);
   check::absolute("two outlets: their laws", law, 0., 1e-10);
-  check::is_true("two outlets: jumps", !tube.coupling->jumps(0.1, 0.2));
+  check::is_true("two outlets: no jump", !tube.coupling->jumps(0.1, 0.2));
+  const Tube jump("set Type = resistance\nset Resistance = 7\nset Pressure behind = step(t-1)",
+                  "set Type = free");
+  check::is_true("a jump of the pressure behind",
+                 jump.coupling->jumps(0.95, 1.05) && !jump.coupling->jumps(1.05, 1.15));
 }
 
 /// Two ports of one outlet, each with an influence on the other's pressure.
