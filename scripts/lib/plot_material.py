@@ -8,7 +8,7 @@ import numpy
 import plot_style
 import tables
 
-REFERENCES = (("closed solution", "--"), ("power law", ":"))
+REFERENCES = (("closed solution", "--", "#000000"), ("power law", ":", "#D55E00"))
 
 
 def draw(sheet, runs):
@@ -106,10 +106,10 @@ def draw_history(sheet, runs, test, quantity):
         for axes in panels:
             axes.plot(data[positive, 0], factor * column(names, data, quantity)[positive], "-", color=colour,
                       label=f"{prefix(shown, run)}simulated")
-            for reference, line in REFERENCES:
+            for reference, line, shade in REFERENCES:
                 values = column(names, data, f"{quantity} of the {reference}")
                 if values is not None:
-                    axes.plot(data[positive, 0], factor * values[positive], line, color="#000000", linewidth=0.9,
+                    axes.plot(data[positive, 0], factor * values[positive], line, color=shade, linewidth=1.1,
                               label=f"{prefix(shown, run)}{reference}")
         header += [f"{prefix(shown, run)}{name} [{unit}]" for name, unit in names]
         columns += list(data.T)
