@@ -148,7 +148,7 @@ def draw_modulus(sheet, runs):
                 axes.plot(of_tests[1][:, 0], factor * column(*of_tests, quantity), "o", color=colour, markersize=4,
                           label=f"{prefix(shown, run)}simulated")
         axes.set_xscale("log")
-        axes.set_ylim(0, 1.1 * factor * largest)
+        axes.set_ylim(0, 1.1 * factor * largest if largest > 0 else None)
         axes.set_xlabel("Frequency [Hz]")
         axes.set_ylabel("tan δ" if quantity == "tan delta" else plot_style.axis_label(quantity, unit))
     for run, names, data in shown:

@@ -177,7 +177,7 @@ int main(int argc, char **argv)
   // Steps as long as the relaxation time (trapezoidal) and longer (exponential).
   for (const Test test : {Test::relaxation, Test::creep})
     for (const Law &law : all)
-      for (const Method &method : {damped_euler, backward_differencing, crank_nicolson})
+      for (const Method &method : {euler, damped_euler, backward_differencing, crank_nicolson})
       {
         const double tau = law.shortest_time;
         double of_short = 0., of_long = 0.;
@@ -189,8 +189,11 @@ int main(int argc, char **argv)
           of_long = std::max(of_long, run<2>(law.material, test, method, ratio * tau,
                                              2. * ratio * tau, 20. * ratio * tau)
                                           .ringing);
-        const std::string name = std::string(name_of(test)) + ", " + law.name + ", " + method.name;
+        const std::string name = std::string(name_of(test)) + ", " + law.name + ", " + method.name +
+                                 " (" + method.update + ")";
         is_true(name + ": dt / tau to 1 without ringing", of_short < 1e-10, of_short);
+        if (method.name == euler.name && method.update == euler.update)
+          continue; // the thesis's update: known to ring with long steps
         if (std::string(method.name) == "crank nicolson")
           // What the damped start leaves of the sides' and of creep's own slower modes.
           is_true(name + ": dt / tau to 100, ringing below 1e-3", of_long < 1e-3, of_long);

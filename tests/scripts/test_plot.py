@@ -158,6 +158,40 @@ class Waves(unittest.TestCase):
                              [f"{kind}.{end}" for kind in ("dispersion", "spin-coating") for end in ("csv", "png", "svg")])
 
 
+class Material(unittest.TestCase):
+    def test_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            write(os.path.join(folder, "modulus.csv"),
+                  "frequency [Hz],storage modulus [Pa],loss modulus [Pa],tan delta [1]\n1,2e6,0,0\n10,2e6,0,0\n")
+            write(os.path.join(folder, "relaxation.csv"),
+                  "time [s],strain [1],stress [Pa],stress of the closed solution [Pa]\n0.1,0.01,2e4,2e4\n0.2,0.01,1e4,1e4\n")
+            write(os.path.join(folder, "creep.csv"),
+                  "time [s],stress [Pa],strain [1],strain of the closed solution [1]\n0.1,1,1e-3,1e-3\n0.2,1,2e-3,2e-3\n")
+            write(os.path.join(folder, "relaxation-table.csv"),
+                  "time [s],modulus [Pa],modulus of the power law [Pa],fitted [1]\n0.1,3e6,nan,0\n1,2e6,2e6,1\n2,1.9e6,1.9e6,1\n")
+            write(os.path.join(folder, "harmonic.csv"),
+                  "frequency [Hz],storage modulus [Pa],loss modulus [Pa],tan delta [1]\n1,2e6,2e5,0.1\n")
+            # Two periods, of which the last is drawn.
+            rows = "".join(f"{i / 20!r},{math.sin(math.pi * i / 10)!r},{2 * math.sin(math.pi * i / 10 + 0.1)!r}\n"
+                           for i in range(1, 41))
+            write(os.path.join(folder, "harmonic-1.csv"), "time [s],strain [1],stress [Pa]\n" + rows)
+            done = plot(folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            plots = os.path.join(folder, "plots")
+            kinds = ("creep", "hysteresis", "modulus", "relaxation", "relaxation-table")
+            self.assertEqual(sorted(os.listdir(plots)),
+                             sorted(f"{kind}.{end}" for kind in kinds for end in ("csv", "png", "svg")))
+            with open(os.path.join(plots, "hysteresis.csv"), encoding="utf-8") as stream:
+                self.assertEqual(len(stream.read().splitlines()), 1 + 21)
+            # Runs over each other.
+            other = os.path.join(folder, "other")
+            for name in ("relaxation.csv", "modulus.csv"):
+                with open(os.path.join(folder, name), encoding="utf-8") as stream:
+                    write(os.path.join(other, name), stream.read())
+            done = plot(folder, other, "--width", "85mm")
+            self.assertEqual(done.returncode, 0, done.stderr)
+
+
 class Files(unittest.TestCase):
     def test_probes_alone(self):
         with tempfile.TemporaryDirectory() as folder:
