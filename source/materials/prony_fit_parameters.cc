@@ -8,9 +8,11 @@ void PronyFitParameters::read(ParameterSection &section)
               "Branches of the fitted Prony series beside its spring [1]; 0 takes as few as meet "
               "the fit tolerance.",
               0, 40);
-  section.add("Lowest frequency", lowest_frequency, Dimensions::frequency,
-              "Lower end of the band of the fit; 0: 1/(2 pi) of the inverse of the run's end time.",
-              Range::not_negative());
+  section.add(
+      "Lowest frequency", lowest_frequency, Dimensions::frequency,
+      "Lower end of the band of the fit; 0: 1/(2 pi) of the inverse of the run's end time, but at "
+      "most a tenth of the upper end.",
+      Range::not_negative());
   section.add("Highest frequency", highest_frequency, Dimensions::frequency,
               "Upper end of the band of the fit; 0: the frequency of ten time steps a period.",
               Range::not_negative());
