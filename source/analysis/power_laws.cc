@@ -24,9 +24,9 @@ void PowerLaws::report_tables(Log &log, Summary &summary) const
     text << region << ": the relaxation table follows " << fit.modulus << " Pa (t/1 s)^-"
          << fit.exponent << ", root of the mean square misfit " << fit.misfit;
     log.line(text.str());
-    summary.add({"relaxation modulus at one second", fit.modulus, "Pa", region});
-    summary.add({"relaxation exponent", fit.exponent, "1", region});
-    summary.add({"relaxation misfit", fit.misfit, "1", region});
+    summary.add({"c", fit.modulus, "Pa", region});
+    summary.add({"n", fit.exponent, "1", region});
+    summary.add({"misfit of the relaxation table", fit.misfit, "1", region});
   }
 }
 

@@ -26,8 +26,7 @@ class PowerLaws
 public:
   /// Remembers what a region's relaxation table, which the material has read, came to.
   void note_table(const std::string &region, ParameterSection section);
-  /// A line and the quantities "relaxation modulus at one second", "relaxation exponent" and
-  /// "relaxation misfit" for each table.
+  /// A line and the quantities "c", "n" and "misfit of the relaxation table" for each table.
   void report_tables(Log &log, Summary &summary) const;
 
   /// Gives the regions with a power law their branches. `materials`: the section of that name.
