@@ -74,7 +74,7 @@ struct Case
   std::unique_ptr<Geometry<dim>> geometry;
   std::unique_ptr<dealii::parallel::distributed::Triangulation<dim>> triangulation; ///< coarse
   Problem problem;
-  PowerLaws power_laws; ///< what the branches of `problem` come from in a run in time
+  PowerLaws power_laws;         ///< what the branches of `problem` come from in a run in time
   AbsorbingEnds absorbing_ends; ///< what some of its outlets come from in a run in time
 };
 } // namespace Continua
