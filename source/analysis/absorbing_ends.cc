@@ -440,6 +440,11 @@ std::string record_of(const Outlet &outlet)
 {
   return "impedance of the absorbing end " + outlet.name;
 }
+
+std::string band_record_of(const AbsorbingEnd &end)
+{
+  return "band and error of the absorbing end " + end.name;
+}
 } // namespace
 
 void AbsorbingEnds::save(ArchiveWriter &archive, const Problem &problem) const
@@ -447,9 +452,13 @@ void AbsorbingEnds::save(ArchiveWriter &archive, const Problem &problem) const
   for (const Outlet &outlet : problem.outlets)
     if (problem.conditions[outlet.conditions[0]].type == "absorbing")
       archive.add(record_of(outlet), numbers_of(outlet.impedance));
+  for (const AbsorbingEnd &end : ends)
+    archive.add(band_record_of(end),
+                std::vector<double>{end.lowest_frequency, end.highest_frequency, end.error,
+                                    end.reference_frequency});
 }
 
-void AbsorbingEnds::load(const ArchiveReader &archive, Problem &problem) const
+void AbsorbingEnds::load(const ArchiveReader &archive, Problem &problem)
 {
   for (Outlet &outlet : problem.outlets)
     if (problem.conditions[outlet.conditions[0]].type == "absorbing")
@@ -474,6 +483,17 @@ void AbsorbingEnds::load(const ArchiveReader &archive, Problem &problem) const
         term.residue = take();
         outlet.impedance.terms.push_back(term);
       }
+      for (AbsorbingEnd &end : ends)
+        if (end.name == outlet.name)
+        {
+          const std::vector<double> band = archive.values(band_record_of(end));
+          end.lowest_frequency = band.at(0);
+          end.highest_frequency = band.at(1);
+          end.error = band.at(2);
+          end.reference_frequency = band.at(3);
+          end.impedance = band.at(4);
+          end.n_terms = outlet.impedance.terms.size();
+        }
     }
 }
 

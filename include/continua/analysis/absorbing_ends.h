@@ -50,7 +50,7 @@ public:
 
   void save(ArchiveWriter &archive, const Problem &problem) const;
   /// The impedances of the run that is taken up again: another end time may have moved their band.
-  void load(const ArchiveReader &archive, Problem &problem) const;
+  void load(const ArchiveReader &archive, Problem &problem);
 
 private:
   std::vector<AbsorbingEnd> ends;
