@@ -47,6 +47,12 @@ void MaterialLaboratory::read_material_of(ParameterSection materials)
                                          " materials, and the laboratory has one specimen",
                      "Give one subsection, of any name, with a Type");
   name = names.front();
+  const std::vector<std::string> tests = LaboratoryParameters::test_names();
+  if (std::find(tests.begin(), tests.end(), name) != tests.end())
+    materials.subsection(name).refuse("",
+                                      "the summary calls what a test finds '" + name +
+                                          "', so that no material can have that name",
+                                      "Give it another name");
   ParameterSection section = materials.subsection(name);
   material = read_material(section, Model::three_dimensional);
   if (!material.is_solid())
