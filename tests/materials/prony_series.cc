@@ -1,6 +1,7 @@
 // Prony series fitted to laws: to the power law of the thesis's tubes (section 5.3, table 6.3), of
 // which six branches were known to come within 2e-4 to 5e-4 from 0.5 to 100 Hz, and to Prony
-// series, which must come back.
+// series, which must come back. A modulus 1/omega is followed best by a spring alone, within 9/11
+// over a decade.
 
 #include <continua/materials/power_law_fit.h>
 #include <continua/materials/prony_series.h>
@@ -96,8 +97,13 @@ int main()
   }
 
   check::throws<std::range_error>(
-      "a tolerance that cannot be met", [&] { fit_prony_series_within(law, 0.5, 100., 1e-14); },
-      "up to 40 branches.*closer than [0-9.]+e-[0-9]+");
+      "a modulus that falls with frequency, which no springs have",
+      []
+      {
+        fit_prony_series_within([](const double omega) { return std::complex<double>(1. / omega); },
+                                1., 10., 1e-3);
+      },
+      "up to 40 branches.*closer than 0\\.8");
   check::throws<std::domain_error>(
       "a law without a modulus",
       [] { fit_prony_series([](double) { return std::complex<double>(-1., 1.); }, 1., 10., 2); },
