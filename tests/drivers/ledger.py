@@ -11,9 +11,8 @@ so that a power in the table holds in the middle of its step and dt times it is 
 
 Header comments of the case, both optional:
 
-    # tolerance: 1e-8       of the work of the loads
-    # relaxes: wall         at least one; a region that must turn this share of the work into heat, or more
-    #                       (`wall >= 0.1`)
+    # tolerance: 1e-8        of the work of the loads
+    # relaxes: wall >= 0.1   a region, and the share of the work that it must turn into heat at least
 """
 
 import os

@@ -2,7 +2,8 @@
 """Stands in for the program in the tests of the drivers and scripts: the same command line, y = sin(t) for a result.
 
 Keys of its parameter files: `Cells` (the error is Cells^-2), `End time`, `Amplitude` (then y is a constant and a sign that
-alternates with this amplitude), `Misbehave` (what the drivers must notice).
+alternates with this amplitude), `Relaxation` (in W, of 3 W that are put in; 0.5 W are viscous and the rest is stored), `Misbehave` (what
+the drivers must notice).
 """
 
 import json
@@ -62,6 +63,15 @@ def main():
             if "Amplitude" in keys:
                 value = 1 + (-1)**i * float(keys["Amplitude"])
             stream.write(f"{i},{value!r}\n")
+    if "Relaxation" in keys:
+        relaxation = float(keys["Relaxation"])
+        with open(os.path.join(output, "power.csv"), "w", encoding="utf-8") as stream:
+            stream.write("time [s],balance time [s],external [W],viscous [W],relaxation [W],wall: relaxation [W],"
+                         "kinetic energy [J],strain energy [J],compressive energy [J],work of loads [J]\n")
+            for i in range(1, n + 1):
+                balance = i if misbehave == "balance" else i - 0.5
+                stored = (2 if misbehave == "stored" else 2.5 - relaxation) * i
+                stream.write(f"{i},{balance},3,0.5,{relaxation},{relaxation},0,{stored},0,{3 * i}\n")
     with open(checkpoint, "w", encoding="utf-8") as stream:
         stream.write(str(n))
     error = float(keys["Cells"])**(-1 if misbehave == "order" else -2)
@@ -69,7 +79,8 @@ def main():
     summary = {
         "title": "A sine",
         "quantities": [{"name": "velocity error", "value": error, "unit": "m/s", "probe": ""},
-                       {"name": "frequency", "value": 3 + error, "unit": "Hz", "probe": "tip"}],
+                       {"name": "frequency", "value": 3 + error, "unit": "Hz", "probe": "tip"},
+                       {"name": "energy relaxed", "value": 1.0 * n, "unit": "J", "probe": "wall"}],
         "checks": [{"name": "frequency", "probe": "tip", "criterion": "3 Hz +- 10 %", "expected": 3.0,
                     "tolerance": 0.3, "unit": "Hz", "value": 3 + error, "passed": passed}],
     }

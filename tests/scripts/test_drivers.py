@@ -17,6 +17,7 @@ CONVERGENCE = ("# level: Mesh/Cells = 4\n# level: Mesh/Cells = 8\n# level: Mesh/
                "# order: tip: frequency >= 1.99, differences\n# bound: velocity error <= 0.0040\nset Cells = 1\n")
 RANKS = "# ranks: 1, 2, 3\nset Cells = 4\n"
 RINGING = "# run: Amplitude = 0.01\n# rings: tip: displacement y <= 0.02\nset Cells = 4\nset End time = 20\n"
+LEDGER = "# relaxes: wall >= 0.3\nset Cells = 4\nset Relaxation = 1\n"
 RESTART = "# stop: Time/End time = 5\nset Cells = 4\nset End time = 10\n"
 
 
@@ -77,6 +78,13 @@ class Drivers(unittest.TestCase):
         self.assert_fails("ringing", RINGING + loud.replace("0.1", "0.01"), "nothing rings, and should")
         self.assert_fails("ringing", RINGING + "# bound: velocity error <= 0.0624\n", "expected at most 0.0624")
         self.assert_fails("ringing", RINGING.replace("displacement y", "pressure"), "no column 'tip: pressure'")
+
+    def test_ledger(self):
+        self.assert_passes("ledger", LEDGER)
+        self.assert_fails("ledger", LEDGER.replace("n = 1", "n = 0.9"), "relaxed in wall: .* differ")
+        self.assert_fails("ledger", LEDGER + "set Misbehave = stored\n", "held, turned into heat and left: .* differ")
+        self.assert_fails("ledger", LEDGER + "set Misbehave = balance\n", "not balanced in its middle")
+        self.assert_fails("ledger", LEDGER.replace("0.3", "0.4"), "wall turns 0.333 of the work into heat")
 
     def verify(self, text, *options):
         with tempfile.TemporaryDirectory() as folder:
