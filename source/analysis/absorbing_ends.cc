@@ -398,10 +398,10 @@ void AbsorbingEnds::report(Log &log, Summary &summary) const
     {
       text << " at " << end.reference_frequency << " Hz, of "
            << (end.absorbs_wall ? "liquid and wall" : "the liquid") << ": ";
-      text << end.n_terms << (end.n_terms == 1 ? " term" : " terms") << " follow it from "
+      text << end.n_terms << (end.n_terms == 1 ? " term follows" : " terms follow") << " it from "
            << end.lowest_frequency << " to " << end.highest_frequency << " Hz within ";
       text.precision(2);
-      text << end.error << " of the load";
+      text << end.error;
     }
     log.line(text.str());
     summary.add({"absorbing end fit error", end.error, "1", end.name});
@@ -455,7 +455,7 @@ void AbsorbingEnds::save(ArchiveWriter &archive, const Problem &problem) const
   for (const AbsorbingEnd &end : ends)
     archive.add(band_record_of(end),
                 std::vector<double>{end.lowest_frequency, end.highest_frequency, end.error,
-                                    end.reference_frequency});
+                                    end.reference_frequency, end.impedance});
 }
 
 void AbsorbingEnds::load(const ArchiveReader &archive, Problem &problem)
