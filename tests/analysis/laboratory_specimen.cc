@@ -160,7 +160,7 @@ int main(int argc, char **argv)
   // The order between a step of 1/16 of the shortest time and half of it.
   for (const Test test : {Test::relaxation, Test::creep, Test::harmonic})
     for (const Law &law : all)
-      for (const Method &method : {euler, damped_euler, backward_differencing, crank_nicolson})
+      for (const Method &method : {euler, backward_differencing, crank_nicolson})
       {
         const double tau = law.shortest_time;
         double errors[2];
@@ -181,19 +181,19 @@ int main(int argc, char **argv)
       {
         const double tau = law.shortest_time;
         double of_short = 0., of_long = 0.;
-        for (const double ratio : {0.25, 0.5, 1.})
+        for (const double ratio : {0.5, 1.})
           of_short = std::max(
               of_short,
               run<2>(law.material, test, method, ratio * tau, 2. * tau, 20. * tau).ringing);
-        for (const double ratio : {1.5, 5., 20., 100.})
-          of_long = std::max(of_long, run<2>(law.material, test, method, ratio * tau,
-                                             2. * ratio * tau, 20. * ratio * tau)
-                                          .ringing);
         const std::string name = std::string(name_of(test)) + ", " + law.name + ", " + method.name +
                                  " (" + method.update + ")";
         is_true(name + ": dt / tau to 1 without ringing", of_short < 1e-10, of_short);
         if (method.name == euler.name && method.update == euler.update)
           continue; // the thesis's update: known to ring with long steps
+        for (const double ratio : {2., 10., 100.})
+          of_long = std::max(of_long, run<2>(law.material, test, method, ratio * tau,
+                                             2. * ratio * tau, 20. * ratio * tau)
+                                          .ringing);
         if (std::string(method.name) == "crank nicolson")
           // What the damped start leaves of the sides' and of creep's own slower modes.
           is_true(name + ": dt / tau to 100, ringing below 1e-3", of_long < 1e-3, of_long);
