@@ -1,11 +1,10 @@
 #include <continua/analysis/absorbing_ends.h>
 
 #include <continua/analysis/case.h>
+#include <continua/analysis/load_spectrum.h>
 #include <continua/analysis/tube_wave_case.h>
 #include <continua/base/input_error.h>
 #include <continua/mesh/round_section.h>
-#include <continua/signal/energy_frequency.h>
-#include <continua/signal/fourier_transform.h>
 #include <continua/theory/impedance_fit.h>
 #include <continua/theory/korteweg.h>
 #include <continua/theory/matched_impedance.h>
@@ -13,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <sstream>
 
 namespace Continua
@@ -21,94 +19,8 @@ namespace Continua
 namespace
 {
 constexpr double pi = dealii::numbers::PI;
-constexpr double origin[3] = {0., 0., 0.};
 /// Samples of the impedance over the band: so many a decade, and at least so many.
 constexpr unsigned int n_per_decade = 12, fewest_samples = 24;
-/// What of the loads' spectrum does not matter, relative to its largest value.
-constexpr double negligible = 1e-3;
-
-using TimeFunction = std::function<double(double)>;
-
-/// What drives the body, each as a function of time.
-std::vector<TimeFunction> loads_of(const Problem &problem)
-{
-  std::vector<TimeFunction> loads;
-  const auto add = [&loads](const Waveform &waveform)
-  {
-    if (!waveform.is_zero() && waveform.depends_on_time())
-      loads.emplace_back([waveform](const double time) { return waveform(origin, time); });
-  };
-  const auto add_all = [&add](const std::vector<Waveform> &waveforms)
-  {
-    for (const Waveform &waveform : waveforms)
-      add(waveform);
-  };
-  for (const BoundaryCondition &condition : problem.conditions)
-    for (const BoundaryPart *part : {&condition.normal, &condition.tangential})
-    {
-      add(part->along_normal);
-      add_all(part->vector);
-    }
-  for (const Outlet &outlet : problem.outlets)
-    add(outlet.pressure_behind);
-  add_all(problem.interior.acceleration);
-  add_all(problem.interior.body_force);
-  return loads;
-}
-
-/// How much of the loads there is from a frequency on, relative to the largest of its spectrum.
-class LoadSpectrum
-{
-public:
-  LoadSpectrum(const std::vector<TimeFunction> &loads, const double end_time, const double step)
-  {
-    // What a load still says at the end is faded out, since its cut would be a jump.
-    const std::size_t n = std::max<std::size_t>(64, std::lround(end_time / step)), n_fade = n / 2;
-    const std::size_t n_padded = next_power_of_two(2 * n);
-    spacing = n / (end_time * n_padded);
-    for (const TimeFunction &load : loads)
-    {
-      std::vector<double> samples;
-      for (std::size_t i = 0; i < n; ++i)
-        samples.push_back(load(i * end_time / n));
-      reference_frequency = std::max(reference_frequency, energy_frequency(samples, end_time / n));
-      const double at_end = samples.back();
-      samples.resize(n_padded, 0.);
-      for (std::size_t i = 0; i < n_fade; ++i)
-        samples[n + i] = at_end * 0.5 * (1. + std::cos(pi * i / n_fade));
-      const auto spectrum = fourier_transform(samples);
-      envelope.resize(spectrum.size(), 0.);
-      double largest = 0.;
-      for (const auto &value : spectrum)
-        largest = std::max(largest, std::abs(value));
-      for (std::size_t k = 0; k < spectrum.size() && largest > 0.; ++k)
-        envelope[k] = std::max(envelope[k], std::abs(spectrum[k]) / largest);
-    }
-    for (std::size_t k = envelope.size(); k-- > 1;)
-      envelope[k - 1] = std::max(envelope[k - 1], envelope[k]);
-  }
-
-  bool is_empty() const { return envelope.empty() || envelope.front() == 0.; }
-  /// From a frequency [Hz] on; 1 at 0.
-  double from(const double frequency) const
-  {
-    const std::size_t k = frequency / spacing;
-    return k < envelope.size() ? envelope[k] : 0.;
-  }
-  /// Where it has become negligible [Hz].
-  double highest_frequency() const
-  {
-    std::size_t k = 0;
-    while (k < envelope.size() && envelope[k] > negligible)
-      ++k;
-    return k * spacing;
-  }
-  double reference_frequency = 0.; ///< [Hz], below which most of the energy lies
-
-private:
-  double spacing = 0.;          ///< of the values [Hz]
-  std::vector<double> envelope; ///< [1]
-};
 
 /// The ring frequency of a wall that carries the liquid's radial inertia, rho R/4 on its surface
 /// [Hz]: the pressure wave ends near it.
@@ -333,7 +245,7 @@ void add_tube_end(Case<dim> &input,
   end.lowest_frequency = band.lowest;
   end.highest_frequency = band.highest;
   end.error = result.error;
-  end.reference_frequency = std::clamp(spectrum.reference_frequency, band.lowest, band.highest);
+  end.reference_frequency = std::clamp(spectrum.energy_frequency(), band.lowest, band.highest);
   end.impedance = std::abs(result.impedance.value({0., 2. * pi * end.reference_frequency})(0, 0));
   end.n_terms = result.impedance.terms.size();
   ends.push_back(end);
@@ -380,7 +292,7 @@ void AbsorbingEnds::add(Case<dim> &input, ParameterSection boundaries)
           .refuse("Type", "a tube goes on at its ends only",
                   "Use it at 'inlet' and 'wall inlet end', or 'outlet' and 'wall outlet end'");
   }
-  const LoadSpectrum spectrum(loads_of(problem), input.time.end_time, input.time.time_step);
+  const LoadSpectrum spectrum(problem, input.time.end_time, input.time.time_step);
   add_tube_end(input, "inlet", 0., spectrum, boundaries, ends);
   add_tube_end(input, "outlet", law->length(), spectrum, boundaries, ends);
 }
