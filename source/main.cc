@@ -79,7 +79,7 @@ void with_output(ParameterFile &file,
 template <int dim>
 void run_case(ParameterFile &file, const CommandLine &command_line, const MPI_Comm communicator)
 {
-  Case<dim> input(file, communicator);
+  Case<dim> input(file, communicator, command_line.restart);
   with_output(file, command_line, communicator, input.general.title,
               [&](const OutputDirectory &directory, Log &log)
               {

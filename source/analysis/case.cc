@@ -67,8 +67,8 @@ void read_measured_waves(const Probes<dim> &probes,
 } // namespace
 
 template <int dim>
-Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator)
-    : communicator(communicator), probes(communicator)
+Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator, const bool restart)
+    : communicator(communicator), restart(restart), probes(communicator)
 {
   ParameterSection root = file.root();
   general.read(root);

@@ -75,7 +75,7 @@ void check_complete(const std::string &name, const std::string &text)
 {
   std::ofstream("documentation-test.prm") << text;
   ParameterFile file("documentation-test.prm");
-  const Case<dim> input(file, MPI_COMM_WORLD);
+  const Case<dim> input(file, MPI_COMM_WORLD, false);
   std::stringstream run;
   file.print(run, ParameterFile::Style::json);
   bool all = true;

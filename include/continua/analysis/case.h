@@ -56,9 +56,12 @@ struct RestParameters
 template <int dim>
 struct Case
 {
-  Case(ParameterFile &file, MPI_Comm communicator);
+  /// `restart`: the run goes on from a checkpoint, which has what the first part derived from the
+  /// input.
+  Case(ParameterFile &file, MPI_Comm communicator, bool restart);
 
   MPI_Comm communicator;
+  bool restart;
   GeneralParameters general;
   MeshParameters mesh;
   AdaptationParameters adaptation;
