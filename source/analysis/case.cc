@@ -126,14 +126,14 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator, const bool res
   // Before the checks across entries: a misspelt key is the likelier reason for them to fail.
   file.refuse_unknown();
   check_case(*this, root);
-  // Wave theory takes the laws themselves.
-  if (general.analysis == "transient")
+  // Wave theory takes the laws themselves, and a run that goes on has its branches in a checkpoint.
+  if (general.analysis == "transient" && !restart)
     power_laws.fit(problem, time, materials);
   set_flow_profiles(problem.conditions, root.subsection("Boundaries"), *triangulation,
                     problem.materials, {!transient, time.end_time, time.time_step});
   problem.outlets = make_outlets(problem.conditions, root.subsection("Boundaries"), *triangulation,
                                  problem.materials);
-  absorbing_ends.add(*this, root.subsection("Boundaries"));
+  absorbing_ends.add(*this, root.subsection("Boundaries"), restart);
   probes.check(*triangulation, FieldEvaluation<dim>::fields(problem.model), pairs);
 }
 

@@ -10,6 +10,17 @@
 
 namespace Continua
 {
+namespace
+{
+double smallest_step_of(const TimeParameters &time)
+{
+  double result = time.time_step;
+  for (const auto &change : time.changes)
+    result = std::min(result, change.second);
+  return result;
+}
+} // namespace
+
 void PowerLaws::note_table(const std::string &region, const ParameterSection section)
 {
   tables[region] = fit_relaxation_test(read_relaxation_test(section));
@@ -32,9 +43,7 @@ void PowerLaws::report_tables(Log &log, Summary &summary) const
 
 void PowerLaws::fit(Problem &problem, const TimeParameters &time, ParameterSection materials)
 {
-  smallest_step = time.time_step;
-  for (const auto &change : time.changes)
-    smallest_step = std::min(smallest_step, change.second);
+  smallest_step = smallest_step_of(time);
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
     Material &material = problem.materials[region];
@@ -124,22 +133,23 @@ void PowerLaws::save(ArchiveWriter &archive) const
   }
 }
 
-void PowerLaws::load(const ArchiveReader &archive, Problem &problem)
+void PowerLaws::load(const ArchiveReader &archive, Problem &problem, const TimeParameters &time)
 {
+  smallest_step = smallest_step_of(time);
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
-    const auto place = series.find(problem.regions[region]);
-    if (place == series.end())
+    if (problem.materials[region].power_law_modulus == 0.)
       continue;
-    const std::string name = "Prony series of " + place->first + ": ";
+    PronySeries &prony = series[problem.regions[region]];
+    const std::string name = "Prony series of " + problem.regions[region] + ": ";
     const std::vector<double> others = archive.values(name + "spring, band and error");
-    place->second = {others.at(0),
-                     archive.values(name + "moduli"),
-                     archive.values(name + "times"),
-                     others.at(1),
-                     others.at(2),
-                     others.at(3)};
-    take_branches(problem.materials[region], place->second);
+    prony = {others.at(0),
+             archive.values(name + "moduli"),
+             archive.values(name + "times"),
+             others.at(1),
+             others.at(2),
+             others.at(3)};
+    take_branches(problem.materials[region], prony);
   }
 }
 } // namespace Continua

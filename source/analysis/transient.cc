@@ -128,7 +128,7 @@ template <int dim>
 void Transient<dim>::restart()
 {
   const ArchiveReader archive = checkpoint.read();
-  run.input.power_laws.load(archive, run.input.problem);
+  run.input.power_laws.load(archive, run.input.problem, run.input.time);
   run.input.absorbing_ends.load(archive, run.input.problem);
   const std::string mesh_file = checkpoint.mesh_file();
   mesh_has_changed = !mesh_file.empty();

@@ -5,6 +5,7 @@ Header comments of the case:
 
     # stop: Time/End time = 5 ms     what ends the first piece; it must leave a checkpoint
     # set: Checkpoint/Steps = 10     none or more; overrides of all runs
+    # set in the whole run: KEY = VALUE   none or more; what the second piece takes from the checkpoint and the whole run must be given
     # ranks: 1                       ranks of the whole run and of the first piece (default 1)
     # restart ranks: 1               ranks of the second piece (default: the same)
     # tolerance: 0                   0 (default): probes.csv and power.csv agree byte by byte; otherwise as in ranks.py
@@ -42,7 +43,8 @@ def case(program, parameter_file, folder):
     tolerance = float(driver.single(entries, "tolerance", "0"))
 
     whole, pieces = os.path.join(folder, "whole"), os.path.join(folder, "pieces")
-    driver.run_to_the_end(program, [parameter_file, "--output", whole, *common], ranks, folder)
+    of_whole = driver.overrides(entries.get("set in the whole run", []))
+    driver.run_to_the_end(program, [parameter_file, "--output", whole, *common, *of_whole], ranks, folder)
     driver.run_to_the_end(program, [parameter_file, "--output", pieces, *common, *driver.overrides(stop)], ranks, folder)
     n_whole = len(driver.read_table(os.path.join(whole, "probes.csv"))[1])
     n_half = len(driver.read_table(os.path.join(pieces, "probes.csv"))[1])

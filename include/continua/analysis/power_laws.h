@@ -29,15 +29,16 @@ public:
   /// A line and the quantities "c", "n" and "misfit of the relaxation table" for each table.
   void report_tables(Log &log, Summary &summary) const;
 
-  /// Gives the regions with a power law their branches. `materials`: the section of that name.
+  /// Gives the regions with a power law their branches; not in a run that goes on, whose band may
+  /// be another one by its end time: it loads them. `materials`: the section of that name.
   /// Throws InputError.
   void fit(Problem &problem, const TimeParameters &time, ParameterSection materials);
   /// A line and a quantity "Prony fit error" for each of these regions, and the series.
   void report_series(Log &log, Summary &summary) const;
 
   void save(ArchiveWriter &archive) const;
-  /// The series of the run that is taken up again: another end time may have moved its band.
-  void load(const ArchiveReader &archive, Problem &problem);
+  /// Instead of a fit: the series of the run that goes on.
+  void load(const ArchiveReader &archive, Problem &problem, const TimeParameters &time);
 
 private:
   std::map<std::string, RelaxationFit> tables; ///< by region
