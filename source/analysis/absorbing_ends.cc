@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace Continua
@@ -158,12 +159,34 @@ void add_plane_end(Case<dim> &input,
   ends.push_back(end);
 }
 
-/// One end of a tube.
+/// The impedance of a tube's end of that section, for all of its circumference.
+void fit_tube_end(const AbsorbingEndParameters &asked,
+                  const TubeSection &tube,
+                  const WallEnd wall_end,
+                  const TimeParameters &time,
+                  const LoadSpectrum &spectrum,
+                  const ParameterSection &section,
+                  Impedance &impedance,
+                  AbsorbingEnd &end)
+{
+  const Band band = band_of(asked, time, spectrum, tube, section);
+  const ImpedanceFit result =
+      fit(tube, wall_end, band, spectrum, asked.tolerance, time.time_step, section);
+  impedance = result.impedance;
+  end.lowest_frequency = band.lowest;
+  end.highest_frequency = band.highest;
+  end.error = result.error;
+  end.reference_frequency = std::clamp(spectrum.energy_frequency(), band.lowest, band.highest);
+  end.impedance = std::abs(impedance.value({0., 2. * pi * end.reference_frequency})(0, 0));
+  end.n_terms = impedance.terms.size();
+}
+
+/// One end of a tube. Without a spectrum the impedance is zero, to be loaded.
 template <int dim>
 void add_tube_end(Case<dim> &input,
                   const std::string &end_name,
                   const double position,
-                  const LoadSpectrum &spectrum,
+                  const std::optional<LoadSpectrum> &spectrum,
                   ParameterSection boundaries,
                   std::vector<AbsorbingEnd> &ends)
 {
@@ -229,25 +252,19 @@ void add_tube_end(Case<dim> &input,
         "Choose one of these");
 
   const TubeSection tube = tube_section_at(input, position);
-  const AbsorbingEndParameters &asked = condition.absorbing;
-  const Band band = band_of(asked, input.time, spectrum, tube, section);
-  const ImpedanceFit result =
-      fit(tube, wall_end, band, spectrum, asked.tolerance, input.time.time_step, section);
-  Outlet outlet = *condition.outlet;
-  outlet.impedance = result.impedance;
-  outlet.conditions = {static_cast<unsigned int>(liquid)};
-  if (outlet.impedance.n_ports() > 1)
-    outlet.conditions.push_back(wall);
-
   AbsorbingEnd end;
   end.name = condition.name;
-  end.absorbs_wall = outlet.impedance.n_ports() > 1;
-  end.lowest_frequency = band.lowest;
-  end.highest_frequency = band.highest;
-  end.error = result.error;
-  end.reference_frequency = std::clamp(spectrum.energy_frequency(), band.lowest, band.highest);
-  end.impedance = std::abs(result.impedance.value({0., 2. * pi * end.reference_frequency})(0, 0));
-  end.n_terms = result.impedance.terms.size();
+  // A wall that is held axially has no wave that would arrive there.
+  end.absorbs_wall = wall_end == WallEnd::absorbing && !tube.tethered;
+  Outlet outlet = *condition.outlet;
+  outlet.conditions = {static_cast<unsigned int>(liquid)};
+  if (end.absorbs_wall)
+    outlet.conditions.push_back(wall);
+  if (spectrum)
+    fit_tube_end(condition.absorbing, tube, wall_end, input.time, *spectrum, section,
+                 outlet.impedance, end);
+  else
+    outlet.impedance.direct.reinit(outlet.conditions.size(), outlet.conditions.size());
   ends.push_back(end);
 
   // A part of the section has that part of the flow.
@@ -259,7 +276,7 @@ void add_tube_end(Case<dim> &input,
 } // namespace
 
 template <int dim>
-void AbsorbingEnds::add(Case<dim> &input, ParameterSection boundaries)
+void AbsorbingEnds::add(Case<dim> &input, ParameterSection boundaries, const bool restart)
 {
   const auto is_absorbing = [](const BoundaryCondition &condition)
   { return condition.type == "absorbing"; };
@@ -292,7 +309,9 @@ void AbsorbingEnds::add(Case<dim> &input, ParameterSection boundaries)
           .refuse("Type", "a tube goes on at its ends only",
                   "Use it at 'inlet' and 'wall inlet end', or 'outlet' and 'wall outlet end'");
   }
-  const LoadSpectrum spectrum(problem, input.time.end_time, input.time.time_step);
+  std::optional<LoadSpectrum> spectrum;
+  if (!restart)
+    spectrum.emplace(problem, input.time.end_time, input.time.time_step);
   add_tube_end(input, "inlet", 0., spectrum, boundaries, ends);
   add_tube_end(input, "outlet", law->length(), spectrum, boundaries, ends);
 }
@@ -409,6 +428,6 @@ void AbsorbingEnds::load(const ArchiveReader &archive, Problem &problem)
     }
 }
 
-template void AbsorbingEnds::add(Case<2> &, ParameterSection);
-template void AbsorbingEnds::add(Case<3> &, ParameterSection);
+template void AbsorbingEnds::add(Case<2> &, ParameterSection, bool);
+template void AbsorbingEnds::add(Case<3> &, ParameterSection, bool);
 } // namespace Continua

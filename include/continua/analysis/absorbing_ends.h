@@ -41,15 +41,16 @@ struct AbsorbingEnd
 class AbsorbingEnds
 {
 public:
-  /// Adds to the outlets of `input.problem`. `boundaries`: the section of that name. Throws
-  /// InputError.
+  /// Adds to the outlets of `input.problem`. `boundaries`: the section of that name. A run that
+  /// goes on (`restart`) loads the impedances of its tubes instead of fitting them, perhaps over
+  /// another band by its end time. Throws InputError.
   template <int dim>
-  void add(Case<dim> &input, ParameterSection boundaries);
+  void add(Case<dim> &input, ParameterSection boundaries, bool restart);
   /// A line and a quantity "absorbing end fit error" for each end.
   void report(Log &log, Summary &summary) const;
 
   void save(ArchiveWriter &archive, const Problem &problem) const;
-  /// The impedances of the run that is taken up again: another end time may have moved their band.
+  /// Instead of a fit: the impedances of the run that goes on.
   void load(const ArchiveReader &archive, Problem &problem);
 
 private:
