@@ -20,6 +20,8 @@ namespace Continua
 namespace
 {
 constexpr double pi = dealii::numbers::PI;
+/// What the impedance of a tube's end is asked for with.
+constexpr const char *fit_keys[] = {"Lowest frequency", "Highest frequency", "Fit tolerance"};
 /// Samples of the impedance over the band: so many a decade, and at least so many.
 constexpr unsigned int n_per_decade = 12, fewest_samples = 24;
 
@@ -143,6 +145,11 @@ void add_plane_end(Case<dim> &input,
     condition_section.refuse(
         "Type", "an absorbing end is that of a 'tube', or of a body of one liquid",
         "Use the geometry 'tube', or 'pressure', 'resistance' or 'windkessel' here");
+  for (const char *key : fit_keys)
+    if (condition_section.given(key))
+      condition_section.refuse(
+          key, "the plane wave's impedance is one number at all frequencies, and nothing is fitted",
+          "Remove the entry: it is for the ends of a 'tube'");
   const Material &liquid = input.problem.materials[0];
   if (liquid.inverse_bulk_modulus == 0.)
     condition_section.refuse(
@@ -240,7 +247,7 @@ void add_tube_end(Case<dim> &input,
     if (problem.conditions[wall].region_ids.size() + 1 != problem.regions.size())
       wall_section.refuse("Region", "an absorbing end of the wall is that of all its layers",
                           "Leave the entry out, with one condition for the whole end");
-    for (const char *key : {"Lowest frequency", "Highest frequency", "Fit tolerance"})
+    for (const char *key : fit_keys)
       if (wall_section.given(key))
         wall_section.refuse(key, "liquid and wall have one impedance together",
                             "Move the entry to the liquid's end, '" + end_name + "'");
