@@ -336,8 +336,12 @@ void AbsorbingEnds::report(Log &log, Summary &summary) const
     {
       text << " at " << end.reference_frequency << " Hz, of "
            << (end.absorbs_wall ? "liquid and wall" : "the liquid") << ": ";
-      text << end.n_terms << (end.n_terms == 1 ? " term follows" : " terms follow") << " it from "
-           << end.lowest_frequency << " to " << end.highest_frequency << " Hz within ";
+      if (end.n_terms == 0)
+        text << "a resistance follows";
+      else
+        text << end.n_terms << (end.n_terms == 1 ? " term follows" : " terms follow");
+      text << " it from " << end.lowest_frequency << " to " << end.highest_frequency
+           << " Hz within ";
       text.precision(2);
       text << end.error;
     }
