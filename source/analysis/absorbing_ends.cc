@@ -107,7 +107,8 @@ ImpedanceFit fit(const TubeSection &section,
   catch (const RunError &error)
   {
     condition.refuse("Highest frequency", error.what(),
-                     "Give a lower one: in this tube there is no such wave up to there");
+                     "Give a lower one: in this tube there is no such wave up to there. If there "
+                     "is none at all, use 'resistance' or 'windkessel'");
   }
 }
 

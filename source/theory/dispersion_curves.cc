@@ -165,7 +165,8 @@ DispersionCurves::follow(const ExactDispersion::Family family,
                << (family == ExactDispersion::pressure_wave ? "pressure wave"
                    : family == ExactDispersion::axial_wave  ? "axial wave"
                                                             : "bending wave")
-               << " could not be followed beyond " << last << " Hz";
+               << (known.empty() ? " could not be found at " : " could not be followed beyond ")
+               << (known.empty() ? frequency : last) << " Hz";
           throw RunError(text.str());
         }
         step *= 0.5;

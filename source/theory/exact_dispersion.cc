@@ -310,10 +310,16 @@ ExactDispersion::Complex ExactDispersion::guess(const Family family, const Compl
   }
   // p R = (E h/(1 - nu^2)) (u_r/R + nu du_z/dz) and the axial balance of the wall, with the flow of
   // a long wave: a quadratic equation for k^2.
+  // A thick wall gives way more than a membrane, by Lame's displacement of its inner surface: psi
+  // of anchoring_coefficient() over that of a thin wall.
+  const double ratio = thickness / radius;
+  const Complex thin = section.tethered ? 1. - nu * nu : 1.;
+  const Complex yielding = ratio * (1. + nu) / thin + 2. / (2. + ratio);
   const Complex plate = young * thickness / (1. - nu * nu);
   const Complex a = plate * (1. - f10) / (2. * density * omega * omega);
   if (section.tethered)
-    return downstream(radius / a + omega * omega * density * section.fluid.inverse_bulk_modulus);
+    return downstream(yielding * radius / a +
+                      omega * omega * density * section.fluid.inverse_bulk_modulus);
   const Complex mass =
       omega * omega * (section.wall_density() * thickness + 0.5 * radius * density * f10);
   const Complex a2 = -a * plate * (1. - nu * nu);
@@ -324,7 +330,8 @@ ExactDispersion::Complex ExactDispersion::guess(const Family family, const Compl
   const Complex large = -sum / (2. * a2), small = -2. * a0 / sum;
   if (family == axial_wave)
     return downstream(small);
-  return downstream(large + omega * omega * density * section.fluid.inverse_bulk_modulus);
+  return downstream(yielding * large +
+                    omega * omega * density * section.fluid.inverse_bulk_modulus);
 }
 
 bool ExactDispersion::find_root(const Complex &omega,

@@ -387,7 +387,7 @@ void korteweg()
   // for any thickness where the wall has no inertia.
   const double radius = 0.01, young = 1e6, nu = 0.3, compressibility = 1e-5;
   const Material light = solid(1e-6, young, nu);
-  for (const double ratio : {1e-4, 0.1, 0.6})
+  for (const double ratio : {1e-4, 0.1, 0.6, 1., 2.5})
     for (const bool tethered : {false, true})
     {
       const double psi = ratio * (1. + nu) + 2. / (2. + ratio) * (tethered ? 1. - nu * nu : 1.);

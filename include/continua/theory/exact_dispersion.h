@@ -47,8 +47,9 @@ public:
   const std::vector<Family> &families() const { return present; }
 
   /// A first guess of the wave number [1/m]: of the pressure and axial waves the two roots of the
-  /// long-wave theory of a viscous liquid in a membrane (Atabek and Lew 1966), of the bending waves
-  /// those of a shell in vacuo. `omega` [1/s], complex: Im omega <= 0.
+  /// long-wave theory of a viscous liquid in a membrane (Atabek and Lew 1966), the first one slower
+  /// by what a thick wall's inner surface gives way more (Lame), of the bending waves those of a
+  /// shell in vacuo. `omega` [1/s], complex: Im omega <= 0.
   Complex guess(Family family, const Complex &omega) const;
 
   /// The root near `start` [1/m]; false if the iteration (Muller's) does not converge.
