@@ -51,7 +51,8 @@ Band band_of(const AbsorbingEndParameters &asked,
   Band band{};
   band.is_weighted = asked.highest_frequency == 0. && !spectrum.is_empty();
   // Ten steps a period resolve a wave; the pressure wave ends near the ring frequency.
-  const double resolved = std::min(1. / (10. * time.time_step), loaded_ring_frequency(section));
+  const double resolved =
+      std::min(1. / (10. * time.smallest_step()), loaded_ring_frequency(section));
   band.highest = asked.highest_frequency > 0. ? asked.highest_frequency
                  : band.is_weighted           ? std::min(spectrum.highest_frequency(), resolved)
                                               : resolved;
@@ -179,7 +180,7 @@ void fit_tube_end(const AbsorbingEndParameters &asked,
 {
   const Band band = band_of(asked, time, spectrum, tube, section);
   const ImpedanceFit result =
-      fit(tube, wall_end, band, spectrum, asked.tolerance, time.time_step, section);
+      fit(tube, wall_end, band, spectrum, asked.tolerance, time.smallest_step(), section);
   impedance = result.impedance;
   end.lowest_frequency = band.lowest;
   end.highest_frequency = band.highest;
@@ -319,7 +320,7 @@ void AbsorbingEnds::add(Case<dim> &input, ParameterSection boundaries, const boo
   }
   std::optional<LoadSpectrum> spectrum;
   if (!restart)
-    spectrum.emplace(problem, input.time.end_time, input.time.time_step);
+    spectrum.emplace(problem, input.time.end_time, input.time.smallest_step());
   add_tube_end(input, "inlet", 0., spectrum, boundaries, ends);
   add_tube_end(input, "outlet", law->length(), spectrum, boundaries, ends);
 }

@@ -10,17 +10,6 @@
 
 namespace Continua
 {
-namespace
-{
-double smallest_step_of(const TimeParameters &time)
-{
-  double result = time.time_step;
-  for (const auto &change : time.changes)
-    result = std::min(result, change.second);
-  return result;
-}
-} // namespace
-
 void PowerLaws::note_table(const std::string &region, const ParameterSection section)
 {
   tables[region] = fit_relaxation_test(read_relaxation_test(section));
@@ -43,7 +32,7 @@ void PowerLaws::report_tables(Log &log, Summary &summary) const
 
 void PowerLaws::fit(Problem &problem, const TimeParameters &time, ParameterSection materials)
 {
-  smallest_step = smallest_step_of(time);
+  smallest_step = time.smallest_step();
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
     Material &material = problem.materials[region];
@@ -135,7 +124,7 @@ void PowerLaws::save(ArchiveWriter &archive) const
 
 void PowerLaws::load(const ArchiveReader &archive, Problem &problem, const TimeParameters &time)
 {
-  smallest_step = smallest_step_of(time);
+  smallest_step = time.smallest_step();
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
     if (problem.materials[region].power_law_modulus == 0.)

@@ -73,6 +73,14 @@ void TimeParameters::read(ParameterSection section)
     section.refuse("Jump times", "the times do not increase", "Sort the list");
 }
 
+double TimeParameters::smallest_step() const
+{
+  double smallest = time_step;
+  for (const auto &change : changes)
+    smallest = std::min(smallest, change.second);
+  return smallest;
+}
+
 Scheme TimeParameters::scheme_type() const
 {
   if (scheme == "euler implicit")

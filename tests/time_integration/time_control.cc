@@ -47,6 +47,12 @@ void refused(const std::string &name, const std::string &text, const std::string
 int main()
 {
   {
+    TimeParameters changing = parameters("euler implicit", 2e-3, 1.);
+    check::is_true("smallest step", changing.smallest_step() == 2e-3);
+    changing.changes = {{0.1, 1e-3}, {0.2, 5e-3}};
+    check::is_true("smallest step of several", changing.smallest_step() == 1e-3);
+  }
+  {
     TimeControl control(parameters("euler implicit", 1e-4, 30.));
     double last_time = 0.;
     bool chained = true, same_size = true;

@@ -32,6 +32,8 @@ struct TimeParameters
 
   /// Declares and reads; throws InputError.
   void read(ParameterSection section);
+  /// The smallest of the run's time steps [s].
+  double smallest_step() const;
   Scheme scheme_type() const;
   Update update_type() const;
 };
