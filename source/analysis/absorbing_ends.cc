@@ -188,6 +188,9 @@ void fit_tube_end(const AbsorbingEndParameters &asked,
   end.reference_frequency = std::clamp(spectrum.energy_frequency(), band.lowest, band.highest);
   end.impedance = std::abs(impedance.value({0., 2. * pi * end.reference_frequency})(0, 0));
   end.n_terms = impedance.terms.size();
+  const double above = spectrum.from(band.highest);
+  if (asked.highest_frequency > 0. && above > asked.tolerance)
+    end.left_out = above;
 }
 
 /// One end of a tube. Without a spectrum the impedance is zero, to be loaded.
@@ -348,6 +351,16 @@ void AbsorbingEnds::report(Log &log, Summary &summary) const
       text << end.error;
     }
     log.line(text.str());
+    if (end.left_out > 0.)
+    {
+      std::ostringstream warning;
+      warning.precision(2);
+      warning << "Boundaries/" << end.name << "/Highest frequency: above the band of the fit the "
+              << "loads' spectrum still reaches " << 100. * end.left_out
+              << " % of its largest value, and the end does not absorb that as closely as the fit "
+                 "tolerance says";
+      log.warning(warning.str());
+    }
     summary.add({"absorbing end fit error", end.error, "1", end.name});
     summary.set("absorbing end " + end.name,
                 std::map<std::string, double>{{"impedance [Pa s/m^3]", end.impedance},

@@ -25,7 +25,7 @@ std::vector<TimeFunction> loads_of(const Problem &problem)
   std::vector<TimeFunction> loads;
   const auto add = [&loads](const Waveform &waveform)
   {
-    if (!waveform.is_zero() && waveform.depends_on_time())
+    if (!waveform.is_zero())
       loads.emplace_back([waveform](const double time) { return waveform(origin, time); });
   };
   const auto add_all = [&add](const std::vector<Waveform> &waveforms)

@@ -14,8 +14,12 @@ int main()
   Problem problem;
   check::is_true("nothing drives", LoadSpectrum(problem, 1., 1e-3).is_empty());
   problem.conditions.resize(2);
-  problem.conditions[0].normal.along_normal = Waveform(3.);
-  check::is_true("a constant load does not count", LoadSpectrum(problem, 1., 1e-3).is_empty());
+  // A jump at t = 0, held for 1 s and faded out over half a second: 1/(2 pi f) over an area of
+  // 1.25 s, at a frequency of the transform of 2048 samples.
+  Problem constant = problem;
+  constant.conditions[0].normal.along_normal = Waveform(3.);
+  check::relative("a constant load is a jump", LoadSpectrum(constant, 1., 1e-3).from(31.25),
+                  1. / (2. * pi * 31.25 * 1.25), 0.02);
 
   problem.conditions[1].normal.along_normal =
       Waveform(Expression("if(t < 0.05, 7*sin(pi*t/0.05)^2, 0)", Dimensions::pressure));

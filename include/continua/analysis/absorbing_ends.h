@@ -26,6 +26,9 @@ struct AbsorbingEnd
   double impedance = 0.;         ///< |Z| of the liquid's port at the reference frequency [Pa s/m^3]
   double reference_frequency = 0.; ///< [Hz], below which most of the load's energy lies
   unsigned int n_terms = 0;
+  /// Of the loads' spectrum above a band given by hand, see LoadSpectrum::from(); zero where it is
+  /// below the tolerance of the fit.
+  double left_out = 0.;
 };
 
 /**

@@ -10,7 +10,8 @@ namespace Continua
 /**
  * How much of what drives a body there is from a frequency on, relative to the largest value of its
  * spectrum: of the waveforms of boundaries, outlets and body forces, at x = y = z = 0, the largest.
- * Empty where nothing that is known depends on time.
+ * A constant one counts, too, as the jump at t = 0 that it is. Empty where nothing that is known
+ * drives the body.
  */
 class LoadSpectrum
 {
