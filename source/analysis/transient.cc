@@ -13,11 +13,12 @@ using namespace dealii;
 
 namespace
 {
+/// A power law relaxes, also when its branches are still in the checkpoint.
 std::vector<bool> relaxing_regions(const std::vector<Material> &materials)
 {
   std::vector<bool> relaxing;
   for (const Material &material : materials)
-    relaxing.push_back(material.relaxes());
+    relaxing.push_back(material.relaxes() || material.power_law_modulus > 0.);
   return relaxing;
 }
 } // namespace
