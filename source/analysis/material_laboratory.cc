@@ -23,6 +23,10 @@ MaterialLaboratory::MaterialLaboratory(ParameterFile &file)
 {
   ParameterSection root = file.root();
   general.read(root);
+  // The default stands in every file that --print-parameters writes.
+  if (general.model != GeneralParameters().model)
+    root.refuse("Model", "the specimen of the laboratory has its own kinematics",
+                "Remove it; Laboratory/Specimen is a cylinder or a cube");
   read_material_of(root.subsection("Materials"));
   ParameterSection section = root.subsection("Laboratory");
   laboratory.read(section);
