@@ -99,6 +99,13 @@ int main()
   const RelaxationFit without_ramp = fit_relaxation_test(read_test("set Strain = 0.03\n"));
   check::is_true("ramp: would be felt", std::abs(without_ramp.exponent / n - 1.) > 0.05);
 
+  // A spring.
+  write_table("time [s], stress [Pa]", 0.01, [](double) { return 0.03 * c; });
+  const RelaxationFit of_constant = fit_relaxation_test(read_test("set Strain = 0.03\n"));
+  check::relative("constant stress: c", of_constant.modulus, c, 1e-12);
+  check::is_true("constant stress: n is 0 without a sign",
+                 of_constant.exponent == 0. && !std::signbit(of_constant.exponent));
+
   // In a material.
   write_table("time [s], stress [Pa]", 0.01,
               [](const double time) { return 0.03 * c * std::pow(time, -n); });
