@@ -1,11 +1,14 @@
 #include <continua/base/parameter_file.h>
 #include <continua/base/parameter_store.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -66,6 +69,38 @@ void print_json(std::ostream &out, const ParameterStore &store)
     list.push_back(item);
   }
   out << list.dump(2) << '\n';
+}
+
+/// As ParameterHandler does, but what the user has not set stands as a comment: some entries are
+/// refused where they have no meaning, were it their default. Of the documentation all is set.
+void print_prm(std::ostream &out, ParameterStore &store)
+{
+  std::stringstream printed;
+  store.handler.print_parameters(printed, dealii::ParameterHandler::PRM |
+                                              dealii::ParameterHandler::KeepDeclarationOrder);
+  std::vector<std::string> path;
+  for (std::string line; std::getline(printed, line);)
+  {
+    const std::size_t start = std::min(line.find_first_not_of(' '), line.size());
+    const auto begins_with = [&](const std::string &word)
+    { return line.compare(start, word.size(), word) == 0; };
+    if (begins_with("subsection "))
+      path.push_back(dealii::Utilities::trim(line.substr(start + std::strlen("subsection "))));
+    else if (line.substr(start) == "end")
+      path.pop_back();
+    else if (begins_with("set ") && !store.is_documentation)
+    {
+      const std::size_t key = start + std::strlen("set ");
+      const ParameterText::Section *const section = store.text.find(path);
+      const ParameterText::Entry *const entry =
+          section == nullptr
+              ? nullptr
+              : section->entry(dealii::Utilities::trim(line.substr(key, line.find('=') - key)));
+      if (entry == nullptr || entry->value().empty())
+        line.insert(start, "# ");
+    }
+    out << line << '\n';
+  }
 }
 
 /// FNV-1a with 64 bit: G. Fowler, L. C. Noll, K.-P. Vo, as in IETF RFC 9923.
@@ -134,8 +169,7 @@ void ParameterFile::print(std::ostream &out, const Style style) const
   switch (style)
   {
   case Style::prm:
-    store->handler.print_parameters(out, dealii::ParameterHandler::PRM |
-                                             dealii::ParameterHandler::KeepDeclarationOrder);
+    print_prm(out, *store);
     break;
   case Style::json:
     print_json(out, *store);

@@ -182,6 +182,9 @@ void test_values()
   check::is_true("printed as the user wrote it", contains(printed, "= 0.2 ms"));
   check::is_true("printed default with unit",
                  contains(printed, "= 0.001 s") || contains(printed, "# default: 0.001 s"));
+  check::is_true("what the user did not set is a comment",
+                 contains(printed, "\n    # set Young's modulus") &&
+                     contains(printed, "\n    set Young's modulus"));
   check::is_true("printed text with unit", contains(printed, "# Time step (number > 0) [s]"));
   check::is_true("printed empty member of a family", contains(printed, "subsection fluid"));
 }

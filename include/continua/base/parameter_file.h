@@ -47,10 +47,11 @@ public:
     json,
     markdown
   };
-  /// Every declared entry with its value: the resolved parameters. prm has each text as a comment
-  /// and can be read again from any directory (input files are named by their absolute paths); json
-  /// is a list of objects with path, value, default, values (what is accepted), unit and text;
-  /// markdown is a table a section for the manual.
+  /// Every declared entry with its value: the resolved parameters. prm has each text as a comment,
+  /// and each entry that the user did not set (but of an empty file), and can be read again from
+  /// any directory (input files are named by their absolute paths); json is a list of objects with
+  /// path, value, default, values (what is accepted), unit and text; markdown is a table a section
+  /// for the manual.
   void print(std::ostream &out, Style style) const;
 
   /// A hash (FNV-1a, 64 bit, 16 hexadecimal digits) of all resolved entries but those that are, or
