@@ -89,7 +89,7 @@ ImpedanceFit fit(const TubeSection &section,
       samples.push_back({{shift, 2. * pi * frequencies[i]},
                          values[i],
                          band.is_weighted ? spectrum.from(frequencies[i]) : 1.});
-    const ImpedanceFit result = fit_impedance(samples, tolerance, 1. / time_step);
+    ImpedanceFit result = fit_impedance(samples, tolerance, 1. / time_step);
     if (result.error <= tolerance)
       return result;
     std::ostringstream text;

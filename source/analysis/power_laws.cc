@@ -10,7 +10,7 @@
 
 namespace Continua
 {
-void PowerLaws::note_table(const std::string &region, const ParameterSection section)
+void PowerLaws::note_table(const std::string &region, const ParameterSection &section)
 {
   tables[region] = fit_relaxation_test(read_relaxation_test(section));
 }

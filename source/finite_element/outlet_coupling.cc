@@ -106,7 +106,7 @@ void OutletCoupling<dim>::build()
   inputs_of_rhs.reinit(n, n);
   for (Vector<double> *vector : {&outputs, &rhs, &inputs, &predicted})
     vector->reinit(n);
-  sums.resize(2 * n);
+  sums.resize(2 * ports.size());
   coefficients.clear();
   for (const Outlet &outlet : problem.outlets)
     coefficients.insert(coefficients.end(), outlet.impedance.terms.size(), 0.);

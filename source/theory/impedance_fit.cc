@@ -170,7 +170,7 @@ private:
         solution(gsl_vector_alloc(n_columns), &gsl_vector_free),
         residual(gsl_vector_alloc(n_rows), &gsl_vector_free);
     const Owner<gsl_matrix> covariance(gsl_matrix_alloc(n_columns, n_columns), &gsl_matrix_free);
-    for (unsigned int q = 0; q < samples.size(); ++q)
+    for (std::size_t q = 0; q < samples.size(); ++q)
     {
       const ImpedanceSample &sample = samples[q];
       const double weight =
@@ -199,7 +199,7 @@ private:
                              covariance.get(), &square, &rank, workspace.get());
     gsl_multifit_linear_residuals(matrix.get(), right.get(), solution.get(), residual.get());
     double error = 0.;
-    for (unsigned int q = 0; q < samples.size(); ++q)
+    for (std::size_t q = 0; q < samples.size(); ++q)
       error = std::max(error, std::hypot(gsl_vector_get(residual.get(), 2 * q),
                                          gsl_vector_get(residual.get(), 2 * q + 1)));
 

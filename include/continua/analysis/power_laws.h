@@ -25,7 +25,7 @@ class PowerLaws
 {
 public:
   /// Remembers what a region's relaxation table, which the material has read, came to.
-  void note_table(const std::string &region, ParameterSection section);
+  void note_table(const std::string &region, const ParameterSection &section);
   /// A line and the quantities "c", "n" and "misfit of the relaxation table" for each table.
   void report_tables(Log &log, Summary &summary) const;
 
