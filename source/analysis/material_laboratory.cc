@@ -1,10 +1,10 @@
 #include <continua/analysis/laboratory_tests.h>
 #include <continua/analysis/material_laboratory.h>
+#include <continua/analysis/power_laws.h>
 #include <continua/base/citations.h>
 #include <continua/base/table_writer.h>
 #include <continua/base/version.h>
 #include <continua/materials/mean_modulus.h>
-#include <continua/materials/power_law_fit.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
@@ -13,7 +13,6 @@
 #include <cmath>
 #include <iomanip>
 #include <sstream>
-#include <stdexcept>
 
 namespace Continua
 {
@@ -92,35 +91,15 @@ void MaterialLaboratory::fit(const ParameterSection &section)
     }
   if (laboratory.has("relaxation") || laboratory.has("creep"))
   {
-    double step = time.time_step;
-    for (const auto &change : time.changes)
-      step = std::min(step, change.second);
     lowest = std::min(lowest, 1. / (2. * PI * time.end_time));
-    highest = std::max(highest, 1. / (10. * step));
+    highest = std::max(highest, 1. / (10. * time.smallest_step()));
   }
   const PronyFitParameters &asked = material.prony_fit;
   if (asked.lowest_frequency > 0.)
     lowest = asked.lowest_frequency;
   if (asked.highest_frequency > 0.)
     highest = asked.highest_frequency;
-  if (lowest >= highest)
-    section.refuse(asked.lowest_frequency > 0. ? "Lowest frequency" : "Highest frequency",
-                   "the band of the Prony fit is empty: from " + shortest_number(lowest) + " to " +
-                       shortest_number(highest) + " Hz",
-                   "Give a lowest frequency below the highest one");
-  try
-  {
-    series = fit_power_law(material, lowest, highest);
-  }
-  catch (const std::range_error &error)
-  {
-    std::ostringstream text;
-    text << error.what() << ", from " << lowest << " to " << highest << " Hz; the tolerance is "
-         << asked.tolerance;
-    section.refuse(asked.n_branches > 0 ? "Branches" : "Fit tolerance", text.str(),
-                   "Give more branches, a larger 'Fit tolerance' or a narrower band ('Lowest "
-                   "frequency', 'Highest frequency')");
-  }
+  series = PowerLaws::fit(material, lowest, highest, section);
 }
 
 void MaterialLaboratory::perform(const CommandLine &command_line,

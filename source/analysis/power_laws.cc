@@ -46,31 +46,42 @@ void PowerLaws::fit(Problem &problem, const TimeParameters &time, ParameterSecti
     const double lowest = asked.lowest_frequency > 0.
                               ? asked.lowest_frequency
                               : std::min(1. / (2. * M_PI * time.end_time), 0.1 * highest);
-    if (lowest >= highest)
-      section.refuse("Lowest frequency",
-                     "the band of the Prony fit is empty: from " + shortest_number(lowest) +
-                         " to " + shortest_number(highest) + " Hz",
-                     "Give a lowest frequency below the highest one (left out: that of ten time "
-                     "steps a period)");
-    try
-    {
-      series[problem.regions[region]] = fit_power_law(material, lowest, highest);
-    }
-    catch (const std::domain_error &error)
-    {
-      section.refuse("Bulk modulus", error.what(),
-                     "Give a bulk modulus K of which 9 K is above Young's modulus in the whole "
-                     "band, or 'Volumetric relaxation = as the shear'");
-    }
-    catch (const std::range_error &error)
-    {
-      std::ostringstream text;
-      text << error.what() << ", from " << lowest << " to " << highest << " Hz; the tolerance is "
-           << asked.tolerance;
-      section.refuse(asked.n_branches > 0 ? "Branches" : "Fit tolerance", text.str(),
-                     "Give more branches, a larger 'Fit tolerance' or a narrower band ('Lowest "
-                     "frequency', 'Highest frequency')");
-    }
+    series[problem.regions[region]] = fit(material, lowest, highest, section);
+  }
+}
+
+PronySeries PowerLaws::fit(Material &material,
+                           const double lowest_frequency,
+                           const double highest_frequency,
+                           const ParameterSection &section)
+{
+  const PronyFitParameters &asked = material.prony_fit;
+  const auto band = [&]()
+  {
+    return "from " + shortest_number(lowest_frequency) + " to " +
+           shortest_number(highest_frequency) + " Hz";
+  };
+  if (lowest_frequency >= highest_frequency)
+    section.refuse(asked.lowest_frequency > 0. ? "Lowest frequency" : "Highest frequency",
+                   "the band of the Prony fit is empty: " + band(),
+                   "Give a lowest frequency below the highest one, or leave them out");
+  try
+  {
+    return fit_power_law(material, lowest_frequency, highest_frequency);
+  }
+  catch (const std::domain_error &error)
+  {
+    section.refuse("Bulk modulus", error.what(),
+                   "Give a bulk modulus K of which 9 K is above Young's modulus in the whole "
+                   "band, or 'Volumetric relaxation = as the shear'");
+  }
+  catch (const std::range_error &error)
+  {
+    section.refuse(asked.n_branches > 0 ? "Branches" : "Fit tolerance",
+                   std::string(error.what()) + ", " + band() + "; the tolerance is " +
+                       shortest_number(asked.tolerance),
+                   "Give more branches, a larger 'Fit tolerance' or a narrower band ('Lowest "
+                   "frequency', 'Highest frequency')");
   }
 }
 

@@ -1,5 +1,7 @@
 #include <continua/materials/prony_series.h>
 
+#include <continua/base/quiet_gsl.h>
+
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit_nlinear.h>
 
@@ -15,19 +17,6 @@ namespace Continua
 {
 namespace
 {
-/// GSL's default handler ends the program; errors are seen by their return values instead.
-class QuietGsl
-{
-public:
-  QuietGsl() : previous(gsl_set_error_handler_off()) {}
-  ~QuietGsl() { gsl_set_error_handler(previous); }
-  QuietGsl(const QuietGsl &) = delete;
-  QuietGsl &operator=(const QuietGsl &) = delete;
-
-private:
-  gsl_error_handler_t *previous;
-};
-
 struct FreeWorkspace
 {
   void operator()(gsl_multifit_nlinear_workspace *w) const { gsl_multifit_nlinear_free(w); }

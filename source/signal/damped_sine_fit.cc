@@ -1,5 +1,7 @@
 #include <continua/signal/damped_sine_fit.h>
 
+#include <continua/base/quiet_gsl.h>
+
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
@@ -36,19 +38,6 @@ struct Model
 {
   double offset = 0.;
   std::vector<Component> components;
-};
-
-/// GSL's default handler ends the program; errors are seen by their return values instead.
-class QuietGsl
-{
-public:
-  QuietGsl() : previous(gsl_set_error_handler_off()) {}
-  ~QuietGsl() { gsl_set_error_handler(previous); }
-  QuietGsl(const QuietGsl &) = delete;
-  QuietGsl &operator=(const QuietGsl &) = delete;
-
-private:
-  gsl_error_handler_t *previous;
 };
 
 template <typename Object, void (*release)(Object *)>

@@ -1,5 +1,7 @@
 #include <continua/theory/impedance_fit.h>
 
+#include <continua/base/quiet_gsl.h>
+
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_multifit.h>
 #include <gsl/gsl_multimin.h>
@@ -264,6 +266,7 @@ ImpedanceFit fit_impedance(const std::vector<ImpedanceSample> &samples,
                            const double tolerance,
                            const double highest_rate)
 {
+  const QuietGsl quiet;
   const Fitter fitter(samples, highest_rate);
   ImpedanceFit best;
   best.error = std::numeric_limits<double>::infinity();

@@ -33,6 +33,12 @@ public:
   /// be another one by its end time: it loads them. `materials`: the section of that name.
   /// Throws InputError.
   void fit(Problem &problem, const TimeParameters &time, ParameterSection materials);
+  /// Gives one power law its branches over a band [Hz]; `section` is that of the material. Throws
+  /// InputError if the band is empty or the law cannot be met there.
+  static PronySeries fit(Material &material,
+                         double lowest_frequency,
+                         double highest_frequency,
+                         const ParameterSection &section);
   /// A line and a quantity "Prony fit error" for each of these regions, and the series.
   void report_series(Log &log, Summary &summary) const;
 
