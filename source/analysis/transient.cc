@@ -240,6 +240,9 @@ template <int dim>
 void Transient<dim>::write_checkpoint()
 {
   TimerOutput::Scope scope(run.log.timer(), "checkpoint");
+  // A run that is killed goes on from here: what stands before must be on the disk.
+  run.input.probes.flush();
+  power.flush();
   checkpoint.write(
       time_control.n_steps(),
       [this](ArchiveWriter &archive)

@@ -150,6 +150,17 @@ void PowerRecord<dim>::compare(const double energy)
 }
 
 template <int dim>
+void PowerRecord<dim>::flush()
+{
+  on_writing_rank(communicator,
+                  [&]()
+                  {
+                    if (table)
+                      table->flush();
+                  });
+}
+
+template <int dim>
 void PowerRecord<dim>::finish(ContinuumSolver<dim> &solver, Summary &summary)
 {
   const Energy energy = any_relaxes ? solver.energy() : Energy();
@@ -187,12 +198,7 @@ void PowerRecord<dim>::finish(ContinuumSolver<dim> &solver, Summary &summary)
       summary.add({"energy dissipated", energy_given.leaving - energy_given.stored, "J",
                    outlet_names[outlet]});
   }
-  on_writing_rank(communicator,
-                  [&]()
-                  {
-                    if (table)
-                      table->flush();
-                  });
+  flush();
 }
 
 template <int dim>

@@ -457,7 +457,7 @@ void Probes<dim>::add_quantities(const Column &column,
 }
 
 template <int dim>
-std::vector<std::string> Probes<dim>::finish(Summary &summary)
+void Probes<dim>::flush()
 {
   on_writing_rank(communicator,
                   [&]()
@@ -465,6 +465,12 @@ std::vector<std::string> Probes<dim>::finish(Summary &summary)
                     if (table)
                       table->flush();
                   });
+}
+
+template <int dim>
+std::vector<std::string> Probes<dim>::finish(Summary &summary)
+{
+  flush();
   std::vector<std::string> warnings;
   if (!record_times.empty())
     for (const Column &column : columns)

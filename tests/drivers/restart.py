@@ -4,6 +4,7 @@
 Header comments of the case:
 
     # stop: Time/End time = 5 ms     what ends the first piece; it must leave a checkpoint
+    # kill: first checkpoint         instead: the first piece is killed as soon as it has written a checkpoint
     # set: Checkpoint/Steps = 10     none or more; overrides of all runs
     # set in the whole run: KEY = VALUE   none or more; what the second piece takes from the checkpoint and the whole run must be given
     # ranks: 1                       ranks of the whole run and of the first piece (default 1)
@@ -12,6 +13,8 @@ Header comments of the case:
 """
 
 import os
+import subprocess
+import time
 
 import driver
 
@@ -32,11 +35,25 @@ def compare(first, second, tolerance):
         raise driver.TestFailure(f"{len(rows)} lines in {first}, {len(other_rows)} in {second}")
 
 
+def run_until_checkpoint(program, arguments, output, time_limit=60):
+    """Kills the run, as a batch system or a power cut would, when it has written its first checkpoint."""
+    current = os.path.join(output, "checkpoint", "current")
+    with subprocess.Popen([program, *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+        end = time.monotonic() + time_limit
+        while not os.path.exists(current) and process.poll() is None and time.monotonic() < end:
+            time.sleep(0.002)
+        if process.poll() is not None or not os.path.exists(current):
+            process.kill()
+            raise driver.TestFailure("the run ended, or took too long, before it could be killed at a checkpoint")
+        process.kill()
+
+
 def case(program, parameter_file, folder):
     entries = driver.header(parameter_file)
     stop = entries.get("stop", [])
-    if not stop:
-        raise driver.TestFailure("the header needs '# stop: KEY = VALUE'")
+    kill = driver.single(entries, "kill", "")
+    if not stop and kill != "first checkpoint":
+        raise driver.TestFailure("the header needs '# stop: KEY = VALUE' or '# kill: first checkpoint'")
     common = driver.overrides(entries.get("set", []))
     ranks = int(driver.single(entries, "ranks", "1"))
     restart_ranks = int(driver.single(entries, "restart ranks", str(ranks)))
@@ -45,10 +62,13 @@ def case(program, parameter_file, folder):
     whole, pieces = os.path.join(folder, "whole"), os.path.join(folder, "pieces")
     of_whole = driver.overrides(entries.get("set in the whole run", []))
     driver.run_to_the_end(program, [parameter_file, "--output", whole, *common, *of_whole], ranks, folder)
-    driver.run_to_the_end(program, [parameter_file, "--output", pieces, *common, *driver.overrides(stop)], ranks, folder)
+    if kill:
+        run_until_checkpoint(program, [parameter_file, "--output", pieces, *common], pieces)
+    else:
+        driver.run_to_the_end(program, [parameter_file, "--output", pieces, *common, *driver.overrides(stop)], ranks, folder)
     n_whole = len(driver.read_table(os.path.join(whole, "probes.csv"))[1])
     n_half = len(driver.read_table(os.path.join(pieces, "probes.csv"))[1])
-    if not 0 < n_half < n_whole:
+    if n_half >= n_whole:
         raise driver.TestFailure(f"the first piece has {n_half} rows of {n_whole}: nothing is left to restart")
     driver.run_to_the_end(program, [parameter_file, "--output", pieces, "--restart", *common], restart_ranks, folder)
 

@@ -60,6 +60,9 @@ public:
    */
   void finish(ContinuumSolver<dim> &solver, Summary &summary);
 
+  /// Writes what is buffered of the file. Throws RunError on all ranks.
+  void flush();
+
   /// The sums and maxima of the steps so far, for a restart.
   void save(ArchiveWriter &archive) const;
   void load(const ArchiveReader &archive);

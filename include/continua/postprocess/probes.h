@@ -86,6 +86,8 @@ public:
    * warned of. Throws RunError on all ranks.
    */
   std::vector<std::string> finish(Summary &summary);
+  /// Writes what is buffered of the file. Throws RunError on all ranks.
+  void flush();
 
   /// "NAME: FIELD [UNIT]" of every column.
   std::vector<std::string> column_names() const;
