@@ -1,5 +1,7 @@
 #include <continua/boundary/boundary_condition.h>
 
+#include <continua/base/required_entry.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -92,18 +94,6 @@ void read_flow_rate(ParameterSection &section, BoundaryCondition &condition, uns
       "rest before t = 0.");
 }
 
-double read_required(ParameterSection &section,
-                     const std::string &key,
-                     const Dimension &dimension,
-                     const std::string &text,
-                     const Range &range)
-{
-  double value = std::numeric_limits<double>::quiet_NaN();
-  section.add(key, value, dimension, text + " Required.", range);
-  section.require(key);
-  return value;
-}
-
 /// What a resistance and a windkessel have in common.
 void read_outlet(ParameterSection &section, BoundaryCondition &condition, Outlet &outlet)
 {
@@ -142,7 +132,7 @@ void read_outlet(ParameterSection &section, BoundaryCondition &condition, Outlet
 void read_resistance(ParameterSection &section, BoundaryCondition &condition, unsigned int)
 {
   Outlet outlet;
-  outlet.impedance = Impedance::resistance(read_required(
+  outlet.impedance = Impedance::resistance(required_entry(
       section, "Resistance", Dimensions::flow_resistance,
       "Pressure over the flow rate of the whole tube, out of the body.", Range::not_negative()));
   read_outlet(section, condition, outlet);
@@ -151,14 +141,14 @@ void read_resistance(ParameterSection &section, BoundaryCondition &condition, un
 
 void read_windkessel(ParameterSection &section, BoundaryCondition &condition, unsigned int)
 {
-  const double proximal_resistance = read_required(
+  const double proximal_resistance = required_entry(
       section, "Proximal resistance", Dimensions::flow_resistance,
       "Resistance before the compliance, to the flow of the whole tube.", Range::not_negative());
   const double distal_resistance =
-      read_required(section, "Distal resistance", Dimensions::flow_resistance,
-                    "Resistance beside the compliance.", Range::positive());
-  const double compliance = read_required(section, "Compliance", Dimensions::compliance,
-                                          "Volume stored over pressure.", Range::positive());
+      required_entry(section, "Distal resistance", Dimensions::flow_resistance,
+                     "Resistance beside the compliance.", Range::positive());
+  const double compliance = required_entry(section, "Compliance", Dimensions::compliance,
+                                           "Volume stored over pressure.", Range::positive());
   Outlet outlet;
   outlet.impedance = Impedance::windkessel(proximal_resistance, distal_resistance, compliance);
   read_outlet(section, condition, outlet);

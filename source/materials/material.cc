@@ -1,5 +1,6 @@
 #include <continua/materials/material.h>
 
+#include <continua/base/required_entry.h>
 #include <continua/materials/bulk_relaxation.h>
 #include <continua/materials/relaxation_test.h>
 
@@ -11,22 +12,9 @@ namespace Continua
 {
 namespace
 {
-/// Declares an entry that has no sensible default.
-double required(ParameterSection &section,
-                const std::string &key,
-                const Dimension &dimension,
-                const std::string &text,
-                const Range &range)
-{
-  double value = std::numeric_limits<double>::quiet_NaN();
-  section.add(key, value, dimension, text + " Required.", range);
-  section.require(key);
-  return value;
-}
-
 double read_density(ParameterSection &section)
 {
-  return required(section, "Density", Dimensions::density, "Density rho.", Range::positive());
+  return required_entry(section, "Density", Dimensions::density, "Density rho.", Range::positive());
 }
 
 /// Bulk modulus of a material that is described by it, or incompressible.
@@ -49,12 +37,12 @@ double read_inverse_bulk_modulus(ParameterSection &section)
 /// Young's modulus and Poisson's ratio -> shear and bulk modulus (equations 2.4, 2.5); returns mu.
 double read_elasticity(ParameterSection &section, const Model model, Material &material)
 {
-  const double young =
-      required(section, "Young's modulus", Dimensions::pressure,
-               "Young's modulus Y; of a viscoelastic solid the long-term one.", Range::positive());
+  const double young = required_entry(
+      section, "Young's modulus", Dimensions::pressure,
+      "Young's modulus Y; of a viscoelastic solid the long-term one.", Range::positive());
   const double nu =
-      required(section, "Poisson's ratio", Dimensions::none,
-               "Poisson's ratio nu; 0.5 is incompressible.", Range{-1., 0.5, true, false});
+      required_entry(section, "Poisson's ratio", Dimensions::none,
+                     "Poisson's ratio nu; 0.5 is incompressible.", Range{-1., 0.5, true, false});
   const double mu = young / (2. * (1. + nu));
   if (model == Model::plane_stress)
   {
@@ -139,8 +127,8 @@ Material newtonian(ParameterSection &section, const Model model)
   refuse_plane_stress(section, model);
   Material material;
   material.density = read_density(section);
-  material.viscosity = required(section, "Viscosity", Dimensions::viscosity,
-                                "Dynamic viscosity eta.", Range::not_negative());
+  material.viscosity = required_entry(section, "Viscosity", Dimensions::viscosity,
+                                      "Dynamic viscosity eta.", Range::not_negative());
   material.inverse_bulk_modulus = read_inverse_bulk_modulus(section);
   return material;
 }
@@ -158,10 +146,10 @@ Material kelvin_voigt(ParameterSection &section, const Model model)
 {
   refuse_plane_stress(section, model);
   Material material = hookean(section, model);
-  material.viscosity =
-      required(section, "Viscosity", Dimensions::viscosity,
-               "Viscosity eta of the dash pot beside the spring (stress 2 eta dev sym grad U).",
-               Range::not_negative());
+  material.viscosity = required_entry(
+      section, "Viscosity", Dimensions::viscosity,
+      "Viscosity eta of the dash pot beside the spring (stress 2 eta dev sym grad U).",
+      Range::not_negative());
   return material;
 }
 
@@ -172,10 +160,10 @@ Material maxwell(ParameterSection &section, const Model model)
   material.density = read_density(section);
   material.inverse_bulk_modulus = read_inverse_bulk_modulus(section);
   Branch branch;
-  branch.shear_modulus = required(section, "Shear modulus", Dimensions::pressure,
-                                  "Shear modulus mu.", Range::positive());
-  branch.relaxation_time = required(section, "Relaxation time", Dimensions::time,
-                                    "Relaxation time tau.", Range::positive());
+  branch.shear_modulus = required_entry(section, "Shear modulus", Dimensions::pressure,
+                                        "Shear modulus mu.", Range::positive());
+  branch.relaxation_time = required_entry(section, "Relaxation time", Dimensions::time,
+                                          "Relaxation time tau.", Range::positive());
   material.branches = {branch};
   const std::string volume = read_volumetric_relaxation(
       section, {volume_elastic, volume_as_shear},
@@ -270,7 +258,7 @@ Material power_law(ParameterSection &section, const Model model)
       section, {volume_elastic, volume_as_shear},
       "none - not at all, K is elastic; as the shear - Poisson's ratio is constant.");
   if (volume == volume_as_shear)
-    material.power_law_poissons_ratio = required(
+    material.power_law_poissons_ratio = required_entry(
         section, "Poisson's ratio", Dimensions::none,
         "Poisson's ratio nu, the same at all times and frequencies.", Range{0., 0.5, false, true});
   else
