@@ -1,0 +1,112 @@
+#ifndef continua_finite_volume_cell_mesh_h
+#define continua_finite_volume_cell_mesh_h
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+#include <deal.II/distributed/tria_base.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_dgq.h>
+
+#include <vector>
+
+namespace Continua
+{
+/// One cell as finite volumes see it. Areas and volumes are those of the body: in axisymmetry of
+/// the whole circumference, in a plane model per unit of depth.
+template <int dim>
+struct FiniteVolume
+{
+  typename dealii::DoFHandler<dim>::active_cell_iterator iterator;
+  unsigned int number = 0;   ///< global, by which ranks agree on a face's owner
+  dealii::Point<dim> centre; ///< centroid of the cell in its plane [m]
+  double volume = 0.;        ///< [m^3], in a plane model [m^2]
+  double plane_volume = 0.;  ///< without the factor 2 pi r of axisymmetry [m^2]; else = volume
+  double radius = 0.;        ///< of the centre, in axisymmetry [m]; else 0
+  unsigned int material_id = 0;
+  bool is_owned = false;
+  std::vector<unsigned int>
+      faces; ///< their numbers; of a ghost only those it shares with owned cells
+};
+
+/// One flat piece of surface between two cells or on the boundary; a face with hanging nodes is as
+/// many of them as it has finer cells on its other side.
+template <int dim>
+struct VolumeFace
+{
+  static constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
+
+  /// Local numbers; the owner is the cell with the smaller global number, on every rank. On the
+  /// boundary there is no neighbour.
+  unsigned int owner = none, neighbour = none;
+  unsigned int boundary_id = none; ///< of boundary faces
+  bool is_interface = false;       ///< between two materials
+  dealii::Point<dim> centre;       ///< [m]
+  dealii::Tensor<1, dim> normal;   ///< of unit length, out of the owner
+  double area = 0.;                ///< [m^2], in a plane model [m]; 0 on the axis
+  double plane_area = 0.;          ///< without the factor 2 pi r of axisymmetry [m]; else = area
+  /// From the owner's centre to the neighbour's, on the boundary to the face's centre [m].
+  dealii::Tensor<1, dim> distance;
+  /// Of the owner's value in linear interpolation to where that line meets the plane of the face
+  /// (equation 3.2); 0 on the boundary, where the face has its own value.
+  double owner_weight = 0.;
+
+  bool at_boundary() const { return neighbour == none; }
+  /// Whether the face has a value of its own: on the boundary and between two materials.
+  bool has_value() const { return at_boundary() || is_interface; }
+  /// The cell on one side, 0 the owner's and 1 the neighbour's.
+  unsigned int cell(const unsigned int side) const { return side == 0 ? owner : neighbour; }
+  /// Out of the cell on that side.
+  dealii::Tensor<1, dim> outward(const unsigned int side) const
+  {
+    return side == 0 ? normal : -1. * normal;
+  }
+  unsigned int n_sides() const { return at_boundary() ? 1 : 2; }
+};
+
+/**
+ * The active cells of a triangulation and the faces between them, measured once. The cells of this
+ * rank come first, then the ghosts; faces are those of this rank's cells, so that a face between
+ * two ranks is on both. Cells have straight edges (their vertices are on curved boundaries).
+ */
+template <int dim>
+class CellMesh
+{
+public:
+  CellMesh(dealii::parallel::TriangulationBase<dim> &triangulation, bool axisymmetric);
+
+  /// Measures the present mesh.
+  void build();
+
+  const std::vector<FiniteVolume<dim>> &cells() const { return volumes; }
+  const std::vector<VolumeFace<dim>> &faces() const { return surfaces; }
+  unsigned int n_owned_cells() const { return n_owned; }
+  bool is_axisymmetric() const { return axisymmetric; }
+  /// The local number of an active cell that is owned or a ghost.
+  unsigned int cell_number(const typename dealii::Triangulation<dim>::cell_iterator &cell) const;
+  /// Which side of a face a cell is on.
+  unsigned int side(const unsigned int face, const unsigned int cell) const
+  {
+    return surfaces[face].owner == cell ? 0 : 1;
+  }
+  MPI_Comm communicator() const { return triangulation.get_communicator(); }
+  /// Largest angle between a face's normal and the line of centres [1, its tangent], and largest
+  /// distance of a face's centre from that line over the length of the line: 0 on Cartesian meshes.
+  double non_orthogonality() const { return largest_non_orthogonality; }
+  double skewness() const { return largest_skewness; }
+
+  dealii::parallel::TriangulationBase<dim> &triangulation;
+  dealii::FE_DGQ<dim> element;       ///< of degree 0
+  dealii::DoFHandler<dim> cell_dofs; ///< its numbers are the cells' global ones
+
+private:
+  bool axisymmetric;
+  unsigned int n_owned = 0;
+  std::vector<FiniteVolume<dim>> volumes;
+  std::vector<VolumeFace<dim>> surfaces;
+  std::vector<unsigned int> local_numbers; ///< by active cell index
+  double largest_non_orthogonality = 0., largest_skewness = 0.;
+};
+} // namespace Continua
+
+#endif
