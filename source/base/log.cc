@@ -45,8 +45,9 @@ std::string duration_text(const double seconds)
 
 struct Log::Implementation
 {
-  explicit Implementation(const MPI_Comm communicator)
+  Implementation(const MPI_Comm communicator, const bool on_screen)
       : writes(dealii::Utilities::MPI::this_mpi_process(communicator) == 0),
+        on_screen(on_screen),
         // Open MPI's launcher gives rank 0 a terminal of its own, whether there is one behind it or
         // not.
         on_terminal(writes && isatty(STDOUT_FILENO) == 1 &&
@@ -90,6 +91,7 @@ struct Log::Implementation
   }
 
   const bool writes;
+  const bool on_screen;
   const bool on_terminal;
   const Clock::time_point start;
 
@@ -110,8 +112,8 @@ struct Log::Implementation
   dealii::TimerOutput timer;
 };
 
-Log::Log(const MPI_Comm communicator)
-    : implementation(std::make_unique<Implementation>(communicator))
+Log::Log(const MPI_Comm communicator, const bool on_screen)
+    : implementation(std::make_unique<Implementation>(communicator, on_screen))
 {
 }
 
@@ -139,7 +141,8 @@ void Log::line(const std::string &text)
 {
   if (!implementation->writes)
     return;
-  implementation->screen(text);
+  if (implementation->on_screen)
+    implementation->screen(text);
   implementation->to_file(text);
 }
 

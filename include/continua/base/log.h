@@ -21,7 +21,9 @@ namespace Continua
 class Log
 {
 public:
-  explicit Log(MPI_Comm communicator);
+  /// `on_screen` false: lines and warnings go to the file alone (one of several runs of an
+  /// analysis); the progress line stays.
+  explicit Log(MPI_Comm communicator, bool on_screen = true);
   ~Log();
   Log(const Log &) = delete;
   Log &operator=(const Log &) = delete;
