@@ -18,208 +18,34 @@ namespace Continua
 using namespace dealii;
 
 template <int dim>
-std::array<double, 6>
-stress(const Tensor<2, dim> &gradient, const double hoop, const double pressure, const Model model)
-{
-  std::array<double, 6> result = {{0., 0., 0., 0., 0., 0.}};
-  double diagonal[3] = {0., 0., 0.};
-  for (unsigned int c = 0; c < dim; ++c)
-    diagonal[c] = gradient[c][c];
-  if (model == Model::axisymmetric)
-    diagonal[2] = hoop;
-  const double mean = (diagonal[0] + diagonal[1] + diagonal[2]) / 3.;
-  for (unsigned int c = 0; c < 3; ++c)
-    result[c] = 2. * (diagonal[c] - mean) - pressure;
-  if (model == Model::plane_stress)
-    result[2] = 0.;
-  for (unsigned int k = 3; k < n_stresses<dim>(); ++k)
-    result[k] = gradient[stress_pairs[k][0]][stress_pairs[k][1]] +
-                gradient[stress_pairs[k][1]][stress_pairs[k][0]];
-  return result;
-}
-
-template <int dim>
-std::array<double, 6> strain(const Tensor<2, dim> &gradient,
-                             const double hoop,
-                             const Model model,
-                             const Material &material)
-{
-  std::array<double, 6> result = {{0., 0., 0., 0., 0., 0.}};
-  for (unsigned int c = 0; c < dim; ++c)
-    result[c] = gradient[c][c];
-  if (model == Model::axisymmetric)
-    result[2] = hoop;
-  if (model == Model::plane_stress)
-    result[2] = material.thickness_strain_factor * (result[0] + result[1]);
-  for (unsigned int k = 3; k < n_stresses<dim>(); ++k)
-    result[k] = 0.5 * (gradient[stress_pairs[k][0]][stress_pairs[k][1]] +
-                       gradient[stress_pairs[k][1]][stress_pairs[k][0]]);
-  return result;
-}
-
-template <int dim>
-Tensor<1, dim> traction(const std::array<double, 6> &stress, const Tensor<1, dim> &normal)
-{
-  Tensor<1, dim> result;
-  for (unsigned int k = 0; k < 6; ++k)
-  {
-    const unsigned int i = stress_pairs[k][0], j = stress_pairs[k][1];
-    if (i >= dim || j >= dim)
-      continue;
-    result[i] += stress[k] * normal[j];
-    if (i != j)
-      result[j] += stress[k] * normal[i];
-  }
-  return result;
-}
-
-/// Sums weights of any dofs over the ranks and keeps the owned ones.
-template <int dim>
-class FieldEvaluation<dim>::Collector
-{
-public:
-  Collector(const Space<dim> &space, const unsigned int n_regions)
-      : space(space),
-        velocity(space.velocity_vector()),
-        displacement(velocity),
-        pressure(space.pressure_vector()),
-        mixtures(n_regions, velocity)
-  {
-  }
-
-  void add_velocity(const Source source,
-                    const unsigned int region,
-                    const types::global_dof_index dof,
-                    const double weight)
-  {
-    DistributedVector &target =
-        source == Source::velocity
-            ? velocity
-            : (source == Source::displacement ? displacement : mixtures[region]);
-    space.velocity_hanging.distribute_local_to_global(dof, weight, target);
-  }
-  void add_pressure(const types::global_dof_index dof, const double weight)
-  {
-    space.pressure_hanging.distribute_local_to_global(dof, weight, pressure);
-  }
-  std::vector<Weights> finish(const double factor)
-  {
-    std::vector<Weights> all;
-    const auto keep = [&](const Source source, const unsigned int region, DistributedVector &vector)
-    {
-      vector.compress(VectorOperation::add);
-      Weights weights{source, region, {}, {}};
-      for (unsigned int i = 0; i < vector.locally_owned_size(); ++i)
-        if (vector.begin()[i] != 0.)
-        {
-          weights.indices.push_back(i);
-          weights.values.push_back(factor * vector.begin()[i]);
-        }
-      if (!weights.indices.empty())
-        all.push_back(weights);
-    };
-    keep(Source::velocity, 0, velocity);
-    keep(Source::displacement, 0, displacement);
-    keep(Source::pressure, 0, pressure);
-    for (unsigned int region = 0; region < mixtures.size(); ++region)
-      keep(Source::mixture, region, mixtures[region]);
-    return all;
-  }
-
-private:
-  const Space<dim> &space;
-  DistributedVector velocity, displacement, pressure;
-  std::vector<DistributedVector> mixtures;
-};
-
-template <int dim>
 FieldEvaluation<dim>::FieldEvaluation(const Space<dim> &space, const Problem &problem)
-    : space(space), problem(problem), definitions(field_list<dim>(problem.model))
+    : FieldProbes<dim>(problem), space(space)
 {
 }
 
 template <int dim>
-std::vector<FieldComponent> FieldEvaluation<dim>::fields(const Model model)
+ProbeWeights::Collector FieldEvaluation<dim>::collector() const
 {
-  std::vector<FieldComponent> list;
-  for (const FieldDefinition<dim> &field : field_list<dim>(model))
-    list.push_back(field.name);
-  return list;
+  return {space.velocity_vector(), space.pressure_vector(),
+          static_cast<unsigned int>(problem.regions.size())};
 }
 
 template <int dim>
-unsigned int FieldEvaluation<dim>::add(const ProbeRequest<dim> &request)
+double FieldEvaluation<dim>::add_point(const ProbeRequest<dim> &request,
+                                       const FieldDefinition<dim> &field,
+                                       Collector &collector) const
 {
-  const auto field = std::find_if(definitions.begin(), definitions.end(),
-                                  [&](const FieldDefinition<dim> &candidate)
-                                  { return candidate.name.name == request.field; });
-  if (field == definitions.end())
-    throw std::invalid_argument("there is no field '" + request.field + "'");
-  Probe probe{request, *field, {}};
-  build(probe);
-  probes.push_back(probe);
-  return probes.size() - 1;
-}
-
-template <int dim>
-void FieldEvaluation<dim>::rebuild()
-{
-  for (Probe &probe : probes)
-    build(probe);
-}
-
-template <int dim>
-void FieldEvaluation<dim>::build(Probe &probe) const
-{
-  using Kind = typename ProbeRequest<dim>::Kind;
-  Collector collector(space, problem.regions.size());
-  double measure = 0.;
-  switch (probe.request.kind)
-  {
-  case Kind::point:
-    measure = add_point(probe, collector);
-    if (measure == 0.)
-      throw std::invalid_argument("the point is not inside the mesh");
-    break;
-  case Kind::boundary_mean:
-  case Kind::boundary_integral:
-    measure = add_boundary(probe, collector);
-    if (measure == 0.)
-      throw std::invalid_argument("the boundary has no faces there");
-    break;
-  case Kind::section_mean:
-  case Kind::section_integral:
-  case Kind::rim_mean:
-    measure = add_section(probe, collector);
-    if (measure == 0.)
-      throw std::invalid_argument("a section without area");
-    break;
-  }
-  const bool integral =
-      probe.request.kind == Kind::boundary_integral || probe.request.kind == Kind::section_integral;
-  probe.weights = collector.finish(integral ? 1. : 1. / measure);
-}
-
-template <int dim>
-bool FieldEvaluation<dim>::counts(const ProbeRequest<dim> &request, const CellIterator &cell) const
-{
-  return request.region_ids.empty() || request.region_ids.count(cell->material_id()) > 0;
-}
-
-template <int dim>
-double FieldEvaluation<dim>::add_point(const Probe &probe, Collector &collector) const
-{
-  // Of all cells that hold the point, on whatever rank, the first by its identity: stress and
-  // pressure do not depend on the partition.
+  // Of all cells that hold the point, on whatever rank, the first by its
+  // identity: stress and pressure do not depend on the partition.
   CellIterator chosen;
   Point<dim> unit_point;
   CellId chosen_id;
   bool found = false;
   for (const auto &cell : space.triangulation.active_cell_iterators())
-    if (cell->is_locally_owned() && counts(probe.request, cell))
+    if (cell->is_locally_owned() && this->counts(request, cell->material_id()))
     {
       Point<dim> candidate;
-      if (cell_holds_point<dim>(space.mapping, cell, probe.request.point, candidate) &&
+      if (cell_holds_point<dim>(space.mapping, cell, request.point, candidate) &&
           (!found || cell->id() < chosen_id))
       {
         found = true;
@@ -238,12 +64,14 @@ double FieldEvaluation<dim>::add_point(const Probe &probe, Collector &collector)
       mine = false;
   }
   if (mine)
-    add_values(probe.field, chosen, Quadrature<dim>(unit_point), {1.}, collector);
+    add_values(field, chosen, Quadrature<dim>(unit_point), {1.}, collector);
   return anywhere ? 1. : 0.;
 }
 
 template <int dim>
-double FieldEvaluation<dim>::add_boundary(const Probe &probe, Collector &collector) const
+double FieldEvaluation<dim>::add_boundary(const ProbeRequest<dim> &request,
+                                          const FieldDefinition<dim> &field,
+                                          Collector &collector) const
 {
   const QGauss<dim - 1> quadrature(space.n_quadrature_points());
   FEFaceValues<dim> values(space.mapping, space.velocity_element, quadrature,
@@ -253,10 +81,9 @@ double FieldEvaluation<dim>::add_boundary(const Probe &probe, Collector &collect
                                         hp::QCollection<dim - 1>(quadrature), update_values);
   double area = 0.;
   for (const auto &cell : space.velocity_dofs.active_cell_iterators())
-    if (cell->is_locally_owned() && counts(probe.request, cell))
+    if (cell->is_locally_owned() && this->counts(request, cell->material_id()))
       for (const unsigned int f : cell->face_indices())
-        if (cell->face(f)->at_boundary() &&
-            cell->face(f)->boundary_id() == probe.request.boundary_id)
+        if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == request.boundary_id)
         {
           values.reinit(cell, f);
           pressure_values.reinit(
@@ -267,7 +94,7 @@ double FieldEvaluation<dim>::add_boundary(const Probe &probe, Collector &collect
           {
             const double weight = values.JxW(q) * space.measure(values.quadrature_point(q));
             area += weight;
-            add_value(probe.field, cell, values, pressure_values.get_present_fe_values(), q, weight,
+            add_value(field, cell, values, pressure_values.get_present_fe_values(), q, weight,
                       collector);
           }
         }
@@ -275,10 +102,12 @@ double FieldEvaluation<dim>::add_boundary(const Probe &probe, Collector &collect
 }
 
 template <int dim>
-double FieldEvaluation<dim>::add_section(const Probe &probe, Collector &collector) const
+double FieldEvaluation<dim>::add_section(const ProbeRequest<dim> &request,
+                                         const FieldDefinition<dim> &field,
+                                         Collector &collector) const
 {
-  const ProbeRequest<dim> &request = probe.request;
-  // One more Gauss point than on cells, since the integrand is not a polynomial in the plane.
+  // One more Gauss point than on cells, since the integrand is not a polynomial
+  // in the plane.
   const PlaneSection<dim> section(space.mapping, space.triangulation,
                                   PlaneSection<dim>::Cells::active, request.region_ids,
                                   request.point, request.normal, space.n_quadrature_points() + 1);
@@ -293,7 +122,7 @@ double FieldEvaluation<dim>::add_section(const Probe &probe, Collector &collecto
       weights[q] *= space.measure(part.points[q]);
       area += weights[q];
     }
-    add_values(probe.field, part.cell, part.quadrature, weights, collector);
+    add_values(field, part.cell, part.quadrature, weights, collector);
   }
   return Utilities::MPI::sum(area, space.communicator);
 }
@@ -345,17 +174,19 @@ void FieldEvaluation<dim>::add_value(const FieldDefinition<dim> &field,
     {
       const double factor = factors[space.velocity_element.system_to_component_index(i).first];
       if (factor != 0.)
-        collector.add_velocity(source, region, indices[i],
-                               weight * factor * values.shape_value(i, q));
+        space.velocity_hanging.distribute_local_to_global(
+            indices[i], weight * factor * values.shape_value(i, q), collector.weights(source));
     }
     return;
   }
   double pressure_weight = problem.materials[region].pressure_factor;
   if (field.quantity != Quantity::pressure)
   {
-    // The stress is linear in the mixture and the pressure, the strain in the displacement, so
-    // the weights are the stresses or strains of unit entries.
+    // The stress is linear in the mixture and the pressure, the strain in the
+    // displacement, so the weights are the stresses or strains of unit entries.
     const bool is_strain = field.quantity == Quantity::strain;
+    DistributedVector &target = is_strain ? collector.weights(Source::displacement)
+                                          : collector.weights(Source::mixture, region);
     const double r = space.is_axisymmetric() ? values.quadrature_point(q)[1] : 1.;
     for (unsigned int i = 0; i < indices.size(); ++i)
     {
@@ -369,8 +200,7 @@ void FieldEvaluation<dim>::add_value(const FieldDefinition<dim> &field,
           combine(is_strain ? strain<dim>(gradient, hoop, problem.model, problem.materials[region])
                             : stress<dim>(gradient, hoop, 0., problem.model));
       if (unit != 0.)
-        collector.add_velocity(is_strain ? Source::displacement : Source::mixture, region,
-                               indices[i], weight * unit);
+        space.velocity_hanging.distribute_local_to_global(indices[i], weight * unit, target);
     }
     if (is_strain)
       return;
@@ -381,63 +211,22 @@ void FieldEvaluation<dim>::add_value(const FieldDefinition<dim> &field,
   indices.resize(pressure_cell->get_fe().n_dofs_per_cell());
   pressure_cell->get_dof_indices(indices);
   for (unsigned int i = 0; i < indices.size(); ++i)
-    collector.add_pressure(indices[i],
-                           weight * pressure_weight * pressure_values.shape_value(i, q));
+    space.pressure_hanging.distribute_local_to_global(
+        indices[i], weight * pressure_weight * pressure_values.shape_value(i, q),
+        collector.weights(Source::pressure));
 }
 
 template <int dim>
-void FieldEvaluation<dim>::evaluate(const State<dim> &state, std::vector<double> &values) const
-{
-  sums.assign(probes.size(), 0.);
-  for (unsigned int p = 0; p < probes.size(); ++p)
-    for (const Weights &weights : probes[p].weights)
-    {
-      const auto add = [&](const double factor, const DistributedVector &vector)
-      {
-        const double *const entries = vector.begin();
-        double sum = 0.;
-        for (unsigned int i = 0; i < weights.indices.size(); ++i)
-          sum += weights.values[i] * entries[weights.indices[i]];
-        sums[p] += factor * sum;
-      };
-      switch (weights.source)
-      {
-      case Source::velocity:
-        add(1., state.velocity);
-        break;
-      case Source::displacement:
-        add(1., state.history.displacement());
-        break;
-      case Source::pressure:
-        add(1., state.pressure);
-        break;
-      case Source::mixture:
-        const Material &material = problem.materials[weights.region];
-        if (material.viscosity != 0.)
-          add(material.viscosity, state.velocity);
-        for (const Branch &branch : material.branches)
-          add(branch.shear_modulus, state.history.internal_displacement(branch.relaxation_time));
-        break;
-      }
-    }
-  values.resize(probes.size());
-  Utilities::MPI::sum(sums, space.communicator, values);
-}
-
-template <int dim>
-DistributedVector FieldEvaluation<dim>::ghosted_mixture(const State<dim> &state,
+DistributedVector FieldEvaluation<dim>::ghosted_mixture(const State &state,
                                                         const unsigned int region) const
 {
-  const Material &material = problem.materials[region];
   DistributedVector mixture = space.velocity_vector();
-  state.history.mix(region, mixture);
-  if (material.viscosity != 0.)
-    mixture.add(material.viscosity, state.velocity);
+  set_mixture(state, region, problem.materials[region], mixture);
   return space.ghosted_velocity(mixture);
 }
 
 template <int dim>
-double FieldEvaluation<dim>::error_norm(const State<dim> &state,
+double FieldEvaluation<dim>::error_norm(const State &state,
                                         const std::string &field,
                                         const std::vector<Expression> &exact,
                                         const double time) const
@@ -455,7 +244,8 @@ double FieldEvaluation<dim>::error_norm(const State<dim> &state,
     vectors.push_back(space.ghosted_velocity(field == "velocity" ? state.velocity
                                                                  : state.history.displacement()));
 
-  // Well above the degree of the fields, so that the number is the error and not the quadrature's.
+  // Well above the degree of the fields, so that the number is the error and
+  // not the quadrature's.
   const QGauss<dim> quadrature(space.degree() + 3);
   FEValues<dim> values(space.mapping, space.velocity_element, quadrature,
                        update_values | update_gradients | update_quadrature_points |
@@ -516,10 +306,6 @@ double FieldEvaluation<dim>::error_norm(const State<dim> &state,
   return std::sqrt(Utilities::MPI::sum(sum, space.communicator));
 }
 
-template std::array<double, 6> stress(const Tensor<2, 2> &, double, double, Model);
-template std::array<double, 6> stress(const Tensor<2, 3> &, double, double, Model);
-template Tensor<1, 2> traction(const std::array<double, 6> &, const Tensor<1, 2> &);
-template Tensor<1, 3> traction(const std::array<double, 6> &, const Tensor<1, 3> &);
 template class FieldEvaluation<2>;
 template class FieldEvaluation<3>;
 } // namespace Continua

@@ -36,8 +36,7 @@ FieldOutput<dim>::FieldOutput(const Space<dim> &space,
 }
 
 template <int dim>
-std::map<std::string, std::string> FieldOutput<dim>::add(const State<dim> &state,
-                                                         DataOut<dim> &data_out)
+std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, DataOut<dim> &data_out)
 {
   velocity = space.ghosted_velocity(state.velocity);
   displacement = space.ghosted_velocity(state.history.displacement());

@@ -86,8 +86,9 @@ PowerBalance PowerLedger<dim>::balance(const BalancedStep &step,
   std::vector<double> sums;
   sums.reserve(2 + 5 * operators.size());
 
-  // What the equations leave at the nodes - inertia + inner forces - loads - is the force that
-  // moves those of prescribed velocity; without such nodes nobody asks for it.
+  // What the equations leave at the nodes - inertia + inner forces - loads - is
+  // the force that moves those of prescribed velocity; without such nodes
+  // nobody asks for it.
   const bool reactions = !constraints.is_homogeneous();
   nodal_forces = 0.;
   loads.add(step.step.balance_time, nodal_forces);
@@ -164,7 +165,7 @@ PowerBalance PowerLedger<dim>::balance(const BalancedStep &step,
 }
 
 template <int dim>
-Energy PowerLedger<dim>::energy(const State<dim> &state, const BulkHistory &bulk_history)
+Energy PowerLedger<dim>::energy(const State &state, const BulkHistory &bulk_history)
 {
   const unsigned int n_regions = operators.size();
   std::vector<double> sums(1 + 2 * n_regions, 0.);

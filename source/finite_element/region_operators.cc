@@ -3,12 +3,8 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/hp/fe_values.h>
-#include <deal.II/lac/exceptions.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
-
-#include <Epetra_CrsMatrix.h>
-#include <Epetra_FEVector.h>
 
 namespace Continua
 {
@@ -16,7 +12,8 @@ using namespace dealii;
 
 namespace
 {
-/// Sparsity of the four matrices of every region, from that region's cells only.
+/// Sparsity of the four matrices of every region, from that region's cells
+/// only.
 template <int dim>
 void reinit_matrices(const Space<dim> &space, std::vector<RegionOperators> &operators)
 {
@@ -83,7 +80,8 @@ void assemble_region_operators(const Space<dim> &space, std::vector<RegionOperat
 {
   reinit_matrices(space, operators);
 
-  // The velocity's shape functions are those of one scalar element, once for each component.
+  // The velocity's shape functions are those of one scalar element, once for
+  // each component.
   const FE_Q<dim> scalar_element(space.degree());
   const QGauss<dim> quadrature(space.n_quadrature_points());
   FEValues<dim> values(space.mapping, scalar_element, quadrature,
@@ -188,22 +186,20 @@ void assemble_region_operators(const Space<dim> &space, std::vector<RegionOperat
   }
 }
 
-void multiply(const TrilinosWrappers::SparseMatrix &matrix,
-              DistributedVector &target,
-              const DistributedVector &source)
+std::vector<std::vector<unsigned int>> velocity_nodes(const std::vector<RegionOperators> &operators)
 {
-  const int status =
-      matrix.trilinos_matrix().Multiply(false, source.trilinos_vector(), target.trilinos_vector());
-  AssertThrow(status == 0, LACExceptions::ExcTrilinosError(status));
+  std::vector<std::vector<unsigned int>> nodes;
+  for (const RegionOperators &region : operators)
+    nodes.push_back(rows_with_entries(region.stiffness));
+  return nodes;
 }
 
-void multiply_transposed(const TrilinosWrappers::SparseMatrix &matrix,
-                         DistributedVector &target,
-                         const DistributedVector &source)
+std::vector<std::vector<unsigned int>> pressure_nodes(const std::vector<RegionOperators> &operators)
 {
-  const int status =
-      matrix.trilinos_matrix().Multiply(true, source.trilinos_vector(), target.trilinos_vector());
-  AssertThrow(status == 0, LACExceptions::ExcTrilinosError(status));
+  std::vector<std::vector<unsigned int>> nodes;
+  for (const RegionOperators &region : operators)
+    nodes.push_back(rows_with_entries(region.pressure_mass));
+  return nodes;
 }
 
 template void assemble_region_operators(const Space<2> &, std::vector<RegionOperators> &);

@@ -1,9 +1,9 @@
 #include <continua/finite_element/taylor_hood_solver.h>
 
 #include <continua/base/input_error.h>
+#include <continua/continuum/vector_archive.h>
 #include <continua/finite_element/initial_state.h>
 #include <continua/finite_element/traction_jump.h>
-#include <continua/finite_element/vector_archive.h>
 
 #include <deal.II/distributed/tria.h>
 
@@ -60,8 +60,8 @@ void TaylorHoodSolver<dim>::setup()
   for (const std::string &conflict : constraints.conflicts())
     log.warning(conflict);
   loads.build();
-  history.reinit(space, operators);
-  bulk_history.reinit(space, operators);
+  history.reinit(space.velocity_vector(), velocity_nodes(operators));
+  bulk_history.reinit(space.pressure_vector(), pressure_nodes(operators));
   system.reinit();
   outlets.build();
   power_ledger.reinit();
@@ -73,7 +73,8 @@ void TaylorHoodSolver<dim>::setup()
                                     &mass, &pressure_work, &mass_work})
     *vector = space.pressure_vector();
 
-  // A pressure that no compressible material touches follows from the constraint alone.
+  // A pressure that no compressible material touches follows from the
+  // constraint alone.
   DistributedVector compressible = space.pressure_vector();
   for (unsigned int region = 0; region < operators.size(); ++region)
     if (problem.materials[region].inverse_bulk_modulus > 0.)
@@ -185,8 +186,8 @@ StepReport TaylorHoodSolver<dim>::advance(const Step &step)
       constraints.evaluate(step.extrapolate ? step.time : step.balance_time, prescribed);
       if (step.extrapolate)
       {
-        // The end of the step has what is prescribed there, so its middle the mean of that and of
-        // the start.
+        // The end of the step has what is prescribed there, so its middle the
+        // mean of that and of the start.
         constraints.prescribed_part(velocity, balanced.prescribed);
         balanced.prescribed.sadd(0.5, 0.5, prescribed);
         outlets.leave_out_ports(balanced.prescribed);
@@ -269,8 +270,9 @@ void TaylorHoodSolver<dim>::set_extremes(const Step &step, StepReport &report) c
 template <int dim>
 void TaylorHoodSolver<dim>::extrapolate_pressure(const Step &step)
 {
-  // Where 1/K = 0 the pressure has no history: the balanced one belongs to the middle of the step,
-  // and the line through the last two of them leads to its end.
+  // Where 1/K = 0 the pressure has no history: the balanced one belongs to the
+  // middle of the step, and the line through the last two of them leads to its
+  // end.
   const double factor = (step.time - step.balance_time) / (step.balance_time - pressure_known_time);
   for (const unsigned int i : incompressible_pressures)
     pressure.begin()[i] = balanced.pressure.begin()[i] +
@@ -290,8 +292,9 @@ template <int dim>
 void TaylorHoodSolver<dim>::solve_steady(const double time)
 {
   AssertThrow(steady_is_direct(), ExcInternalError());
-  // A solid at rest: displacement for velocity, mu for alpha, 1/K for compressibility. A steady
-  // fluid has no dp/dt, so its compressibility plays no part.
+  // A solid at rest: displacement for velocity, mu for alpha, 1/K for
+  // compressibility. A steady fluid has no dp/dt, so its compressibility plays
+  // no part.
   const bool solid = !problem.materials.front().branches.empty();
   SystemCoefficients steady;
   for (const Material &material : problem.materials)
@@ -342,15 +345,15 @@ bool TaylorHoodSolver<dim>::data_jump(const double begin, const double end) cons
 }
 
 template <int dim>
-State<dim> TaylorHoodSolver<dim>::state() const
+State TaylorHoodSolver<dim>::state() const
 {
-  return State<dim>{velocity, pressure, history};
+  return State{velocity, pressure, history};
 }
 
 template <int dim>
 std::vector<FieldComponent> TaylorHoodSolver<dim>::fields() const
 {
-  return FieldEvaluation<dim>::fields(problem.model);
+  return field_names<dim>(problem.model);
 }
 
 template <int dim>

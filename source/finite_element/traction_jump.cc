@@ -51,7 +51,8 @@ public:
 
   using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
-  /// n.sigma of this cell with its own outward normal, on a face or on one of its children.
+  /// n.sigma of this cell with its own outward normal, on a face or on one of
+  /// its children.
   const std::vector<Tensor<1, dim>> &face(const Cell &cell, const unsigned int f)
   {
     face_values.reinit(cell, f);
@@ -119,7 +120,7 @@ template <int dim>
 void traction_jump_indicators(const Space<dim> &space,
                               const Problem &problem,
                               const FieldEvaluation<dim> &evaluation,
-                              const State<dim> &state,
+                              const State &state,
                               const std::vector<double> &outlet_pressures,
                               const double time,
                               Vector<float> &per_cell)
@@ -136,7 +137,8 @@ void traction_jump_indicators(const Space<dim> &space,
     for (const unsigned int region : condition.region_ids)
       condition_of[{condition.boundary_id, region}] = &condition;
 
-  // int |n.sigma + n'.sigma'|^2 over a face; the normals of the two sides are opposite.
+  // int |n.sigma + n'.sigma'|^2 over a face; the normals of the two sides are
+  // opposite.
   const auto jump =
       [&](const std::vector<Tensor<1, dim>> &one, const std::vector<Tensor<1, dim>> &other)
   {
@@ -207,14 +209,14 @@ void traction_jump_indicators(const Space<dim> &space,
 template void traction_jump_indicators(const Space<2> &,
                                        const Problem &,
                                        const FieldEvaluation<2> &,
-                                       const State<2> &,
+                                       const State &,
                                        const std::vector<double> &,
                                        double,
                                        Vector<float> &);
 template void traction_jump_indicators(const Space<3> &,
                                        const Problem &,
                                        const FieldEvaluation<3> &,
-                                       const State<3> &,
+                                       const State &,
                                        const std::vector<double> &,
                                        double,
                                        Vector<float> &);

@@ -1,7 +1,9 @@
-// Probes of fields that the spaces hold exactly: values, means, integrals and stresses, on hanging
-// nodes, at corners of cells and on either side of an interface.
+// Probes of fields that the spaces hold exactly: values, means, integrals and
+// stresses, on hanging nodes, at corners of cells and on either side of an
+// interface.
 
 #include <continua/finite_element/field_evaluation.h>
+#include <continua/finite_element/region_operators.h>
 #include <continua/finite_element/traction_jump.h>
 
 #include "../check.h"
@@ -49,7 +51,7 @@ struct Body
     space.distribute();
     std::vector<RegionOperators> operators(2);
     assemble_region_operators(space, operators);
-    history.reinit(space, operators);
+    history.reinit(space.velocity_vector(), velocity_nodes(operators));
     velocity = small_problem::interpolated<2>(
         space,
         [](const Point<2> &x) {
@@ -97,7 +99,7 @@ struct Body
   {
     const unsigned int number = evaluation.add(request);
     std::vector<double> values;
-    evaluation.evaluate(State<2>{velocity, pressure, history}, values);
+    evaluation.evaluate(State{velocity, pressure, history}, values);
     return values.at(number);
   }
 
@@ -109,8 +111,8 @@ struct Body
   DistributedVector velocity, pressure;
 };
 
-/// About the x axis in three dimensions: a box with the corner (0, 1, 1), v = (y, y, z), so that
-/// the radial velocity is r; fluid with eta = 2.
+/// About the x axis in three dimensions: a box with the corner (0, 1, 1), v =
+/// (y, y, z), so that the radial velocity is r; fluid with eta = 2.
 void test_three_dimensions()
 {
   small_problem::Mesh<3> mesh(MPI_COMM_WORLD);
@@ -124,7 +126,7 @@ void test_three_dimensions()
   BranchHistory history(problem.materials);
   std::vector<RegionOperators> operators(1);
   assemble_region_operators(space, operators);
-  history.reinit(space, operators);
+  history.reinit(space.velocity_vector(), velocity_nodes(operators));
   FieldEvaluation<3> evaluation(space, problem);
   const DistributedVector velocity =
       small_problem::interpolated<3>(space,
@@ -143,7 +145,7 @@ void test_three_dimensions()
     request.normal = normal;
     const unsigned int number = evaluation.add(request);
     std::vector<double> values;
-    evaluation.evaluate(State<3>{velocity, pressure, history}, values);
+    evaluation.evaluate(State{velocity, pressure, history}, values);
     return values.at(number);
   };
   using Kind = ProbeRequest<3>::Kind;
@@ -184,8 +186,8 @@ int main(int argc, char **argv)
     check::relative("pressure, left of the interface", body.probe("pressure", {2., 1.5}, 0), 2.,
                     1e-13);
     check::relative("pressure, right of it", body.probe("pressure", {2., 1.5}, 1), 102., 1e-13);
-    // Region one: w = 3 D, grad D = (y, x; 0, 4); at (1, 0.5) e = (0.5, 4), e_xy = 0.5, tr / 3
-    // = 1.5.
+    // Region one: w = 3 D, grad D = (y, x; 0, 4); at (1, 0.5) e = (0.5, 4),
+    // e_xy = 0.5, tr / 3 = 1.5.
     check::relative("stress xx of the solid", body.probe("stress xx", {1., 0.5}),
                     6. * (0.5 - 1.5) - 1., 1e-12);
     check::relative("stress yy of the solid", body.probe("stress yy", {1., 0.5}), 6. * 2.5 - 1.,
@@ -201,7 +203,8 @@ int main(int argc, char **argv)
     check::relative("integral on the right", body.on_boundary("velocity x", 1, false), 24., 1e-13);
     check::relative("mean pressure on the right", body.on_boundary("pressure", 1, true), 104.,
                     1e-13);
-    // The plane is moved by 1e-9 of the body's extent. At x = 3 there are hanging nodes.
+    // The plane is moved by 1e-9 of the body's extent. At x = 3 there are
+    // hanging nodes.
     using Kind = ProbeRequest<2>::Kind;
     check::relative("integral over a section",
                     body.on_section(Kind::section_integral, "velocity x", 2.5), 2. * 9., 1e-8);
@@ -250,7 +253,7 @@ int main(int argc, char **argv)
         },
         "vorticity");
     Body error_body(Model::plane_strain);
-    const State<2> state{error_body.velocity, error_body.pressure, error_body.history};
+    const State state{error_body.velocity, error_body.pressure, error_body.history};
     const std::vector<Expression> exact = {Expression("1+2*x+3*y", Dimensions::none),
                                            Expression("5*y+0.5", Dimensions::none)};
     // Off by 0.5 everywhere on an area of 8.
@@ -283,7 +286,8 @@ int main(int argc, char **argv)
                     tube.on_section(Kind::rim_mean, "wall shear stress", 2.5), -6., 1e-8);
   }
   {
-    // A pressure of 2 in region one and 5 in region two, at rest: the traction jumps by 3 at x = 2.
+    // A pressure of 2 in region one and 5 in region two, at rest: the traction
+    // jumps by 3 at x = 2.
     Body body(Model::plane_strain);
     body.velocity = 0.;
     body.history.displacement() = 0.;
@@ -293,7 +297,7 @@ int main(int argc, char **argv)
     const std::vector<double> no_outlets(body.problem.conditions.size(), 0.);
     Vector<float> indicators;
     traction_jump_indicators(body.space, body.problem, body.evaluation,
-                             State<2>{body.velocity, body.pressure, body.history}, no_outlets, 0.,
+                             State{body.velocity, body.pressure, body.history}, no_outlets, 0.,
                              indicators);
     double largest_elsewhere = 0., coarse = 0., fine = 0.;
     for (const auto &cell : body.mesh.active_cell_iterators())
@@ -317,7 +321,7 @@ int main(int argc, char **argv)
     std::vector<RegionOperators> operators(2);
     assemble_region_operators(body.space, operators);
     BranchHistory history(body.problem.materials);
-    history.reinit(body.space, operators);
+    history.reinit(body.space.velocity_vector(), velocity_nodes(operators));
     body.pressure = small_problem::interpolated_pressure<2>(
         body.space, [](const Point<2> &, unsigned int) { return 7.; });
     history.displacement() =
@@ -326,7 +330,7 @@ int main(int argc, char **argv)
                                          return Tensor<1, 2>({x[0] + 2. * x[1], 3. * x[0]});
                                        });
     traction_jump_indicators(body.space, body.problem, body.evaluation,
-                             State<2>{body.velocity, body.pressure, history}, no_outlets, 0.,
+                             State{body.velocity, body.pressure, history}, no_outlets, 0.,
                              indicators);
     check::absolute("linear state", indicators.linfty_norm(), 0., 1e-5);
   }

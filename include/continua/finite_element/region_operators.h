@@ -2,6 +2,7 @@
 #define continua_finite_element_region_operators_h
 
 #include <continua/finite_element/space.h>
+#include <continua/linear_algebra/matrix_product.h>
 
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
@@ -10,17 +11,18 @@
 namespace Continua
 {
 /**
- * The matrices of one region, free of material data and time step; with the hanging nodes of the
- * mesh condensed and no boundary condition in them. u, v are velocities (or internal
- * displacements), p, q pressures:
+ * The matrices of one region, free of material data and time step; with the
+ * hanging nodes of the mesh condensed and no boundary condition in them. u, v
+ * are velocities (or internal displacements), p, q pressures:
  *
  *   mass             int v . u
  *   stiffness        int 2 dev sym grad v : dev sym grad u
  *   divergence       int q div u               (rows: pressure)
  *   pressure_mass    int q p
  *
- * dev takes a third of the three-dimensional trace off, in axisymmetry with the hoop strain u_r /
- * r; integrals in axisymmetry are over the whole circumference.
+ * dev takes a third of the three-dimensional trace off, in axisymmetry with the
+ * hoop strain u_r / r; integrals in axisymmetry are over the whole
+ * circumference.
  */
 struct RegionOperators
 {
@@ -34,14 +36,11 @@ struct RegionOperators
 template <int dim>
 void assemble_region_operators(const Space<dim> &space, std::vector<RegionOperators> &operators);
 
-/// target = matrix source, on owned entries: as deal.II's vmult, which allocates in every call.
-void multiply(const dealii::TrilinosWrappers::SparseMatrix &matrix,
-              DistributedVector &target,
-              const DistributedVector &source);
-/// target = matrix^T source.
-void multiply_transposed(const dealii::TrilinosWrappers::SparseMatrix &matrix,
-                         DistributedVector &target,
-                         const DistributedVector &source);
+/// Local indices of the velocity and the pressure dofs of each region.
+std::vector<std::vector<unsigned int>>
+velocity_nodes(const std::vector<RegionOperators> &operators);
+std::vector<std::vector<unsigned int>>
+pressure_nodes(const std::vector<RegionOperators> &operators);
 } // namespace Continua
 
 #endif

@@ -1,4 +1,4 @@
-#include <continua/finite_element/vector_archive.h>
+#include <continua/continuum/vector_archive.h>
 
 #include <continua/base/input_error.h>
 

@@ -1,7 +1,7 @@
-#include <continua/finite_element/bulk_history.h>
-#include <continua/finite_element/vector_archive.h>
+#include <continua/continuum/bulk_history.h>
+#include <continua/continuum/vector_archive.h>
 
-#include <Epetra_CrsMatrix.h>
+#include <deal.II/base/exceptions.h>
 
 namespace Continua
 {
@@ -10,18 +10,16 @@ BulkHistory::BulkHistory(const std::vector<Material> &materials)
 {
 }
 
-template <int dim>
-void BulkHistory::reinit(const Space<dim> &space, const std::vector<RegionOperators> &operators)
+void BulkHistory::reinit(const DistributedVector &prototype,
+                         const std::vector<std::vector<unsigned int>> &nodes_of_regions)
 {
+  AssertDimension(nodes_of_regions.size(), of_region.size());
   for (unsigned int r = 0; r < of_region.size(); ++r)
     if (has(r))
     {
       Region &region = of_region[r];
-      region.nodes.clear();
-      for (unsigned int i = 0; i < space.pressure_owned.n_elements(); ++i)
-        if (operators[r].pressure_mass.trilinos_matrix().NumMyEntries(i) > 0)
-          region.nodes.push_back(i);
-      region.rate = space.pressure_vector();
+      region.nodes = nodes_of_regions[r];
+      region.rate.reinit(prototype);
       region.balanced_rate = region.rate;
       region.dilatations.assign(materials[r].bulk_branches.size(), {region.rate, region.rate});
     }
@@ -167,7 +165,4 @@ void BulkHistory::load(const ArchiveReader &archive)
   for_state(of_region, [&archive](const std::string &name, DistributedVector &vector)
             { load_vector(archive, name, vector); });
 }
-
-template void BulkHistory::reinit(const Space<2> &, const std::vector<RegionOperators> &);
-template void BulkHistory::reinit(const Space<3> &, const std::vector<RegionOperators> &);
 } // namespace Continua

@@ -1,4 +1,4 @@
-#include <continua/finite_element/field_list.h>
+#include <continua/continuum/field_list.h>
 
 #include <cmath>
 
@@ -18,7 +18,8 @@ std::array<double, 6> FieldDefinition<dim>::factors(const dealii::Point<dim> &po
     result[component] = 1.;
     return result;
   }
-  // e_r = (0, c, s) and e_theta = (0, -s, c); in axisymmetry e_r = e_y, and z goes round the axis.
+  // e_r = (0, c, s) and e_theta = (0, -s, c); in axisymmetry e_r = e_y, and z
+  // goes round the axis.
   const double r = dim == 3 ? std::hypot(point[1], point[dim - 1]) : 0.;
   const double c = r > 0. ? point[1] / r : 1., s = r > 0. ? point[dim - 1] / r : 0.;
   switch (combination)
@@ -72,8 +73,19 @@ std::vector<FieldDefinition<dim>> field_list(const Model model)
   return list;
 }
 
+template <int dim>
+std::vector<FieldComponent> field_names(const Model model)
+{
+  std::vector<FieldComponent> names;
+  for (const FieldDefinition<dim> &field : field_list<dim>(model))
+    names.push_back(field.name);
+  return names;
+}
+
 template struct FieldDefinition<2>;
 template struct FieldDefinition<3>;
 template std::vector<FieldDefinition<2>> field_list(Model);
 template std::vector<FieldDefinition<3>> field_list(Model);
+template std::vector<FieldComponent> field_names<2>(Model);
+template std::vector<FieldComponent> field_names<3>(Model);
 } // namespace Continua

@@ -1,12 +1,16 @@
-// Internal displacements over a step against the update worked out by hand, what they are mixed to,
-// and where they live.
+// Internal displacements over a step against the update worked out by hand,
+// what they are mixed to, and where they live.
 
-#include <continua/finite_element/branch_history.h>
+#include <continua/continuum/branch_history.h>
 
 #include "../check.h"
-#include "small_problem.h"
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/base/mpi.h>
 
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 using namespace Continua;
 using namespace dealii;
@@ -14,16 +18,12 @@ using namespace dealii;
 int main(int argc, char **argv)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  // Three unit squares in a row: two solids with a branch of 0.5 s in common, one of them with a
-  // spring besides; and a fluid.
-  small_problem::Mesh<2> mesh(MPI_COMM_WORLD);
-  small_problem::make_box<2>(mesh, {3, 1});
-  for (const auto &cell : mesh.active_cell_iterators())
-    cell->set_material_id(static_cast<unsigned int>(cell->center()[0]));
-  Space<2> space(mesh, SpaceParameters(), Model::plane_strain, 3);
-  space.distribute();
-  std::vector<RegionOperators> operators(3);
-  assemble_region_operators(space, operators);
+  // Three squares in a row, seven columns of three nodes: two solids with a
+  // branch of 0.5 s in common, one of them with a spring besides; and a fluid.
+  const DistributedVector prototype(complete_index_set(42), MPI_COMM_WORLD);
+  std::vector<std::vector<unsigned int>> nodes(3, std::vector<unsigned int>(18));
+  for (unsigned int region = 0; region < 3; ++region)
+    std::iota(nodes[region].begin(), nodes[region].end(), 12 * region);
 
   const double infinite = std::numeric_limits<double>::infinity();
   std::vector<Material> materials(3);
@@ -31,10 +31,10 @@ int main(int argc, char **argv)
   materials[1].branches = {Branch{11., 0.5}};
   materials[2].viscosity = 1.;
   BranchHistory history(materials);
-  history.reinit(space, operators);
+  history.reinit(prototype, nodes);
   check::is_true("equal relaxation times share a vector", history.vectors().size() == 2 * 2);
 
-  DistributedVector velocity = space.velocity_vector(), mixture = velocity, work = velocity;
+  DistributedVector velocity = prototype, mixture = velocity, work = velocity;
   velocity = 2.;
   const Step step = euler_step(0., 0.25, Update::implicit);
   check::is_true("a fluid has no force of branches", !history.predict(2, step, velocity, mixture));
@@ -43,7 +43,8 @@ int main(int argc, char **argv)
   check::absolute("displacement", history.displacement().linfty_norm(), 0.5, 1e-15);
   check::absolute("branch that relaxes", history.internal_displacement(0.5).linfty_norm(), 1. / 3.,
                   1e-15);
-  // The displacement is everywhere, in 7 x 3 nodes; the branch in two of three cells, 5 x 3 nodes.
+  // The displacement is everywhere, in 7 x 3 nodes; the branch in two of three
+  // cells, 5 x 3 nodes.
   check::absolute("nodes with a displacement", history.displacement().l1_norm() / 0.5, 42., 1e-12);
   check::absolute("nodes with the branch", history.internal_displacement(0.5).l1_norm() * 3., 30.,
                   1e-12);
@@ -57,8 +58,8 @@ int main(int argc, char **argv)
                   7. * 0.25 + 3. * 0.25 / 1.5, 1e-15);
   check::absolute("of a fluid", BranchHistory::step_stiffness(materials[2], step), 0., 0.);
 
-  // A Crank-Nicolson step from there with U = 2 throughout: D + dt U, and (D + h U)/(1 + h/tau)
-  // twice that minus D.
+  // A Crank-Nicolson step from there with U = 2 throughout: D + dt U, and (D +
+  // h U)/(1 + h/tau) twice that minus D.
   const Step half = crank_nicolson_step(0.25, 0.25);
   const double known = 1. / 3. / (1. + 0.125 / 0.5);
   const double middle = (1. / 3. + 0.125 * 2.) / (1. + 0.125 / 0.5);
@@ -75,8 +76,8 @@ int main(int argc, char **argv)
   history.forgotten_velocity(0.5, half, velocity, work);
   check::absolute("forgotten: D / tau", work.linfty_norm(), middle / 0.5, 1e-14);
 
-  // Long steps that average take the exponential update, and say so; it is exact for a constant
-  // velocity: D_new = exp(-x) D + tau (1 - exp(-x)) U.
+  // Long steps that average take the exponential update, and say so; it is
+  // exact for a constant velocity: D_new = exp(-x) D + tau (1 - exp(-x)) U.
   check::is_true("a slow branch is not exponential", history.exponential_branches(half).empty());
   const Step long_step = crank_nicolson_step(0.5, 5.);
   check::is_true("a fast one is", history.exponential_branches(long_step).size() == 1);
@@ -88,7 +89,8 @@ int main(int argc, char **argv)
   history.forgotten_velocity(0.5, long_step, velocity, work);
   check::absolute("forgotten in it", work.linfty_norm(), 2. - (after - before) / 5., 1e-14);
 
-  // What is set from outside, after a change of the mesh, is what the next step starts from.
+  // What is set from outside, after a change of the mesh, is what the next step
+  // starts from.
   *history.vectors()[2] = 0.25;
   mixture = 0.;
   history.predict(1, euler_step(5.5, 0.5, Update::implicit), velocity, mixture);

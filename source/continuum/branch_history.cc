@@ -1,9 +1,7 @@
-#include <continua/finite_element/branch_history.h>
-#include <continua/finite_element/vector_archive.h>
+#include <continua/continuum/branch_history.h>
+#include <continua/continuum/vector_archive.h>
 
 #include <deal.II/base/exceptions.h>
-
-#include <Epetra_CrsMatrix.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +44,8 @@ struct Weights
   double present, older;
 };
 
-/// Carries one branch to the end of the step, at n places; `next` holds what is two steps old.
+/// Carries one branch to the end of the step, at n places; `next` holds what is
+/// two steps old.
 void advance_entries(const BranchCoefficients &c,
                      const bool extrapolate,
                      const std::size_t n,
@@ -55,7 +54,8 @@ void advance_entries(const BranchCoefficients &c,
                      const double *const present,
                      double *const next)
 {
-  // Of the end of the step: twice the balanced level less the start, or that level.
+  // Of the end of the step: twice the balanced level less the start, or that
+  // level.
   const double scale = extrapolate ? 2. : 1.;
   const double of_balanced = scale * c.velocity, of_start = scale * c.velocity_old,
                of_present = scale * c.old - (extrapolate ? 1. : 0.), of_older = scale * c.older;
@@ -93,17 +93,14 @@ BranchHistory::BranchHistory(const std::vector<Material> &materials) : materials
   }
 }
 
-template <int dim>
-void BranchHistory::reinit(const Space<dim> &space, const std::vector<RegionOperators> &operators)
+void BranchHistory::reinit(const DistributedVector &prototype,
+                           const std::vector<std::vector<unsigned int>> &nodes_of_regions)
 {
-  const unsigned int n_dofs = space.velocity_owned.n_elements();
+  AssertDimension(nodes_of_regions.size(), regions.size());
   for (unsigned int number = 0; number < regions.size(); ++number)
   {
     Region &region = regions[number];
-    region.nodes.clear();
-    for (unsigned int i = 0; i < n_dofs; ++i)
-      if (operators[number].stiffness.trilinos_matrix().NumMyEntries(i) > 0)
-        region.nodes.push_back(i);
+    region.nodes = nodes_of_regions[number];
     region.sum.assign(region.nodes.size(), 0.);
     for (NodalBranch &branch : region.branches)
     {
@@ -113,7 +110,7 @@ void BranchHistory::reinit(const Space<dim> &space, const std::vector<RegionOper
   }
   for (Branch &branch : branches)
   {
-    branch.present = space.velocity_vector();
+    branch.present.reinit(prototype);
     branch.older = branch.present;
   }
   vectors_are_current = nodes_are_current = true;
@@ -351,7 +348,4 @@ void BranchHistory::load(const ArchiveReader &archive)
   vectors_are_current = true;
   nodes_are_current = false;
 }
-
-template void BranchHistory::reinit(const Space<2> &, const std::vector<RegionOperators> &);
-template void BranchHistory::reinit(const Space<3> &, const std::vector<RegionOperators> &);
 } // namespace Continua

@@ -1,0 +1,28 @@
+#ifndef continua_continuum_state_h
+#define continua_continuum_state_h
+
+#include <continua/continuum/branch_history.h>
+#include <continua/linear_algebra/distributed_vector.h>
+#include <continua/materials/material.h>
+
+namespace Continua
+{
+/// The vectors that a field is computed from, at the present time; owned
+/// entries.
+struct State
+{
+  const DistributedVector &velocity; ///< [m/s]
+  const DistributedVector &pressure; ///< [Pa]
+  const BranchHistory &history;
+};
+
+/// Sets `mixture` to w = eta U + sum_k mu_k D_k of a region's material [Pa m],
+/// of whose gradient its stress is made; outside the region it is 0 or means
+/// nothing.
+void set_mixture(const State &state,
+                 unsigned int region,
+                 const Material &material,
+                 DistributedVector &mixture);
+} // namespace Continua
+
+#endif

@@ -1,0 +1,52 @@
+#ifndef continua_continuum_stress_and_strain_h
+#define continua_continuum_stress_and_strain_h
+
+#include <continua/materials/material.h>
+#include <continua/materials/model.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <array>
+
+namespace Continua
+{
+/// The components of a stress or strain as (i, j): xx, yy, zz, xy, and in three
+/// dimensions xz, yz.
+inline constexpr unsigned int stress_pairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
+
+/// The number of components that exist in the model: 4 in two dimensions,
+/// else 6.
+template <int dim>
+constexpr unsigned int n_stresses()
+{
+  return dim == 2 ? 4 : 6;
+}
+
+/**
+ * Stress of a material from the gradient of its mixture w = eta U + sum_k mu_k
+ * D_k, since s = 2 dev sym grad w: xx, yy, zz, xy, and in three dimensions xz,
+ * yz. zz is the hoop stress in axisymmetry, the stress across the plane in
+ * plane strain, 0 in plane stress. [Pa]
+ */
+template <int dim>
+std::array<double, 6> stress(const dealii::Tensor<2, dim> &mixture_gradient,
+                             double mixture_hoop,
+                             double pressure,
+                             Model model);
+
+/// Strain of the displacement from its gradient, in the same order, xy the half
+/// of the shear angle. zz is the hoop strain in axisymmetry, 0 in plane strain,
+/// and in plane stress what keeps sigma_zz zero. [1]
+template <int dim>
+std::array<double, 6> strain(const dealii::Tensor<2, dim> &displacement_gradient,
+                             double hoop,
+                             Model model,
+                             const Material &material);
+
+/// n.sigma from the stress [Pa].
+template <int dim>
+dealii::Tensor<1, dim> traction(const std::array<double, 6> &stress,
+                                const dealii::Tensor<1, dim> &normal);
+} // namespace Continua
+
+#endif

@@ -1,0 +1,15 @@
+#include <continua/continuum/state.h>
+
+namespace Continua
+{
+void set_mixture(const State &state,
+                 const unsigned int region,
+                 const Material &material,
+                 DistributedVector &mixture)
+{
+  mixture = 0.;
+  state.history.mix(region, mixture);
+  if (material.viscosity != 0.)
+    mixture.add(material.viscosity, state.velocity);
+}
+} // namespace Continua

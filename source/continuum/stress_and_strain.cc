@@ -1,0 +1,69 @@
+#include <continua/continuum/stress_and_strain.h>
+
+namespace Continua
+{
+using namespace dealii;
+
+template <int dim>
+std::array<double, 6>
+stress(const Tensor<2, dim> &gradient, const double hoop, const double pressure, const Model model)
+{
+  std::array<double, 6> result = {{0., 0., 0., 0., 0., 0.}};
+  double diagonal[3] = {0., 0., 0.};
+  for (unsigned int c = 0; c < dim; ++c)
+    diagonal[c] = gradient[c][c];
+  if (model == Model::axisymmetric)
+    diagonal[2] = hoop;
+  const double mean = (diagonal[0] + diagonal[1] + diagonal[2]) / 3.;
+  for (unsigned int c = 0; c < 3; ++c)
+    result[c] = 2. * (diagonal[c] - mean) - pressure;
+  if (model == Model::plane_stress)
+    result[2] = 0.;
+  for (unsigned int k = 3; k < n_stresses<dim>(); ++k)
+    result[k] = gradient[stress_pairs[k][0]][stress_pairs[k][1]] +
+                gradient[stress_pairs[k][1]][stress_pairs[k][0]];
+  return result;
+}
+
+template <int dim>
+std::array<double, 6> strain(const Tensor<2, dim> &gradient,
+                             const double hoop,
+                             const Model model,
+                             const Material &material)
+{
+  std::array<double, 6> result = {{0., 0., 0., 0., 0., 0.}};
+  for (unsigned int c = 0; c < dim; ++c)
+    result[c] = gradient[c][c];
+  if (model == Model::axisymmetric)
+    result[2] = hoop;
+  if (model == Model::plane_stress)
+    result[2] = material.thickness_strain_factor * (result[0] + result[1]);
+  for (unsigned int k = 3; k < n_stresses<dim>(); ++k)
+    result[k] = 0.5 * (gradient[stress_pairs[k][0]][stress_pairs[k][1]] +
+                       gradient[stress_pairs[k][1]][stress_pairs[k][0]]);
+  return result;
+}
+
+template <int dim>
+Tensor<1, dim> traction(const std::array<double, 6> &stress, const Tensor<1, dim> &normal)
+{
+  Tensor<1, dim> result;
+  for (unsigned int k = 0; k < 6; ++k)
+  {
+    const unsigned int i = stress_pairs[k][0], j = stress_pairs[k][1];
+    if (i >= dim || j >= dim)
+      continue;
+    result[i] += stress[k] * normal[j];
+    if (i != j)
+      result[j] += stress[k] * normal[i];
+  }
+  return result;
+}
+
+template std::array<double, 6> stress(const Tensor<2, 2> &, double, double, Model);
+template std::array<double, 6> stress(const Tensor<2, 3> &, double, double, Model);
+template std::array<double, 6> strain(const Tensor<2, 2> &, double, Model, const Material &);
+template std::array<double, 6> strain(const Tensor<2, 3> &, double, Model, const Material &);
+template Tensor<1, 2> traction(const std::array<double, 6> &, const Tensor<1, 2> &);
+template Tensor<1, 3> traction(const std::array<double, 6> &, const Tensor<1, 3> &);
+} // namespace Continua
