@@ -26,8 +26,7 @@ void GeneralParameters::read(ParameterSection root)
   }
   root.add_choice("Analysis", analysis, names, text);
   root.add_choice("Model", model, model_names(),
-                  "The kinematics: plane strain, plane stress (Hookean solids "
-                  "only), axisymmetric "
+                  "The kinematics: plane strain, plane stress (Hookean solids only), axisymmetric "
                   "(x axial, y radial), "
                   "three-dimensional.");
   root.add_choice("Discretisation", discretisation, {"taylor hood"},
@@ -39,12 +38,10 @@ void GeneralParameters::read(ParameterSection root)
 void RestParameters::read(ParameterSection section)
 {
   section.add("Time step", time_step, Dimensions::time,
-              "Backward Euler step by which a body of fluid and solid is "
-              "brought to rest.",
+              "Backward Euler step by which a body of fluid and solid is brought to rest.",
               Range::positive());
   section.add("Tolerance", tolerance, Dimensions::none,
-              "At rest when the velocity changes in a step by less than this "
-              "fraction of the "
+              "At rest when the velocity changes in a step by less than this fraction of the "
               "largest velocity so far.",
               Range::positive());
   section.add("Maximum steps", maximum_steps, "Steps after which the run gives up [1].", 1);
@@ -127,12 +124,10 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator, const bool res
   problem.conditions = read_boundary_conditions(root.subsection("Boundaries"), problem.boundaries,
                                                 problem.regions, pairs, dim, axisymmetric);
 
-  // Before the checks across entries: a misspelt key is the likelier reason for
-  // them to fail.
+  // Before the checks across entries: a misspelt key is the likelier reason for them to fail.
   file.refuse_unknown();
   check_case(*this, root);
-  // Wave theory takes the laws themselves, and a run that goes on has its
-  // branches in a checkpoint.
+  // Wave theory takes the laws themselves, and a run that goes on has its branches in a checkpoint.
   if (general.analysis == "transient" && !restart)
     power_laws.fit(problem, time, materials);
   set_flow_profiles(problem.conditions, root.subsection("Boundaries"), *triangulation,

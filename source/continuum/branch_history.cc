@@ -44,8 +44,7 @@ struct Weights
   double present, older;
 };
 
-/// Carries one branch to the end of the step, at n places; `next` holds what is
-/// two steps old.
+/// Carries one branch to the end of the step, at n places; `next` holds what is two steps old.
 void advance_entries(const BranchCoefficients &c,
                      const bool extrapolate,
                      const std::size_t n,
@@ -54,8 +53,7 @@ void advance_entries(const BranchCoefficients &c,
                      const double *const present,
                      double *const next)
 {
-  // Of the end of the step: twice the balanced level less the start, or that
-  // level.
+  // Of the end of the step: twice the balanced level less the start, or that level.
   const double scale = extrapolate ? 2. : 1.;
   const double of_balanced = scale * c.velocity, of_start = scale * c.velocity_old,
                of_present = scale * c.old - (extrapolate ? 1. : 0.), of_older = scale * c.older;

@@ -18,8 +18,7 @@ std::array<double, 6> FieldDefinition<dim>::factors(const dealii::Point<dim> &po
     result[component] = 1.;
     return result;
   }
-  // e_r = (0, c, s) and e_theta = (0, -s, c); in axisymmetry e_r = e_y, and z
-  // goes round the axis.
+  // e_r = (0, c, s) and e_theta = (0, -s, c); in axisymmetry e_r = e_y, and z goes round the axis.
   const double r = dim == 3 ? std::hypot(point[1], point[dim - 1]) : 0.;
   const double c = r > 0. ? point[1] / r : 1., s = r > 0. ? point[dim - 1] / r : 0.;
   switch (combination)

@@ -35,8 +35,8 @@ double FieldEvaluation<dim>::add_point(const ProbeRequest<dim> &request,
                                        const FieldDefinition<dim> &field,
                                        Collector &collector) const
 {
-  // Of all cells that hold the point, on whatever rank, the first by its
-  // identity: stress and pressure do not depend on the partition.
+  // Of all cells that hold the point, on whatever rank, the first by its identity: stress and
+  // pressure do not depend on the partition.
   CellIterator chosen;
   Point<dim> unit_point;
   CellId chosen_id;
@@ -106,8 +106,7 @@ double FieldEvaluation<dim>::add_section(const ProbeRequest<dim> &request,
                                          const FieldDefinition<dim> &field,
                                          Collector &collector) const
 {
-  // One more Gauss point than on cells, since the integrand is not a polynomial
-  // in the plane.
+  // One more Gauss point than on cells, since the integrand is not a polynomial in the plane.
   const PlaneSection<dim> section(space.mapping, space.triangulation,
                                   PlaneSection<dim>::Cells::active, request.region_ids,
                                   request.point, request.normal, space.n_quadrature_points() + 1);
@@ -182,8 +181,8 @@ void FieldEvaluation<dim>::add_value(const FieldDefinition<dim> &field,
   double pressure_weight = problem.materials[region].pressure_factor;
   if (field.quantity != Quantity::pressure)
   {
-    // The stress is linear in the mixture and the pressure, the strain in the
-    // displacement, so the weights are the stresses or strains of unit entries.
+    // The stress is linear in the mixture and the pressure, the strain in the displacement, so
+    // the weights are the stresses or strains of unit entries.
     const bool is_strain = field.quantity == Quantity::strain;
     DistributedVector &target = is_strain ? collector.weights(Source::displacement)
                                           : collector.weights(Source::mixture, region);
@@ -244,8 +243,7 @@ double FieldEvaluation<dim>::error_norm(const State &state,
     vectors.push_back(space.ghosted_velocity(field == "velocity" ? state.velocity
                                                                  : state.history.displacement()));
 
-  // Well above the degree of the fields, so that the number is the error and
-  // not the quadrature's.
+  // Well above the degree of the fields, so that the number is the error and not the quadrature's.
   const QGauss<dim> quadrature(space.degree() + 3);
   FEValues<dim> values(space.mapping, space.velocity_element, quadrature,
                        update_values | update_gradients | update_quadrature_points |

@@ -86,9 +86,8 @@ PowerBalance PowerLedger<dim>::balance(const BalancedStep &step,
   std::vector<double> sums;
   sums.reserve(2 + 5 * operators.size());
 
-  // What the equations leave at the nodes - inertia + inner forces - loads - is
-  // the force that moves those of prescribed velocity; without such nodes
-  // nobody asks for it.
+  // What the equations leave at the nodes - inertia + inner forces - loads - is the force that
+  // moves those of prescribed velocity; without such nodes nobody asks for it.
   const bool reactions = !constraints.is_homogeneous();
   nodal_forces = 0.;
   loads.add(step.step.balance_time, nodal_forces);

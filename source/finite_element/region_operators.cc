@@ -12,8 +12,7 @@ using namespace dealii;
 
 namespace
 {
-/// Sparsity of the four matrices of every region, from that region's cells
-/// only.
+/// Sparsity of the four matrices of every region, from that region's cells only.
 template <int dim>
 void reinit_matrices(const Space<dim> &space, std::vector<RegionOperators> &operators)
 {
@@ -80,8 +79,7 @@ void assemble_region_operators(const Space<dim> &space, std::vector<RegionOperat
 {
   reinit_matrices(space, operators);
 
-  // The velocity's shape functions are those of one scalar element, once for
-  // each component.
+  // The velocity's shape functions are those of one scalar element, once for each component.
   const FE_Q<dim> scalar_element(space.degree());
   const QGauss<dim> quadrature(space.n_quadrature_points());
   FEValues<dim> values(space.mapping, scalar_element, quadrature,

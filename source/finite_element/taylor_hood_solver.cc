@@ -73,8 +73,7 @@ void TaylorHoodSolver<dim>::setup()
                                     &mass, &pressure_work, &mass_work})
     *vector = space.pressure_vector();
 
-  // A pressure that no compressible material touches follows from the
-  // constraint alone.
+  // A pressure that no compressible material touches follows from the constraint alone.
   DistributedVector compressible = space.pressure_vector();
   for (unsigned int region = 0; region < operators.size(); ++region)
     if (problem.materials[region].inverse_bulk_modulus > 0.)
@@ -186,8 +185,8 @@ StepReport TaylorHoodSolver<dim>::advance(const Step &step)
       constraints.evaluate(step.extrapolate ? step.time : step.balance_time, prescribed);
       if (step.extrapolate)
       {
-        // The end of the step has what is prescribed there, so its middle the
-        // mean of that and of the start.
+        // The end of the step has what is prescribed there, so its middle the mean of that and of
+        // the start.
         constraints.prescribed_part(velocity, balanced.prescribed);
         balanced.prescribed.sadd(0.5, 0.5, prescribed);
         outlets.leave_out_ports(balanced.prescribed);
@@ -270,9 +269,8 @@ void TaylorHoodSolver<dim>::set_extremes(const Step &step, StepReport &report) c
 template <int dim>
 void TaylorHoodSolver<dim>::extrapolate_pressure(const Step &step)
 {
-  // Where 1/K = 0 the pressure has no history: the balanced one belongs to the
-  // middle of the step, and the line through the last two of them leads to its
-  // end.
+  // Where 1/K = 0 the pressure has no history: the balanced one belongs to the middle of the step,
+  // and the line through the last two of them leads to its end.
   const double factor = (step.time - step.balance_time) / (step.balance_time - pressure_known_time);
   for (const unsigned int i : incompressible_pressures)
     pressure.begin()[i] = balanced.pressure.begin()[i] +
@@ -292,9 +290,8 @@ template <int dim>
 void TaylorHoodSolver<dim>::solve_steady(const double time)
 {
   AssertThrow(steady_is_direct(), ExcInternalError());
-  // A solid at rest: displacement for velocity, mu for alpha, 1/K for
-  // compressibility. A steady fluid has no dp/dt, so its compressibility plays
-  // no part.
+  // A solid at rest: displacement for velocity, mu for alpha, 1/K for compressibility. A steady
+  // fluid has no dp/dt, so its compressibility plays no part.
   const bool solid = !problem.materials.front().branches.empty();
   SystemCoefficients steady;
   for (const Material &material : problem.materials)

@@ -51,8 +51,7 @@ public:
 
   using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
-  /// n.sigma of this cell with its own outward normal, on a face or on one of
-  /// its children.
+  /// n.sigma of this cell with its own outward normal, on a face or on one of its children.
   const std::vector<Tensor<1, dim>> &face(const Cell &cell, const unsigned int f)
   {
     face_values.reinit(cell, f);
@@ -137,8 +136,7 @@ void traction_jump_indicators(const Space<dim> &space,
     for (const unsigned int region : condition.region_ids)
       condition_of[{condition.boundary_id, region}] = &condition;
 
-  // int |n.sigma + n'.sigma'|^2 over a face; the normals of the two sides are
-  // opposite.
+  // int |n.sigma + n'.sigma'|^2 over a face; the normals of the two sides are opposite.
   const auto jump =
       [&](const std::vector<Tensor<1, dim>> &one, const std::vector<Tensor<1, dim>> &other)
   {

@@ -1,5 +1,5 @@
-// Internal displacements over a step against the update worked out by hand,
-// what they are mixed to, and where they live.
+// Internal displacements over a step against the update worked out by hand, what they are mixed to,
+// and where they live.
 
 #include <continua/continuum/branch_history.h>
 
@@ -18,8 +18,8 @@ using namespace dealii;
 int main(int argc, char **argv)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  // Three squares in a row, seven columns of three nodes: two solids with a
-  // branch of 0.5 s in common, one of them with a spring besides; and a fluid.
+  // Three squares in a row, seven columns of three nodes: two solids with a branch of 0.5 s in
+  // common, one of them with a spring besides; and a fluid.
   const DistributedVector prototype(complete_index_set(42), MPI_COMM_WORLD);
   std::vector<std::vector<unsigned int>> nodes(3, std::vector<unsigned int>(18));
   for (unsigned int region = 0; region < 3; ++region)
@@ -43,8 +43,7 @@ int main(int argc, char **argv)
   check::absolute("displacement", history.displacement().linfty_norm(), 0.5, 1e-15);
   check::absolute("branch that relaxes", history.internal_displacement(0.5).linfty_norm(), 1. / 3.,
                   1e-15);
-  // The displacement is everywhere, in 7 x 3 nodes; the branch in two of three
-  // cells, 5 x 3 nodes.
+  // The displacement is everywhere, in 7 x 3 nodes; the branch in two of three cells, 5 x 3 nodes.
   check::absolute("nodes with a displacement", history.displacement().l1_norm() / 0.5, 42., 1e-12);
   check::absolute("nodes with the branch", history.internal_displacement(0.5).l1_norm() * 3., 30.,
                   1e-12);
@@ -58,8 +57,8 @@ int main(int argc, char **argv)
                   7. * 0.25 + 3. * 0.25 / 1.5, 1e-15);
   check::absolute("of a fluid", BranchHistory::step_stiffness(materials[2], step), 0., 0.);
 
-  // A Crank-Nicolson step from there with U = 2 throughout: D + dt U, and (D +
-  // h U)/(1 + h/tau) twice that minus D.
+  // A Crank-Nicolson step from there with U = 2 throughout: D + dt U, and (D + h U)/(1 + h/tau)
+  // twice that minus D.
   const Step half = crank_nicolson_step(0.25, 0.25);
   const double known = 1. / 3. / (1. + 0.125 / 0.5);
   const double middle = (1. / 3. + 0.125 * 2.) / (1. + 0.125 / 0.5);
@@ -76,8 +75,8 @@ int main(int argc, char **argv)
   history.forgotten_velocity(0.5, half, velocity, work);
   check::absolute("forgotten: D / tau", work.linfty_norm(), middle / 0.5, 1e-14);
 
-  // Long steps that average take the exponential update, and say so; it is
-  // exact for a constant velocity: D_new = exp(-x) D + tau (1 - exp(-x)) U.
+  // Long steps that average take the exponential update, and say so; it is exact for a constant
+  // velocity: D_new = exp(-x) D + tau (1 - exp(-x)) U.
   check::is_true("a slow branch is not exponential", history.exponential_branches(half).empty());
   const Step long_step = crank_nicolson_step(0.5, 5.);
   check::is_true("a fast one is", history.exponential_branches(long_step).size() == 1);
@@ -89,8 +88,7 @@ int main(int argc, char **argv)
   history.forgotten_velocity(0.5, long_step, velocity, work);
   check::absolute("forgotten in it", work.linfty_norm(), 2. - (after - before) / 5., 1e-14);
 
-  // What is set from outside, after a change of the mesh, is what the next step
-  // starts from.
+  // What is set from outside, after a change of the mesh, is what the next step starts from.
   *history.vectors()[2] = 0.25;
   mixture = 0.;
   history.predict(1, euler_step(5.5, 0.5, Update::implicit), velocity, mixture);

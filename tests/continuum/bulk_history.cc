@@ -18,8 +18,7 @@ int main(int argc, char **argv)
   // Two regions with four nodes each.
   const DistributedVector prototype(complete_index_set(8), MPI_COMM_WORLD);
 
-  // An elastic neighbour, and a spring of 4 Pa beside one of 6 Pa that relaxes
-  // within 0.5 s.
+  // An elastic neighbour, and a spring of 4 Pa beside one of 6 Pa that relaxes within 0.5 s.
   std::vector<Material> materials(2);
   materials[0].inverse_bulk_modulus = 0.5;
   materials[1].bulk_branches = {BulkBranch{4., std::numeric_limits<double>::infinity()},
@@ -44,8 +43,7 @@ int main(int argc, char **argv)
                   BulkHistory::step_compressibility(materials[0], euler), 0.5 / 0.25, 1e-15);
   check::absolute("compressibility, relaxing",
                   BulkHistory::step_compressibility(materials[1], euler), 1. / modulus, 1e-15);
-  // Without a further change of volume the pressure falls to 4 + 6/(1 +
-  // dt/tau).
+  // Without a further change of volume the pressure falls to 4 + 6/(1 + dt/tau).
   history.predict(1, euler, work);
   const double held = 4. + 6. / 1.5;
   check::absolute("held volume", work.linfty_norm(), held, 1e-14);
@@ -63,8 +61,7 @@ int main(int argc, char **argv)
   history.forgotten_rate(1, 1, euler, work);
   check::absolute("forgotten: e / tau", work.linfty_norm(), -relaxed / 0.5, 1e-14);
 
-  // Crank-Nicolson from there at constant volume: d = 0 in the middle, whatever
-  // it was before.
+  // Crank-Nicolson from there at constant volume: d = 0 in the middle, whatever it was before.
   const Step half = crank_nicolson_step(0.25, 0.25);
   history.predict(1, half, work);
   const double middle = relaxed / (1. + 0.125 / 0.5);

@@ -1,6 +1,5 @@
-// Probes of fields that the spaces hold exactly: values, means, integrals and
-// stresses, on hanging nodes, at corners of cells and on either side of an
-// interface.
+// Probes of fields that the spaces hold exactly: values, means, integrals and stresses, on hanging
+// nodes, at corners of cells and on either side of an interface.
 
 #include <continua/finite_element/field_evaluation.h>
 #include <continua/finite_element/region_operators.h>
@@ -111,8 +110,8 @@ struct Body
   DistributedVector velocity, pressure;
 };
 
-/// About the x axis in three dimensions: a box with the corner (0, 1, 1), v =
-/// (y, y, z), so that the radial velocity is r; fluid with eta = 2.
+/// About the x axis in three dimensions: a box with the corner (0, 1, 1), v = (y, y, z), so that
+/// the radial velocity is r; fluid with eta = 2.
 void test_three_dimensions()
 {
   small_problem::Mesh<3> mesh(MPI_COMM_WORLD);
@@ -186,8 +185,8 @@ int main(int argc, char **argv)
     check::relative("pressure, left of the interface", body.probe("pressure", {2., 1.5}, 0), 2.,
                     1e-13);
     check::relative("pressure, right of it", body.probe("pressure", {2., 1.5}, 1), 102., 1e-13);
-    // Region one: w = 3 D, grad D = (y, x; 0, 4); at (1, 0.5) e = (0.5, 4),
-    // e_xy = 0.5, tr / 3 = 1.5.
+    // Region one: w = 3 D, grad D = (y, x; 0, 4); at (1, 0.5) e = (0.5, 4), e_xy = 0.5, tr / 3
+    // = 1.5.
     check::relative("stress xx of the solid", body.probe("stress xx", {1., 0.5}),
                     6. * (0.5 - 1.5) - 1., 1e-12);
     check::relative("stress yy of the solid", body.probe("stress yy", {1., 0.5}), 6. * 2.5 - 1.,
@@ -203,8 +202,7 @@ int main(int argc, char **argv)
     check::relative("integral on the right", body.on_boundary("velocity x", 1, false), 24., 1e-13);
     check::relative("mean pressure on the right", body.on_boundary("pressure", 1, true), 104.,
                     1e-13);
-    // The plane is moved by 1e-9 of the body's extent. At x = 3 there are
-    // hanging nodes.
+    // The plane is moved by 1e-9 of the body's extent. At x = 3 there are hanging nodes.
     using Kind = ProbeRequest<2>::Kind;
     check::relative("integral over a section",
                     body.on_section(Kind::section_integral, "velocity x", 2.5), 2. * 9., 1e-8);
@@ -286,8 +284,7 @@ int main(int argc, char **argv)
                     tube.on_section(Kind::rim_mean, "wall shear stress", 2.5), -6., 1e-8);
   }
   {
-    // A pressure of 2 in region one and 5 in region two, at rest: the traction
-    // jumps by 3 at x = 2.
+    // A pressure of 2 in region one and 5 in region two, at rest: the traction jumps by 3 at x = 2.
     Body body(Model::plane_strain);
     body.velocity = 0.;
     body.history.displacement() = 0.;

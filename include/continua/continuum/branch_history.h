@@ -12,15 +12,13 @@
 namespace Continua
 {
 /**
- * The internal displacements D of all branches as plain vectors like the
- * velocity, so that history needs no storage at quadrature points and moves
- * with the mesh like any field. Branches of the same relaxation time, in
- * whatever material, obey the same equation dD/dt = U - D/tau and share one
- * vector; the vector number 0 never relaxes and is the displacement [m] of the
- * whole body, fluid included. A branch that relaxes is zero but at the nodes of
- * the regions that have it, and there it is kept a second time, node after
- * node: a step touches nothing else, so that ten branches in a thin wall cost
- * next to nothing. The vectors follow when they are asked for.
+ * The internal displacements D of all branches as plain vectors like the velocity, so that history
+ * needs no storage at quadrature points and moves with the mesh like any field. Branches of the
+ * same relaxation time, in whatever material, obey the same equation dD/dt = U - D/tau and share
+ * one vector; the vector number 0 never relaxes and is the displacement [m] of the whole body,
+ * fluid included. A branch that relaxes is zero but at the nodes of the regions that have it, and
+ * there it is kept a second time, node after node: a step touches nothing else, so that ten
+ * branches in a thin wall cost next to nothing. The vectors follow when they are asked for.
  */
 class BranchHistory
 {
@@ -28,22 +26,20 @@ public:
   /// `materials` by material id; they must outlive this.
   explicit BranchHistory(const std::vector<Material> &materials);
 
-  /// Zero branches on the present mesh, in vectors like `prototype`, a
-  /// velocity. The nodes of a region are the local indices of its entries in
-  /// it; neighbours may share some.
+  /// Zero branches on the present mesh, in vectors like `prototype`, a velocity. The nodes of a
+  /// region are the local indices of its entries in it; neighbours may share some.
   void reinit(const DistributedVector &prototype,
               const std::vector<std::vector<unsigned int>> &nodes_of_regions);
 
-  /// sum_k mu_k D_plus_k of a region [Pa m], the part of the branches' force
-  /// that the step knows in advance, from the velocity at its start. False, and
-  /// `mixture` untouched, if the region has no branches; else `mixture` is set
-  /// at the region's nodes only, and so by the other functions.
+  /// sum_k mu_k D_plus_k of a region [Pa m], the part of the branches' force that the step knows in
+  /// advance, from the velocity at its start. False, and `mixture` untouched, if the region has no
+  /// branches; else `mixture` is set at the region's nodes only, and so by the other functions.
   bool predict(unsigned int region,
                const Step &step,
                const DistributedVector &velocity_old,
                DistributedVector &mixture) const;
-  /// Carries all branches to the end of the step, from the velocity at its
-  /// start and at the balanced level.
+  /// Carries all branches to the end of the step, from the velocity at its start and at the
+  /// balanced level.
   void advance(const Step &step,
                const DistributedVector &velocity_old,
                const DistributedVector &velocity);
@@ -52,20 +48,20 @@ public:
   /// The same at the present time.
   bool mix(unsigned int region, DistributedVector &mixture) const;
 
-  /// D of a relaxation time at the balanced level of the step that was made
-  /// last [m], at the nodes of the regions that have it.
+  /// D of a relaxation time at the balanced level of the step that was made last [m], at the nodes
+  /// of the regions that have it.
   void balanced_displacement(double relaxation_time,
                              const Step &step,
                              DistributedVector &displacement) const;
-  /// U - dD/dt there [m/s]: what of the motion the branch forgets, D / tau
-  /// where the scheme obeys the branch's equation at that level.
+  /// U - dD/dt there [m/s]: what of the motion the branch forgets, D / tau where the scheme obeys
+  /// the branch's equation at that level.
   void forgotten_velocity(double relaxation_time,
                           const Step &step,
                           const DistributedVector &velocity,
                           DistributedVector &forgotten) const;
 
-  /// sum_k mu_k (velocity coefficient of the branch): the material's share of
-  /// alpha (equation 7.4) [Pa s].
+  /// sum_k mu_k (velocity coefficient of the branch): the material's share of alpha (equation 7.4)
+  /// [Pa s].
   static double step_stiffness(const Material &material, const Step &step);
 
   /// D of a relaxation time, at the present time.
@@ -75,8 +71,8 @@ public:
   /// Relaxation times for which the step takes the exponential update.
   std::vector<double> exponential_branches(const Step &step) const;
 
-  /// All vectors that a change of the mesh must carry over. They may be set
-  /// until the next call of another function.
+  /// All vectors that a change of the mesh must carry over. They may be set until the next call of
+  /// another function.
   std::vector<DistributedVector *> vectors();
   void save(ArchiveWriter &archive) const;
   void load(const ArchiveReader &archive);
@@ -105,8 +101,7 @@ private:
   const std::vector<Material> &materials;
   std::vector<Branch> branches;
   mutable std::vector<Region> regions;
-  /// Which of the two has the present state: the vectors, what is kept at the
-  /// nodes, or both.
+  /// Which of the two has the present state: the vectors, what is kept at the nodes, or both.
   mutable bool vectors_are_current = true, nodes_are_current = true;
   std::vector<double> start_at_nodes, balanced_at_nodes; ///< work space
 
@@ -114,14 +109,12 @@ private:
   /// Bring the one from the other where it is not current.
   void update_vectors() const;
   void update_nodes() const;
-  /// Sets `mixture` at the region's nodes to the sum of mu_k (w.present D_k +
-  /// w.older D_older_k) over its branches, w = weights(tau_k); false if there
-  /// are none.
+  /// Sets `mixture` at the region's nodes to the sum of mu_k (w.present D_k + w.older D_older_k)
+  /// over its branches, w = weights(tau_k); false if there are none.
   template <typename WeightsOf>
   bool
   mix_values(unsigned int region, DistributedVector &mixture, const WeightsOf &weights_of) const;
-  /// Sets `vector` at the nodes that have the branch to value(present, older,
-  /// i), i their index.
+  /// Sets `vector` at the nodes that have the branch to value(present, older, i), i their index.
   template <typename Value>
   void set_at_nodes(double relaxation_time, DistributedVector &vector, const Value &value) const;
 };

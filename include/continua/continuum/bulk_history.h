@@ -12,13 +12,12 @@
 namespace Continua
 {
 /**
- * The memory of materials whose volume change relaxes: p = -sum_k K_k e_k with
- * the internal dilatations de_k/dt = div U - e_k/tau_k as vectors like the
- * pressure, the counterpart of BranchHistory. The rate of dilatation d at the
- * nodes is the projection of div U that the mass equation of the region makes:
- * K' d = p_plus - p, with K' = sum_k K_k (velocity coefficient of the branch)
- * and p_plus = -sum_k K_k e_plus_k, so that M_p d = B U. Regions whose volume
- * changes elastically have no part in it.
+ * The memory of materials whose volume change relaxes: p = -sum_k K_k e_k with the internal
+ * dilatations de_k/dt = div U - e_k/tau_k as vectors like the pressure, the counterpart of
+ * BranchHistory. The rate of dilatation d at the nodes is the projection of div U that the mass
+ * equation of the region makes: K' d = p_plus - p, with K' = sum_k K_k (velocity coefficient of the
+ * branch) and p_plus = -sum_k K_k e_plus_k, so that M_p d = B U. Regions whose volume changes
+ * elastically have no part in it.
  */
 class BulkHistory
 {
@@ -26,9 +25,8 @@ public:
   /// `materials` by material id; they must outlive this.
   explicit BulkHistory(const std::vector<Material> &materials);
 
-  /// Zero dilatations on the present mesh, in vectors like `prototype`, a
-  /// pressure. The nodes of a region are the local indices of its entries in
-  /// it.
+  /// Zero dilatations on the present mesh, in vectors like `prototype`, a pressure. The nodes of a
+  /// region are the local indices of its entries in it.
   void reinit(const DistributedVector &prototype,
               const std::vector<std::vector<unsigned int>> &nodes_of_regions);
   /// The state of a body that was brought to this pressure at once, at rest.
@@ -38,18 +36,15 @@ public:
   bool has(const unsigned int region) const { return !materials[region].bulk_branches.empty(); }
   /// K' [Pa s].
   static double step_modulus(const Material &material, const Step &step);
-  /// 1/(K b) of the step for any material [1/(Pa s)]: of a volume change that
-  /// relaxes 1/K'.
+  /// 1/(K b) of the step for any material [1/(Pa s)]: of a volume change that relaxes 1/K'.
   static double step_compressibility(const Material &material, const Step &step);
   /// p_plus at the region's nodes [Pa]; elsewhere `pressure` is left as it is.
   void predict(unsigned int region, const Step &step, DistributedVector &pressure) const;
-  /// Carries the dilatations to the end of the step, from the pressure at the
-  /// balanced level.
+  /// Carries the dilatations to the end of the step, from the pressure at the balanced level.
   void advance(const Step &step, const DistributedVector &pressure);
 
-  /// Internal dilatation of a region's branch [1], at the balanced level of the
-  /// step that was made last, and what of the rate of dilatation the branch
-  /// forgets, d - de/dt [1/s].
+  /// Internal dilatation of a region's branch [1], at the balanced level of the step that was made
+  /// last, and what of the rate of dilatation the branch forgets, d - de/dt [1/s].
   void balanced_dilatation(unsigned int region,
                            unsigned int branch,
                            const Step &step,
@@ -84,8 +79,7 @@ private:
   const std::vector<Material> &materials;
   std::vector<Region> of_region;
 
-  /// Calls function(name, vector) for all that makes the state; `regions` is
-  /// of_region.
+  /// Calls function(name, vector) for all that makes the state; `regions` is of_region.
   template <typename Regions, typename Function>
   static void for_state(Regions &regions, const Function &function);
 };

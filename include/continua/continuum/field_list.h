@@ -13,9 +13,8 @@
 namespace Continua
 {
 /**
- * A field that can be probed: a component of one of the quantities of the
- * solution, or a linear combination of its components whose factors depend on
- * the place (those about the x axis).
+ * A field that can be probed: a component of one of the quantities of the solution, or a linear
+ * combination of its components whose factors depend on the place (those about the x axis).
  */
 template <int dim>
 struct FieldDefinition
@@ -28,8 +27,7 @@ struct FieldDefinition
     stress,
     strain
   };
-  /// Of the components; about the x axis e_r points away from it and e_theta
-  /// round it.
+  /// Of the components; about the x axis e_r points away from it and e_theta round it.
   enum class Combination
   {
     component, ///< one of them
@@ -42,15 +40,13 @@ struct FieldDefinition
   Combination combination = Combination::component;
   unsigned int component = 0;
 
-  /// The factors of the components (of a vector x, y, z; of a stress those of
-  /// stress_pairs) at a point of the undeformed body. On the x axis, where
-  /// there is no e_r, it is e_y.
+  /// The factors of the components (of a vector x, y, z; of a stress those of stress_pairs) at a
+  /// point of the undeformed body. On the x axis, where there is no e_r, it is e_y.
   std::array<double, 6> factors(const dealii::Point<dim> &point) const;
 };
 
-/// All fields of the model, in the order in which they are offered. `radial
-/// velocity`, `radial displacement`, `hoop stress` and `wall shear stress`
-/// exist in axisymmetry and three dimensions.
+/// All fields of the model, in the order in which they are offered. `radial velocity`, `radial
+/// displacement`, `hoop stress` and `wall shear stress` exist in axisymmetry and three dimensions.
 template <int dim>
 std::vector<FieldDefinition<dim>> field_list(Model model);
 /// Their names and units: what there is to probe, whatever the discretisation.

@@ -11,9 +11,8 @@
 namespace Continua
 {
 /**
- * The probes of a discretisation. Each is linear in the state, so it is set up
- * once on a mesh, by what the discretisation says of its fields at points, and
- * read by a short sum.
+ * The probes of a discretisation. Each is linear in the state, so it is set up once on a mesh, by
+ * what the discretisation says of its fields at points, and read by a short sum.
  */
 template <int dim>
 class FieldProbes
@@ -46,8 +45,8 @@ private:
   };
 
   virtual Collector collector() const = 0;
-  /// Each adds the values of the field at points times their weights; returns
-  /// what the weights add up to over all ranks, 0 if there is no point.
+  /// Each adds the values of the field at points times their weights; returns what the weights add
+  /// up to over all ranks, 0 if there is no point.
   virtual double add_point(const ProbeRequest<dim> &request,
                            const FieldDefinition<dim> &field,
                            Collector &collector) const = 0;

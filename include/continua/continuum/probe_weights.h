@@ -7,8 +7,8 @@
 
 namespace Continua
 {
-/// A number that is linear in the state, as weights of this rank's entries of
-/// its vectors: reading it is a short sum.
+/// A number that is linear in the state, as weights of this rank's entries of its vectors: reading
+/// it is a short sum.
 class ProbeWeights
 {
 public:
@@ -25,8 +25,7 @@ public:
   class Collector
   {
   public:
-    /// The prototypes have the size and the distribution of the state's
-    /// vectors.
+    /// The prototypes have the size and the distribution of the state's vectors.
     Collector(const DistributedVector &velocity,
               const DistributedVector &pressure,
               unsigned int n_regions);

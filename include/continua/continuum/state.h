@@ -7,8 +7,7 @@
 
 namespace Continua
 {
-/// The vectors that a field is computed from, at the present time; owned
-/// entries.
+/// The vectors that a field is computed from, at the present time; owned entries.
 struct State
 {
   const DistributedVector &velocity; ///< [m/s]
@@ -16,9 +15,8 @@ struct State
   const BranchHistory &history;
 };
 
-/// Sets `mixture` to w = eta U + sum_k mu_k D_k of a region's material [Pa m],
-/// of whose gradient its stress is made; outside the region it is 0 or means
-/// nothing.
+/// Sets `mixture` to w = eta U + sum_k mu_k D_k of a region's material [Pa m], of whose gradient
+/// its stress is made; outside the region it is 0 or means nothing.
 void set_mixture(const State &state,
                  unsigned int region,
                  const Material &material,

@@ -10,12 +10,10 @@
 
 namespace Continua
 {
-/// The components of a stress or strain as (i, j): xx, yy, zz, xy, and in three
-/// dimensions xz, yz.
+/// The components of a stress or strain as (i, j): xx, yy, zz, xy, and in three dimensions xz, yz.
 inline constexpr unsigned int stress_pairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
 
-/// The number of components that exist in the model: 4 in two dimensions,
-/// else 6.
+/// The number of components that exist in the model: 4 in two dimensions, else 6.
 template <int dim>
 constexpr unsigned int n_stresses()
 {
@@ -23,10 +21,9 @@ constexpr unsigned int n_stresses()
 }
 
 /**
- * Stress of a material from the gradient of its mixture w = eta U + sum_k mu_k
- * D_k, since s = 2 dev sym grad w: xx, yy, zz, xy, and in three dimensions xz,
- * yz. zz is the hoop stress in axisymmetry, the stress across the plane in
- * plane strain, 0 in plane stress. [Pa]
+ * Stress of a material from the gradient of its mixture w = eta U + sum_k mu_k D_k, since s = 2 dev
+ * sym grad w: xx, yy, zz, xy, and in three dimensions xz, yz. zz is the hoop stress in axisymmetry,
+ * the stress across the plane in plane strain, 0 in plane stress. [Pa]
  */
 template <int dim>
 std::array<double, 6> stress(const dealii::Tensor<2, dim> &mixture_gradient,
@@ -34,9 +31,9 @@ std::array<double, 6> stress(const dealii::Tensor<2, dim> &mixture_gradient,
                              double pressure,
                              Model model);
 
-/// Strain of the displacement from its gradient, in the same order, xy the half
-/// of the shear angle. zz is the hoop strain in axisymmetry, 0 in plane strain,
-/// and in plane stress what keeps sigma_zz zero. [1]
+/// Strain of the displacement from its gradient, in the same order, xy the half of the shear angle.
+/// zz is the hoop strain in axisymmetry, 0 in plane strain, and in plane stress what keeps sigma_zz
+/// zero. [1]
 template <int dim>
 std::array<double, 6> strain(const dealii::Tensor<2, dim> &displacement_gradient,
                              double hoop,

@@ -10,8 +10,7 @@ namespace Continua
 {
 /// Writes this rank's entries of a vector, bit by bit.
 void save_vector(ArchiveWriter &archive, const std::string &name, const DistributedVector &vector);
-/// Reads them back; throws RunError if their number differs (another mesh or
-/// number of ranks).
+/// Reads them back; throws RunError if their number differs (another mesh or number of ranks).
 void load_vector(const ArchiveReader &archive, const std::string &name, DistributedVector &vector);
 } // namespace Continua
 

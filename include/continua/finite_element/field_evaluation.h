@@ -14,16 +14,15 @@
 
 namespace Continua
 {
-/// The probes of the Taylor-Hood discretisation, with hanging nodes resolved,
-/// and other values of its fields.
+/// The probes of the Taylor-Hood discretisation, with hanging nodes resolved, and other values of
+/// its fields.
 template <int dim>
 class FieldEvaluation : public FieldProbes<dim>
 {
 public:
   FieldEvaluation(const Space<dim> &space, const Problem &problem);
 
-  /// The mixture eta U + sum_k mu_k D_k of a material with ghosts, for
-  /// evaluation on cells [Pa m].
+  /// The mixture eta U + sum_k mu_k D_k of a material with ghosts, for evaluation on cells [Pa m].
   DistributedVector ghosted_mixture(const State &state, unsigned int region) const;
   /// L2 norm of the difference to functions; see ContinuumSolver::error_norm.
   double error_norm(const State &state,
@@ -46,8 +45,7 @@ private:
   double add_section(const ProbeRequest<dim> &request,
                      const FieldDefinition<dim> &field,
                      Collector &collector) const override;
-  /// Adds the field at points of the unit cell, and at a quadrature point,
-  /// times weights.
+  /// Adds the field at points of the unit cell, and at a quadrature point, times weights.
   void add_values(const FieldDefinition<dim> &field,
                   const CellIterator &cell,
                   const dealii::Quadrature<dim> &points,

@@ -11,9 +11,8 @@
 
 namespace Continua
 {
-/// The fields of a picture: velocity and displacement as they are, pressure and
-/// stress cell by cell of degree k - 1 (so that they jump where they do), and
-/// phase, material id and rank.
+/// The fields of a picture: velocity and displacement as they are, pressure and stress cell by cell
+/// of degree k - 1 (so that they jump where they do), and phase, material id and rank.
 template <int dim>
 class FieldOutput
 {
@@ -22,8 +21,7 @@ public:
               const Problem &problem,
               const FieldEvaluation<dim> &evaluation);
 
-  /// Adds the fields to `data_out`; they live until the next call. Returns name
-  /// -> unit.
+  /// Adds the fields to `data_out`; they live until the next call. Returns name -> unit.
   std::map<std::string, std::string> add(const State &state, dealii::DataOut<dim> &data_out);
 
 private:

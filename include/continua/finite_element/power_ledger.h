@@ -25,9 +25,8 @@ struct BalancedStep
 };
 
 /**
- * Powers and energies from the matrices of the scheme itself, at the level at
- * which it balances them, so that the balance closes to the round-off of the
- * solve.
+ * Powers and energies from the matrices of the scheme itself, at the level at which it balances
+ * them, so that the balance closes to the round-off of the solve.
  */
 template <int dim>
 class PowerLedger
@@ -42,9 +41,8 @@ public:
 
   /// The mesh has changed.
   void reinit();
-  /// The histories have just made the step. `relaxation`: also the power that
-  /// relaxation turns into heat, at the cost of a product for each branch that
-  /// relaxes.
+  /// The histories have just made the step. `relaxation`: also the power that relaxation turns into
+  /// heat, at the cost of a product for each branch that relaxes.
   PowerBalance balance(const BalancedStep &step,
                        const BranchHistory &history,
                        const BulkHistory &bulk_history,
@@ -61,9 +59,8 @@ private:
   DistributedVector nodal_forces, velocity_work, mixture, forgotten, pressure_work, dilatation,
       forgotten_rate;
 
-  /// This rank's part of what relaxation turns into heat in a region: sum of
-  /// mu_k D_k S (U - dD_k/dt) and K_k e_k M_p (d - de_k/dt), at the balanced
-  /// level [W].
+  /// This rank's part of what relaxation turns into heat in a region: sum of mu_k D_k S (U -
+  /// dD_k/dt) and K_k e_k M_p (d - de_k/dt), at the balanced level [W].
   double relaxation_power(unsigned int region,
                           const BalancedStep &step,
                           const BranchHistory &history,

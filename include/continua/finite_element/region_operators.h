@@ -11,18 +11,17 @@
 namespace Continua
 {
 /**
- * The matrices of one region, free of material data and time step; with the
- * hanging nodes of the mesh condensed and no boundary condition in them. u, v
- * are velocities (or internal displacements), p, q pressures:
+ * The matrices of one region, free of material data and time step; with the hanging nodes of the
+ * mesh condensed and no boundary condition in them. u, v are velocities (or internal
+ * displacements), p, q pressures:
  *
  *   mass             int v . u
  *   stiffness        int 2 dev sym grad v : dev sym grad u
  *   divergence       int q div u               (rows: pressure)
  *   pressure_mass    int q p
  *
- * dev takes a third of the three-dimensional trace off, in axisymmetry with the
- * hoop strain u_r / r; integrals in axisymmetry are over the whole
- * circumference.
+ * dev takes a third of the three-dimensional trace off, in axisymmetry with the hoop strain u_r /
+ * r; integrals in axisymmetry are over the whole circumference.
  */
 struct RegionOperators
 {

@@ -32,16 +32,15 @@ struct SpaceParameters
 };
 
 /**
- * The Taylor-Hood pair on one mesh: velocity Q_k, one vector of it also for
- * every internal displacement, and pressure Q_(k-1), continuous inside a region
- * and broken between regions (or continuous throughout).
+ * The Taylor-Hood pair on one mesh: velocity Q_k, one vector of it also for every internal
+ * displacement, and pressure Q_(k-1), continuous inside a region and broken between regions (or
+ * continuous throughout).
  *
- * Two DoFHandlers on one triangulation. The broken pressure is an hp space with
- * one component for each region: FE_Q in the region itself, FE_Nothing
- * elsewhere, so that the dofs on an interface are doubled and hanging nodes are
- * constrained inside each region only. Velocity is not part of it: in one
- * common hp system deal.II 9.4 pins interface pressures to zero where the
- * interface has hanging nodes.
+ * Two DoFHandlers on one triangulation. The broken pressure is an hp space with one component for
+ * each region: FE_Q in the region itself, FE_Nothing elsewhere, so that the dofs on an interface
+ * are doubled and hanging nodes are constrained inside each region only. Velocity is not part of
+ * it: in one common hp system deal.II 9.4 pins interface pressures to zero where the interface has
+ * hanging nodes.
  */
 template <int dim>
 class Space
@@ -52,8 +51,7 @@ public:
         Model model,
         unsigned int n_regions);
 
-  /// Numbers the dofs on the present mesh and makes the constraints of its
-  /// hanging nodes.
+  /// Numbers the dofs on the present mesh and makes the constraints of its hanging nodes.
   void distribute();
 
   DistributedVector velocity_vector() const
@@ -68,26 +66,23 @@ public:
   DistributedVector ghosted_velocity(const DistributedVector &owned) const;
   DistributedVector ghosted_pressure(const DistributedVector &owned) const;
 
-  /// Owned vectors have no values of their own at hanging nodes: the matrices
-  /// have those condensed.
+  /// Owned vectors have no values of their own at hanging nodes: the matrices have those condensed.
   void set_hanging_velocities_to_zero(DistributedVector &owned) const;
   void set_hanging_pressures_to_zero(DistributedVector &owned) const;
 
-  /// 2 pi r in axisymmetry, else 1: the measure of a point of the mesh [m or
-  /// 1].
+  /// 2 pi r in axisymmetry, else 1: the measure of a point of the mesh [m or 1].
   double measure(const dealii::Point<dim> &point) const;
   /// The component of the pressure space in which a region's pressure lives.
   unsigned int pressure_component(const unsigned int region) const { return broken ? region : 0; }
   bool is_axisymmetric() const { return axisymmetric; }
   unsigned int degree() const { return velocity_element.degree; }
-  /// Gauss points a direction that integrate the products of shape functions
-  /// exactly on parallelograms.
+  /// Gauss points a direction that integrate the products of shape functions exactly on
+  /// parallelograms.
   unsigned int n_quadrature_points() const { return degree() + 1 + (axisymmetric ? 1 : 0); }
 
   MPI_Comm communicator;
   dealii::parallel::TriangulationBase<dim> &triangulation;
-  /// Of the velocity's degree, so that curved boundaries (manifolds) cost no
-  /// order of convergence.
+  /// Of the velocity's degree, so that curved boundaries (manifolds) cost no order of convergence.
   dealii::MappingQ<dim> mapping;
   dealii::hp::MappingCollection<dim> mappings; ///< the same, for the hp space
   dealii::FESystem<dim> velocity_element;
@@ -101,8 +96,7 @@ public:
 private:
   bool broken;
   bool axisymmetric;
-  std::vector<unsigned int> hanging_velocities,
-      hanging_pressures; ///< local indices of owned ones
+  std::vector<unsigned int> hanging_velocities, hanging_pressures; ///< local indices of owned ones
 };
 } // namespace Continua
 

@@ -31,9 +31,9 @@ struct TaylorHoodParameters
 };
 
 /**
- * The Taylor-Hood discretisation of the continuum. It puts tested parts
- * together: space, operators by region, constraints, loads, branch history and
- * the step's system; see the chapter on the numerics in the manual.
+ * The Taylor-Hood discretisation of the continuum. It puts tested parts together: space, operators
+ * by region, constraints, loads, branch history and the step's system; see the chapter on the
+ * numerics in the manual.
  */
 template <int dim>
 class TaylorHoodSolver : public ContinuumSolver<dim>
@@ -88,8 +88,8 @@ private:
   double present_time = 0.;
   BalancedStep balanced;        ///< by the last step
   DistributedVector prescribed; ///< velocities at constrained dofs, constants set once [m/s]
-  // The last pressure known at a time of its own, from which that of an
-  // incompressible material is extrapolated.
+  // The last pressure known at a time of its own, from which that of an incompressible material is
+  // extrapolated.
   DistributedVector pressure_known;
   double pressure_known_time = 0.;
   std::vector<unsigned int> incompressible_pressures; ///< local indices
@@ -101,8 +101,8 @@ private:
 
   void setup();
   void set_coefficients(const Step &step);
-  /// The largest velocity and its change of a step that is solved but not
-  /// finished; throws RunError if the solution is not finite.
+  /// The largest velocity and its change of a step that is solved but not finished; throws RunError
+  /// if the solution is not finite.
   void set_extremes(const Step &step, StepReport &report) const;
   void report_exponential_branches(const Step &step);
   void extrapolate_pressure(const Step &step);

@@ -9,8 +9,7 @@
 
 namespace Continua
 {
-/// target = matrix source, on owned entries: as deal.II's vmult, which
-/// allocates in every call.
+/// target = matrix source, on owned entries: as deal.II's vmult, which allocates in every call.
 void multiply(const dealii::TrilinosWrappers::SparseMatrix &matrix,
               DistributedVector &target,
               const DistributedVector &source);
