@@ -150,7 +150,7 @@ Tensor<1, dim> FaceConditions<dim>::prescribed_velocity(const Face &face, const 
 }
 
 template <int dim>
-void FaceConditions<dim>::evaluate(const double time, Vector &velocity) const
+void FaceConditions<dim>::evaluate(const double time, DistributedVector &velocity) const
 {
   double *const values = velocity.begin();
   for (const Face &face : boundary_faces)
@@ -163,7 +163,7 @@ void FaceConditions<dim>::evaluate(const double time, Vector &velocity) const
 }
 
 template <int dim>
-void FaceConditions<dim>::clear_prescribed(Vector &vector) const
+void FaceConditions<dim>::clear_prescribed(DistributedVector &vector) const
 {
   double *const values = vector.begin();
   for (const Face &face : boundary_faces)
@@ -179,7 +179,8 @@ void FaceConditions<dim>::clear_prescribed(Vector &vector) const
 }
 
 template <int dim>
-void FaceConditions<dim>::prescribed_part(const Vector &velocity, Vector &part) const
+void FaceConditions<dim>::prescribed_part(const DistributedVector &velocity,
+                                          DistributedVector &part) const
 {
   part = 0.;
   for (const Face &face : boundary_faces)

@@ -3,6 +3,7 @@
 
 #include <continua/continuum/problem.h>
 #include <continua/finite_volume/face_conditions.h>
+#include <continua/linear_algebra/distributed_vector.h>
 
 #include <array>
 #include <vector>
@@ -18,8 +19,6 @@ template <int dim>
 class CellLoads
 {
 public:
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
   CellLoads(const CellSpace<dim> &space,
             const Problem &problem,
             const FaceConditions<dim> &face_conditions);
@@ -27,7 +26,7 @@ public:
   /// Integrates on the present mesh.
   void build();
   /// Adds the loads at this time [N].
-  void add(double time, Vector &momentum) const;
+  void add(double time, DistributedVector &momentum) const;
   /// Whether a load jumps between the two times [s].
   bool jumps(double begin, double end) const;
 
@@ -41,7 +40,7 @@ private:
     int component;    ///< Cartesian, or -1: along the normal
     double sign;
     bool times_density;                                ///< a body force given as an acceleration
-    Vector unit;                                       ///< only of items that depend on time alone
+    DistributedVector unit;                            ///< only of items that depend on time alone
     std::vector<std::array<double, 3>> watched_points; ///< where jumps() looks
   };
 
@@ -49,10 +48,13 @@ private:
   const Problem &problem;
   const FaceConditions<dim> &face_conditions;
   std::vector<Item> items; ///< time-dependent ones
-  Vector constant;
+  DistributedVector constant;
 
   /// Adds direction w(point, time), with w = 1 if `waveform` is null.
-  void integrate(const Item &item, const Waveform *waveform, double time, Vector &target) const;
+  void integrate(const Item &item,
+                 const Waveform *waveform,
+                 double time,
+                 DistributedVector &target) const;
   void watch_points(Item &item) const;
 };
 } // namespace Continua

@@ -5,6 +5,7 @@
 #include <continua/finite_volume/cell_wise_parameters.h>
 #include <continua/finite_volume/face_conditions.h>
 #include <continua/finite_volume/face_traction.h>
+#include <continua/linear_algebra/distributed_vector.h>
 
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
@@ -20,10 +21,8 @@ namespace Continua
 struct CellOperators
 {
   using Matrix = dealii::TrilinosWrappers::SparseMatrix;
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
   /// Volumes at the velocities of the region's cells, zero elsewhere [m^3].
-  Vector volume;
+  DistributedVector volume;
   /// S: minus the force on a cell and the traction force on a face by the mixture w = eta U + sum
   /// mu_k D_k [N for Pa m].
   Matrix stiffness;
@@ -36,7 +35,7 @@ struct CellOperators
   Matrix divergence;
   /// The weights of the equations of state that go with it: a cell's volume, of such a face its
   /// area times its distance from the cell's centre [m^3].
-  Vector pressure_volume;
+  DistributedVector pressure_volume;
   /// Force balance on a boundary face: n.s.n of the mixture, which its pressure exceeds by -n.t; no
   /// entries otherwise [1/m].
   Matrix normal_stress;

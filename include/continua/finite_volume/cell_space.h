@@ -2,6 +2,7 @@
 #define continua_finite_volume_cell_space_h
 
 #include <continua/finite_volume/surface_normal_gradient.h>
+#include <continua/linear_algebra/distributed_vector.h>
 #include <continua/materials/model.h>
 
 #include <mpi.h>
@@ -16,15 +17,13 @@ template <int dim>
 class CellSpace
 {
 public:
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
   CellSpace(dealii::parallel::TriangulationBase<dim> &triangulation, Model model);
 
   /// Measures and numbers the present mesh.
   void distribute();
 
-  Vector velocity_vector() const { return velocities.vector(dim); }
-  Vector pressure_vector() const { return pressures.vector(1); }
+  DistributedVector velocity_vector() const { return velocities.vector(dim); }
+  DistributedVector pressure_vector() const { return pressures.vector(1); }
   /// Local index of the first component of a value that this rank owns.
   unsigned int local_velocity(const unsigned int value) const
   {

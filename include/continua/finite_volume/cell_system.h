@@ -3,6 +3,7 @@
 
 #include <continua/continuum/continuum_solver.h>
 #include <continua/finite_volume/cell_operators.h>
+#include <continua/linear_algebra/distributed_vector.h>
 
 #include <functional>
 #include <vector>
@@ -42,8 +43,6 @@ class CellSystem
 {
 public:
   using Matrix = dealii::TrilinosWrappers::SparseMatrix;
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
   CellSystem(const CellSpace<dim> &space,
              const Problem &problem,
              const FaceConditions<dim> &conditions,
@@ -59,14 +58,20 @@ public:
 
   /// Left sides of the equations above for U and p, R_i's p_plus apart; prescribed directions as
   /// the momentum equation has them.
-  void
-  multiply(const Vector &velocity, const Vector &pressure, Vector &momentum, Vector &mass) const;
+  void multiply(const DistributedVector &velocity,
+                const DistributedVector &pressure,
+                DistributedVector &momentum,
+                DistributedVector &mass) const;
   /// target += R_p p and target += R_i p.
-  void add_pressure_correction(double factor, const Vector &pressure, Vector &target) const;
-  void add_increment_correction(double factor, const Vector &pressure, Vector &target) const;
+  void add_pressure_correction(double factor,
+                               const DistributedVector &pressure,
+                               DistributedVector &target) const;
+  void add_increment_correction(double factor,
+                                const DistributedVector &pressure,
+                                DistributedVector &target) const;
   /// Puts prescribed velocities (in their directions) into right sides: rows f -> scale *
   /// prescribed.
-  void set_prescribed(const Vector &prescribed, Vector &momentum) const;
+  void set_prescribed(const DistributedVector &prescribed, DistributedVector &momentum) const;
   /// The factor of the prescribed directions' equations at a face.
   double scale(const typename FaceConditions<dim>::Face &face) const;
 
@@ -99,7 +104,7 @@ private:
   bool has_correction = false, has_increment_correction = false;
   std::vector<double> diffusion; ///< sum of area/d over a cell's faces over its volume [1/m^2]
   std::vector<double> diagonal;
-  mutable Vector velocity_work, mixture_work, pressure_work;
+  mutable DistributedVector velocity_work, mixture_work, pressure_work;
 
   void measure_diffusion();
   void assemble_corrections();
@@ -110,8 +115,6 @@ template <int dim>
 class CellSolve
 {
 public:
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
   virtual ~CellSolve() = default;
 
   /// The system is new: whatever is made of its matrix is made now. Throws RunError.
@@ -121,10 +124,10 @@ public:
    * starts from. Out: the solution. `report` gets corrections, residual and whether the cap was
    * reached.
    */
-  virtual void solve(const Vector &momentum,
-                     const Vector &mass,
-                     Vector &velocity,
-                     Vector &pressure,
+  virtual void solve(const DistributedVector &momentum,
+                     const DistributedVector &mass,
+                     DistributedVector &velocity,
+                     DistributedVector &pressure,
                      StepReport &report) = 0;
   virtual double factor_entries() const = 0;
   virtual double factor_memory() const = 0; ///< bytes over all ranks

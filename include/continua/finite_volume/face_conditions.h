@@ -3,6 +3,7 @@
 
 #include <continua/boundary/boundary_condition.h>
 #include <continua/finite_volume/cell_space.h>
+#include <continua/linear_algebra/distributed_vector.h>
 
 #include <vector>
 
@@ -17,8 +18,6 @@ template <int dim>
 class FaceConditions
 {
 public:
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
   struct Face
   {
     unsigned int face = 0;      ///< of the mesh
@@ -46,12 +45,12 @@ public:
 
   /// The prescribed velocity at those faces, in the prescribed directions [m/s]; other entries
   /// stay.
-  void evaluate(double time, Vector &velocity) const;
+  void evaluate(double time, DistributedVector &velocity) const;
   bool is_homogeneous() const { return homogeneous; }
   /// Sets the prescribed directions of a vector of equations to zero.
-  void clear_prescribed(Vector &vector) const;
+  void clear_prescribed(DistributedVector &vector) const;
   /// The prescribed directions of a velocity, other entries zero.
-  void prescribed_part(const Vector &velocity, Vector &part) const;
+  void prescribed_part(const DistributedVector &velocity, DistributedVector &part) const;
   /// The traction that is prescribed on a face, in the other directions [Pa].
   dealii::Tensor<1, dim> traction(const Face &face, double time) const;
   /// Whether a prescribed velocity jumps between the two times [s].
