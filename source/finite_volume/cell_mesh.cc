@@ -270,6 +270,16 @@ CellMesh<dim>::cell_number(const typename dealii::Triangulation<dim>::cell_itera
   return number;
 }
 
+template <int dim>
+dealii::Tensor<1, dim> CellMesh<dim>::distance(const unsigned int face,
+                                               const unsigned int side) const
+{
+  const VolumeFace<dim> &on = surfaces[face];
+  if (on.has_value())
+    return on.centre - volumes[on.cell(side)].centre;
+  return side == 0 ? on.distance : -1. * on.distance;
+}
+
 template class CellMesh<2>;
 template class CellMesh<3>;
 } // namespace Continua

@@ -14,11 +14,8 @@ template <int dim>
 Stencil<double> SurfaceNormalGradient<dim>::operator()(const unsigned int face,
                                                        const unsigned int side) const
 {
-  const VolumeFace<dim> &on = mesh.faces()[face];
-  const dealii::Tensor<1, dim> normal = on.outward(side);
-  const dealii::Tensor<1, dim> distance = on.has_value()
-                                              ? on.centre - mesh.cells()[on.cell(side)].centre
-                                              : (side == 0 ? on.distance : -1. * on.distance);
+  const dealii::Tensor<1, dim> normal = mesh.faces()[face].outward(side);
+  const dealii::Tensor<1, dim> distance = mesh.distance(face, side);
   Stencil<double> result = compact(face, side);
   // Where the line is along the normal but for round-off nothing is added to the stencil.
   const dealii::Tensor<1, dim> rest = normal - distance / (distance * normal);
@@ -32,13 +29,9 @@ Stencil<double> SurfaceNormalGradient<dim>::compact(const unsigned int face,
                                                     const unsigned int side) const
 {
   const VolumeFace<dim> &on = mesh.faces()[face];
-  const unsigned int cell = on.cell(side);
-  const bool own = on.has_value();
-  const double along =
-      own ? (on.centre - mesh.cells()[cell].centre) * on.outward(side) : on.distance * on.normal;
-  Stencil<double> result(own ? space.of_face(face, side) : space.of_cell(on.cell(1 - side)),
-                         1. / along);
-  result.add(space.of_cell(cell), -1. / along);
+  const double coefficient = 1. / (mesh.distance(face, side) * on.outward(side));
+  Stencil<double> result(space.beyond(face, side), coefficient);
+  result.add(space.of_cell(on.cell(side)), -coefficient);
   return result;
 }
 

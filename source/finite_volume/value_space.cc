@@ -81,6 +81,13 @@ void ValueSpace<dim>::distribute()
 }
 
 template <int dim>
+unsigned int ValueSpace<dim>::beyond(const unsigned int face, const unsigned int side) const
+{
+  const VolumeFace<dim> &on = mesh.faces()[face];
+  return on.has_value() ? of_face(face, side) : of_cell(on.cell(1 - side));
+}
+
+template <int dim>
 bool ValueSpace<dim>::owns_face(const unsigned int face, const unsigned int side) const
 {
   const unsigned int cell =

@@ -89,6 +89,9 @@ public:
   {
     return surfaces[face].owner == cell ? 0 : 1;
   }
+  /// From the centre of the cell on a side to the place of the value beyond the face: the face's
+  /// centre if it has a value of its own, else the other cell's [m].
+  dealii::Tensor<1, dim> distance(unsigned int face, unsigned int side) const;
   MPI_Comm communicator() const { return triangulation.get_communicator(); }
   /// Largest angle between a face's normal and the line of centres [1, its tangent], and largest
   /// distance of a face's centre from that line over the length of the line: 0 on Cartesian meshes.

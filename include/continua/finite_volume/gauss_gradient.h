@@ -34,9 +34,22 @@ public:
   Stencil<double> face_value(unsigned int face, unsigned int side = 0) const;
 
 private:
+  using Gradients = std::vector<Stencil<dealii::Tensor<1, dim>>>;
+
+  /// From where the line of centres meets the plane of a face to the face's centre [m]; 0 where it
+  /// is so but for round-off, and on faces with their own value.
+  dealii::Tensor<1, dim> offset(unsigned int face) const;
+  /// Exact for linear functions: least squares over the values beyond the cell's faces.
+  Stencil<dealii::Tensor<1, dim>> least_squares(unsigned int cell) const;
+  /// Interpolated between the two cells of a face without a value.
+  Stencil<dealii::Tensor<1, dim>> between(unsigned int face, const Gradients &gradients) const;
+  /// Fetches those of the ghosts.
+  void exchange(Gradients &gradients) const;
+
   const CellMesh<dim> &mesh;
   const ValueSpace<dim> &space;
-  std::vector<Stencil<dealii::Tensor<1, dim>>> of_cell;
+  Gradients of_cell;
+  Gradients first; ///< for the correction of skewness: of cells beside faces that need it
 };
 } // namespace Continua
 

@@ -41,7 +41,9 @@ public:
   {
     return face_values[face][interface_value == InterfaceValue::common ? 0 : side];
   }
-  /// Whether that value is this rank's: the common one is the owner cell's rank's, a broken one
+  /// The value beyond a face, seen from one side: the face's own or the other cell's.
+  unsigned int beyond(unsigned int face, unsigned int side) const;
+  /// Whether a face's value is this rank's: the common one is the owner cell's rank's, a broken one
   /// that of the cell on its side.
   bool owns_face(unsigned int face, unsigned int side) const;
 
