@@ -15,13 +15,12 @@ TractionCoefficients traction_coefficients(const Material &material,
   // A fluid's stress has one modulus; what its stencil could be made of is its viscosity.
   if (material.branches.empty())
     return result;
-  const Formulation formulation = parameters.formulation_type();
   const double shear_modulus = material.instantaneous_shear_modulus();
-  const bool pressure_is_apart = formulation == Formulation::velocity_pressure ||
-                                 formulation == Formulation::velocity_explicit_pressure;
+  const bool pressure_is_apart = parameters.has_pressure();
   std::string choice = parameters.stencil_coefficient;
   if (choice == "automatic")
-    choice = formulation == Formulation::velocity_pressure ? "deviatoric" : "longitudinal";
+    choice = parameters.formulation_type() == Formulation::velocity_pressure ? "deviatoric"
+                                                                             : "longitudinal";
   if (material.inverse_bulk_modulus == 0. && (!pressure_is_apart || choice == "longitudinal"))
     throw std::invalid_argument("an incompressible solid has no finite longitudinal modulus");
   const double bulk_ratio = 1. / (material.inverse_bulk_modulus * shear_modulus);
@@ -225,10 +224,14 @@ private:
     // On the axis the pressure has no slope.
     if (surface.area == 0.)
       type = BoundaryPressure::zero_gradient;
+    // Where the pressure is computed from the displacement it is so everywhere.
+    if (!parameters.has_pressure())
+      type = BoundaryPressure::definition;
 
     if (type == BoundaryPressure::definition)
     {
-      const double volume = surface.plane_area * (surface.distance * surface.normal);
+      const double volume =
+          surface.plane_area * ((surface.centre - mesh.cells()[cell].centre) * normal);
       target.pressure_volume.begin()[space.local_pressure(row)] = volume;
       add_product(
           divergence, row, volume,

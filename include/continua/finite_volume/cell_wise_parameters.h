@@ -52,6 +52,12 @@ struct CellWiseParameters
 
   Formulation formulation_type() const;
   BoundaryPressure boundary_pressure_type() const;
+  /// Whether the pressure is apart from the other stresses.
+  bool has_pressure() const
+  {
+    return formulation_type() == Formulation::velocity_pressure ||
+           formulation_type() == Formulation::velocity_explicit_pressure;
+  }
   bool is_segregated() const { return solution == "segregated"; }
 };
 } // namespace Continua

@@ -1,0 +1,46 @@
+#ifndef continua_finite_volume_coupled_solve_h
+#define continua_finite_volume_coupled_solve_h
+
+#include <continua/finite_volume/cell_system.h>
+#include <continua/linear_algebra/unsymmetric_factor.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/// Velocities and pressures of a step at once, by one factor of the whole matrix that is kept as
+/// long as the matrix is the same: the limit of the segregated loop.
+template <int dim>
+class CoupledSolve : public CellSolve<dim>
+{
+public:
+  explicit CoupledSolve(const CellSystem<dim> &system);
+
+  void reinit() override;
+  /// After a new factor the residual is checked once: RunError if it is larger than 1e-8 of the
+  /// right-hand side.
+  void solve(const DistributedVector &momentum,
+             const DistributedVector &mass,
+             DistributedVector &velocity,
+             DistributedVector &pressure,
+             StepReport &report) override;
+  double factor_entries() const override;
+  double factor_memory() const override;
+  std::string name() const override;
+
+private:
+  const CellSystem<dim> &system;
+  std::unique_ptr<UnsymmetricFactor> factor;
+  std::vector<double> packed;
+  bool residual_is_checked = false;
+
+  void check_residual(const DistributedVector &momentum,
+                      const DistributedVector &mass,
+                      const DistributedVector &velocity,
+                      const DistributedVector &pressure);
+};
+} // namespace Continua
+
+#endif

@@ -1,0 +1,813 @@
+#include <continua/finite_volume/cell_wise_solver.h>
+
+#include <continua/base/input_error.h>
+#include <continua/continuum/vector_archive.h>
+#include <continua/finite_volume/coupled_solve.h>
+#include <continua/linear_algebra/matrix_product.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace Continua
+{
+using namespace dealii;
+
+template <int dim>
+CellWiseSolver<dim>::CellWiseSolver(parallel::TriangulationBase<dim> &triangulation,
+                                    const Problem &problem,
+                                    const CellWiseParameters &parameters,
+                                    Log &log)
+    : problem(problem),
+      parameters(parameters),
+      formulation(parameters.formulation_type()),
+      log(log),
+      space(triangulation, problem.model),
+      conditions(space, problem.conditions),
+      loads(space, problem, conditions),
+      history(problem.materials),
+      bulk_history(problem.materials),
+      system(space, problem, conditions, operators, closure, this->parameters),
+      solve(std::make_unique<CoupledSolve<dim>>(system)),
+      power_ledger(space, problem, this->parameters, conditions, loads, operators)
+{
+}
+
+template <int dim>
+CellWiseSolver<dim>::~CellWiseSolver() = default;
+
+template <int dim>
+void CellWiseSolver<dim>::initialise()
+{
+  setup();
+  set_initial_state();
+  bulk_history.start(pressure);
+  velocity_older = velocity;
+  pressure_older = pressure;
+  pressure_known = pressure;
+  set_dilatation_rate();
+}
+
+template <int dim>
+void CellWiseSolver<dim>::setup()
+{
+  TimerOutput::Scope scope(log.timer(), "setup");
+  space.distribute();
+  conditions.build();
+  assemble_cell_operators(space, problem, conditions, parameters, operators, closure);
+  loads.build();
+  std::vector<std::vector<unsigned int>> velocities_of_regions, pressures_of_regions;
+  for (const CellOperators &of_region : operators)
+  {
+    velocities_of_regions.push_back(rows_with_entries(of_region.stiffness));
+    pressures_of_regions.push_back(rows_with_entries(of_region.divergence));
+  }
+  history.reinit(space.velocity_vector(), velocities_of_regions);
+  bulk_history.reinit(space.pressure_vector(), pressures_of_regions);
+  system.reinit();
+  power_ledger.reinit();
+  for (DistributedVector *vector :
+       {&velocity, &velocity_older, &balanced.velocity, &balanced.acceleration,
+        &balanced.prescribed, &prescribed, &momentum, &velocity_work, &mixture})
+    *vector = space.velocity_vector();
+  for (DistributedVector *vector : {&pressure, &pressure_older, &balanced.pressure, &pressure_known,
+                                    &dilatation_rate, &mass, &pressure_work, &mass_work})
+    *vector = space.pressure_vector();
+  displacement_levels.reinit(velocity);
+
+  // A pressure that no compressible material determines follows from the constraint alone; faces
+  // whose pressure is the cells' go with those.
+  pressures_without_history.clear();
+  std::vector<bool> has_history(space.pressures.n_owned(), false);
+  for (unsigned int region = 0; region < operators.size(); ++region)
+    if (problem.materials[region].inverse_bulk_modulus > 0.)
+      for (unsigned int i = 0; i < has_history.size(); ++i)
+        if (operators[region].pressure_volume.begin()[i] > 0.)
+          has_history[i] = true;
+  for (unsigned int i = 0; i < has_history.size(); ++i)
+    if (!has_history[i])
+      pressures_without_history.push_back(i);
+}
+
+template <int dim>
+Step CellWiseSolver<dim>::with_pressure_update(const Step &step) const
+{
+  Step result = step;
+  if (parameters.pressure_update == "as the displacement" || step.extrapolate)
+    return result;
+  const bool trapezoidal = parameters.pressure_update == "trapezoidal";
+  result.pressure_time = (trapezoidal ? 0.5 : 1.) * step.size();
+  result.pressure_old = 1.;
+  result.pressure_older = 0.;
+  result.divergence_old = trapezoidal;
+  return result;
+}
+
+namespace
+{
+/// What a solid's increment correction is measured by: 2 mu + lambda, of a nearly incompressible
+/// solid 4 mu [Pa].
+double correction_modulus(const Material &material)
+{
+  const double mu = material.instantaneous_shear_modulus();
+  const double inverse_bulk = material.inverse_bulk_modulus;
+  return inverse_bulk * 8. / 3. * mu < 1. ? 4. * mu : 4. / 3. * mu + 1. / inverse_bulk;
+}
+} // namespace
+
+template <int dim>
+CellCoefficients CellWiseSolver<dim>::coefficients(const Step &step) const
+{
+  CellCoefficients result;
+  result.with_pressure = parameters.has_pressure();
+  result.correct_fluxes =
+      formulation == Formulation::velocity_pressure && parameters.rhie_chow != "none";
+  for (const Material &material : problem.materials)
+  {
+    result.mass.push_back(step.a0 * material.density);
+    result.stiffness.push_back(material.viscosity + BranchHistory::step_stiffness(material, step));
+    result.compressibility.push_back(BulkHistory::step_compressibility(material, step));
+    const bool of_increment = parameters.rhie_chow == "increment" && !material.branches.empty();
+    result.increment_mobility.push_back(
+        of_increment ? 1. / (correction_modulus(material) * step.pressure_time) : 0.);
+  }
+  return result;
+}
+
+template <int dim>
+CellCoefficients CellWiseSolver<dim>::steady_coefficients() const
+{
+  // A solid at rest: displacement for velocity, mu for alpha, 1/K for compressibility. A steady
+  // fluid has no dp/dt, so its compressibility plays no part.
+  const bool solid = !problem.materials.front().branches.empty();
+  CellCoefficients result;
+  result.with_pressure = parameters.has_pressure();
+  result.correct_fluxes =
+      formulation == Formulation::velocity_pressure && parameters.rhie_chow != "none";
+  for (const Material &material : problem.materials)
+  {
+    result.mass.push_back(0.);
+    result.stiffness.push_back(solid ? material.long_term_shear_modulus() : material.viscosity);
+    result.compressibility.push_back(solid ? material.long_term_inverse_bulk_modulus() : 0.);
+    result.increment_mobility.push_back(
+        solid && parameters.rhie_chow == "increment" ? 1. / correction_modulus(material) : 0.);
+  }
+  return result;
+}
+
+template <int dim>
+bool CellWiseSolver<dim>::prepare(const CellCoefficients &coefficients)
+{
+  TimerOutput::Scope scope(log.timer(), "factor");
+  if (!system.prepare(coefficients))
+    return false;
+  solve->reinit();
+  return true;
+}
+
+template <int dim>
+void CellWiseSolver<dim>::report_exponential_branches(const Step &step)
+{
+  for (const double relaxation_time : history.exponential_branches(step))
+    if (exponential_branches_reported.insert(relaxation_time).second)
+    {
+      std::ostringstream text;
+      text << "The time step is longer than the relaxation time " << relaxation_time
+           << " s: its branches take the exponential update";
+      log.line(text.str());
+    }
+}
+
+template <int dim>
+void CellWiseSolver<dim>::add_history(const Step &step)
+{
+  velocity_work.equ(-step.a1, velocity);
+  if (step.a2 != 0.)
+    velocity_work.add(-step.a2, velocity_older);
+  balanced.acceleration.equ(-1., velocity_work);
+  for (unsigned int region = 0; region < operators.size(); ++region)
+  {
+    const CellOperators &of_region = operators[region];
+    const double density = problem.materials[region].density;
+    for (unsigned int i = 0; i < momentum.locally_owned_size(); ++i)
+      momentum.begin()[i] += density * of_region.volume.begin()[i] * velocity_work.begin()[i];
+    if (history.predict(region, step, velocity, mixture))
+    {
+      multiply(parameters.accumulated_term == "inconsistent" ? of_region.wide_stiffness
+                                                             : of_region.stiffness,
+               balanced.velocity, mixture);
+      momentum.add(-1., balanced.velocity);
+      if (!closure.force_balance.empty())
+      {
+        multiply(of_region.normal_stress, mass_work, mixture);
+        mass.add(1., mass_work);
+      }
+    }
+  }
+}
+
+template <int dim>
+void CellWiseSolver<dim>::add_state(const Step &step)
+{
+  pressure_work.equ(step.pressure_old, pressure);
+  if (step.pressure_older != 0.)
+    pressure_work.add(step.pressure_older, pressure_older);
+  const CellCoefficients &present = system.coefficients();
+  for (unsigned int region = 0; region < operators.size(); ++region)
+  {
+    const DistributedVector &volume = operators[region].pressure_volume;
+    const bool relaxes = bulk_history.has(region);
+    if (relaxes)
+      bulk_history.predict(region, step, pressure_work);
+    for (unsigned int i = 0; i < mass.locally_owned_size(); ++i)
+      if (volume.begin()[i] != 0.)
+      {
+        mass.begin()[i] +=
+            present.compressibility[region] * volume.begin()[i] * pressure_work.begin()[i];
+        // What relaxes has the rate of the past in its own prediction.
+        if (step.divergence_old && !relaxes)
+          mass.begin()[i] -= dilatation_rate.begin()[i];
+      }
+  }
+  system.add_increment_correction(-1., pressure_work, mass);
+}
+
+template <int dim>
+void CellWiseSolver<dim>::set_prescribed(const Step &step)
+{
+  if (conditions.is_homogeneous())
+    balanced.prescribed = 0.;
+  else
+  {
+    conditions.evaluate(step.extrapolate ? step.time : step.balance_time, prescribed);
+    if (step.extrapolate)
+    {
+      // The end of the step has what is prescribed there, so its middle the mean of that and of the
+      // start.
+      conditions.prescribed_part(velocity, balanced.prescribed);
+      balanced.prescribed.sadd(0.5, 0.5, prescribed);
+    }
+    else
+      balanced.prescribed.equ(1., prescribed);
+  }
+  system.set_prescribed(balanced.prescribed, momentum);
+}
+
+template <int dim>
+void CellWiseSolver<dim>::add_force_balance(const double time)
+{
+  for (const auto &[index, number] : closure.force_balance)
+  {
+    const auto &face = conditions.faces()[number];
+    mass.begin()[index] -= conditions.traction(face, time) * space.mesh.faces()[face.face].normal;
+  }
+}
+
+template <int dim>
+StepReport CellWiseSolver<dim>::advance(const Step &given_step)
+{
+  if (formulation == Formulation::displacement)
+    return advance_displacement(given_step);
+  const Step step = with_pressure_update(given_step);
+  StepReport report;
+  report.factored = prepare(coefficients(step));
+  if (report.factored)
+    report_exponential_branches(step);
+  {
+    TimerOutput::Scope scope(log.timer(), "right-hand side");
+    momentum = 0.;
+    mass = 0.;
+    add_history(step);
+    loads.add(step.balance_time, momentum);
+    if (parameters.has_pressure())
+    {
+      add_state(step);
+      add_force_balance(step.balance_time);
+    }
+    set_prescribed(step);
+  }
+  {
+    TimerOutput::Scope scope(log.timer(), "solve");
+    balanced.velocity.equ(1., velocity);
+    balanced.pressure.equ(1., pressure);
+    solve->solve(momentum, mass, balanced.velocity, balanced.pressure, report);
+  }
+  TimerOutput::Scope scope(log.timer(), "update");
+  set_extremes(step, report);
+  balanced.acceleration.add(step.a0, balanced.velocity);
+  history.advance(step, velocity, balanced.velocity);
+  if (parameters.has_pressure())
+    bulk_history.advance(step, balanced.pressure);
+  velocity_older.swap(velocity);
+  pressure_older.swap(pressure);
+  if (step.extrapolate)
+  {
+    velocity.equ(2., balanced.velocity);
+    velocity.add(-1., velocity_older);
+    pressure.equ(2., balanced.pressure);
+    pressure.add(-1., pressure_older);
+    extrapolate_pressure(step);
+  }
+  else
+  {
+    velocity.equ(1., balanced.velocity);
+    pressure.equ(1., balanced.pressure);
+  }
+  if (!pressures_without_history.empty())
+  {
+    pressure_known.equ(1., balanced.pressure);
+    pressure_known_time = step.balance_time;
+  }
+  if (step.divergence_old)
+    set_dilatation_rate();
+  pressure_is_current = parameters.has_pressure();
+  present_time = step.time;
+  balanced.step = step;
+  return report;
+}
+
+template <int dim>
+StepReport CellWiseSolver<dim>::advance_displacement(const Step &step)
+{
+  StepReport report;
+  const auto derivatives = displacement_levels.derivatives(step, step.a2 != 0.);
+  CellCoefficients present;
+  present.with_pressure = false;
+  present.correct_fluxes = false;
+  for (const Material &material : problem.materials)
+  {
+    present.mass.push_back(derivatives.second_own * material.density);
+    present.stiffness.push_back(material.long_term_shear_modulus());
+  }
+  report.factored = prepare(present);
+  {
+    TimerOutput::Scope scope(log.timer(), "right-hand side");
+    momentum = 0.;
+    displacement_levels.combine(derivatives.second_known, balanced.acceleration);
+    for (unsigned int region = 0; region < operators.size(); ++region)
+      for (unsigned int i = 0; i < momentum.locally_owned_size(); ++i)
+        momentum.begin()[i] -= problem.materials[region].density *
+                               operators[region].volume.begin()[i] *
+                               balanced.acceleration.begin()[i];
+    loads.add(step.balance_time, momentum);
+    // U = own D + known levels, so that a prescribed velocity prescribes D.
+    displacement_levels.combine(derivatives.first_known, velocity_work);
+    if (!conditions.is_homogeneous())
+      conditions.evaluate(step.balance_time, balanced.prescribed);
+    mixture.equ(1. / derivatives.first_own, balanced.prescribed);
+    mixture.add(-1. / derivatives.first_own, velocity_work);
+    system.set_prescribed(mixture, momentum);
+  }
+  DistributedVector &displacement = history.displacement();
+  {
+    TimerOutput::Scope scope(log.timer(), "solve");
+    solve->solve(momentum, mass, displacement, pressure, report);
+  }
+  TimerOutput::Scope scope(log.timer(), "update");
+  balanced.acceleration.add(derivatives.second_own, displacement);
+  balanced.velocity.equ(1., velocity_work);
+  balanced.velocity.add(derivatives.first_own, displacement);
+  set_extremes(step, report);
+  velocity_older.swap(velocity);
+  velocity.equ(1., balanced.velocity);
+  displacement_levels.advance(step, displacement);
+  pressure_is_current = false;
+  present_time = step.time;
+  balanced.step = step;
+  return report;
+}
+
+template <int dim>
+void CellWiseSolver<dim>::set_extremes(const Step &step, StepReport &report) const
+{
+  double largest_velocity = 0., largest_change = 0.;
+  // A maximum passes over what is no number; 0 times it is no number either.
+  double zero = 0.;
+  const double *const solved = balanced.velocity.begin();
+  const double *const old = velocity.begin();
+  for (unsigned int i = 0; i < velocity.locally_owned_size(); ++i)
+  {
+    const double next = step.extrapolate ? 2. * solved[i] - old[i] : solved[i];
+    largest_velocity = std::max(largest_velocity, std::abs(solved[i]));
+    largest_change = std::max(largest_change, std::abs(next - old[i]));
+    zero += 0. * solved[i];
+  }
+  for (const double pressure_entry : balanced.pressure)
+    zero += 0. * pressure_entry;
+  std::array<double, 3> extremes = {{largest_velocity, largest_change, zero == 0. ? 0. : 1.}};
+  MPI_Allreduce(MPI_IN_PLACE, extremes.data(), 3, MPI_DOUBLE, MPI_MAX, space.communicator);
+  if (extremes[2] > 0.)
+  {
+    std::ostringstream text;
+    text << "the solution is not finite in the step to t = " << step.time << " s";
+    throw RunError(text.str());
+  }
+  report.largest_velocity = extremes[0];
+  report.largest_change = extremes[1];
+}
+
+template <int dim>
+void CellWiseSolver<dim>::extrapolate_pressure(const Step &step)
+{
+  // Where 1/K = 0 the pressure has no history: the balanced one belongs to the middle of the step,
+  // and the line through the last two of them leads to its end.
+  const double factor = (step.time - step.balance_time) / (step.balance_time - pressure_known_time);
+  for (const unsigned int i : pressures_without_history)
+    pressure.begin()[i] = balanced.pressure.begin()[i] +
+                          factor * (balanced.pressure.begin()[i] - pressure_known.begin()[i]);
+}
+
+template <int dim>
+void CellWiseSolver<dim>::set_dilatation_rate()
+{
+  dilatation_rate = 0.;
+  for (const CellOperators &of_region : operators)
+  {
+    multiply(of_region.divergence, mass_work, velocity);
+    dilatation_rate.add(1., mass_work);
+  }
+  // What Rhie and Chow's correction of a pressure lets through a face has flowed.
+  system.add_pressure_correction(-1., pressure, dilatation_rate);
+}
+
+template <int dim>
+void CellWiseSolver<dim>::set_pressure_of_displacement()
+{
+  if (pressure_is_current)
+    return;
+  pressure = 0.;
+  for (unsigned int region = 0; region < operators.size(); ++region)
+  {
+    const CellOperators &of_region = operators[region];
+    multiply(of_region.divergence, mass_work, history.displacement());
+    for (unsigned int i = 0; i < mass_work.locally_owned_size(); ++i)
+      if (of_region.pressure_volume.begin()[i] != 0.)
+        pressure.begin()[i] -= mass_work.begin()[i] / of_region.pressure_volume.begin()[i] /
+                               problem.materials[region].inverse_bulk_modulus;
+  }
+  // Faces without an equation of state have the pressure of their cell, extrapolated.
+  multiply(closure.matrix, pressure_work, pressure);
+  for (const unsigned int i : closure.rows)
+    pressure.begin()[i] -= pressure_work.begin()[i];
+  pressure_is_current = true;
+}
+
+template <int dim>
+void CellWiseSolver<dim>::set_initial_state()
+{
+  const InteriorData &data = problem.interior;
+  const auto evaluate = [](const Expression &expression, const Point<dim> &point)
+  {
+    double x[3] = {0., 0., 0.};
+    for (unsigned int c = 0; c < dim; ++c)
+      x[c] = point[c];
+    return expression(x, 0.);
+  };
+  // Every value is set at its place: a cell's centre, a face's centre.
+  const auto for_values = [&](const auto &function)
+  {
+    for (unsigned int cell = 0; cell < space.mesh.n_owned_cells(); ++cell)
+      function(space.velocities.of_cell(cell), space.pressures.of_cell(cell), true,
+               space.mesh.cells()[cell].centre, space.mesh.cells()[cell].material_id);
+    for (unsigned int face = 0; face < space.mesh.faces().size(); ++face)
+    {
+      const VolumeFace<dim> &surface = space.mesh.faces()[face];
+      for (unsigned int side = 0; surface.has_value() && side < surface.n_sides(); ++side)
+        if (space.mesh.cells()[surface.cell(side)].is_owned)
+          function(space.velocities.of_face(face, side), space.pressures.of_face(face, side),
+                   space.velocities.owns_face(face, side), surface.centre,
+                   space.mesh.cells()[surface.cell(side)].material_id);
+    }
+  };
+  for_values(
+      [&](const unsigned int value, const unsigned int pressure_value, const bool owned,
+          const Point<dim> &point, const unsigned int region)
+      {
+        for (unsigned int c = 0; c < dim && owned; ++c)
+        {
+          const unsigned int index = space.local_velocity(value) + c;
+          if (!data.initial_velocity.empty())
+            velocity.begin()[index] = evaluate(data.initial_velocity[c], point);
+          if (!data.initial_displacement.empty())
+            history.displacement().begin()[index] = evaluate(data.initial_displacement[c], point);
+        }
+        // The mean pressure is given; in plane stress the unknown is another multiple of it.
+        if (!data.initial_pressure.empty())
+          pressure.begin()[space.local_pressure(pressure_value)] =
+              evaluate(data.initial_pressure[region], point) /
+              problem.materials[region].pressure_factor;
+      });
+  if (!data.initial_displacement.empty() && data.initial_pressure.empty() &&
+      parameters.has_pressure())
+  {
+    pressure_is_current = false;
+    set_pressure_of_displacement();
+    log.line("Initial pressure: in equilibrium with the initial displacement");
+  }
+  if (data.initial_displacement.empty() && data.initial_pressure.empty())
+    set_consistent_start();
+}
+
+template <int dim>
+void CellWiseSolver<dim>::set_consistent_start()
+{
+  if (formulation == Formulation::displacement)
+    return;
+  momentum = 0.;
+  mass = 0.;
+  loads.add(0., momentum);
+  // The load acts on faces; cells have not moved yet.
+  for (unsigned int i = 0; i < dim * space.mesh.n_owned_cells(); ++i)
+    momentum.begin()[i] = 0.;
+  if (momentum.linfty_norm() == 0.)
+    return;
+
+  CellCoefficients rest;
+  rest.with_pressure = parameters.has_pressure();
+  rest.correct_fluxes = false;
+  std::vector<bool> yields; // at once, as a spring does
+  for (const Material &material : problem.materials)
+  {
+    yields.push_back(!material.branches.empty() && material.viscosity == 0.);
+    rest.mass.push_back(0.);
+    rest.stiffness.push_back(yields.back() ? material.instantaneous_shear_modulus() : 0.);
+    rest.compressibility.push_back(material.inverse_bulk_modulus);
+    rest.increment_mobility.push_back(0.);
+  }
+  if (std::find(yields.begin(), yields.end(), true) == yields.end())
+    return;
+  if (parameters.has_pressure())
+    add_force_balance(0.);
+  system.prepare(rest);
+
+  // Values that stay what they are: cells' velocities, what belongs to regions that do not yield,
+  // and the pressures of cells that follow from no displacement.
+  std::vector<bool> face_yields(space.velocities.n_owned(), false),
+      pressure_stays(space.pressures.n_owned(), true);
+  for (unsigned int face = 0; face < space.mesh.faces().size(); ++face)
+  {
+    const VolumeFace<dim> &surface = space.mesh.faces()[face];
+    for (unsigned int side = 0; surface.has_value() && side < surface.n_sides(); ++side)
+    {
+      const FiniteVolume<dim> &cell = space.mesh.cells()[surface.cell(side)];
+      if (!yields[cell.material_id])
+        continue;
+      if (space.velocities.owns_face(face, side))
+        face_yields[space.local_velocity(space.velocities.of_face(face, side)) / dim] = true;
+      if (cell.is_owned)
+        pressure_stays[space.local_pressure(space.pressures.of_face(face, side))] = false;
+    }
+  }
+  for (unsigned int cell = 0; cell < space.mesh.n_owned_cells(); ++cell)
+  {
+    const unsigned int region = space.mesh.cells()[cell].material_id;
+    if (yields[region] && problem.materials[region].inverse_bulk_modulus > 0.)
+      pressure_stays[cell] = false;
+  }
+  for (const unsigned int row : closure.rows)
+    pressure_stays[row] = false;
+
+  const int first = dim * space.velocities.first_owned();
+  const int first_pressure = system.n_velocities() + space.pressures.first_owned();
+  const auto stays = [&](const int row)
+  {
+    return row < static_cast<int>(system.n_velocities()) ? !face_yields[(row - first) / dim]
+                                                         : pressure_stays[row - first_pressure];
+  };
+  Triplets matrix;
+  std::vector<int> owned;
+  matrix.n = system.n_velocities() + (rest.with_pressure ? space.pressures.n_values() : 0);
+  const auto add = [&](const int row, const int column, const double value)
+  {
+    matrix.rows.push_back(row);
+    matrix.columns.push_back(column);
+    matrix.values.push_back(value);
+  };
+  system.for_entries(
+      [&](const int row, const int column, const double value)
+      {
+        if (!stays(row))
+          add(row, column, value);
+      });
+  for (unsigned int i = 0; i < dim * space.velocities.n_owned(); ++i)
+    owned.push_back(first + i);
+  for (unsigned int i = 0; rest.with_pressure && i < space.pressures.n_owned(); ++i)
+    owned.push_back(first_pressure + i);
+  for (const int row : owned)
+    if (stays(row))
+      add(row, row, 1.);
+  balanced.prescribed = 0.;
+  system.set_prescribed(balanced.prescribed, momentum);
+  std::vector<double> packed(momentum.begin(), momentum.end());
+  if (rest.with_pressure)
+    packed.insert(packed.end(), mass.begin(), mass.end());
+  for (unsigned int i = 0; i < packed.size(); ++i)
+    if (stays(owned[i]))
+      packed[i] = 0.;
+  const auto factor = make_unsymmetric_factor("automatic", space.communicator);
+  factor->factorize(matrix, owned);
+  factor->solve(packed);
+  const auto middle = packed.begin() + dim * space.velocities.n_owned();
+  for (DistributedVector *const vector : history.vectors())
+    std::copy(packed.begin(), middle, vector->begin());
+  if (rest.with_pressure)
+    std::copy(middle, packed.end(), pressure.begin());
+}
+
+template <int dim>
+bool CellWiseSolver<dim>::steady_is_direct() const
+{
+  bool all_solid = true, all_fluid = true;
+  for (const Material &material : problem.materials)
+    (material.branches.empty() ? all_solid : all_fluid) = false;
+  return all_solid || all_fluid;
+}
+
+template <int dim>
+void CellWiseSolver<dim>::solve_steady(const double time)
+{
+  AssertThrow(steady_is_direct(), ExcInternalError());
+  const bool solid = !problem.materials.front().branches.empty();
+  prepare(steady_coefficients());
+  momentum = 0.;
+  mass = 0.;
+  loads.add(time, momentum);
+  if (parameters.has_pressure())
+    add_force_balance(time);
+  balanced.prescribed = 0.;
+  // A solid at rest has no velocity to prescribe: its supports hold.
+  if (!solid && !conditions.is_homogeneous())
+    conditions.evaluate(time, balanced.prescribed);
+  system.set_prescribed(balanced.prescribed, momentum);
+  StepReport report;
+  {
+    TimerOutput::Scope scope(log.timer(), "solve");
+    velocity_work = 0.;
+    solve->solve(momentum, mass, velocity_work, pressure, report);
+  }
+  if (!std::isfinite(velocity_work.linfty_norm()))
+    throw RunError("the steady solution is not finite");
+  (solid ? history.displacement() : velocity) = velocity_work;
+  pressure_is_current = parameters.has_pressure();
+  present_time = time;
+}
+
+template <int dim>
+bool CellWiseSolver<dim>::data_jump(const double begin, const double end) const
+{
+  return loads.jumps(begin, end) || conditions.jumps(begin, end);
+}
+
+template <int dim>
+State CellWiseSolver<dim>::state() const
+{
+  return State{velocity, pressure, history};
+}
+
+template <int dim>
+PowerBalance CellWiseSolver<dim>::power_balance(const bool relaxation)
+{
+  return power_ledger.balance(balanced, velocity_older, velocity, history, bulk_history,
+                              relaxation);
+}
+
+template <int dim>
+Energy CellWiseSolver<dim>::energy()
+{
+  return power_ledger.energy(state(), bulk_history);
+}
+
+template <int dim>
+double CellWiseSolver<dim>::divergence()
+{
+  double largest = 0.;
+  for (const CellOperators &of_region : operators)
+  {
+    multiply(of_region.divergence, mass_work, velocity);
+    for (unsigned int i = 0; i < space.mesh.n_owned_cells(); ++i)
+      if (of_region.pressure_volume.begin()[i] > 0.)
+        largest = std::max(largest,
+                           std::abs(mass_work.begin()[i] / of_region.pressure_volume.begin()[i]));
+  }
+  return Utilities::MPI::max(largest, space.communicator);
+}
+
+template <int dim>
+std::vector<FieldComponent> CellWiseSolver<dim>::fields() const
+{
+  return {};
+}
+
+template <int dim>
+unsigned int CellWiseSolver<dim>::add_probe(const ProbeRequest<dim> &)
+{
+  return 0;
+}
+
+template <int dim>
+void CellWiseSolver<dim>::evaluate_probes(std::vector<double> &)
+{
+}
+
+template <int dim>
+std::map<std::string, std::string> CellWiseSolver<dim>::add_output(DataOut<dim> &)
+{
+  return {};
+}
+
+template <int dim>
+void CellWiseSolver<dim>::indicators(Vector<float> &)
+{
+}
+
+template <int dim>
+void CellWiseSolver<dim>::prepare_refinement()
+{
+}
+
+template <int dim>
+void CellWiseSolver<dim>::transfer()
+{
+}
+
+template <int dim>
+double
+CellWiseSolver<dim>::error_norm(const std::string &, const std::vector<Expression> &, const double)
+{
+  return 0.;
+}
+
+template <int dim>
+std::vector<DistributedVector *> CellWiseSolver<dim>::velocity_vectors()
+{
+  std::vector<DistributedVector *> vectors = history.vectors();
+  vectors.push_back(&velocity);
+  vectors.push_back(&velocity_older);
+  if (formulation == Formulation::displacement)
+    for (DistributedVector *const level : displacement_levels.vectors())
+      vectors.push_back(level);
+  return vectors;
+}
+
+template <int dim>
+std::vector<DistributedVector *> CellWiseSolver<dim>::pressure_vectors()
+{
+  std::vector<DistributedVector *> vectors = bulk_history.vectors();
+  vectors.insert(vectors.end(), {&pressure, &pressure_older, &pressure_known});
+  return vectors;
+}
+
+template <int dim>
+void CellWiseSolver<dim>::save(ArchiveWriter &archive) const
+{
+  archive.add("present time", present_time);
+  archive.add("time of the known pressure", pressure_known_time);
+  save_vector(archive, "velocity", velocity);
+  save_vector(archive, "velocity older", velocity_older);
+  save_vector(archive, "pressure", pressure);
+  save_vector(archive, "pressure older", pressure_older);
+  save_vector(archive, "pressure known", pressure_known);
+  save_vector(archive, "dilatation rate", dilatation_rate);
+  history.save(archive);
+  bulk_history.save(archive);
+  displacement_levels.save(archive);
+}
+
+template <int dim>
+void CellWiseSolver<dim>::load(const ArchiveReader &archive)
+{
+  present_time = archive.value("present time");
+  pressure_known_time = archive.value("time of the known pressure");
+  load_vector(archive, "velocity", velocity);
+  load_vector(archive, "velocity older", velocity_older);
+  load_vector(archive, "pressure", pressure);
+  load_vector(archive, "pressure older", pressure_older);
+  load_vector(archive, "pressure known", pressure_known);
+  load_vector(archive, "dilatation rate", dilatation_rate);
+  history.load(archive);
+  bulk_history.load(archive);
+  displacement_levels.load(archive);
+  pressure_is_current = parameters.has_pressure();
+}
+
+template <int dim>
+SolverSizes CellWiseSolver<dim>::sizes() const
+{
+  SolverSizes sizes;
+  sizes.n_cells = space.mesh.triangulation.n_global_active_cells();
+  sizes.n_dofs[formulation == Formulation::displacement ? "displacement" : "velocity"] =
+      dim * space.velocities.n_values();
+  if (parameters.has_pressure())
+    sizes.n_dofs["pressure"] = space.pressures.n_values();
+  sizes.factor_entries = solve->factor_entries();
+  sizes.factor_memory = solve->factor_memory();
+  sizes.linear_solver = solve->name();
+  return sizes;
+}
+
+template class CellWiseSolver<2>;
+template class CellWiseSolver<3>;
+} // namespace Continua
