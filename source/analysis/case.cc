@@ -2,6 +2,7 @@
 #include <continua/analysis/case_checks.h>
 
 #include <continua/analysis/analyses.h>
+#include <continua/analysis/comparison_parameters.h>
 #include <continua/boundary/flow_rates.h>
 #include <continua/boundary/outlets.h>
 #include <continua/continuum/field_list.h>
@@ -29,8 +30,14 @@ void GeneralParameters::read(ParameterSection root)
                   "The kinematics: plane strain, plane stress (Hookean solids only), axisymmetric "
                   "(x axial, y radial), "
                   "three-dimensional.");
-  root.add_choice("Discretisation", discretisation, {"taylor hood"},
-                  "taylor hood: finite elements, velocity Q_k, pressure Q_(k-1).");
+  names.clear();
+  text = "How the equations are discretised in space:";
+  for (const auto &type : discretisation_types())
+  {
+    text += (names.empty() ? " " : "; ") + type.first + " - " + type.second;
+    names.push_back(type.first);
+  }
+  root.add_choice("Discretisation", discretisation, names, text + ".");
   root.add_choice("Convection", convection, {"none"},
                   "Convective terms of the equations; there are none so far.");
 }
@@ -73,6 +80,14 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator, const bool res
 {
   ParameterSection root = file.root();
   general.read(root);
+  // Of a comparison this is one of the runs; the file of one may be run alone, too.
+  if (general.analysis == "comparison" || root.has_subsection("Comparison"))
+  {
+    ComparisonParameters comparison;
+    comparison.read(root);
+    if (general.analysis == "comparison")
+      general.analysis = comparison.analysis;
+  }
   problem.communicator = communicator;
   problem.model = model_of(general.model);
   const bool axisymmetric = problem.model == Model::axisymmetric;
@@ -97,8 +112,7 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator, const bool res
   problem.interior.read(root.subsection("Body force"), root.subsection("Initial state"),
                         problem.regions, dim);
 
-  taylor_hood.space.read(root.subsection("Finite element"));
-  taylor_hood.linear_solver.read(root.subsection("Linear solver"));
+  discretisation.read(root, general.discretisation);
   if (transient)
     time.read(root.subsection("Time"));
   else

@@ -1,6 +1,7 @@
 #include <continua/analysis/case_checks.h>
 
 #include <continua/analysis/linear_wave_theory.h>
+#include <continua/finite_volume/cell_wise_checks.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -122,7 +123,7 @@ void check_axis(const Case<dim> &input, ParameterSection root)
 template <int dim>
 void check_linear_solver(const Case<dim> &input, ParameterSection root)
 {
-  const std::string &type = input.taylor_hood.linear_solver.type;
+  const std::string &type = input.discretisation.taylor_hood.linear_solver.type;
   ParameterSection section = root.subsection("Linear solver");
   const bool incompressible =
       std::any_of(input.problem.materials.begin(), input.problem.materials.end(),
@@ -165,7 +166,10 @@ void check_case(const Case<dim> &input, ParameterSection root)
     check_steady(input, root);
   if (input.problem.model == Model::axisymmetric)
     check_axis(input, root);
-  check_linear_solver(input, root);
+  if (input.discretisation.is_cell_wise())
+    check_cell_wise(input.problem, input.discretisation.cell_wise, is_steady(input), root);
+  else
+    check_linear_solver(input, root);
 }
 
 template void check_case(const Case<2> &, ParameterSection);

@@ -26,6 +26,9 @@ MaterialLaboratory::MaterialLaboratory(ParameterFile &file)
   if (general.model != GeneralParameters().model)
     root.refuse("Model", "the specimen of the laboratory has its own kinematics",
                 "Remove it; Laboratory/Specimen is a cylinder or a cube");
+  if (general.discretisation != GeneralParameters().discretisation)
+    root.refuse("Discretisation", "the specimen of the laboratory is one finite element",
+                "Remove it");
   read_material_of(root.subsection("Materials"));
   ParameterSection section = root.subsection("Laboratory");
   laboratory.read(section);

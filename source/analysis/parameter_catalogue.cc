@@ -1,6 +1,7 @@
 #include <continua/analysis/parameter_catalogue.h>
 
 #include <continua/analysis/case.h>
+#include <continua/analysis/comparison_parameters.h>
 #include <continua/analysis/laboratory_parameters.h>
 #include <continua/analysis/measured_waves.h>
 #include <continua/base/input_error.h>
@@ -82,11 +83,9 @@ void read_interior(ParameterSection root, const GeneralParameters &general)
                       n_dimensions(model_of(general.model)));
 }
 
-void read_discretisation(ParameterSection root, const GeneralParameters &)
+void read_discretisation(ParameterSection root, const GeneralParameters &general)
 {
-  TaylorHoodParameters parameters;
-  parameters.space.read(root.subsection("Finite element"));
-  parameters.linear_solver.read(root.subsection("Linear solver"));
+  DiscretisationParameters().read(root, general.discretisation);
 }
 
 void read_probe(ParameterSection root, const GeneralParameters &)
@@ -138,7 +137,7 @@ std::vector<Source> sources()
        read_interior,
        "",
        {}},
-      {"Finite elements and linear solver",
+      {"Discretisation",
        "How the equations are discretised in space, and how the systems are solved.",
        {},
        read_discretisation,
@@ -154,6 +153,13 @@ std::vector<Source> sources()
        "Of a steady analysis of fluid and solid together, which is stepped to rest.",
        {},
        [](Root root, const General &) { RestParameters().read(root.subsection("Steady")); },
+       "",
+       {}},
+      {"Comparison",
+       "Of `Analysis = comparison`: by which two ways, on which meshes, and what counts as "
+       "agreement.",
+       {},
+       [](Root root, const General &) { ComparisonParameters().read(root); },
        "",
        {}},
       {"Spin coating",

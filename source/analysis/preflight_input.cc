@@ -200,7 +200,7 @@ PreflightInput preflight_input(const Case<dim> &input)
   const double refinement = std::pow(2., input.mesh.refinements);
   PreflightInput preflight;
   preflight.regions = regions_of(input, refinement);
-  preflight.velocity_degree = input.taylor_hood.space.velocity_degree;
+  preflight.velocities_per_cell = input.discretisation.velocities_per_cell();
   preflight.step = regular_step(input.time);
   preflight.end_time = input.time.end_time;
 

@@ -203,7 +203,7 @@ void PreflightReport::report_tube_mesh(const double wavelength)
   add("wavelength", wavelength, "m", "at the frequency");
   add("cells per wavelength", wavelength / input.axial_cell, "1",
       "the longest axial cells of the fluid, " + text_of(input.axial_cell, "m"));
-  const double nodes = input.velocity_degree * wavelength / input.axial_cell;
+  const double nodes = input.velocities_per_cell * wavelength / input.axial_cell;
   if (nodes < least_nodes_per_wavelength)
   {
     std::ostringstream text;
@@ -301,11 +301,11 @@ void PreflightReport::report_body_mesh()
     if (std::isfinite(cells))
       add("cells per wavelength, " + region.name, cells, "1",
           material.is_solid() ? "of shear waves" : "of sound");
-    if (input.velocity_degree * cells < least_nodes_per_wavelength)
+    if (input.velocities_per_cell * cells < least_nodes_per_wavelength)
     {
       std::ostringstream text;
       text.precision(3);
-      text << "pre-flight: " << input.velocity_degree * cells
+      text << "pre-flight: " << input.velocities_per_cell * cells
            << " velocity nodes per wavelength at the load's frequency in '" << region.name
            << "', fewer than " << least_nodes_per_wavelength << ": refine the mesh";
       warning_list.push_back(text.str());
@@ -360,7 +360,7 @@ void PreflightReport::report_stiffest_mode()
   add("largest Courant number", courant, "1",
       "of sound and longitudinal waves in the shortest edge");
   // The shortest wave on the mesh has two nodes.
-  const double theta = std::min(M_PI * input.velocity_degree * courant, 1e6);
+  const double theta = std::min(M_PI * input.velocities_per_cell * courant, 1e6);
   const double radius = Amplification(input.step, theta / input.step.size()).spectral_radius();
   add("stiffest mode, factor per step", radius, "1",
       input.step.update == Update::midpoint ? "kept, as all modes" : "");

@@ -39,6 +39,7 @@ void Run<dim>::describe_run()
   summary.set("parameter file", command_line.parameter_file);
   summary.set("analysis", input.general.analysis);
   summary.set("model", input.general.model);
+  summary.set("discretisation", input.general.discretisation);
   summary.set("ranks", static_cast<double>(Utilities::MPI::n_mpi_processes(input.communicator)));
   summary.set("libraries", library_versions());
   input.power_laws.report_tables(log, summary);
@@ -60,8 +61,7 @@ void Run<dim>::initialise(const std::string &mesh_file)
   }
   input.power_laws.report_series(log, summary);
   input.absorbing_ends.report(log, summary);
-  solver = std::make_unique<TaylorHoodSolver<dim>>(*input.triangulation, input.problem,
-                                                   input.taylor_hood, log);
+  solver = make_solver<dim>(*input.triangulation, input.problem, input.discretisation, log);
   solver->initialise();
   input.probes.attach(*solver, input.problem.model);
 
@@ -71,7 +71,8 @@ void Run<dim>::initialise(const std::string &mesh_file)
   for (const auto &dofs : sizes.n_dofs)
     text << ' ' << dofs.first << ' ' << dofs.second;
   log.line(text.str());
-  citations.add("hoodtaylor1973");
+  for (const std::string &key : input.discretisation.citations())
+    citations.add(key);
   citations.add("p4est");
   citations.add("trilinos");
 }

@@ -57,12 +57,14 @@ void Steady<dim>::perform()
   input.probes.record(0.);
   if (input.output.final_fields)
   {
-    FieldWriter<dim> writer(input.communicator, run.directory.path(),
-                            input.output.subdivisions_for(input.taylor_hood.space.velocity_degree),
-                            input.output.higher_order_cells);
+    FieldWriter<dim> writer(
+        input.communicator, run.directory.path(),
+        input.output.subdivisions_for(input.discretisation.velocities_per_cell()),
+        input.output.higher_order_cells);
     writer.write(*run.solver, 0.);
     writer.finish(run.summary);
   }
+  loop.finish(run.summary);
   run.finish(n_steps, 0.);
 }
 
@@ -87,6 +89,7 @@ void Steady<dim>::step_to_rest()
     euler.balance_time = 0.;
     euler.time = 0.;
     const StepReport report = run.solver->advance(euler);
+    loop.record(report, (step + 1) * rest.time_step, run.log);
     ++n_steps;
     largest_velocity = std::max(largest_velocity, report.largest_velocity);
     if (report.largest_change <= rest.tolerance * largest_velocity)

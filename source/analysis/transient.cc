@@ -33,11 +33,11 @@ Transient<dim>::Transient(Run<dim> &run)
             run.input.problem.outlets),
       fields(run.input.communicator,
              run.directory.path(),
-             run.input.output.subdivisions_for(run.input.taylor_hood.space.velocity_degree),
+             run.input.output.subdivisions_for(run.input.discretisation.velocities_per_cell()),
              run.input.output.higher_order_cells),
       checkpoint(run.input.communicator,
                  run.directory.file("checkpoint"),
-                 run.file.identity({"Title", "Time/End time", "Output", "Expected"})),
+                 run.file.identity({"Title", "Time/End time", "Output", "Expected", "Comparison"})),
       probe_schedule(run.input.output.probe_schedule(run.input.time.end_time)),
       power_schedule(run.input.output.power_schedule(run.input.time.end_time)),
       field_schedule(run.input.output.field_schedule(run.input.time.end_time)),
@@ -63,6 +63,7 @@ void Transient<dim>::perform()
   if (run.input.output.checkpoint_at_end)
     write_checkpoint();
   power.finish(*run.solver, run.summary);
+  loop.finish(run.summary);
   fields.finish(run.summary);
   LinearWaveTheory<dim>(run).compare();
   run.summary.add({"weak divergence at the end", run.solver->divergence(), "1/s", ""});
@@ -137,6 +138,7 @@ void Transient<dim>::restart()
   time_control.load(archive);
   run.solver->load(archive);
   power.load(archive);
+  loop.load(archive);
   const double time = time_control.time();
   // A row that stands there only because the first part of the run ended there is not one of the
   // whole run.
@@ -180,6 +182,7 @@ void Transient<dim>::step()
   for (const Step &part : steps)
   {
     const StepReport report = run.solver->advance(part);
+    loop.record(report, part.time, run.log);
     if (report.largest_velocity > run.input.time.velocity_limit)
     {
       std::ostringstream text;
@@ -255,6 +258,7 @@ void Transient<dim>::write_checkpoint()
                                              adaptation_is_due() && time_control.at_end() ? 1 : 0));
         run.solver->save(archive);
         power.save(archive);
+        loop.save(archive);
       },
       mesh_has_changed
           ? std::function<void(const std::string &)>([this](const std::string &name)

@@ -98,6 +98,38 @@ std::vector<std::pair<std::string, std::string>> table()
   doi     = {10.1016/0045-7930(73)90027-3}
 }
 )"},
+          {"jasakweller2000", R"(@article{jasakweller2000,
+  author  = {Jasak, H. and Weller, H. G.},
+  title   = {Application of the finite volume method and unstructured meshes to linear elasticity},
+  journal = {International Journal for Numerical Methods in Engineering},
+  volume  = {48},
+  number  = {2},
+  pages   = {267--287},
+  year    = {2000}
+}
+)"},
+          {"rhiechow1983", R"(@article{rhiechow1983,
+  author  = {Rhie, C. M. and Chow, W. L.},
+  title   = {Numerical study of the turbulent flow past an airfoil with trailing edge separation},
+  journal = {AIAA Journal},
+  volume  = {21},
+  number  = {11},
+  pages   = {1525--1532},
+  year    = {1983},
+  doi     = {10.2514/3.8284}
+}
+)"},
+          {"issa1986", R"(@article{issa1986,
+  author  = {Issa, R. I.},
+  title   = {Solution of the implicitly discretised fluid flow equations by operator-splitting},
+  journal = {Journal of Computational Physics},
+  volume  = {62},
+  number  = {1},
+  pages   = {40--65},
+  year    = {1986},
+  doi     = {10.1016/0021-9991(86)90099-9}
+}
+)"},
           {"rannacher1984", R"(@article{rannacher1984,
   author  = {Rannacher, Rolf},
   title   = {Finite element solution of diffusion problems with irregular data},
@@ -105,6 +137,30 @@ std::vector<std::pair<std::string, std::string>> table()
   volume  = {43},
   pages   = {309--327},
   year    = {1984}
+}
+)"},
+          {"roache1994", R"(@article{roache1994,
+  author  = {Roache, P. J.},
+  title   = {Perspective: a method for uniform reporting of grid refinement studies},
+  journal = {Journal of Fluids Engineering},
+  volume  = {116},
+  number  = {3},
+  pages   = {405--413},
+  year    = {1994},
+  doi     = {10.1115/1.2910291}
+}
+)"},
+          {"celik2008", R"(@article{celik2008,
+  author  = {Celik, Ishmail B. and Ghia, Urmila and Roache, Patrick J. and Freitas, Christopher J.
+             and Coleman, Hugh and Raad, Peter E.},
+  title   = {Procedure for estimation and reporting of uncertainty due to discretization in {CFD}
+             applications},
+  journal = {Journal of Fluids Engineering},
+  volume  = {130},
+  number  = {7},
+  pages   = {078001},
+  year    = {2008},
+  doi     = {10.1115/1.2960953}
 }
 )"},
           {"arb", R"(@article{arb,

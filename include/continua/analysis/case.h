@@ -2,6 +2,7 @@
 #define continua_analysis_case_h
 
 #include <continua/analysis/absorbing_ends.h>
+#include <continua/analysis/discretisation.h>
 #include <continua/analysis/measured_waves.h>
 #include <continua/analysis/power_laws.h>
 #include <continua/analysis/wave_theory_parameters.h>
@@ -9,7 +10,6 @@
 #include <continua/base/expected_value.h>
 #include <continua/base/parameter_file.h>
 #include <continua/continuum/problem.h>
-#include <continua/finite_element/taylor_hood_solver.h>
 #include <continua/mesh/adaptation.h>
 #include <continua/mesh/geometry.h>
 #include <continua/mesh/mesh_parameters.h>
@@ -65,7 +65,7 @@ struct Case
   GeneralParameters general;
   MeshParameters mesh;
   AdaptationParameters adaptation;
-  TaylorHoodParameters taylor_hood;
+  DiscretisationParameters discretisation;
   TimeParameters time;
   RestParameters rest;
   WaveTheoryParameters wave_theory;

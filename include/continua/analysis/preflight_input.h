@@ -34,9 +34,9 @@ struct PreflightInput
   };
 
   std::vector<Region> regions;
-  unsigned int velocity_degree = 2;
-  Step step;            ///< the regular one of the scheme
-  double end_time = 0.; ///< [s]
+  unsigned int velocities_per_cell = 2; ///< along an edge
+  Step step;                            ///< the regular one of the scheme
+  double end_time = 0.;                 ///< [s]
 
   std::string load;      ///< name of the boundary whose load varies; empty if none does
   double frequency = 0.; ///< [Hz] of that load (energy_frequency); 0: none

@@ -2,6 +2,7 @@
 #define continua_analysis_steady_h
 
 #include <continua/analysis/run.h>
+#include <continua/postprocess/loop_record.h>
 
 namespace Continua
 {
@@ -20,6 +21,7 @@ public:
 private:
   Run<dim> &run;
   unsigned int n_steps = 0;
+  LoopRecord loop;
 
   void solve();
   void step_to_rest();

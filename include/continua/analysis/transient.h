@@ -4,6 +4,7 @@
 #include <continua/analysis/checkpoint.h>
 #include <continua/analysis/run.h>
 #include <continua/postprocess/field_writer.h>
+#include <continua/postprocess/loop_record.h>
 #include <continua/postprocess/power_record.h>
 #include <continua/time_integration/time_control.h>
 
@@ -21,6 +22,7 @@ private:
   Run<dim> &run;
   TimeControl time_control;
   PowerRecord<dim> power;
+  LoopRecord loop;
   FieldWriter<dim> fields;
   Checkpoint checkpoint;
   Schedule probe_schedule, power_schedule, field_schedule, checkpoint_schedule;

@@ -101,6 +101,10 @@ struct StepReport
   double largest_velocity =
       0.; ///< [m/s], largest component of the step's velocity; never NaN: that throws
   double largest_change = 0.; ///< [m/s], largest component of its change in the step
+  /// Of a solver that corrects its solution in a loop: how often it did so, else 0.
+  unsigned int corrections = 0;
+  double residual = 0.;     ///< [1] with which the loop ended, in its own scale
+  bool cap_reached = false; ///< the loop ended at its cap of corrections, above its tolerance
 };
 
 /// Sizes of the discrete problem.

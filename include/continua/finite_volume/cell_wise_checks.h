@@ -1,0 +1,19 @@
+#ifndef continua_finite_volume_cell_wise_checks_h
+#define continua_finite_volume_cell_wise_checks_h
+
+#include <continua/base/parameter_section.h>
+#include <continua/continuum/problem.h>
+#include <continua/finite_volume/cell_wise_parameters.h>
+
+namespace Continua
+{
+/// Refuses what of the problem the cell-wise discretisation cannot take, with the entry that asks
+/// for it and the remedy. `problem` has no outlets yet, its conditions tell of them. `steady`:
+/// whether the state at rest is asked for. Throws InputError.
+void check_cell_wise(const Problem &problem,
+                     const CellWiseParameters &parameters,
+                     bool steady,
+                     ParameterSection root);
+} // namespace Continua
+
+#endif

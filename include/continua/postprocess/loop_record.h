@@ -1,0 +1,33 @@
+#ifndef continua_postprocess_loop_record_h
+#define continua_postprocess_loop_record_h
+
+#include <continua/base/archive.h>
+#include <continua/base/log.h>
+#include <continua/base/summary.h>
+#include <continua/continuum/continuum_solver.h>
+
+namespace Continua
+{
+/// What the steps of a run say of a solver that corrects its solution in a loop; of one that does
+/// not, nothing.
+class LoopRecord
+{
+public:
+  /// Takes the report of a step that ended at `time` [s]; warns of the first that reached the cap
+  /// of corrections and notes the others in log.txt.
+  void record(const StepReport &report, double time, Log &log);
+  /// Adds `corrections a step (mean)` and `(maximum)`, `largest residual` (with which a step's loop
+  /// ended) and `steps that reached the cap`.
+  void finish(Summary &summary) const;
+
+  /// The numbers so far, for a restart.
+  void save(ArchiveWriter &archive) const;
+  void load(const ArchiveReader &archive);
+
+private:
+  unsigned long n_steps = 0, n_corrections = 0, most_corrections = 0, n_capped = 0;
+  double largest_residual = 0.; ///< [1]
+};
+} // namespace Continua
+
+#endif

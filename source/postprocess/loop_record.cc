@@ -1,0 +1,53 @@
+#include <continua/postprocess/loop_record.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace Continua
+{
+void LoopRecord::record(const StepReport &report, const double time, Log &log)
+{
+  ++n_steps;
+  n_corrections += report.corrections;
+  most_corrections = std::max<unsigned long>(most_corrections, report.corrections);
+  largest_residual = std::max(largest_residual, report.residual);
+  if (!report.cap_reached)
+    return;
+  std::ostringstream text;
+  text << "the loop of the step to t = " << time << " s ended at its cap of " << report.corrections
+       << " corrections with a residual of " << report.residual;
+  if (n_capped++ == 0)
+    log.warning(text.str() + "; the summary counts such steps, log.txt has them all");
+  else
+    log.detail(text.str());
+}
+
+void LoopRecord::finish(Summary &summary) const
+{
+  if (n_corrections == 0)
+    return;
+  const double mean = static_cast<double>(n_corrections) / static_cast<double>(n_steps);
+  summary.add({"corrections a step (mean)", mean, "1", ""});
+  summary.add({"corrections a step (maximum)", static_cast<double>(most_corrections), "1", ""});
+  summary.add({"largest residual", largest_residual, "1", ""});
+  summary.add({"steps that reached the cap", static_cast<double>(n_capped), "1", ""});
+}
+
+void LoopRecord::save(ArchiveWriter &archive) const
+{
+  archive.add("loop: steps", n_steps);
+  archive.add("loop: corrections", n_corrections);
+  archive.add("loop: most corrections", most_corrections);
+  archive.add("loop: steps at the cap", n_capped);
+  archive.add("loop: largest residual", largest_residual);
+}
+
+void LoopRecord::load(const ArchiveReader &archive)
+{
+  n_steps = archive.integer("loop: steps");
+  n_corrections = archive.integer("loop: corrections");
+  most_corrections = archive.integer("loop: most corrections");
+  n_capped = archive.integer("loop: steps at the cap");
+  largest_residual = archive.value("loop: largest residual");
+}
+} // namespace Continua
