@@ -1,3 +1,4 @@
+#include <continua/linear_algebra/both_triangles.h>
 #include <continua/linear_algebra/cholmod_factor.h>
 #include <continua/linear_algebra/mumps_factor.h>
 #include <continua/linear_algebra/symmetric_factor.h>
@@ -46,7 +47,7 @@ std::unique_ptr<SymmetricFactor> make_symmetric_factor(const std::string &choice
     throw std::invalid_argument("the solver '" + choice +
                                 "' works on one rank only; choose mumps or automatic");
   if (choice == "umfpack")
-    return std::make_unique<UmfpackFactor>();
+    return std::make_unique<BothTriangles>(std::make_unique<UmfpackFactor>());
   if (!quasi_definite)
     throw std::invalid_argument(
         "the solver 'cholmod' does not pivot, so it needs a compressible material everywhere "

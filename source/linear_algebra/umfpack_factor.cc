@@ -1,4 +1,5 @@
 #include <continua/base/input_error.h>
+#include <continua/linear_algebra/packed_triangle.h>
 #include <continua/linear_algebra/umfpack_factor.h>
 
 #include <array>
@@ -8,114 +9,176 @@
 
 namespace Continua
 {
-struct UmfpackFactor::Data
+namespace
+{
+// Long, since the factor of a large matrix has more entries than an int counts.
+using Index = SuiteSparse_long;
+
+void check(const Index status, const std::string &phase)
+{
+  if (status == UMFPACK_OK)
+    return;
+  std::string reason = "an internal error";
+  if (status == UMFPACK_WARNING_singular_matrix)
+    reason = "the matrix is singular";
+  else if (status == UMFPACK_ERROR_out_of_memory)
+    reason = "out of memory";
+  else if (status == UMFPACK_ERROR_invalid_matrix)
+    reason = "the matrix is invalid";
+  throw RunError("UMFPACK, " + phase + ": " + reason + " (status " + std::to_string(status) + ").");
+}
+
+/// A matrix by columns.
+struct Columns
+{
+  std::vector<Index> starts, rows;
+  std::vector<double> values;
+};
+
+Columns sorted_by_columns(const Triplets &matrix)
+{
+  const std::vector<Index> rows(matrix.rows.begin(), matrix.rows.end());
+  const std::vector<Index> columns(matrix.columns.begin(), matrix.columns.end());
+  Columns result;
+  result.starts.resize(matrix.n + 1);
+  result.rows.resize(rows.size());
+  result.values.resize(rows.size());
+  check(umfpack_dl_triplet_to_col(matrix.n, matrix.n, static_cast<Index>(rows.size()), rows.data(),
+                                  columns.data(), matrix.values.data(), result.starts.data(),
+                                  result.rows.data(), result.values.data(), nullptr),
+        "sorting the entries");
+  return result;
+}
+
+/// UMFPACK's handle.
+struct Numeric
+{
+  void *handle = nullptr;
+  ~Numeric() { umfpack_dl_free_numeric(&handle); }
+};
+
+void make_numeric(const Columns &matrix, Numeric &numeric)
 {
   std::array<double, UMFPACK_CONTROL> control;
+  umfpack_dl_defaults(control.data());
+  control[UMFPACK_ORDERING] = UMFPACK_ORDERING_BEST;
   std::array<double, UMFPACK_INFO> info{};
-  void *numeric = nullptr;
-  std::vector<int> owned;
-  // Long, since the factor of a large matrix has more entries than an int counts.
-  std::vector<SuiteSparse_long> column_starts, rows;
-  std::vector<double> values;
-  // Kept between solves.
-  std::vector<double> right_hand_side, solution, workspace;
-  std::vector<SuiteSparse_long> index_workspace;
+  const auto n = static_cast<Index>(matrix.starts.size() - 1);
+  void *symbolic = nullptr;
+  check(umfpack_dl_symbolic(n, n, matrix.starts.data(), matrix.rows.data(), matrix.values.data(),
+                            &symbolic, control.data(), info.data()),
+        "analysis");
+  const Index status =
+      umfpack_dl_numeric(matrix.starts.data(), matrix.rows.data(), matrix.values.data(), symbolic,
+                         &numeric.handle, control.data(), info.data());
+  umfpack_dl_free_symbolic(&symbolic);
+  check(status, "factorisation");
+}
+} // namespace
 
-  ~Data() { umfpack_dl_free_numeric(&numeric); }
+struct UmfpackFactor::Data
+{
+  // L U = P R A Q: the k-th pivot row is index row_order[k], the k-th pivot column column_order[k].
+  PackedTriangle lower, upper;
+  std::vector<int> row_order, column_order; ///< places in `owned`
+  std::vector<double> row_scales;           ///< by pivot
+  std::vector<double> work;
+  double n_entries = 0.;
 
-  void check(const SuiteSparse_long status, const std::string &phase) const
-  {
-    if (status == UMFPACK_OK)
-      return;
-    std::string reason = "an internal error";
-    if (status == UMFPACK_WARNING_singular_matrix)
-      reason = "the matrix is singular";
-    else if (status == UMFPACK_ERROR_out_of_memory)
-      reason = "out of memory";
-    else if (status == UMFPACK_ERROR_invalid_matrix)
-      reason = "the matrix is invalid";
-    throw RunError("UMFPACK, " + phase + ": " + reason + " (status " + std::to_string(status) +
-                   ").");
-  }
+  void take(const Numeric &numeric, Index n, const std::vector<int> &owned);
 };
+
+void UmfpackFactor::Data::take(const Numeric &numeric, const Index n, const std::vector<int> &owned)
+{
+  Index n_lower = 0, n_upper = 0, n_rows = 0, n_columns = 0, n_diagonal = 0;
+  check(umfpack_dl_get_lunz(&n_lower, &n_upper, &n_rows, &n_columns, &n_diagonal, numeric.handle),
+        "size of the factor");
+  n_entries = static_cast<double>(n_lower) + static_cast<double>(n_upper);
+
+  // L comes by rows, U by columns.
+  std::vector<Index> l_starts(n + 1), l_columns(n_lower), u_starts(n + 1), u_rows(n_upper);
+  std::vector<double> l_values(n_lower), u_values(n_upper), scales(n);
+  std::vector<Index> p(n), q(n);
+  Index scales_are_reciprocal = 0;
+  check(umfpack_dl_get_numeric(l_starts.data(), l_columns.data(), l_values.data(), u_starts.data(),
+                               u_rows.data(), u_values.data(), p.data(), q.data(), nullptr,
+                               &scales_are_reciprocal, scales.data(), numeric.handle),
+        "reading the factor");
+
+  lower.reinit(true, {l_starts.begin(), l_starts.end()}, {l_columns.begin(), l_columns.end()},
+               l_values);
+
+  std::vector<std::size_t> starts(n + 1, 0);
+  for (const Index row : u_rows)
+    ++starts[row + 1];
+  for (Index row = 0; row < n; ++row)
+    starts[row + 1] += starts[row];
+  std::vector<std::size_t> next = starts;
+  std::vector<int> columns(n_upper);
+  std::vector<double> values(n_upper);
+  for (Index column = 0; column < n; ++column)
+    for (Index k = u_starts[column]; k < u_starts[column + 1]; ++k)
+    {
+      const std::size_t place = next[u_rows[k]]++;
+      columns[place] = static_cast<int>(column);
+      values[place] = u_values[k];
+    }
+  upper.reinit(false, starts, columns, values);
+
+  std::vector<int> place(n);
+  for (Index k = 0; k < n; ++k)
+    place[owned[k]] = static_cast<int>(k);
+  row_order.resize(n);
+  column_order.resize(n);
+  row_scales.resize(n);
+  for (Index k = 0; k < n; ++k)
+  {
+    row_order[k] = place[p[k]];
+    column_order[k] = place[q[k]];
+    row_scales[k] = scales_are_reciprocal ? scales[p[k]] : 1. / scales[p[k]];
+  }
+  work.assign(lower.padded_size(), 0.);
+}
 
 UmfpackFactor::UmfpackFactor() : data(std::make_unique<Data>()) {}
 
 UmfpackFactor::~UmfpackFactor() = default;
 
-void UmfpackFactor::factorize(const SymmetricTriplets &matrix, const std::vector<int> &owned)
+void UmfpackFactor::factorize(const Triplets &matrix, const std::vector<int> &owned)
 {
   matrix.check(owned);
   if (owned.size() != static_cast<std::size_t>(matrix.n))
     throw std::invalid_argument("UmfpackFactor works on one rank only, which owns every index");
 
+  data = nullptr; // the old factor goes before the new one is made
   data = std::make_unique<Data>();
-  data->owned = owned;
-  umfpack_dl_defaults(data->control.data());
-  data->control[UMFPACK_IRSTEP] = 0;
-
-  // UMFPACK wants both triangles.
-  std::vector<SuiteSparse_long> triplet_rows(matrix.rows.begin(), matrix.rows.end());
-  std::vector<SuiteSparse_long> triplet_columns(matrix.columns.begin(), matrix.columns.end());
-  std::vector<double> triplet_values = matrix.values;
-  for (std::size_t k = 0; k < matrix.rows.size(); ++k)
-    if (matrix.rows[k] != matrix.columns[k])
-    {
-      triplet_rows.push_back(matrix.columns[k]);
-      triplet_columns.push_back(matrix.rows[k]);
-      triplet_values.push_back(matrix.values[k]);
-    }
-  const SuiteSparse_long n = matrix.n;
-  data->column_starts.resize(n + 1);
-  data->rows.resize(triplet_rows.size());
-  data->values.resize(triplet_rows.size());
-  data->check(umfpack_dl_triplet_to_col(n, n, static_cast<SuiteSparse_long>(triplet_rows.size()),
-                                        triplet_rows.data(), triplet_columns.data(),
-                                        triplet_values.data(), data->column_starts.data(),
-                                        data->rows.data(), data->values.data(), nullptr),
-              "sorting the entries");
-
-  void *symbolic = nullptr;
-  data->check(umfpack_dl_symbolic(n, n, data->column_starts.data(), data->rows.data(),
-                                  data->values.data(), &symbolic, data->control.data(),
-                                  data->info.data()),
-              "analysis");
-  const SuiteSparse_long status =
-      umfpack_dl_numeric(data->column_starts.data(), data->rows.data(), data->values.data(),
-                         symbolic, &data->numeric, data->control.data(), data->info.data());
-  umfpack_dl_free_symbolic(&symbolic);
-  data->check(status, "factorisation");
-
-  data->right_hand_side.resize(n);
-  data->solution.resize(n);
-  data->workspace.resize(n);
-  data->index_workspace.resize(n);
+  Numeric numeric;
+  make_numeric(sorted_by_columns(matrix), numeric);
+  data->take(numeric, matrix.n, owned);
 }
 
 void UmfpackFactor::solve(std::vector<double> &x)
 {
   Data &d = *data;
-  assert(x.size() == d.owned.size());
-  for (std::size_t k = 0; k < x.size(); ++k)
-    d.right_hand_side[d.owned[k]] = x[k];
-  // `info` keeps what the factorisation wrote, hence none here.
-  d.check(umfpack_dl_wsolve(UMFPACK_A, d.column_starts.data(), d.rows.data(), d.values.data(),
-                            d.solution.data(), d.right_hand_side.data(), d.numeric,
-                            d.control.data(), nullptr, d.index_workspace.data(),
-                            d.workspace.data()),
-          "solution");
-  for (std::size_t k = 0; k < x.size(); ++k)
-    x[k] = d.solution[d.owned[k]];
+  const std::size_t n = d.row_order.size();
+  assert(x.size() == n);
+  for (std::size_t k = 0; k < n; ++k)
+    d.work[k] = d.row_scales[k] * x[d.row_order[k]];
+  d.lower.solve(d.work.data());
+  d.upper.solve(d.work.data());
+  for (std::size_t k = 0; k < n; ++k)
+    x[d.column_order[k]] = d.work[k];
 }
 
 double UmfpackFactor::n_entries() const
 {
-  return data->info[UMFPACK_LNZ] + data->info[UMFPACK_UNZ];
+  return data->n_entries;
 }
 
 double UmfpackFactor::memory() const
 {
-  return data->info[UMFPACK_NUMERIC_SIZE] * data->info[UMFPACK_SIZE_OF_UNIT];
+  const auto n = static_cast<double>(data->row_order.size());
+  return data->lower.memory() + data->upper.memory() + n * (2 * sizeof(int) + 2 * sizeof(double));
 }
 
 std::string UmfpackFactor::name() const

@@ -1,0 +1,278 @@
+#include <continua/base/input_error.h>
+#include <continua/linear_algebra/mumps_solver.h>
+
+#include <cassert>
+#include <cstring>
+#include <dmumps_c.h>
+#include <numeric>
+#include <stdexcept>
+
+namespace Continua
+{
+namespace
+{
+// MUMPS's values of `job`.
+constexpr int job_initialise = -1;
+constexpr int job_terminate = -2;
+constexpr int job_analyse = 1;
+constexpr int job_factorise = 2;
+constexpr int job_solve = 3;
+
+/// What INFOG(1) means, for the values that a user may meet.
+std::string reason(const int code)
+{
+  switch (code)
+  {
+  case -6:
+  case -10:
+    return "the matrix is singular";
+  case -5:
+  case -7:
+  case -13:
+    return "out of memory";
+  case -8:
+  case -9:
+  case -17:
+  case -20:
+    return "the working space is too small even after it was enlarged";
+  case -19:
+    return "the working space is larger than allowed";
+  default:
+    return "an internal error";
+  }
+}
+} // namespace
+
+struct MumpsSolver::Data
+{
+  MPI_Comm communicator;
+  int n_ranks = 1;
+  DMUMPS_STRUC_C mumps;
+  std::vector<int> owned;
+
+  // Kept between solves. One rank: the right-hand side and solution in global order.
+  std::vector<double> global_vector;
+  // Several ranks: `owned` from 1, MUMPS's own distribution of the solution, and the exchange from
+  // that to `owned`.
+  std::vector<int> owned_from_one, solution_indices;
+  std::vector<double> local_solution, send_buffer, receive_buffer;
+  std::vector<int> send_order, receive_order;
+  std::vector<int> send_counts, send_starts, receive_counts, receive_starts;
+
+  Data(const Symmetry symmetry, const MPI_Comm communicator) : communicator(communicator)
+  {
+    MPI_Comm_size(communicator, &n_ranks);
+    std::memset(&mumps, 0, sizeof(mumps));
+    mumps.sym = symmetry == Symmetry::unsymmetric ? 0 : 2;
+    mumps.par = 1; // rank 0 works, too
+    mumps.comm_fortran = MPI_Comm_c2f(communicator);
+    run(job_initialise, "start");
+    for (const int output : {1, 2, 3})
+      icntl(output) = -1;
+    icntl(4) = 0;
+  }
+
+  ~Data()
+  {
+    mumps.job = job_terminate;
+    dmumps_c(&mumps);
+  }
+
+  Data(const Data &) = delete;
+  Data &operator=(const Data &) = delete;
+
+  /// The control numbered as in MUMPS's manual.
+  int &icntl(const int number) { return mumps.icntl[number - 1]; }
+
+  [[noreturn]] void fail(const std::string &phase) const
+  {
+    throw RunError("MUMPS, " + phase + ": " + reason(mumps.infog[0]) +
+                   " (INFOG(1) = " + std::to_string(mumps.infog[0]) +
+                   ", INFOG(2) = " + std::to_string(mumps.infog[1]) + ").");
+  }
+
+  void run(const int job, const std::string &phase)
+  {
+    mumps.job = job;
+    dmumps_c(&mumps);
+    if (mumps.infog[0] < 0)
+      fail(phase);
+  }
+
+  /// Factors, with more working space as long as MUMPS asks for it.
+  void factorize()
+  {
+    constexpr int largest_percentage = 2000;
+    while (true)
+    {
+      mumps.job = job_factorise;
+      dmumps_c(&mumps);
+      const int code = mumps.infog[0];
+      const bool too_small = code == -8 || code == -9 || code == -17 || code == -20;
+      if (!too_small || icntl(14) >= largest_percentage)
+        break;
+      icntl(14) *= 2;
+    }
+    if (mumps.infog[0] < 0)
+      fail("factorisation");
+    const int n_null_pivots = mumps.infog[27];
+    if (n_null_pivots > 0)
+      throw RunError("MUMPS, factorisation: the matrix is singular (INFOG(28) = " +
+                     std::to_string(n_null_pivots) + " pivots are zero).");
+  }
+
+  void plan_exchange();
+};
+
+void MumpsSolver::Data::plan_exchange()
+{
+  int rank = 0;
+  MPI_Comm_rank(communicator, &rank);
+  std::vector<int> owner(mumps.n, -1);
+  std::vector<int> position(mumps.n, -1);
+  for (std::size_t k = 0; k < owned.size(); ++k)
+  {
+    owner[owned[k]] = rank;
+    position[owned[k]] = static_cast<int>(k);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, owner.data(), mumps.n, MPI_INT, MPI_MAX, communicator);
+
+  send_counts.assign(n_ranks, 0);
+  for (const int index : solution_indices)
+    ++send_counts[owner[index - 1]];
+  receive_counts.assign(n_ranks, 0);
+  MPI_Alltoall(send_counts.data(), 1, MPI_INT, receive_counts.data(), 1, MPI_INT, communicator);
+  send_starts.assign(n_ranks, 0);
+  receive_starts.assign(n_ranks, 0);
+  std::partial_sum(send_counts.begin(), send_counts.end() - 1, send_starts.begin() + 1);
+  std::partial_sum(receive_counts.begin(), receive_counts.end() - 1, receive_starts.begin() + 1);
+
+  std::vector<int> next = send_starts;
+  std::vector<int> sent_indices(solution_indices.size());
+  send_order.resize(solution_indices.size());
+  for (std::size_t k = 0; k < solution_indices.size(); ++k)
+  {
+    const int place = next[owner[solution_indices[k] - 1]]++;
+    send_order[place] = static_cast<int>(k);
+    sent_indices[place] = solution_indices[k] - 1;
+  }
+  receive_order.resize(owned.size());
+  MPI_Alltoallv(sent_indices.data(), send_counts.data(), send_starts.data(), MPI_INT,
+                receive_order.data(), receive_counts.data(), receive_starts.data(), MPI_INT,
+                communicator);
+  for (int &index : receive_order)
+    index = position[index];
+  send_buffer.resize(send_order.size());
+  receive_buffer.resize(receive_order.size());
+}
+
+MumpsSolver::MumpsSolver(const Symmetry symmetry, const MPI_Comm communicator)
+    : symmetry(symmetry), communicator(communicator)
+{
+}
+
+MumpsSolver::~MumpsSolver() = default;
+
+void MumpsSolver::factorize(const int n,
+                            std::vector<int> rows,
+                            std::vector<int> columns,
+                            std::vector<double> values,
+                            const std::vector<int> &owned)
+{
+  data = nullptr; // the old factor goes before the new one is made
+  data = std::make_unique<Data>(symmetry, communicator);
+  Data &d = *data;
+  d.owned = owned;
+
+  const long n_owned = owned.size();
+  long n_owned_of_all = 0;
+  MPI_Allreduce(&n_owned, &n_owned_of_all, 1, MPI_LONG, MPI_SUM, communicator);
+  if (n_owned_of_all != n)
+    throw std::invalid_argument("MUMPS: each index must be owned by one rank");
+
+  for (int &row : rows)
+    ++row;
+  for (int &column : columns)
+    ++column;
+  d.mumps.n = n;
+  d.mumps.nnz_loc = static_cast<MUMPS_INT8>(rows.size());
+  d.mumps.irn_loc = rows.data();
+  d.mumps.jcn_loc = columns.data();
+  d.mumps.a_loc = values.data();
+  d.icntl(18) = 3;         // entries distributed in any way
+  d.icntl(28) = 1;         // sequential, hence reproducible, analysis
+  d.icntl(7) = 5;          // METIS; a MUMPS built without it (Debian's) takes PORD instead
+  d.icntl(10) = 0;         // no iterative refinement
+  d.icntl(24) = 1;         // find the zero pivots of a singular matrix
+  d.mumps.cntl[2] = 1e-13; // what counts as zero, relative to the scaled matrix
+  if (symmetry == Symmetry::quasi_definite)
+    d.mumps.cntl[0] = 0.; // no pivoting
+  d.run(job_analyse, "analysis");
+  d.factorize();
+  d.mumps.irn_loc = d.mumps.jcn_loc = nullptr;
+  d.mumps.a_loc = nullptr;
+
+  d.mumps.nrhs = 1;
+  if (d.n_ranks == 1)
+  {
+    d.global_vector.resize(n);
+    d.mumps.rhs = d.global_vector.data();
+    d.mumps.lrhs = n;
+    return;
+  }
+
+  d.owned_from_one = owned;
+  for (int &index : d.owned_from_one)
+    ++index;
+  d.icntl(20) = 10; // right-hand side distributed by the caller
+  d.icntl(21) = 1;  // solution distributed as MUMPS likes
+  d.mumps.nloc_rhs = d.mumps.lrhs_loc = static_cast<int>(owned.size());
+  d.mumps.irhs_loc = d.owned_from_one.data();
+  d.mumps.lsol_loc = d.mumps.info[22];
+  d.solution_indices.resize(d.mumps.lsol_loc);
+  d.local_solution.resize(d.mumps.lsol_loc);
+  d.mumps.isol_loc = d.solution_indices.data();
+  d.mumps.sol_loc = d.local_solution.data();
+  // MUMPS says with the first solution how it distributes them.
+  std::vector<double> zero(owned.size(), 0.);
+  d.mumps.rhs_loc = zero.data();
+  d.run(job_solve, "solution");
+  d.plan_exchange();
+}
+
+void MumpsSolver::solve(std::vector<double> &x)
+{
+  Data &d = *data;
+  assert(x.size() == d.owned.size());
+  if (d.n_ranks == 1)
+  {
+    for (std::size_t k = 0; k < x.size(); ++k)
+      d.global_vector[d.owned[k]] = x[k];
+    d.run(job_solve, "solution");
+    for (std::size_t k = 0; k < x.size(); ++k)
+      x[k] = d.global_vector[d.owned[k]];
+    return;
+  }
+
+  d.mumps.rhs_loc = x.data();
+  d.run(job_solve, "solution");
+  for (std::size_t k = 0; k < d.send_order.size(); ++k)
+    d.send_buffer[k] = d.local_solution[d.send_order[k]];
+  MPI_Alltoallv(d.send_buffer.data(), d.send_counts.data(), d.send_starts.data(), MPI_DOUBLE,
+                d.receive_buffer.data(), d.receive_counts.data(), d.receive_starts.data(),
+                MPI_DOUBLE, d.communicator);
+  for (std::size_t k = 0; k < d.receive_order.size(); ++k)
+    x[d.receive_order[k]] = d.receive_buffer[k];
+}
+
+double MumpsSolver::n_entries() const
+{
+  const double entries = data->mumps.infog[28];
+  return entries >= 0 ? entries : -1e6 * entries; // MUMPS counts large factors in millions
+}
+
+double MumpsSolver::memory() const
+{
+  return 1e6 * data->mumps.infog[21]; // megabytes used in the factorisation, over all ranks
+}
+} // namespace Continua

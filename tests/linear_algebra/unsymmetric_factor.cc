@@ -1,0 +1,72 @@
+#include "../check.h"
+#include "unsymmetric_problems.h"
+
+#include <continua/base/input_error.h>
+
+#include <deal.II/base/mpi.h>
+
+// What make_unsymmetric_factor gives: every solver on one rank, MUMPS on several.
+int main(int argc, char **argv)
+{
+  using namespace Continua;
+  namespace problems = unsymmetric_problems;
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  if (problems::rank() > 0)
+    std::cout.setstate(std::ios::failbit); // rank 0 alone prints
+  const bool serial = problems::n_ranks() == 1;
+
+  for (const std::string choice : {"umfpack", "mumps"})
+  {
+    if (choice == "umfpack" && !serial)
+      continue;
+    const auto factor = make_unsymmetric_factor(choice, MPI_COMM_WORLD);
+    problems::factorize(*factor, problems::zero_diagonal());
+    const std::vector<double> x = problems::solve(*factor, {4, 6, 14});
+    check::absolute(choice + ", zero diagonal, first", x[0], 1, 1e-14);
+    check::absolute(choice + ", zero diagonal, second", x[1], 2, 1e-14);
+    check::absolute(choice + ", zero diagonal, third", x[2], 3, 1e-14);
+
+    // Sizes that are, and are not, a whole number of the eight rows that are packed together.
+    check::absolute(choice + ", 8 x 2 cells",
+                    problems::relative_error(*factor, problems::cells(8, 2)), 0, 1e-12);
+    check::absolute(choice + ", 5 x 7 cells",
+                    problems::relative_error(*factor, problems::cells(5, 7)), 0, 1e-12);
+    const Triplets matrix = problems::cells(40, 10);
+    check::absolute(choice + ", refactored, 40 x 10 cells",
+                    problems::relative_error(*factor, matrix), 0, 1e-12);
+    check::is_true(choice + ", memory", factor->memory() > 8 * factor->n_entries());
+
+    const std::vector<double> b = problems::multiply(matrix, problems::manufactured(matrix.n));
+    const std::vector<double> first = problems::solve(*factor, b);
+    const auto again = make_unsymmetric_factor(choice, MPI_COMM_WORLD);
+    problems::factorize(*again, matrix);
+    // On several ranks the order in which messages arrive decides about the last bits.
+    const double tolerance = serial ? 0 : 1e-13 * problems::norm(first);
+    const auto change = [&](UnsymmetricFactor &other)
+    { return problems::norm(problems::difference(problems::solve(other, b), first)); };
+    check::absolute(choice + ", repeated solves agree", change(*factor), 0, tolerance);
+    check::absolute(choice + ", a second factor agrees", change(*again), 0, tolerance);
+
+    check::throws<RunError>(
+        choice + ", singular", [&]() { problems::factorize(*factor, problems::dependent_rows()); },
+        "singular");
+    check::throws<std::invalid_argument>(
+        choice + ", an index without owner",
+        [&]() { factor->factorize(problems::strewn(problems::zero_diagonal()), {}); }, "own");
+    check::throws<std::invalid_argument>(
+        choice + ", outside the matrix",
+        [&]() {
+          factor->factorize({2, {0}, {2}, {1.}}, {});
+        },
+        "entry \\(0, 2\\)");
+  }
+
+  check::equal("automatic", make_unsymmetric_factor("automatic", MPI_COMM_WORLD)->name(),
+               serial ? "UMFPACK, L U" : "MUMPS, L U");
+  if (!serial)
+    check::throws<std::invalid_argument>(
+        "umfpack on several ranks", [&]() { make_unsymmetric_factor("umfpack", MPI_COMM_WORLD); },
+        "one rank only");
+  check::throws<std::invalid_argument>(
+      "unknown", [&]() { make_unsymmetric_factor("pardiso", MPI_COMM_WORLD); }, "unknown");
+}

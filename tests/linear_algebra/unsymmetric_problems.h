@@ -1,0 +1,134 @@
+#ifndef continua_tests_linear_algebra_unsymmetric_problems_h
+#define continua_tests_linear_algebra_unsymmetric_problems_h
+
+// Unsymmetric systems whose solution is known, for the tests of the factors.
+
+#include "symmetric_problems.h"
+
+#include <continua/linear_algebra/unsymmetric_factor.h>
+
+#include <cmath>
+#include <vector>
+
+namespace unsymmetric_problems
+{
+using Continua::Triplets;
+using symmetric_problems::difference;
+using symmetric_problems::manufactured;
+using symmetric_problems::n_ranks;
+using symmetric_problems::norm;
+using symmetric_problems::owned_indices;
+using symmetric_problems::rank;
+
+/// [0 2 0; 3 0 1; 0 1 4], with one entry given in two parts: times (1, 2, 3) it is (4, 6, 14).
+inline Triplets zero_diagonal()
+{
+  return {3, {0, 1, 1, 2, 2, 2}, {1, 0, 2, 1, 2, 2}, {2, 3, 1, 1, 1.5, 2.5}};
+}
+
+/// [1 2 3; 2 4 6; 1 0 1].
+inline Triplets dependent_rows()
+{
+  return {3, {0, 0, 0, 1, 1, 1, 2, 2}, {0, 1, 2, 0, 1, 2, 0, 2}, {1, 2, 3, 2, 4, 6, 1, 1}};
+}
+
+/**
+ * Convection and diffusion of three coupled unknowns a cell on m_x x m_y cells, neighbours up to
+ * two cells away along the axes and diagonally beside; the rows of the second and third unknown
+ * are 1e6 times and 1e-9 times as large as those of the first.
+ */
+inline Triplets cells(const int m_x, const int m_y)
+{
+  constexpr double scales[] = {1., 1e6, 1e-9};
+  constexpr int neighbours[][2] = {{1, 0},  {-1, 0},  {0, 1}, {0, -1}, {1, 1}, {1, -1},
+                                   {-1, 1}, {-1, -1}, {2, 0}, {-2, 0}, {0, 2}, {0, -2}};
+  Triplets matrix;
+  matrix.n = 3 * m_x * m_y;
+  const auto add =
+      [&](const int cell, const int a, const int other, const int b, const double value)
+  {
+    matrix.rows.push_back(3 * cell + a);
+    matrix.columns.push_back(3 * other + b);
+    matrix.values.push_back(scales[a] * value);
+  };
+  for (int j = 0; j < m_y; ++j)
+    for (int i = 0; i < m_x; ++i)
+    {
+      const int cell = j * m_x + i;
+      for (int a = 0; a < 3; ++a)
+      {
+        add(cell, a, cell, a, 10.);
+        add(cell, a, cell, (a + 1) % 3, 1.);
+      }
+      for (const auto &[di, dj] : neighbours)
+      {
+        if (i + di < 0 || i + di >= m_x || j + dj < 0 || j + dj >= m_y)
+          continue;
+        const int other = cell + dj * m_x + di;
+        for (int a = 0; a < 3; ++a)
+        {
+          add(cell, a, other, a, -0.7 + 0.2 * di - 0.1 * dj);
+          add(cell, a, other, (a + 2) % 3, 0.1 * di * dj);
+        }
+      }
+    }
+  return matrix;
+}
+
+/// Matrix times vector.
+inline std::vector<double> multiply(const Triplets &matrix, const std::vector<double> &x)
+{
+  std::vector<double> y(matrix.n, 0.);
+  for (std::size_t k = 0; k < matrix.rows.size(); ++k)
+    y[matrix.rows[k]] += matrix.values[k] * x[matrix.columns[k]];
+  return y;
+}
+
+/// This rank's share of the entries: each is split into two halves, which different ranks hold.
+inline Triplets strewn(const Triplets &matrix)
+{
+  Triplets share;
+  share.n = matrix.n;
+  for (std::size_t k = 0; k < matrix.rows.size(); ++k)
+    for (int half = 0; half < 2; ++half)
+      if (static_cast<int>(k + half) % n_ranks() == rank())
+      {
+        share.rows.push_back(matrix.rows[k]);
+        share.columns.push_back(matrix.columns[k]);
+        share.values.push_back(0.5 * matrix.values[k]);
+      }
+  return share;
+}
+
+inline void factorize(Continua::UnsymmetricFactor &factor, const Triplets &matrix)
+{
+  factor.factorize(strewn(matrix), owned_indices(matrix.n));
+}
+
+/// Solves and gathers the solution on every rank.
+inline std::vector<double> solve(Continua::UnsymmetricFactor &factor,
+                                 const std::vector<double> &right_hand_side)
+{
+  const int n = static_cast<int>(right_hand_side.size());
+  const std::vector<int> owned = owned_indices(n);
+  std::vector<double> x(owned.size());
+  for (std::size_t k = 0; k < owned.size(); ++k)
+    x[k] = right_hand_side[owned[k]];
+  factor.solve(x);
+  std::vector<double> solution(n, 0.);
+  for (std::size_t k = 0; k < owned.size(); ++k)
+    solution[owned[k]] = x[k];
+  MPI_Allreduce(MPI_IN_PLACE, solution.data(), n, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  return solution;
+}
+
+/// Factors and solves with the manufactured solution's right-hand side: |x - exact| / |exact|.
+inline double relative_error(Continua::UnsymmetricFactor &factor, const Triplets &matrix)
+{
+  factorize(factor, matrix);
+  const std::vector<double> exact = manufactured(matrix.n);
+  return norm(difference(solve(factor, multiply(matrix, exact)), exact)) / norm(exact);
+}
+} // namespace unsymmetric_problems
+
+#endif
