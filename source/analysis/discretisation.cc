@@ -1,8 +1,6 @@
 #include <continua/analysis/discretisation.h>
 
-#if __has_include("../finite_volume/cell_wise_solver.cc")
 #include <continua/finite_volume/cell_wise_solver.h>
-#endif
 
 namespace Continua
 {
@@ -53,10 +51,8 @@ make_solver(dealii::parallel::TriangulationBase<dim> &triangulation,
             const DiscretisationParameters &parameters,
             Log &log)
 {
-#if __has_include("../finite_volume/cell_wise_solver.cc")
   if (parameters.is_cell_wise())
     return std::make_unique<CellWiseSolver<dim>>(triangulation, problem, parameters.cell_wise, log);
-#endif
   return std::make_unique<TaylorHoodSolver<dim>>(triangulation, problem, parameters.taylor_hood,
                                                  log);
 }
