@@ -1,8 +1,7 @@
-#include <continua/analysis/analyses.h>
-#include <continua/analysis/case.h>
+#include <continua/analysis/case_run.h>
+#include <continua/analysis/comparison.h>
 #include <continua/analysis/documentation.h>
 #include <continua/analysis/material_laboratory.h>
-#include <continua/analysis/run.h>
 #include <continua/analysis/spin_coating_analysis.h>
 #include <continua/base/command_line.h>
 #include <continua/base/input_error.h>
@@ -11,7 +10,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <iostream>
 
@@ -62,17 +60,7 @@ void with_output(ParameterFile &file,
                                                            : OutputDirectory::Mode::fresh,
                                   communicator, file.input_files());
   Log log(communicator);
-  log.open(directory.file("log.txt"), command_line.restart);
-  if (is_writer && !command_line.restart)
-  {
-    std::ofstream resolved(directory.file("parameters.prm"));
-    file.print(resolved, ParameterFile::Style::prm);
-    if (!resolved)
-      throw RunError("cannot write " + directory.file("parameters.prm"));
-  }
-  directory.copy_inputs(file.input_files());
-  log.line("Continua" + (title.empty() ? "" : ": " + title));
-  log.detail("version " + version() + ", revision " + revision());
+  begin_output(file, command_line, communicator, title, directory, log);
   perform(directory, log);
 }
 
@@ -82,24 +70,17 @@ void run_case(ParameterFile &file, const CommandLine &command_line, const MPI_Co
   Case<dim> input(file, communicator, command_line.restart);
   with_output(file, command_line, communicator, input.general.title,
               [&](const OutputDirectory &directory, Log &log)
-              {
-                Run<dim> run(input, file, command_line, directory, log);
-                try
-                {
-                  perform_analysis(run);
-                }
-                catch (const InputError &)
-                {
-                  throw;
-                }
-                catch (const std::exception &error)
-                {
-                  // What was computed stays; the summary says that and why the run failed.
-                  log.end_progress();
-                  run.fail(error.what());
-                  throw;
-                }
-              });
+              { perform_case(input, file, command_line, directory, log); });
+}
+
+void run_comparison(ParameterFile &file,
+                    const CommandLine &command_line,
+                    const MPI_Comm communicator)
+{
+  const Comparison comparison(file, command_line, communicator);
+  with_output(file, command_line, communicator, comparison.title(),
+              [&](const OutputDirectory &directory, Log &log)
+              { comparison.perform(directory, log); });
 }
 
 void run_spin_coating(ParameterFile &file,
@@ -146,6 +127,8 @@ int run(const CommandLine &command_line, const MPI_Comm communicator)
   general.read(file.root());
   if (general.analysis == "spin coating")
     run_spin_coating(file, command_line, communicator);
+  else if (general.analysis == "comparison")
+    run_comparison(file, command_line, communicator);
   else if (general.analysis == "material")
     run_material_laboratory(file, command_line, communicator);
   else if (n_dimensions(model_of(general.model)) == 2)

@@ -174,7 +174,7 @@ int main()
   report.write_runs("comparison-test.csv");
   check::is_true("runs",
                  content("comparison-test.csv")
-                         .find("\n\"cell-wise-1\",\"cell-wise\",2,16,0.25,,,160,1.25,\"\"\n") !=
+                         .find("\n\"cell-wise-2\",\"cell-wise\",2,16,0.25,,,160,1.25,\"\"\n") !=
                      std::string::npos);
   std::filesystem::remove("comparison-test.csv");
 }

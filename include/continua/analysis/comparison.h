@@ -1,0 +1,83 @@
+#ifndef continua_analysis_comparison_h
+#define continua_analysis_comparison_h
+
+#include <continua/analysis/case.h>
+#include <continua/analysis/comparison_parameters.h>
+#include <continua/analysis/comparison_report.h>
+#include <continua/base/log.h>
+#include <continua/base/output_directory.h>
+
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * `Analysis = comparison`: runs the case of a parameter file by two ways - both discretisations,
+ * unless the section Comparison says otherwise - on a sequence of meshes, each run in a folder of
+ * its own, and reports what they say of the same quantities (ComparisonReport). A run that fails is
+ * reported with its reason; the others go on.
+ */
+class Comparison
+{
+public:
+  /// Reads the case by either way, without its finer meshes. Throws InputError.
+  Comparison(ParameterFile &file, const CommandLine &command_line, MPI_Comm communicator);
+
+  /// Collective. With --restart the runs that the folder holds are taken as they are, if they were
+  /// finished by this program with the same input and as many ranks. Throws RunError at the end if
+  /// a run failed.
+  void perform(const OutputDirectory &directory, Log &log) const;
+  const std::string &title() const { return general.title; }
+
+private:
+  /// One of the two ways to compute the case.
+  struct Way
+  {
+    CommandLine command_line; ///< with its entries set, on the file's own mesh
+    std::string identity;     ///< of the case, on the file's own mesh
+    ConvergenceOrders orders;
+    unsigned int refinements; ///< of the file's own mesh
+    TimeParameters time;
+  };
+  /// One run.
+  struct Plan
+  {
+    std::string name; ///< of its folder
+    unsigned int way;
+    unsigned int mesh;
+    double time_step; ///< [s]; 0: none
+    CommandLine command_line;
+  };
+
+  CommandLine command_line;
+  MPI_Comm communicator;
+  GeneralParameters general;
+  ComparisonParameters parameters;
+  std::vector<std::string> input_files;
+  unsigned int dimension;
+  double volume = 0.; ///< [m^dim] of the mesh
+  std::vector<Way> ways;
+
+  template <int dim>
+  void read_ways(ParameterFile &file);
+  template <int dim>
+  Way read_way(unsigned int way) const;
+  Plan plan(unsigned int way, unsigned int mesh, const std::string &output) const;
+  /// The runs in their order: mesh by mesh, so that what fails or is misspelt shows early.
+  std::vector<Plan> plans(const std::string &output) const;
+  /// What identifies the input, the program and the ranks of a run.
+  std::string identity(const Plan &plan) const;
+
+  /// Performs the run and returns why it failed; empty if it did not.
+  std::string perform(const Plan &plan, const OutputDirectory &directory, MPI_Comm watch) const;
+  template <int dim>
+  void run_case(const Plan &plan, const OutputDirectory &directory) const;
+  /// What the folder of a run says of it; the same on all ranks.
+  ComparedRun result(const Plan &plan) const;
+  void
+  report(const std::vector<ComparedRun> &runs, const OutputDirectory &directory, Log &log) const;
+};
+} // namespace Continua
+
+#endif
