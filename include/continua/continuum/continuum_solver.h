@@ -2,6 +2,7 @@
 #define continua_continuum_continuum_solver_h
 
 #include <continua/base/archive.h>
+#include <continua/continuum/vibration_operator.h>
 #include <continua/signal/expression.h>
 #include <continua/time_integration/step.h>
 
@@ -11,6 +12,7 @@
 #include <deal.II/numerics/data_out.h>
 
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -137,6 +139,9 @@ public:
   virtual void solve_steady(double time) = 0;
   /// Whether solve_steady applies, or the mixture has to be stepped to rest.
   virtual bool steady_is_direct() const = 0;
+  /// The free vibrations of a body that is all solid and does not relax; null if the discretisation
+  /// has none. The solver must outlive it.
+  virtual std::unique_ptr<VibrationOperator<dim>> vibration() { return nullptr; }
   /// Whether a load or prescribed velocity jumps between the two times [s].
   virtual bool data_jump(double begin, double end) const = 0;
 
