@@ -145,20 +145,26 @@ void CellMesh<dim>::build()
   // the faces, so that a cell with hanging nodes is bounded by the faces of its finer neighbours.
   std::vector<dealii::Tensor<1, dim>> moments(volumes.size());
   const auto add_face = [&](const unsigned int cell, const unsigned int other,
-                            const typename dealii::Triangulation<dim>::face_iterator &on)
+                            const typename dealii::Triangulation<dim>::face_iterator &on,
+                            const unsigned int f)
   {
     const bool at_boundary = other == VolumeFace<dim>::none;
     if (!at_boundary && other < cell)
       return;
     VolumeFace<dim> face;
     face.owner = cell;
+    face.number_in_cell[0] = f;
     if (at_boundary)
       face.boundary_id = on->boundary_id();
     else
     {
       face.neighbour = other;
+      face.number_in_cell[1] = volumes[cell].iterator->neighbor_face_no(f);
       if (volumes[other].number < volumes[cell].number)
+      {
         std::swap(face.owner, face.neighbour);
+        std::swap(face.number_in_cell[0], face.number_in_cell[1]);
+      }
       face.is_interface = volumes[cell].material_id != volumes[other].material_id;
     }
     Piece<dim> piece = measure(on);
@@ -197,13 +203,13 @@ void CellMesh<dim>::build()
     const auto cell = volumes[number].iterator;
     for (const unsigned int f : cell->face_indices())
       if (cell->at_boundary(f))
-        add_face(number, VolumeFace<dim>::none, cell->face(f));
+        add_face(number, VolumeFace<dim>::none, cell->face(f), f);
       else if (cell->neighbor(f)->has_children())
         for (unsigned int s = 0; s < cell->face(f)->n_children(); ++s)
           add_face(number, cell_number(cell->neighbor_child_on_subface(f, s)),
-                   cell->face(f)->child(s));
+                   cell->face(f)->child(s), f);
       else
-        add_face(number, cell_number(cell->neighbor(f)), cell->face(f));
+        add_face(number, cell_number(cell->neighbor(f)), cell->face(f), f);
   }
 
   // A ghost's measures are taken from its rank, which alone sees all its faces.

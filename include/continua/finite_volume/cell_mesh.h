@@ -8,6 +8,7 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_dgq.h>
 
+#include <array>
 #include <vector>
 
 namespace Continua
@@ -40,11 +41,13 @@ struct VolumeFace
   /// boundary there is no neighbour.
   unsigned int owner = none, neighbour = none;
   unsigned int boundary_id = none; ///< of boundary faces
-  bool is_interface = false;       ///< between two materials
-  dealii::Point<dim> centre;       ///< [m]
-  dealii::Tensor<1, dim> normal;   ///< of unit length, out of the owner
-  double area = 0.;                ///< [m^2], in a plane model [m]; 0 on the axis
-  double plane_area = 0.;          ///< without the factor 2 pi r of axisymmetry [m]; else = area
+  /// Which face of the cell on either side it is, or is a piece of.
+  std::array<unsigned int, 2> number_in_cell{{none, none}};
+  bool is_interface = false;     ///< between two materials
+  dealii::Point<dim> centre;     ///< [m]
+  dealii::Tensor<1, dim> normal; ///< of unit length, out of the owner
+  double area = 0.;              ///< [m^2], in a plane model [m]; 0 on the axis
+  double plane_area = 0.;        ///< without the factor 2 pi r of axisymmetry [m]; else = area
   /// From the owner's centre to the neighbour's, on the boundary to the face's centre [m].
   dealii::Tensor<1, dim> distance;
   /// Of the owner's value in linear interpolation to where that line meets the plane of the face
