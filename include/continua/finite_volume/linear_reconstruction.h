@@ -1,0 +1,70 @@
+#ifndef continua_finite_volume_linear_reconstruction_h
+#define continua_finite_volume_linear_reconstruction_h
+
+#include <continua/finite_volume/cell_space.h>
+
+#include <deal.II/base/index_set.h>
+
+namespace Continua
+{
+/// Where a field is looked at: in a cell, or on a face with a value of its own, from the side of
+/// that cell.
+struct CellPlace
+{
+  static constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
+
+  unsigned int cell = none;
+  unsigned int face = none; ///< none: in the cell
+};
+
+/**
+ * What the values of cells and faces say of the points between them: in a cell its value plus its
+ * gradient times the distance from its centre; on a face with its own value that plus the part of
+ * the cell's gradient along the face. Exact for linear functions.
+ */
+template <int dim>
+class LinearReconstruction
+{
+public:
+  explicit LinearReconstruction(const CellSpace<dim> &space) : space(space) {}
+
+  /// Finds which values of other ranks are needed on the present mesh.
+  void build();
+
+  /// A component of a velocity (or of an internal displacement), and the pressure, at a point.
+  Stencil<double> velocity(const CellPlace &place, const dealii::Point<dim> &point) const;
+  Stencil<double> pressure(const CellPlace &place, const dealii::Point<dim> &point) const;
+  /// The gradient of a component [1/m]: in a cell one for all of it; on a face with its normal part
+  /// from the face's value.
+  Stencil<dealii::Tensor<1, dim>> velocity_gradient(const CellPlace &place) const;
+  /// u_r/r as the factor of u_r, likewise; empty if not axisymmetric [1/m].
+  Stencil<double> hoop(const CellPlace &place) const;
+
+  /// Copies that have every value that the stencils of this rank's cells, and of those beside them,
+  /// need.
+  DistributedVector ghosted_velocity(const DistributedVector &owned) const;
+  DistributedVector ghosted_pressure(const DistributedVector &owned) const;
+
+  /// A stencil's sum over a vector with ghosts.
+  static dealii::Tensor<1, dim> vector_value(const Stencil<double> &stencil,
+                                             const DistributedVector &velocity);
+  static double value(const Stencil<double> &stencil, const DistributedVector &pressure);
+  /// The same of a gradient, of which row c is that of component c.
+  static dealii::Tensor<2, dim> vector_gradient(const Stencil<dealii::Tensor<1, dim>> &stencil,
+                                                const DistributedVector &velocity);
+
+private:
+  const CellSpace<dim> &space;
+  dealii::IndexSet relevant_velocities, relevant_pressures;
+
+  Stencil<double> at_point(const ValueSpace<dim> &values,
+                           const GaussGradient<dim> &gradient,
+                           const CellPlace &place,
+                           const dealii::Point<dim> &point) const;
+  dealii::IndexSet relevant(const ValueSpace<dim> &values,
+                            const GaussGradient<dim> &gradient,
+                            unsigned int n_components) const;
+};
+} // namespace Continua
+
+#endif
