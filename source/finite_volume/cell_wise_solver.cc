@@ -2,6 +2,7 @@
 
 #include <continua/base/input_error.h>
 #include <continua/continuum/vector_archive.h>
+#include <continua/finite_volume/cell_traction_jump.h>
 #include <continua/finite_volume/coupled_solve.h>
 #include <continua/linear_algebra/matrix_product.h>
 
@@ -32,7 +33,10 @@ CellWiseSolver<dim>::CellWiseSolver(parallel::TriangulationBase<dim> &triangulat
       bulk_history(problem.materials),
       system(space, problem, conditions, operators, closure, this->parameters),
       solve(std::make_unique<CoupledSolve<dim>>(system)),
-      power_ledger(space, problem, this->parameters, conditions, loads, operators)
+      power_ledger(space, problem, this->parameters, conditions, loads, operators),
+      evaluation(space, problem),
+      output(space, problem, evaluation),
+      cell_transfer(space, evaluation.reconstruction())
 {
 }
 
@@ -90,6 +94,7 @@ void CellWiseSolver<dim>::setup()
   for (unsigned int i = 0; i < has_history.size(); ++i)
     if (!has_history[i])
       pressures_without_history.push_back(i);
+  evaluation.build();
 }
 
 template <int dim>
@@ -698,46 +703,58 @@ double CellWiseSolver<dim>::divergence()
 template <int dim>
 std::vector<FieldComponent> CellWiseSolver<dim>::fields() const
 {
-  return {};
+  return field_names<dim>(problem.model);
 }
 
 template <int dim>
-unsigned int CellWiseSolver<dim>::add_probe(const ProbeRequest<dim> &)
+unsigned int CellWiseSolver<dim>::add_probe(const ProbeRequest<dim> &request)
 {
-  return 0;
+  return evaluation.add(request);
 }
 
 template <int dim>
-void CellWiseSolver<dim>::evaluate_probes(std::vector<double> &)
+void CellWiseSolver<dim>::evaluate_probes(std::vector<double> &values)
 {
+  set_pressure_of_displacement();
+  evaluation.evaluate(state(), values);
 }
 
 template <int dim>
-std::map<std::string, std::string> CellWiseSolver<dim>::add_output(DataOut<dim> &)
+std::map<std::string, std::string> CellWiseSolver<dim>::add_output(DataOut<dim> &data_out)
 {
-  return {};
+  set_pressure_of_displacement();
+  return output.add(state(), data_out);
 }
 
 template <int dim>
-void CellWiseSolver<dim>::indicators(Vector<float> &)
+void CellWiseSolver<dim>::indicators(Vector<float> &per_cell)
 {
+  set_pressure_of_displacement();
+  traction_jump_indicators(space, problem, evaluation, conditions, state(), present_time, per_cell);
 }
 
 template <int dim>
 void CellWiseSolver<dim>::prepare_refinement()
 {
+  cell_transfer.prepare(velocity_vectors(), pressure_vectors());
 }
 
 template <int dim>
 void CellWiseSolver<dim>::transfer()
 {
+  setup();
+  cell_transfer.finish(velocity_vectors(), pressure_vectors());
+  pressure_is_current = parameters.has_pressure();
+  set_dilatation_rate();
 }
 
 template <int dim>
-double
-CellWiseSolver<dim>::error_norm(const std::string &, const std::vector<Expression> &, const double)
+double CellWiseSolver<dim>::error_norm(const std::string &field,
+                                       const std::vector<Expression> &exact,
+                                       const double time)
 {
-  return 0.;
+  set_pressure_of_displacement();
+  return evaluation.error_norm(state(), field, exact, time);
 }
 
 template <int dim>

@@ -7,9 +7,12 @@
 #include <continua/continuum/continuum_solver.h>
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state.h>
+#include <continua/finite_volume/cell_evaluation.h>
 #include <continua/finite_volume/cell_loads.h>
+#include <continua/finite_volume/cell_output.h>
 #include <continua/finite_volume/cell_power_ledger.h>
 #include <continua/finite_volume/cell_system.h>
+#include <continua/finite_volume/cell_transfer.h>
 #include <continua/finite_volume/displacement_levels.h>
 
 #include <memory>
@@ -72,6 +75,9 @@ private:
   CellSystem<dim> system;
   std::unique_ptr<CellSolve<dim>> solve;
   CellPowerLedger<dim> power_ledger;
+  CellEvaluation<dim> evaluation;
+  CellOutput<dim> output;
+  CellTransfer<dim> cell_transfer;
 
   // The state: at the present time, and one step before.
   DistributedVector velocity, velocity_older, pressure, pressure_older;
