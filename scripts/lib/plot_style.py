@@ -1,5 +1,6 @@
 """How the figures look and where they go."""
 
+import argparse
 import csv
 import math
 import os
@@ -64,6 +65,14 @@ def axis_label(name, unit):
 
 def file_name(text):
     return re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")
+
+
+def width_in_inches(text):
+    """What --width takes."""
+    match = re.fullmatch(r"\s*([\d.]+)\s*(mm|cm|in)\s*", text)
+    if not match or float(match.group(1)) <= 0:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a width such as 85mm, 8.5cm or 3.3in")
+    return float(match.group(1)) / {"mm": 25.4, "cm": 2.54, "in": 1.0}[match.group(2)]
 
 
 class Sheet:
