@@ -228,9 +228,12 @@ bool StepSystem<dim>::prepare(const SystemCoefficients &wanted)
   if (is_factored && coefficients == wanted)
     return false;
   coefficients = wanted;
+  // A negative mass is the shift of an eigenvalue problem.
   const bool quasi_definite =
       std::all_of(coefficients.compressibility.begin(), coefficients.compressibility.end(),
-                  [](const double c) { return c > 0.; });
+                  [](const double c) { return c > 0.; }) &&
+      std::all_of(coefficients.mass.begin(), coefficients.mass.end(),
+                  [](const double mass) { return mass >= 0.; });
   std::vector<int> owned;
   owned.reserve(packed.size());
   for (const auto index : space.velocity_owned)

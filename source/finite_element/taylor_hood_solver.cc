@@ -3,6 +3,7 @@
 #include <continua/base/input_error.h>
 #include <continua/continuum/vector_archive.h>
 #include <continua/finite_element/initial_state.h>
+#include <continua/finite_element/taylor_hood_vibration.h>
 #include <continua/finite_element/traction_jump.h>
 
 #include <deal.II/distributed/tria.h>
@@ -284,6 +285,15 @@ bool TaylorHoodSolver<dim>::steady_is_direct() const
   for (const Material &material : problem.materials)
     (material.branches.empty() ? all_solid : all_fluid) = false;
   return all_solid || all_fluid;
+}
+
+template <int dim>
+std::unique_ptr<VibrationOperator<dim>> TaylorHoodSolver<dim>::vibration()
+{
+  using Vibration = TaylorHoodVibration<dim>;
+  return std::make_unique<Vibration>(
+      space, problem, operators, constraints, system,
+      typename Vibration::State{velocity, history.displacement(), pressure});
 }
 
 template <int dim>

@@ -17,6 +17,7 @@
 #include <continua/finite_element/space.h>
 #include <continua/finite_element/step_system.h>
 
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -49,6 +50,7 @@ public:
   StepReport advance(const Step &step) override;
   void solve_steady(double time) override;
   bool steady_is_direct() const override;
+  std::unique_ptr<VibrationOperator<dim>> vibration() override;
   bool data_jump(double begin, double end) const override;
   const dealii::Mapping<dim> &mapping() const override { return space.mapping; }
   std::vector<FieldComponent> fields() const override;
