@@ -70,6 +70,7 @@ template <int dim>
 void CellSystem<dim>::reinit()
 {
   is_prepared = false;
+  has_correction = has_increment_correction = false;
   velocity_work = space.velocity_vector();
   mixture_work = velocity_work;
   pressure_work = space.pressure_vector();
