@@ -13,6 +13,7 @@ void CellWiseParameters::read(ParameterSection section)
     stencil_coefficient = "longitudinal";
     pressure_update = "trapezoidal";
     boundary_pressure = "momentum";
+    boundary_velocity_as = "gradient";
   }
   section.add_choice(
       "Formulation", formulation,
@@ -49,9 +50,14 @@ void CellWiseParameters::read(ParameterSection section)
       "balance, or that of the cell. Where the velocity is given it is extrapolated.");
   section.add_choice("Pressure at boundaries as", boundary_pressure_as, {"value", "gradient"},
                      "What of it the segregated pressure equation is given.");
-  section.add_choice("Velocity at boundaries as", boundary_velocity_as, {"gradient", "value"},
-                     "What the segregated momentum equation is given on a boundary with a given "
-                     "traction.");
+  section.add_choice(
+      "Velocity at boundaries as", boundary_velocity_as,
+      {"automatic", "gradient", "value", "balance"},
+      "What the segregated momentum equation is given on a boundary with a given traction: "
+      "gradient "
+      "or value, from the force balance divided by the stencil coefficient, the thesis's way; "
+      "balance, the gradient that solves the face's own equations; automatic is balance in the "
+      "velocity-pressure form, else gradient.");
   section.add_choice("Boundary gradient", boundary_gradient, {"replaced", "cell"},
                      "The gradient on a boundary face: the cell's with its normal part replaced by "
                      "that of the face, or the cell's.");

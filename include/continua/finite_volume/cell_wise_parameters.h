@@ -38,7 +38,7 @@ struct CellWiseParameters
   std::string pressure_update = "as the displacement";
   std::string boundary_pressure = "definition";
   std::string boundary_pressure_as = "value";
-  std::string boundary_velocity_as = "gradient";
+  std::string boundary_velocity_as = "automatic";
   std::string boundary_gradient = "replaced";
   std::string power_operator = "scheme";
   double tolerance = 1e-8; ///< of the residual of the segregated loop [1]
@@ -57,6 +57,13 @@ struct CellWiseParameters
   {
     return formulation_type() == Formulation::velocity_pressure ||
            formulation_type() == Formulation::velocity_explicit_pressure;
+  }
+  /// Whether the segregated loop solves the faces' own equations face by face.
+  bool faces_balance() const
+  {
+    return boundary_velocity_as == "balance" ||
+           (boundary_velocity_as == "automatic" &&
+            formulation_type() == Formulation::velocity_pressure);
   }
   bool is_segregated() const { return solution == "segregated"; }
 };
