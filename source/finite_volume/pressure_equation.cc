@@ -1,0 +1,170 @@
+#include <continua/finite_volume/pressure_equation.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Continua
+{
+using namespace dealii;
+
+template <int dim>
+PressureEquation<dim>::PressureEquation(const CellSystem<dim> &system,
+                                        const SplitEquations<dim> &equations,
+                                        const FaceLinks<dim> &links,
+                                        const FaceBalance<dim> &faces)
+    : system(system), equations(equations), links(links), faces(faces)
+{
+}
+
+template <int dim>
+void PressureEquation<dim>::reinit()
+{
+  const CellMesh<dim> &mesh = system.space.mesh;
+  const std::size_t n_owned = mesh.n_owned_cells();
+  sums.resize(n_owned);
+  inverse_diagonal.resize(n_owned);
+  cells.resize(n_owned);
+  for (std::size_t cell = 0; cell < n_owned; ++cell)
+  {
+    const FiniteVolume<dim> &volume = mesh.cells()[cell];
+    sums[cell] = system.coefficients().compressibility[volume.material_id] * volume.volume;
+    inverse_diagonal[cell] = 1. / (system.momentum_diagonal()[cell] * volume.volume);
+  }
+  following.clear();
+  staying.clear();
+  const bool by_value = system.parameters.boundary_pressure_as == "value";
+  for (const auto &face : faces.pressures())
+    if (face.normal_is_free && by_value)
+      staying.push_back(face.pressure);
+    else
+      following.emplace_back(face.pressure, face.cell);
+  find_couplings();
+  factorize();
+}
+
+template <int dim>
+void PressureEquation<dim>::find_couplings()
+{
+  const CellSpace<dim> &space = system.space;
+  const CellMesh<dim> &mesh = space.mesh;
+  const std::vector<double> &diagonal = system.momentum_diagonal();
+  const bool by_value = system.parameters.boundary_pressure_as == "value";
+  couplings.clear();
+  const auto add = [&](const unsigned int f, const double conductance)
+  {
+    const VolumeFace<dim> &surface = mesh.faces()[f];
+    Coupling coupling;
+    for (unsigned int side = 0; side < 2; ++side)
+    {
+      coupling.cells[side] = equations.pressure_index(space.pressures.of_cell(surface.cell(side)));
+      coupling.numbers[side] = mesh.cells()[surface.cell(side)].number;
+    }
+    coupling.conductance = conductance;
+    couplings.push_back(coupling);
+  };
+  for (unsigned int f = 0; f < mesh.faces().size(); ++f)
+  {
+    const VolumeFace<dim> &surface = mesh.faces()[f];
+    const unsigned int region = mesh.cells()[surface.owner].material_id;
+    const double way = surface.distance * surface.normal;
+    if (!surface.at_boundary() && !surface.is_interface)
+    {
+      const double of_increment =
+          0.25 * way * way * system.coefficients().increment_mobility[region];
+      const double of_momentum = surface.owner_weight / diagonal[surface.owner] +
+                                 (1. - surface.owner_weight) / diagonal[surface.neighbour];
+      add(f, std::max(of_momentum, of_increment) * surface.area / way);
+    }
+    else if (surface.at_boundary() && by_value &&
+             !system.conditions.of_face(f).normal_is_prescribed)
+    {
+      const double of_increment =
+          0.25 * way * way * system.coefficients().increment_mobility[region];
+      sums[surface.owner] +=
+          std::max(1. / diagonal[surface.owner], of_increment) * surface.area / way;
+    }
+  }
+  // The wall between two materials gives way to a difference of pressures: at once by its links,
+  // and with the cells beside it.
+  for (const auto &link : links.links())
+    if (link.n_sides == 2)
+    {
+      const VolumeFace<dim> &surface = mesh.faces()[link.face];
+      double way = 0., mobility = 0.;
+      for (unsigned int side = 0; side < 2; ++side)
+      {
+        const unsigned int cell = surface.cell(side);
+        way += std::abs((surface.centre - mesh.cells()[cell].centre) * surface.normal);
+        mobility += link.share[side] / diagonal[cell];
+      }
+      add(link.face, surface.area * (surface.area * link.compliance + mobility / way));
+    }
+}
+
+template <int dim>
+void PressureEquation<dim>::factorize()
+{
+  const CellMesh<dim> &mesh = system.space.mesh;
+  SymmetricTriplets matrix;
+  matrix.n = static_cast<int>(mesh.cell_dofs.n_dofs());
+  const auto add = [&](const unsigned int row, const unsigned int column, const double value)
+  {
+    matrix.rows.push_back(static_cast<int>(std::max(row, column)));
+    matrix.columns.push_back(static_cast<int>(std::min(row, column)));
+    matrix.values.push_back(value);
+  };
+  std::vector<int> owned;
+  const unsigned int n_owned = mesh.n_owned_cells();
+  for (unsigned int cell = 0; cell < n_owned; ++cell)
+  {
+    const unsigned int number = mesh.cells()[cell].number;
+    owned.push_back(static_cast<int>(number));
+    add(number, number, sums[cell]);
+  }
+  const unsigned int first = equations.cell_mass().first, end = equations.cell_mass().second;
+  for (const Coupling &coupling : couplings)
+    for (unsigned int side = 0; side < 2; ++side)
+      if (coupling.cells[side] >= first && coupling.cells[side] < end)
+      {
+        add(coupling.numbers[side], coupling.numbers[side], coupling.conductance);
+        // Between two ranks the first cell's puts it in.
+        if (side == 0)
+          add(coupling.numbers[0], coupling.numbers[1], -coupling.conductance);
+      }
+  factor = make_symmetric_factor("automatic", true, n_owned + couplings.size(),
+                                 system.space.communicator);
+  factor->factorize(matrix, owned);
+}
+
+template <int dim>
+void PressureEquation<dim>::solve(const Vector &residual, Vector &change)
+{
+  const unsigned int first = equations.cell_mass().first;
+  std::copy_n(residual.begin() + first, cells.size(), cells.begin());
+  factor->solve(cells);
+  std::copy(cells.begin(), cells.end(), change.begin() + first);
+  double *const d = change.begin();
+  for (const auto &[face, cell] : following)
+    d[face] = d[cell];
+  for (const unsigned int face : staying)
+    d[face] = 0.;
+}
+
+template <int dim>
+void PressureEquation<dim>::multiply(const Vector &x, Vector &product) const
+{
+  const unsigned int first = equations.cell_mass().first, end = equations.cell_mass().second;
+  const double *const p = x.begin();
+  double *const y = product.begin();
+  for (std::size_t cell = 0; cell < sums.size(); ++cell)
+    y[first + cell] = sums[cell] * p[first + cell];
+  for (const Coupling &coupling : couplings)
+    for (unsigned int side = 0; side < 2; ++side)
+      if (coupling.cells[side] >= first && coupling.cells[side] < end)
+        y[coupling.cells[side]] +=
+            coupling.conductance * (p[coupling.cells[side]] - p[coupling.cells[1 - side]]);
+}
+
+template class PressureEquation<2>;
+template class PressureEquation<3>;
+} // namespace Continua
