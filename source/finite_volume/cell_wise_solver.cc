@@ -4,6 +4,7 @@
 #include <continua/continuum/vector_archive.h>
 #include <continua/finite_volume/cell_traction_jump.h>
 #include <continua/finite_volume/coupled_solve.h>
+#include <continua/finite_volume/segregated_solve.h>
 #include <continua/linear_algebra/matrix_product.h>
 
 #include <deal.II/base/mpi.h>
@@ -16,6 +17,17 @@
 namespace Continua
 {
 using namespace dealii;
+
+namespace
+{
+template <int dim>
+std::unique_ptr<CellSolve<dim>> make_solve(const CellSystem<dim> &system)
+{
+  if (system.parameters.is_segregated())
+    return std::make_unique<SegregatedSolve<dim>>(system);
+  return std::make_unique<CoupledSolve<dim>>(system);
+}
+} // namespace
 
 template <int dim>
 CellWiseSolver<dim>::CellWiseSolver(parallel::TriangulationBase<dim> &triangulation,
@@ -32,7 +44,7 @@ CellWiseSolver<dim>::CellWiseSolver(parallel::TriangulationBase<dim> &triangulat
       history(problem.materials),
       bulk_history(problem.materials),
       system(space, problem, conditions, operators, closure, this->parameters),
-      solve(std::make_unique<CoupledSolve<dim>>(system)),
+      solve(make_solve(system)),
       power_ledger(space, problem, this->parameters, conditions, loads, operators),
       evaluation(space, problem),
       output(space, problem, evaluation),
