@@ -217,27 +217,33 @@ void CellTransfer<dim>::set(const unsigned int cell,
   const auto fill =
       [&](const ValueSpace<dim> &values, DistributedVector &vector, const unsigned int n_components)
   {
-    for (unsigned int c = 0; c < n_components; ++c, ++component)
+    const auto first_entry = [&](const unsigned int value)
+    { return vector.begin() + n_components * (value - values.first_owned()); };
+    for (unsigned int c = 0; c < n_components; ++c)
+      first_entry(values.of_cell(cell))[c] =
+          component[c].value +
+          (divided ? component[c].gradient * (volume.centre - data.centre) : 0.);
+    for (const unsigned int number : volume.faces)
     {
-      const auto entry = [&](const unsigned int value) -> double &
-      { return vector.begin()[n_components * (value - values.first_owned()) + c]; };
-      entry(values.of_cell(cell)) =
-          component->value + (divided ? component->gradient * (volume.centre - data.centre) : 0.);
-      for (const unsigned int number : volume.faces)
-      {
-        const VolumeFace<dim> &face = space.mesh.faces()[number];
-        const unsigned int side = space.mesh.side(number, cell);
-        // One value for two cells is the owner's.
-        if (!face.has_value() ||
-            (side == 1 && values.of_face(number, 0) == values.of_face(number, 1)))
-          continue;
-        const unsigned int f = face.number_in_cell[side];
-        Assert(data.face_areas[f] > 0., ExcInternalError());
-        Tensor<1, dim> offset = face.centre - data.face_centres[f];
-        offset -= (offset * face.normal) * face.normal;
-        entry(values.of_face(number, side)) = component->on_faces[f] + component->gradient * offset;
-      }
+      const VolumeFace<dim> &face = space.mesh.faces()[number];
+      const unsigned int side = space.mesh.side(number, cell);
+      // One value for two cells is the owner's.
+      if (!face.has_value() ||
+          (side == 1 && values.of_face(number, 0) == values.of_face(number, 1)))
+        continue;
+      const unsigned int f = face.number_in_cell[side];
+      Assert(data.face_areas[f] > 0., ExcInternalError());
+      Tensor<1, dim> offset = face.centre - data.face_centres[f];
+      offset -= (offset * face.normal) * face.normal;
+      Tensor<1, dim> change;
+      for (unsigned int c = 0; c < n_components; ++c)
+        change[c] = component[c].gradient * offset;
+      if (n_components == dim && face.at_boundary())
+        change -= conditions.of_face(number).prescribed * change;
+      for (unsigned int c = 0; c < n_components; ++c)
+        first_entry(values.of_face(number, side))[c] = component[c].on_faces[f] + change[c];
     }
+    component += n_components;
   };
   for (DistributedVector *vector : velocities)
     fill(space.velocities, *vector, dim);

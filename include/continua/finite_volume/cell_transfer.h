@@ -1,11 +1,13 @@
 #ifndef continua_finite_volume_cell_transfer_h
 #define continua_finite_volume_cell_transfer_h
 
+#include <continua/finite_volume/face_conditions.h>
 #include <continua/finite_volume/linear_reconstruction.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <array>
 #include <vector>
 
 namespace Continua
@@ -15,22 +17,25 @@ namespace Continua
  * triangulations). A cell that is divided gives its parts its value plus its gradient times the
  * distance of the centres, exact for linear functions; one that is put together has the mean over
  * the volumes of its parts, so that nothing is lost. The values of faces are carried over as those
- * of cells are, along the face: what a boundary holds stays held.
+ * of cells are, along the face; where the velocity is prescribed the parts of a face have its
+ * value, so that what a boundary holds stays held.
  */
 template <int dim>
 class CellTransfer
 {
 public:
-  CellTransfer(const CellSpace<dim> &space, const LinearReconstruction<dim> &reconstruction)
-      : space(space), reconstruction(reconstruction)
+  CellTransfer(const CellSpace<dim> &space,
+               const FaceConditions<dim> &conditions,
+               const LinearReconstruction<dim> &reconstruction)
+      : space(space), conditions(conditions), reconstruction(reconstruction)
   {
   }
 
   /// Call when cells are flagged and before the triangulation changes.
   void prepare(const std::vector<DistributedVector *> &velocities,
                const std::vector<DistributedVector *> &pressures);
-  /// Call when the space is distributed on the new mesh; fills the vectors (of the new size) in the
-  /// same order.
+  /// Call when the space and the conditions are those of the new mesh; fills the vectors (of the
+  /// new size) in the same order.
   void finish(const std::vector<DistributedVector *> &velocities,
               const std::vector<DistributedVector *> &pressures);
 
@@ -66,6 +71,7 @@ private:
            const std::vector<DistributedVector *> &pressures) const;
 
   const CellSpace<dim> &space;
+  const FaceConditions<dim> &conditions;
   const LinearReconstruction<dim> &reconstruction;
   std::vector<DistributedVector> old_velocities, old_pressures; ///< with ghosts
   unsigned int handle = 0;                                      ///< of the data at the mesh
