@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <sstream>
@@ -79,6 +80,18 @@ std::string text_of(const CommandLine &command_line)
   for (const std::string &entry : command_line.overrides)
     text += " --set " + quoted(entry);
   return text + " --output " + quoted(command_line.output_directory);
+}
+
+/// What tells this program from others: of one revision there may be several, changed and not
+/// committed.
+std::string program_identity()
+{
+  const std::filesystem::path file = std::filesystem::canonical("/proc/self/exe");
+  std::ostringstream text;
+  text << version() << " " << revision() << " of "
+       << std::filesystem::last_write_time(file).time_since_epoch().count() << ", "
+       << std::filesystem::file_size(file) << " bytes";
+  return text.str();
 }
 
 /// Whether every rank comes here within a minute: an exception that all threw, not one alone while
@@ -226,8 +239,7 @@ std::string Comparison::identity(const Plan &plan) const
   std::ostringstream text;
   text << plan.name << " case " << ways[plan.way].identity << " time step "
        << shortest_number(plan.time_step) << " ranks "
-       << Utilities::MPI::n_mpi_processes(communicator) << " program " << version() << " "
-       << revision();
+       << Utilities::MPI::n_mpi_processes(communicator) << " program " << program_identity();
   return text.str();
 }
 
@@ -238,9 +250,6 @@ void Comparison::perform(const OutputDirectory &directory, Log &log) const
   const std::string checkpoint = directory.file("checkpoint/finished runs");
   std::string finished =
       command_line.restart ? content_of(checkpoint, communicator) : std::string();
-  // A program with uncommitted changes may be another one of the same revision.
-  if (revision_is_dirty())
-    finished.clear();
   const auto is_finished = [&](const Plan &plan)
   { return ("\n" + finished).find("\n" + identity(plan) + "\n") != std::string::npos; };
 
@@ -363,14 +372,17 @@ void Comparison::report(const std::vector<ComparedRun> &runs,
   summary.set("model", general.model);
   summary.set("compared", std::vector<std::string>{parameters.name(0), parameters.name(1)});
   summary.set("ranks", static_cast<double>(Utilities::MPI::n_mpi_processes(communicator)));
-  std::string failures;
+  std::string failed, reasons;
   for (const ComparedRun &run : runs)
     if (!run.failure.empty())
-      failures += (failures.empty() ? "" : "; ") + run.name + " failed: " + run.failure;
-  if (!failures.empty())
+    {
+      failed += (failed.empty() ? "" : ", ") + run.name;
+      reasons += (reasons.empty() ? "" : "; ") + run.name + ": " + run.failure;
+    }
+  if (!failed.empty())
   {
     summary.set("status", "failed");
-    summary.set("failure", failures);
+    summary.set("failure", reasons);
   }
   comparison.add_quantities(summary);
   bool all_passed = true;
@@ -387,7 +399,7 @@ void Comparison::report(const std::vector<ComparedRun> &runs,
     citations.add("celik2008");
     citations.write(directory.file("citation.bib"));
   }
-  if (!failures.empty())
-    throw RunError(failures);
+  if (!failed.empty())
+    throw RunError("these runs failed: " + failed);
 }
 } // namespace Continua

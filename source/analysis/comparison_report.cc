@@ -121,7 +121,7 @@ ComparisonReport::ComparisonReport(const ComparisonParameters &parameters,
           ++n_values[way];
         }
       }
-    if (n_values[0] > 1 && n_values[1] > 1)
+    if (n_values[0] > 1 || n_values[1] > 1)
       all_rows.push_back(row);
     else
       left_out.push_back(label);
@@ -254,9 +254,10 @@ std::vector<std::string> ComparisonReport::lines() const
       };
       for (const GridConvergence &convergence : row.convergence)
       {
-        const bool settled = convergence.behaviour == GridConvergence::Behaviour::settled;
         line.push_back(rounded(convergence.limit, 6));
-        line.push_back(settled ? "round-off" : rounded(convergence.estimated_error, 2));
+        line.push_back(convergence.estimated_error <= row.round_off
+                           ? "round-off"
+                           : rounded(convergence.estimated_error, 2));
         line.push_back(convergence.description());
       }
       line.push_back(rounded(row.difference, 2));
@@ -268,7 +269,7 @@ std::vector<std::string> ComparisonReport::lines() const
   }
   if (!left_out.empty())
   {
-    std::string text = "Not compared, since not both have it on two meshes:";
+    std::string text = "Not compared, since neither has it on two meshes:";
     for (const std::string &label : left_out)
       text += (label == left_out.front() ? " " : ", ") + label;
     result.push_back(text);

@@ -84,7 +84,7 @@ private:
   std::vector<ConvergenceOrders> orders;
   std::vector<ComparedRun> runs;
   std::vector<Row> all_rows;
-  std::vector<std::string> left_out; ///< labels that not both ways have on two meshes
+  std::vector<std::string> left_out; ///< labels that neither way has on two meshes
 
   const ComparedRun *run(unsigned int way, unsigned int mesh) const;
   /// The labels that count, in the order of the summaries.
