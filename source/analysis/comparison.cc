@@ -7,6 +7,7 @@
 #include <continua/base/parameter_text.h>
 #include <continua/base/units.h>
 #include <continua/base/version.h>
+#include <continua/postprocess/writing_rank.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_tools.h>
@@ -287,8 +288,7 @@ void Comparison::perform(const OutputDirectory &directory, Log &log) const
     asked_known[run.way] = true;
     if (folders[i] != nullptr)
       finished += identity(all[i]) + "\n";
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      write_file_atomically(checkpoint, finished);
+    on_writing_rank(communicator, [&]() { write_file_atomically(checkpoint, finished); });
   }
   MPI_Comm_free(&watch);
   report(runs, directory, log);
@@ -389,16 +389,18 @@ void Comparison::report(const std::vector<ComparedRun> &runs,
   for (const std::string &verdict : summary.check(parameters.expected, all_passed))
     log.line(verdict);
   summary.set("warnings", log.warnings());
-  if (Utilities::MPI::this_mpi_process(communicator) == 0)
-  {
-    comparison.write_quantities(directory.file("comparison.csv"));
-    comparison.write_runs(directory.file("runs.csv"));
-    summary.write(directory.file("summary.json"));
-    Citations citations;
-    citations.add("roache1994");
-    citations.add("celik2008");
-    citations.write(directory.file("citation.bib"));
-  }
+  // No rank may end the program before the files are there.
+  on_writing_rank(communicator,
+                  [&]()
+                  {
+                    comparison.write_quantities(directory.file("comparison.csv"));
+                    comparison.write_runs(directory.file("runs.csv"));
+                    summary.write(directory.file("summary.json"));
+                    Citations citations;
+                    citations.add("roache1994");
+                    citations.add("celik2008");
+                    citations.write(directory.file("citation.bib"));
+                  });
   if (!failed.empty())
     throw RunError("these runs failed: " + failed);
 }
