@@ -47,12 +47,14 @@ class Numbers(unittest.TestCase):
         damped = 0.3 - 0.3 * numpy.exp(-rate * time) * numpy.cos(2 * math.pi * frequency * time)
         beating = damped - 0.01 * numpy.cos(2 * math.pi * (5 * frequency + beat) * time)
         with tempfile.TemporaryDirectory() as folder:
-            write_run(folder, "damped", time, damped)
+            write_run(folder, "damped", time, damped, None,
+                      {"mode 1 frequency": frequency, "mode 1 decay per oscillation": math.exp(-rate / frequency)})
             write_run(folder, "beating", time, beating)
             runs = os.path.join(folder, CASES)
             maxima = chapter_4.Run(runs, "damped").maxima()[0]
             exact = 1 - (1 + math.exp(-rate * maxima[-1])) / (1 + math.exp(-rate * maxima[0]))
-            self.assertAlmostEqual(chapter_4.Run(runs, "damped").loss(), exact, delta=1e-6)
+            self.assertAlmostEqual(chapter_4.Run(runs, "damped").loss(30.0), exact, delta=1e-6)
+            self.assertAlmostEqual(chapter_4.Run(runs, "damped").loss_by_mode(30.0), (1 - math.exp(-30 * rate)) / 2)
             self.assertLess(chapter_4.Run(runs, "damped").loss(17.0), exact)
             self.assertAlmostEqual(chapter_4.Run(runs, "beating").beat(), beat, delta=0.001)
 
