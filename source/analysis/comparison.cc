@@ -252,7 +252,10 @@ void Comparison::perform(const OutputDirectory &directory, Log &log) const
   std::string finished =
       command_line.restart ? content_of(checkpoint, communicator) : std::string();
   const auto is_finished = [&](const Plan &plan)
-  { return ("\n" + finished).find("\n" + identity(plan) + "\n") != std::string::npos; };
+  {
+    return ("\n" + finished).find("\n" + identity(plan) + "\n") != std::string::npos &&
+           !content_of(plan.command_line.output_directory + "/summary.json", communicator).empty();
+  };
 
   // Before the first run, since a folder may be refused.
   std::vector<std::unique_ptr<OutputDirectory>> folders;
