@@ -1,6 +1,7 @@
 #include <continua/analysis/analyses.h>
 
 #include <continua/analysis/linear_wave_theory.h>
+#include <continua/analysis/modal.h>
 #include <continua/analysis/steady.h>
 #include <continua/analysis/transient.h>
 
@@ -27,6 +28,8 @@ const std::vector<Row<dim>> &table()
        "State at rest: one solve for a body that is all solid or all fluid, steps to rest for a "
        "mixture.",
        [](Run<dim> &run) { Steady<dim>(run).perform(); }},
+      {"modal", "Frequencies and shapes of a solid body's free vibrations.",
+       [](Run<dim> &run) { Modal<dim>(run).perform(); }},
       {"linear wave theory", "Linear waves of a tube at its stations, without a mesh.",
        [](Run<dim> &run) { LinearWaveTheory<dim>(run).perform(); }}};
   return rows;

@@ -91,7 +91,8 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator, const bool res
   problem.communicator = communicator;
   problem.model = model_of(general.model);
   const bool axisymmetric = problem.model == Model::axisymmetric;
-  const bool transient = general.analysis != "steady";
+  const bool modal_analysis = general.analysis == "modal";
+  const bool transient = general.analysis != "steady" && !modal_analysis;
 
   geometry = make_geometry<dim>(root.subsection("Geometry"), root.subsection("Mesh"), axisymmetric);
   mesh = MeshParameters::read(root.subsection("Mesh"));
@@ -115,15 +116,19 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator, const bool res
   discretisation.read(root, general.discretisation);
   if (transient)
     time.read(root.subsection("Time"));
+  else if (modal_analysis)
+    modal.read(root.subsection("Modal"));
   else
     rest.read(root.subsection("Steady"));
-  adaptation.read(root.subsection("Adaptivity"), transient);
+  if (!modal_analysis)
+    adaptation.read(root.subsection("Adaptivity"), transient);
   if (transient)
     wave_theory.read(root.subsection("Wave theory"));
   output.read(root.subsection("Output"));
   probes.read(root.subsection("Probes"), problem.boundaries, problem.regions);
   read_measured_waves(probes, transient, measured_waves);
-  error_norms.read(root.subsection("Exact solution"));
+  if (!modal_analysis)
+    error_norms.read(root.subsection("Exact solution"));
   expected = read_expected(root.subsection("Expected"));
 
   triangulation = std::make_unique<parallel::distributed::Triangulation<dim>>(

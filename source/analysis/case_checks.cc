@@ -44,6 +44,72 @@ void check_pressure_level(const Case<dim> &input, ParameterSection root)
             "or the material a bulk modulus");
 }
 
+template <int dim>
+void refuse_checkpoints(const Case<dim> &input, ParameterSection output)
+{
+  for (const char *key : {"Checkpoint interval", "Checkpoint at end"})
+    if (output.given(key) &&
+        (input.output.checkpoint_at_end || input.output.checkpoint_interval > 0.))
+      output.refuse(key, "a " + input.general.analysis + " analysis has no checkpoints",
+                    "Remove the entry");
+}
+
+/// Whether a boundary has a prescribed velocity.
+template <int dim>
+bool is_held(const Case<dim> &input)
+{
+  return std::any_of(input.problem.conditions.begin(), input.problem.conditions.end(),
+                     [](const BoundaryCondition &condition)
+                     {
+                       return condition.normal.kind == BoundaryPart::Kind::velocity ||
+                              condition.tangential.kind == BoundaryPart::Kind::velocity;
+                     });
+}
+
+/// Free vibrations are those of elastic solids that give no energy away.
+template <int dim>
+void check_modal(const Case<dim> &input, ParameterSection root)
+{
+  for (unsigned int region = 0; region < input.problem.materials.size(); ++region)
+  {
+    const Material &material = input.problem.materials[region];
+    ParameterSection section =
+        root.subsection("Materials").subsection(input.problem.regions[region]);
+    if (!material.is_solid())
+      section.refuse("Type", "a modal analysis is of solids, which a fluid is not",
+                     "Use Analysis = transient");
+    if (material.relaxes())
+      section.refuse("Type",
+                     "this solid relaxes, so that its stiffness depends on the frequency and its "
+                     "vibrations die away",
+                     "Use hookean with the modulus at the frequency in question, or Analysis = "
+                     "transient");
+  }
+  ParameterSection boundaries = root.subsection("Boundaries");
+  for (const BoundaryCondition &condition : input.problem.conditions)
+    if (condition.type == "absorbing")
+      boundaries.subsection(condition.name)
+          .refuse("Type", "an end that takes waves up has no vibrations that last",
+                  "Use 'free', 'roller' or 'fixed', or Analysis = transient");
+  ParameterSection modal = root.subsection("Modal");
+  if (input.modal.highest() && !input.discretisation.is_cell_wise())
+    modal.refuse("Which",
+                 "the highest modes of the finite elements are not sought: with an incompressible "
+                 "material they have no bound",
+                 "Set Discretisation = cell-wise, or Which = lowest");
+  if (!input.modal.highest() && input.modal.shift == 0. && !is_held(input))
+    boundaries.refuse("",
+                      "nothing holds the body, so that it can move without vibrating: the "
+                      "frequency 0 Hz is a mode's",
+                      "Make a boundary 'fixed' or 'roller', or give Modal/Shift a frequency, such "
+                      "as half of the first mode's");
+  ParameterSection linear_solver = root.subsection("Linear solver");
+  if (input.modal.shift > 0. && input.discretisation.taylor_hood.linear_solver.type == "cholmod")
+    linear_solver.refuse("Type", "cholmod does not pivot, which a shift needs",
+                         "Use automatic or mumps");
+  refuse_checkpoints(input, root.subsection("Output"));
+}
+
 /// A state at rest needs something that holds the body, and has no use for what moves it.
 template <int dim>
 void check_steady(const Case<dim> &input, ParameterSection root)
@@ -61,12 +127,10 @@ void check_steady(const Case<dim> &input, ParameterSection root)
           .refuse("Type",
                   "the stress of this solid relaxes to zero, so that it has no state at rest",
                   "Use a law with a long-term modulus, or Analysis = transient");
-  bool held = false;
   for (const BoundaryCondition &condition : input.problem.conditions)
     for (const BoundaryPart *part : {&condition.normal, &condition.tangential})
       if (part->kind == BoundaryPart::Kind::velocity)
       {
-        held = true;
         const bool touches_solid = std::any_of(
             condition.region_ids.begin(), condition.region_ids.end(),
             [&](const unsigned int region) { return !materials[region].branches.empty(); });
@@ -76,7 +140,7 @@ void check_steady(const Case<dim> &input, ParameterSection root)
               .refuse("", "a solid at rest cannot have a prescribed velocity",
                       "Prescribe zero, or use Analysis = transient");
       }
-  if (!held)
+  if (!is_held(input))
     root.subsection("Boundaries")
         .refuse("", "nothing holds the body: no boundary has a prescribed velocity",
                 "Make one boundary 'fixed' or 'roller'");
@@ -85,11 +149,7 @@ void check_steady(const Case<dim> &input, ParameterSection root)
     if (has_solid && initial_state.given(key))
       initial_state.refuse(key, "a steady analysis has no initial state",
                            "Remove the entry, or use Analysis = transient");
-  ParameterSection output = root.subsection("Output");
-  for (const char *key : {"Checkpoint interval", "Checkpoint at end"})
-    if (output.given(key) &&
-        (input.output.checkpoint_at_end || input.output.checkpoint_interval > 0.))
-      output.refuse(key, "a steady analysis has no checkpoints", "Remove the entry");
+  refuse_checkpoints(input, root.subsection("Output"));
 }
 
 /// The axis of an axisymmetric model: there and only there the radial velocity is zero by symmetry.
@@ -164,6 +224,8 @@ void check_case(const Case<dim> &input, ParameterSection root)
   check_pressure_level(input, root);
   if (is_steady(input))
     check_steady(input, root);
+  if (input.general.analysis == "modal")
+    check_modal(input, root);
   if (input.problem.model == Model::axisymmetric)
     check_axis(input, root);
   if (input.discretisation.is_cell_wise())

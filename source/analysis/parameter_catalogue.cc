@@ -155,6 +155,12 @@ std::vector<Source> sources()
        [](Root root, const General &) { RestParameters().read(root.subsection("Steady")); },
        "",
        {}},
+      {"Modal",
+       "Which of a body's modes of vibration are sought, of `Analysis = modal`.",
+       {},
+       [](Root root, const General &) { ModalParameters().read(root.subsection("Modal")); },
+       "",
+       {}},
       {"Comparison",
        "Of `Analysis = comparison`: by which two ways, on which meshes, and what counts as "
        "agreement.",

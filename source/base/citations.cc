@@ -86,6 +86,17 @@ std::vector<std::pair<std::string, std::string>> table()
   howpublished = {\url{https://trilinos.github.io}}
 }
 )"},
+          {"slepc", R"(@article{slepc,
+  author  = {Hernandez, V. and Roman, J. E. and Vidal, V.},
+  title   = {{SLEPc}: A scalable and flexible toolkit for the solution of eigenvalue problems},
+  journal = {ACM Transactions on Mathematical Software},
+  volume  = {31},
+  number  = {3},
+  pages   = {351--362},
+  year    = {2005},
+  doi     = {10.1145/1089014.1089019}
+}
+)"},
           {"hoodtaylor1973", R"(@article{hoodtaylor1973,
   author  = {Taylor, C. and Hood, P.},
   title   = {A numerical solution of the {Navier-Stokes} equations using the finite element

@@ -381,21 +381,33 @@ void Probes<dim>::read_history(const std::string &file)
 }
 
 template <int dim>
-void Probes<dim>::record(const double time)
+std::vector<double> Probes<dim>::present_values()
 {
   if (columns.empty())
-    return;
+    return {};
   solver->evaluate_probes(solver_values);
-  record_times.push_back(time);
-  row.assign(1, time);
-  for (Column &column : columns)
+  std::vector<double> values;
+  for (const Column &column : columns)
   {
     double value = 0.;
     for (const auto &[number, factor] : column.terms)
       value += factor * solver_values[number];
-    column.values.push_back(value);
-    row.push_back(column.values.back());
+    values.push_back(value);
   }
+  return values;
+}
+
+template <int dim>
+void Probes<dim>::record(const double time)
+{
+  if (columns.empty())
+    return;
+  const std::vector<double> values = present_values();
+  record_times.push_back(time);
+  row.assign(1, time);
+  row.insert(row.end(), values.begin(), values.end());
+  for (unsigned int i = 0; i < columns.size(); ++i)
+    columns[i].values.push_back(values[i]);
   if (table)
     table->row(row);
 }

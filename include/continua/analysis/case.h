@@ -4,6 +4,7 @@
 #include <continua/analysis/absorbing_ends.h>
 #include <continua/analysis/discretisation.h>
 #include <continua/analysis/measured_waves.h>
+#include <continua/analysis/modal_parameters.h>
 #include <continua/analysis/power_laws.h>
 #include <continua/analysis/wave_theory_parameters.h>
 #include <continua/base/command_line.h>
@@ -79,6 +80,7 @@ struct Case
   Problem problem;
   PowerLaws power_laws;         ///< what the branches of `problem` come from in a run in time
   AbsorbingEnds absorbing_ends; ///< what some of its outlets come from in a run in time
+  ModalParameters modal;
 };
 } // namespace Continua
 

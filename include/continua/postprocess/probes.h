@@ -71,6 +71,8 @@ public:
   /// what it then holds, double by double.
   void open(const std::string &file, double restart_time);
 
+  /// The values of all columns in the present state [SI], not recorded.
+  std::vector<double> present_values();
   /// Records the present state under `time` [s]. RunError on rank 0 when the disk refuses.
   void record(double time);
 
