@@ -19,8 +19,8 @@ public:
   explicit CoupledSolve(const CellSystem<dim> &system);
 
   void reinit() override;
-  /// After a new factor the residual is checked once: RunError if it is larger than 1e-8 of the
-  /// right-hand side.
+  /// After a new factor the solution is checked once: RunError if a step of refinement changes its
+  /// velocity or pressure by more than 1e-7 of the largest value.
   void solve(const DistributedVector &momentum,
              const DistributedVector &mass,
              DistributedVector &velocity,
@@ -34,9 +34,9 @@ private:
   const CellSystem<dim> &system;
   std::unique_ptr<UnsymmetricFactor> factor;
   std::vector<double> packed;
-  bool residual_is_checked = false;
+  bool is_checked = false;
 
-  void check_residual(const DistributedVector &momentum,
+  void check_solution(const DistributedVector &momentum,
                       const DistributedVector &mass,
                       const DistributedVector &velocity,
                       const DistributedVector &pressure);
