@@ -219,7 +219,12 @@ private:
     BoundaryPressure type = parameters.boundary_pressure_type();
     if (parameters.formulation_type() == Formulation::velocity_explicit_pressure)
       type = BoundaryPressure::momentum;
-    if (!traction_is_given && type != BoundaryPressure::zero_gradient)
+    // Where a fluid's velocity is given a change of its volume beside the wall says little of the
+    // pressure; a solid's is as good there as where the traction is given.
+    const bool of_solid = surface.at_boundary() &&
+                          !problem.materials[mesh.cells()[cell].material_id].branches.empty();
+    if (!traction_is_given && type != BoundaryPressure::zero_gradient &&
+        !(of_solid && type == BoundaryPressure::definition))
       type = BoundaryPressure::momentum;
     // On the axis the pressure has no slope.
     if (surface.area == 0.)
