@@ -350,6 +350,8 @@ template <int dim>
 StepReport CellWiseSolver<dim>::advance_displacement(const Step &step)
 {
   StepReport report;
+  if (!displacement_levels.is_started())
+    displacement_levels.start(history.displacement(), velocity, step.size());
   const auto derivatives = displacement_levels.derivatives(step, step.a2 != 0.);
   CellCoefficients present;
   present.with_pressure = false;

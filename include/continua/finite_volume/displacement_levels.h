@@ -29,8 +29,10 @@ public:
     bool four_levels = false;
   };
 
-  /// All levels from the present one and its velocity: the body moved uniformly before.
+  /// All levels of that size, none known.
   void reinit(const DistributedVector &displacement);
+  bool is_started() const { return size_old > 0.; }
+  /// All levels from the present one and its velocity: the body moved uniformly before.
   void start(const DistributedVector &displacement, const DistributedVector &velocity, double size);
   /// Of a step; `second_order`: the four levels where they are there. A step of another size than
   /// the last is Euler's, with D_oo moved to the new distance.
