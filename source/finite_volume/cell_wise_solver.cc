@@ -125,13 +125,17 @@ Step CellWiseSolver<dim>::with_pressure_update(const Step &step) const
 
 namespace
 {
-/// What a solid's increment correction is measured by: 2 mu + lambda, of a nearly incompressible
-/// solid 4 mu [Pa].
-double correction_modulus(const Material &material)
+/// What a solid's increment correction is measured by: 2 mu + lambda; where the stencil does not
+/// have that for its own coefficient no more than 4 mu, since the correction would fade away as the
+/// solid becomes incompressible [Pa].
+double correction_modulus(const Material &material, const CellWiseParameters &parameters)
 {
   const double mu = material.instantaneous_shear_modulus();
   const double inverse_bulk = material.inverse_bulk_modulus;
-  return inverse_bulk * 8. / 3. * mu < 1. ? 4. * mu : 4. / 3. * mu + 1. / inverse_bulk;
+  const bool is_nearly_incompressible = inverse_bulk * 8. / 3. * mu < 1.;
+  return is_nearly_incompressible && parameters.stencil_coefficient != "longitudinal"
+             ? 4. * mu
+             : 4. / 3. * mu + 1. / inverse_bulk;
 }
 } // namespace
 
@@ -149,7 +153,7 @@ CellCoefficients CellWiseSolver<dim>::coefficients(const Step &step) const
     result.compressibility.push_back(BulkHistory::step_compressibility(material, step));
     const bool of_increment = parameters.rhie_chow == "increment" && !material.branches.empty();
     result.increment_mobility.push_back(
-        of_increment ? 1. / (correction_modulus(material) * step.pressure_time) : 0.);
+        of_increment ? 1. / (correction_modulus(material, parameters) * step.pressure_time) : 0.);
   }
   return result;
 }
@@ -169,8 +173,9 @@ CellCoefficients CellWiseSolver<dim>::steady_coefficients() const
     result.mass.push_back(0.);
     result.stiffness.push_back(solid ? material.long_term_shear_modulus() : material.viscosity);
     result.compressibility.push_back(solid ? material.long_term_inverse_bulk_modulus() : 0.);
-    result.increment_mobility.push_back(
-        solid && parameters.rhie_chow == "increment" ? 1. / correction_modulus(material) : 0.);
+    result.increment_mobility.push_back(solid && parameters.rhie_chow == "increment"
+                                            ? 1. / correction_modulus(material, parameters)
+                                            : 0.);
   }
   return result;
 }
