@@ -182,25 +182,40 @@ Mode Modal<dim>::describe(const Eigenpair &pair, const bool is_symmetric) const
 template <int dim>
 std::string Modal<dim>::text_of(const unsigned int number, const Mode &mode) const
 {
-  std::ostringstream text;
-  text << "Mode " << number << ": " << std::setprecision(5) << mode.frequency << " Hz";
-  if (mode.growth_rate > 0.)
-    text << ", grows by exp(" << mode.growth_rate << " t/s)";
+  // The largest share of a translation, and of a turn.
+  std::array<unsigned int, 2> first = {{0, 0}};
+  std::array<double, 2> largest = {{0., 0.}};
+  for (unsigned int m = 0; m < motions.size(); ++m)
+    if (mode.inertia_shares[m] > largest[motions[m].rotates])
+    {
+      largest[motions[m].rotates] = mode.inertia_shares[m];
+      first[motions[m].rotates] = m;
+    }
   const auto direction =
       std::max_element(mode.direction_shares.begin(), mode.direction_shares.end());
-  text << std::fixed << std::setprecision(1) << ", moves along "
-       << "xyz"[direction - mode.direction_shares.begin()] << " (" << percent(*direction)
-       << " % of its energy)";
+  const char axis = "xyz"[direction - mode.direction_shares.begin()];
+  std::ostringstream text;
+  text << "Mode " << number << ": " << std::setprecision(5) << mode.frequency << " Hz, ";
+  if (mode.growth_rate > 0.)
+    text << "grows by exp(" << mode.growth_rate << " t/s), ";
+  // A bending mode turns the body, too, but carries some of its mass along.
+  if (largest[true] > 1e-3 && largest[true] > 10. * largest[false])
+    text << "turns about " << motions[first[true]].axis;
+  else
+    text << "moves along " << axis;
+  text << std::fixed << std::setprecision(1) << ": " << percent(*direction)
+       << " % of its energy along " << axis;
   for (const bool rotates : {false, true})
   {
-    std::string separator = rotates ? "; turns " : "; carries ";
+    std::string axes;
     for (unsigned int m = 0; m < motions.size(); ++m)
       if (motions[m].rotates == rotates)
       {
-        text << separator << percent(mode.inertia_shares[m]) << " % "
-             << (rotates ? "about " : "along ") << motions[m].axis;
-        separator = ", ";
+        text << (axes.empty() ? "; " : ", ") << percent(mode.inertia_shares[m]);
+        axes += (axes.empty() ? "" : ", ") + motions[m].axis;
       }
+    if (!axes.empty())
+      text << (rotates ? " % of the inertia about " : " % of the mass along ") << axes;
   }
   return text.str();
 }

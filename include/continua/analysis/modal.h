@@ -50,7 +50,7 @@ private:
   void prepare();
   std::vector<Eigenpair> solve();
   Mode describe(const Eigenpair &pair, bool is_symmetric) const;
-  /// "Mode 2: 3.2155 Hz, along y (...)".
+  /// "Mode 2: 3.2155 Hz, moves along y: ...".
   std::string text_of(unsigned int number, const Mode &mode) const;
   std::vector<std::string> header() const;
   std::vector<double> row(unsigned int number, const Mode &mode) const;
