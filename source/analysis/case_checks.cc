@@ -198,6 +198,24 @@ void check_linear_solver(const Case<dim> &input, ParameterSection root)
       Utilities::MPI::n_mpi_processes(input.communicator) > 1)
     section.refuse("Type", type + " works on one rank only", "Use automatic or mumps");
 }
+/// The cell-wise path's own entries against the scheme in time.
+template <int dim>
+void check_cell_wise_scheme(const Case<dim> &input, ParameterSection root)
+{
+  const CellWiseParameters &parameters = input.discretisation.cell_wise;
+  if (is_steady(input) || input.general.analysis == "modal" ||
+      input.time.scheme_type() != Scheme::crank_nicolson)
+    return;
+  if (parameters.formulation_type() == Formulation::displacement)
+    root.subsection("Time").refuse("Scheme",
+                                   "the displacement form has second derivatives by euler implicit "
+                                   "or backward differencing only",
+                                   "Choose one of them, or another Cell-wise/Formulation");
+  if (parameters.pressure_update != "as the displacement")
+    root.subsection("Cell-wise")
+        .refuse("Pressure update", "crank nicolson has its own update of the pressure",
+                "Remove the entry, or choose another Time/Scheme");
+}
 } // namespace
 
 /// A power law relaxes for ever.
@@ -229,7 +247,10 @@ void check_case(const Case<dim> &input, ParameterSection root)
   if (input.problem.model == Model::axisymmetric)
     check_axis(input, root);
   if (input.discretisation.is_cell_wise())
+  {
     check_cell_wise(input.problem, input.discretisation.cell_wise, is_steady(input), root);
+    check_cell_wise_scheme(input, root);
+  }
   else
     check_linear_solver(input, root);
 }

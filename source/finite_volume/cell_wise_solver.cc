@@ -294,6 +294,10 @@ StepReport CellWiseSolver<dim>::advance(const Step &given_step)
   if (formulation == Formulation::displacement)
     return advance_displacement(given_step);
   const Step step = with_pressure_update(given_step);
+  if (step.extrapolate && !undamped_is_reported)
+    log.warning("crank-nicolson damps nothing, and the cell-wise operator is not symmetric beside "
+                "boundaries: a few of its highest modes may grow in a long run");
+  undamped_is_reported = undamped_is_reported || step.extrapolate;
   StepReport report;
   report.factored = prepare(coefficients(step));
   if (report.factored)

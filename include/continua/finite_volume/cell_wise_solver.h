@@ -94,6 +94,7 @@ private:
   double pressure_known_time = 0.;
   std::vector<unsigned int> pressures_without_history; ///< local indices
   std::set<double> exponential_branches_reported;
+  bool undamped_is_reported = false;
   // Work space of the step.
   DistributedVector momentum, mass, velocity_work, mixture, pressure_work, mass_work, prescribed;
 
