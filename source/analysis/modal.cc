@@ -311,8 +311,15 @@ void Modal<dim>::perform()
       values.insert(values.end(), probe_values.begin(), probe_values.end());
       table->row(values);
     }
-    if (input.output.final_fields)
-      writer.write(*run.solver, k + 1);
+    if (!input.output.final_fields)
+      continue;
+    writer.write(*run.solver, k + 1.);
+    if (pairs[k].value.imag() != 0.)
+    {
+      // The part that is a quarter of a period away.
+      vibration->set_shape(pairs[k].imaginary, mode.eigenvalue.real());
+      writer.write(*run.solver, k + 1.5);
+    }
   }
   if (table)
     table->flush();
