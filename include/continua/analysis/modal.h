@@ -21,7 +21,7 @@ struct Mode
   double frequency = 0.;           ///< [Hz]
   double growth_rate = 0.; ///< of exp(growth_rate t) [1/s]: 0 where the operator is symmetric
   double mass = 0.;        ///< x* M x [kg]
-  double energy = 0.;      ///< elastic, of the shape [J]
+  double energy = 0.;      ///< elastic, of the real part [J]
   std::vector<double> direction_shares; ///< of the kinetic energy, by Cartesian direction
   /// By rigid motion r: x* M r / (x* M x), and |x* M r|^2 / (x* M x) over that of the whole body.
   std::vector<double> participations, inertia_shares;
@@ -30,7 +30,7 @@ struct Mode
 /**
  * Free, undamped vibrations of a solid body: frequencies, shapes and what takes part in them.
  * modes.csv has a row for each, with the probes' values of its shape; fields.pvd lists the shapes
- * under the modes' numbers.
+ * under the modes' numbers, and the imaginary part of a complex one half a number behind.
  */
 template <int dim>
 class Modal
