@@ -3,7 +3,9 @@
 #include <continua/base/input_error.h>
 #include <continua/continuum/vector_archive.h>
 #include <continua/finite_volume/cell_traction_jump.h>
+#include <continua/finite_volume/cell_vibration.h>
 #include <continua/finite_volume/coupled_solve.h>
+#include <continua/finite_volume/held_cells.h>
 #include <continua/finite_volume/segregated_solve.h>
 #include <continua/linear_algebra/matrix_product.h>
 
@@ -464,7 +466,7 @@ void CellWiseSolver<dim>::set_dilatation_rate()
 template <int dim>
 void CellWiseSolver<dim>::set_pressure_of_displacement()
 {
-  if (pressure_is_current)
+  if (parameters.has_pressure() && pressure_is_current)
     return;
   pressure = 0.;
   for (unsigned int region = 0; region < operators.size(); ++region)
@@ -571,9 +573,9 @@ void CellWiseSolver<dim>::set_consistent_start()
     add_force_balance(0.);
   system.prepare(rest);
 
-  // Values that stay what they are: cells' velocities, what belongs to regions that do not yield,
-  // and the pressures of cells that follow from no displacement.
-  std::vector<bool> face_yields(space.velocities.n_owned(), false),
+  // What stays as it is: the faces of regions that do not yield, and the pressures that follow from
+  // no displacement.
+  std::vector<bool> velocity_stays(space.velocities.n_owned(), true),
       pressure_stays(space.pressures.n_owned(), true);
   for (unsigned int face = 0; face < space.mesh.faces().size(); ++face)
   {
@@ -584,7 +586,7 @@ void CellWiseSolver<dim>::set_consistent_start()
       if (!yields[cell.material_id])
         continue;
       if (space.velocities.owns_face(face, side))
-        face_yields[space.local_velocity(space.velocities.of_face(face, side)) / dim] = true;
+        velocity_stays[space.local_velocity(space.velocities.of_face(face, side)) / dim] = false;
       if (cell.is_owned)
         pressure_stays[space.local_pressure(space.pressures.of_face(face, side))] = false;
     }
@@ -592,57 +594,22 @@ void CellWiseSolver<dim>::set_consistent_start()
   for (unsigned int cell = 0; cell < space.mesh.n_owned_cells(); ++cell)
   {
     const unsigned int region = space.mesh.cells()[cell].material_id;
-    if (yields[region] && problem.materials[region].inverse_bulk_modulus > 0.)
-      pressure_stays[cell] = false;
+    pressure_stays[cell] = !yields[region] || problem.materials[region].inverse_bulk_modulus == 0.;
   }
   for (const unsigned int row : closure.rows)
     pressure_stays[row] = false;
 
-  const int first = dim * space.velocities.first_owned();
-  const int first_pressure = system.n_velocities() + space.pressures.first_owned();
-  const auto stays = [&](const int row)
-  {
-    return row < static_cast<int>(system.n_velocities()) ? !face_yields[(row - first) / dim]
-                                                         : pressure_stays[row - first_pressure];
-  };
-  Triplets matrix;
-  std::vector<int> owned;
-  matrix.n = system.n_velocities() + (rest.with_pressure ? space.pressures.n_values() : 0);
-  const auto add = [&](const int row, const int column, const double value)
-  {
-    matrix.rows.push_back(row);
-    matrix.columns.push_back(column);
-    matrix.values.push_back(value);
-  };
-  system.for_entries(
-      [&](const int row, const int column, const double value)
-      {
-        if (!stays(row))
-          add(row, column, value);
-      });
-  for (unsigned int i = 0; i < dim * space.velocities.n_owned(); ++i)
-    owned.push_back(first + i);
-  for (unsigned int i = 0; rest.with_pressure && i < space.pressures.n_owned(); ++i)
-    owned.push_back(first_pressure + i);
-  for (const int row : owned)
-    if (stays(row))
-      add(row, row, 1.);
   balanced.prescribed = 0.;
   system.set_prescribed(balanced.prescribed, momentum);
-  std::vector<double> packed(momentum.begin(), momentum.end());
-  if (rest.with_pressure)
-    packed.insert(packed.end(), mass.begin(), mass.end());
-  for (unsigned int i = 0; i < packed.size(); ++i)
-    if (stays(owned[i]))
-      packed[i] = 0.;
-  const auto factor = make_unsymmetric_factor("automatic", space.communicator);
-  factor->factorize(matrix, owned);
-  factor->solve(packed);
-  const auto middle = packed.begin() + dim * space.velocities.n_owned();
+  HeldCells<dim> held(system);
+  held.reinit(velocity_stays, pressure_stays);
+  velocity_work = 0.;
+  pressure_work = 0.;
+  held.solve(momentum, mass, velocity_work, pressure_work);
   for (DistributedVector *const vector : history.vectors())
-    std::copy(packed.begin(), middle, vector->begin());
+    vector->equ(1., velocity_work);
   if (rest.with_pressure)
-    std::copy(middle, packed.end(), pressure.begin());
+    pressure.equ(1., pressure_work);
 }
 
 template <int dim>
@@ -681,6 +648,14 @@ void CellWiseSolver<dim>::solve_steady(const double time)
   (solid ? history.displacement() : velocity) = velocity_work;
   pressure_is_current = parameters.has_pressure();
   present_time = time;
+}
+
+template <int dim>
+std::unique_ptr<VibrationOperator<dim>> CellWiseSolver<dim>::vibration()
+{
+  return std::make_unique<CellVibration<dim>>(
+      system, steady_coefficients(),
+      typename CellVibration<dim>::State{velocity, history.displacement(), pressure});
 }
 
 template <int dim>

@@ -43,6 +43,7 @@ public:
   StepReport advance(const Step &step) override;
   void solve_steady(double time) override;
   bool steady_is_direct() const override;
+  std::unique_ptr<VibrationOperator<dim>> vibration() override;
   bool data_jump(double begin, double end) const override;
   std::vector<FieldComponent> fields() const override;
   unsigned int add_probe(const ProbeRequest<dim> &request) override;
