@@ -118,8 +118,8 @@ int main(int argc, char **argv)
 
   for (const char *title : {"General", "Geometry and mesh", "Painted regions", "Materials",
                             "Boundaries", "Body force and initial state", "Discretisation", "Time",
-                            "Steady", "Spin coating", "Laboratory", "Wave theory", "Adaptivity",
-                            "Output", "Probes", "Exact solution", "Expected"})
+                            "Steady", "Modal", "Spin coating", "Laboratory", "Wave theory",
+                            "Adaptivity", "Output", "Probes", "Exact solution", "Expected"})
     check::is_true(title, contains(markdown(), std::string("## ") + title + "\n"));
   check_types("Geometry and mesh", geometry_types<2>());
   check_types("Materials", material_types());
@@ -190,5 +190,10 @@ int main(int argc, char **argv)
                     "set Density = 1\nset Viscosity = 1\nset Young's modulus = 1\n"
                     "set Poisson's ratio = 0.4\nend\nend\n" +
                         boundaries({"clamped end", "free end", "bottom", "top", "front", "back"}));
+  check_complete<2>("modal run", "set Analysis = modal\nsubsection Geometry\nset Type = beam\nend\n"
+                                 "subsection Materials\nsubsection beam\nset Type = hookean\n"
+                                 "set Density = 1\nset Young's modulus = 1\n"
+                                 "set Poisson's ratio = 0.4\nend\nend\n" +
+                                     boundaries({"clamped end", "free end", "bottom", "top"}));
   std::filesystem::remove("documentation-test.prm");
 }
