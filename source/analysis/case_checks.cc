@@ -78,7 +78,7 @@ void check_modal(const Case<dim> &input, ParameterSection root)
     if (!material.is_solid())
       section.refuse("Type", "a modal analysis is of solids, which a fluid is not",
                      "Use Analysis = transient");
-    if (material.relaxes())
+    if (material.relaxes() || material.power_law_modulus > 0.)
       section.refuse("Type",
                      "this solid relaxes, so that its stiffness depends on the frequency and its "
                      "vibrations die away",
