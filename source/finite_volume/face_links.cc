@@ -1,5 +1,6 @@
 #include <continua/finite_volume/face_links.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Continua
@@ -64,9 +65,32 @@ void FaceLinks<dim>::reinit(const bool by_value)
     // kind, keeps its last value.
     for (unsigned int c = 0; c < dim; ++c)
       link.follows[c] = link.free[c][c] > 1. - 1e-12 && !(by_value && surface.at_boundary());
+    if (surface.at_boundary())
+      set_hold(link);
     all.push_back(link);
     scales.push_back(scale);
   }
+}
+
+template <int dim>
+void FaceLinks<dim>::set_hold(Link &link) const
+{
+  const CellSpace<dim> &space = system.space;
+  const VolumeFace<dim> &surface = space.mesh.faces()[link.face];
+  link.hold.fill(link.weight_ratio * link.stiffness[0]);
+  if (!equations.has_pressure() || !system.conditions.of_face(link.face).normal_is_prescribed)
+    return;
+  const unsigned int region = space.mesh.cells()[surface.owner].material_id;
+  const unsigned int pressure = space.local_pressure(space.pressures.of_face(link.face, 0));
+  const double compressibility = system.coefficients().compressibility[region];
+  if (system.operators[region].pressure_volume.begin()[pressure] == 0. || compressibility == 0.)
+    return;
+  const double normal_stiffness =
+      (4. / 3. * system.coefficients().stiffness[region] + 1. / compressibility) * surface.area /
+      (surface.distance * surface.normal);
+  for (unsigned int c = 0; c < dim; ++c)
+    if (std::abs(surface.normal[c]) > 1e-12)
+      link.hold[c] = std::max(link.hold[c], normal_stiffness);
 }
 
 template <int dim>

@@ -76,7 +76,7 @@ void MomentumPredictor<dim>::set_row_sums()
     if (link.n_sides == 1)
       for (unsigned int c = 0; c < dim; ++c)
         if (!link.follows[c])
-          sums[link.cells[0] + c] += link.weight_ratio * link.stiffness[0];
+          sums[link.cells[0] + c] += link.hold[c];
 }
 
 template <int dim>

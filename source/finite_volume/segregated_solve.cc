@@ -226,15 +226,13 @@ void SegregatedSolve<dim>::solve_pressure_equation()
 template <int dim>
 double SegregatedSolve<dim>::factor_entries() const
 {
-  return predictor.factor_entries() +
-         (formulation == Formulation::velocity_pressure ? pressure_equation.factor_entries() : 0.);
+  return predictor.factor_entries() + pressure_equation.factor_entries();
 }
 
 template <int dim>
 double SegregatedSolve<dim>::factor_memory() const
 {
-  return predictor.factor_memory() +
-         (formulation == Formulation::velocity_pressure ? pressure_equation.factor_memory() : 0.);
+  return predictor.factor_memory() + pressure_equation.factor_memory();
 }
 
 template <int dim>

@@ -34,7 +34,10 @@ public:
     double compliance = 0.;                       ///< one over their sum
     double weight_ratio = 1.;                     ///< area over the weight of its equations
     dealii::Tensor<2, dim> free;                  ///< projector on the directions not prescribed
-    std::array<bool, dim> follows = {};           ///< components that are eliminated
+    /// What a component that is not eliminated holds its cell with: its link's stiffness, or, on a
+    /// wall whose pressure follows from the velocity, what that adds to the normal one.
+    std::array<double, dim> hold = {};
+    std::array<bool, dim> follows = {}; ///< components that are eliminated
   };
 
   FaceLinks(const CellSystem<dim> &system, const SplitEquations<dim> &equations);
@@ -56,6 +59,8 @@ private:
   const SplitEquations<dim> &equations;
   std::vector<Link> all;
   std::vector<double> scales; ///< of prescribed directions' equations, 0 where there are none
+
+  void set_hold(Link &link) const;
 };
 } // namespace Continua
 

@@ -41,8 +41,9 @@ public:
   /// 1/(a_P V) of this rank's cells, a_P the diagonal of the momentum equations [m s/kg].
   const std::vector<double> &inverse_momentum() const { return inverse_diagonal; }
 
-  double factor_entries() const { return factor->n_entries(); }
-  double factor_memory() const { return factor->memory(); }
+  /// 0 before reinit().
+  double factor_entries() const { return factor ? factor->n_entries() : 0.; }
+  double factor_memory() const { return factor ? factor->memory() : 0.; }
 
 private:
   struct Coupling
