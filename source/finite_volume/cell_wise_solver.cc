@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace Continua
@@ -95,6 +96,10 @@ void CellWiseSolver<dim>::setup()
                                     &dilatation_rate, &mass, &pressure_work, &mass_work})
     *vector = space.pressure_vector();
   displacement_levels.reinit(velocity);
+  smallest_distance = std::numeric_limits<double>::max();
+  for (const VolumeFace<dim> &surface : space.mesh.faces())
+    smallest_distance = std::min(smallest_distance, surface.distance * surface.normal);
+  smallest_distance = Utilities::MPI::min(smallest_distance, space.communicator);
 
   // A pressure that no compressible material determines follows from the constraint alone; faces
   // whose pressure is the cells' go with those.

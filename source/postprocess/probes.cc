@@ -465,6 +465,7 @@ void Probes<dim>::add_quantities(const Column &column,
     add(name + " decay per oscillation", std::exp(-mode.decay_rate / mode.frequency), "1");
     add(name + " amplitude", mode.amplitude, unit);
   }
+  add("modes offset", fit.offset, unit);
   add("modes residual", fit.residual, "1");
 }
 

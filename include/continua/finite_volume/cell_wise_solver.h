@@ -85,6 +85,7 @@ private:
   /// div U as the equations of state have it, at the end of the last step, for the trapezoidal rule
   /// [m^3/s].
   DistributedVector dilatation_rate;
+  double smallest_distance = 0.; ///< between two cells, or from a cell to a boundary face [m]
   DisplacementLevels displacement_levels; ///< of the displacement form
   double present_time = 0.;
   bool pressure_is_current = true; ///< where it is computed from the displacement
