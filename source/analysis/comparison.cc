@@ -278,7 +278,7 @@ void Comparison::perform(const OutputDirectory &directory, Log &log) const
     runs.push_back(result(all[i]));
     ComparedRun &run = runs.back();
     run.failure = failure;
-    log.line(run.name + (!failure.empty()        ? " failed: " + failure
+    log.line(run.name + (!failure.empty()        ? ": failed"
                          : folders[i] == nullptr ? ": was finished before"
                                                  : ": finished"));
     if (!failure.empty())
