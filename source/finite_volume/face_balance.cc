@@ -45,7 +45,6 @@ void FaceBalance<dim>::find_pressures()
       face_pressure.cell = equations.pressure_index(space.pressures.of_cell(surface.cell(side)));
       const double own = equations.entry(face_pressure.pressure, face_pressure.pressure);
       face_pressure.inverse = own != 0. ? 1. / own : 0.;
-      face_pressure.is_interface = surface.is_interface;
       face_pressure.normal_is_free =
           surface.at_boundary() && !system.conditions.of_face(f).normal_is_prescribed;
       face_pressure.from_definition =
@@ -131,9 +130,9 @@ void FaceBalance<dim>::solve(const Vector &right_side, Vector &unknowns)
         x[block.pressure] += change;
     }
   }
-  // What these pressures obey has no velocity of the face in it.
+  // What the others obey has no velocity of a face in it that is still to be found.
   for (const FacePressure &face_pressure : all_pressures)
-    if (!face_pressure.from_definition)
+    if (!(face_pressure.from_definition && face_pressure.normal_is_free))
       x[face_pressure.pressure] += face_pressure.inverse * r[face_pressure.pressure];
 }
 

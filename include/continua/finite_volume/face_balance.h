@@ -28,7 +28,6 @@ public:
     unsigned int cell = 0;     ///< its cell's pressure's place
     double inverse = 0.;       ///< one over its coefficient in its own equation
     bool normal_is_free = false;
-    bool is_interface = false;
     bool from_definition = false; ///< whether its equation is one of state
   };
 
