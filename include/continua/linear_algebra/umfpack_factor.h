@@ -11,11 +11,9 @@ namespace Continua
  * UMFPACK's L U with partial pivoting and scaled rows, on one rank. UMFPACK tries its orderings and
  * takes the best; of its factor the two triangles are kept as PackedTriangle, and solved with here.
  *
- * Why: for 800 unknowns (40 x 10 cells, two unknowns each, 15 entries a row) a solve takes 17
- * microseconds; UMFPACK's own takes 48, KLU's 41 to 44, and the same triangles row by row 31. With
- * three unknowns a cell 36 against 90, 95 and 60; with 12,800 unknowns 2.7 milliseconds
- * against 4.6, 12 and 4.9. Nested dissection has more entries than minimum degree below 10,000
- * unknowns and 2 to 5 % fewer above.
+ * Why: for 800 unknowns (40 x 10 cells, two unknowns each, 15 entries a row) a solve takes 18
+ * microseconds; UMFPACK's own takes 63 and KLU's 60. With three unknowns a cell 48 against 124 and
+ * 113; with 12,800 unknowns 4.0 milliseconds against 6.9 and 9.4 (benchmark_unsymmetric_solve).
  */
 class UmfpackFactor : public UnsymmetricFactor
 {
