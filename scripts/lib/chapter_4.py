@@ -252,7 +252,8 @@ EULER, BACKWARD, FINE = "fv-velocity-30s", "fv-velocity-backward-differencing-30
 FINEST, LOOSE = "fv-velocity-1e-6-30s", "fv-displacement-1e-5-17s"
 def figures(names):
     """All figures by their number; `names`: the runs that there may be, of which those of 4.12 are not known here."""
-    pressure = {"fv-velocity-pressure": "continua's variant", "fv-velocity-pressure-thesis": "thesis's variant"}
+    pressure = {"fv-velocity-pressure": "continua's variant", "fv-velocity-pressure-thesis": "thesis's variant",
+                "fv-velocity-pressure-thesis-coupled": "thesis's variant, coupled"}
     prefix = "fv-pressure-"
     pressure.update({name: name[len(prefix):].replace("-", " ") for name in sorted(names) if name.startswith(prefix)})
     return {**FIGURES, "4.12": Figure(
@@ -268,8 +269,8 @@ FIGURES = {
     "4.3": Figure("End displacement, displacement form", {"fv-displacement": "displacement form"}, draw_histories,
                   [("first maximum", "fv-displacement", 0.62, maximum, "m"),
                    ("frequency", "fv-displacement", 3.32, frequency, "Hz"),
-                   ("deflection at rest (mean)", "fv-displacement", 0.31,
-                    lambda run: run.quantity("mean displacement y"), "m")],
+                   ("deflection at rest", "fv-displacement", 0.31,
+                    lambda run: run.quantity("modes offset", "mean displacement y"), "m")],
                   end=2.0, thesis=[(0.62, "thesis: maximum 0.62 m"), (0.31, "thesis: at rest 0.31 m")]),
     "4.4": Figure("Displacement form, envelope over 17 s",
                   {LOOSE: "tolerance 1e-5", "fv-displacement-30s": "coupled"}, draw_histories,
@@ -277,10 +278,13 @@ FIGURES = {
                   losses("coupled", "fv-displacement-30s", "", 17.0),
                   end=17.05, envelope=True, thesis=[(0.31, "thesis: at rest after 17 s")]),
     "4.5": Figure("Power residual, accumulated term consistent and inconsistent",
-                  {"fv-velocity-inconsistent": "inconsistent (div grad)", "fv-velocity": "consistent (Laplacian)"},
-                  draw_power,
+                  {"fv-velocity-inconsistent": "inconsistent (div grad)", "fv-velocity": "consistent (Laplacian)",
+                   "fv-velocity-inconsistent-wide": "inconsistent, power by the wide operator",
+                   "fv-velocity-wide": "consistent, power by the wide operator"}, draw_power,
                   [("root mean square, inconsistent", "fv-velocity-inconsistent", "erratic, ±1e5 W", Run.power_residual, "W"),
-                   ("root mean square, consistent", "fv-velocity", "around 0", Run.power_residual, "W")], end=1.0),
+                   ("root mean square, consistent", "fv-velocity", "around 0", Run.power_residual, "W"),
+                   ("the former by the wide operator", "fv-velocity-inconsistent-wide", "", Run.power_residual, "W"),
+                   ("the latter by the wide operator", "fv-velocity-wide", "", Run.power_residual, "W")], end=1.0),
     "4.6": Figure("Power residual by tolerance",
                   {"fv-velocity-1e-6": "tolerance 1e-6", "fv-velocity-1e-7": "tolerance 1e-7",
                    "fv-velocity-1e-8": "tolerance 1e-8"}, draw_power,
