@@ -206,6 +206,23 @@ CellTransfer<dim>::unpack(const std::vector<double> &values) const
 }
 
 template <int dim>
+Tensor<1, dim> CellTransfer<dim>::free_part(const unsigned int face,
+                                            const Tensor<1, dim> &change) const
+{
+  const BoundaryCondition &condition = conditions[face_conditions.of_face(face).condition];
+  const auto holds = [](const BoundaryPart &part)
+  { return part.kind == BoundaryPart::Kind::velocity && !part.flow && part.is_zero(); };
+  const Tensor<1, dim> &normal = space.mesh.faces()[face].normal;
+  const Tensor<1, dim> along_normal = (change * normal) * normal;
+  Tensor<1, dim> result;
+  if (!holds(condition.normal))
+    result += along_normal;
+  if (!holds(condition.tangential))
+    result += change - along_normal;
+  return result;
+}
+
+template <int dim>
 void CellTransfer<dim>::set(const unsigned int cell,
                             const CellData &data,
                             const bool divided,
@@ -239,7 +256,7 @@ void CellTransfer<dim>::set(const unsigned int cell,
       for (unsigned int c = 0; c < n_components; ++c)
         change[c] = component[c].gradient * offset;
       if (n_components == dim && face.at_boundary())
-        change -= conditions.of_face(number).prescribed * change;
+        change = free_part(number, change);
       for (unsigned int c = 0; c < n_components; ++c)
         first_entry(values.of_face(number, side))[c] = component[c].on_faces[f] + change[c];
     }

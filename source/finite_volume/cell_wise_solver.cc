@@ -51,7 +51,7 @@ CellWiseSolver<dim>::CellWiseSolver(parallel::TriangulationBase<dim> &triangulat
       power_ledger(space, problem, this->parameters, conditions, loads, operators),
       evaluation(space, problem),
       output(space, problem, evaluation),
-      cell_transfer(space, conditions, evaluation.reconstruction())
+      cell_transfer(space, conditions, problem.conditions, evaluation.reconstruction())
 {
 }
 

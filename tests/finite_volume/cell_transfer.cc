@@ -42,7 +42,7 @@ bool flag(Triangulation<dim> &mesh)
   return sum(n_flagged[0]) > 0. && sum(n_flagged[1]) > 0.;
 }
 
-/// Carries a velocity and a pressure over; `held`: the conditions prescribe all velocities.
+/// Carries a velocity and a pressure over; `held`: the conditions hold all boundaries.
 template <int dim>
 class Transfer
 {
@@ -52,15 +52,26 @@ public:
            const bool held)
       : body(make_mesh, model), conditions(body.space, body.problem.conditions)
   {
-    if (!held)
-      for (BoundaryCondition &condition : body.problem.conditions)
+    for (BoundaryCondition &condition : body.problem.conditions)
+    {
+      if (held)
+        continue;
+      if (condition.boundary_id % 2 == 0)
         condition.normal.kind = condition.tangential.kind = BoundaryPart::Kind::traction;
+      // Else a velocity that is not zero.
+      for (unsigned int c = 0; c < dim; ++c)
+      {
+        condition.normal.vector.emplace_back(Expression("1 + x + y", Dimensions::none));
+        condition.tangential.vector.emplace_back(Expression("1 + x + y", Dimensions::none));
+      }
+    }
     conditions.build();
   }
   /// Whether cells are divided and others put together.
   bool carry()
   {
-    CellTransfer<dim> transfer(body.space, conditions, body.evaluation.reconstruction());
+    CellTransfer<dim> transfer(body.space, conditions, body.problem.conditions,
+                               body.evaluation.reconstruction());
     const bool both = flag(body.triangulation);
     transfer.prepare({&body.velocity}, {&body.pressure});
     body.triangulation.execute_coarsening_and_refinement();
@@ -143,7 +154,8 @@ void test_axisymmetric()
   for (const auto &cell : body.triangulation.active_cell_iterators())
     if (cell->is_locally_owned())
       cell->set_coarsen_flag();
-  CellTransfer<2> cell_transfer(body.space, transfer.conditions, body.evaluation.reconstruction());
+  CellTransfer<2> cell_transfer(body.space, transfer.conditions, body.problem.conditions,
+                                body.evaluation.reconstruction());
   body.triangulation.prepare_coarsening_and_refinement();
   cell_transfer.prepare({&body.velocity}, {&body.pressure});
   body.triangulation.execute_coarsening_and_refinement();

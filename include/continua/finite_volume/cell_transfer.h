@@ -17,7 +17,7 @@ namespace Continua
  * triangulations). A cell that is divided gives its parts its value plus its gradient times the
  * distance of the centres, exact for linear functions; one that is put together has the mean over
  * the volumes of its parts, so that nothing is lost. The values of faces are carried over as those
- * of cells are, along the face; where the velocity is prescribed the parts of a face have its
+ * of cells are, along the face; where a velocity of zero is prescribed the parts of a face have its
  * value, so that what a boundary holds stays held.
  */
 template <int dim>
@@ -25,9 +25,13 @@ class CellTransfer
 {
 public:
   CellTransfer(const CellSpace<dim> &space,
-               const FaceConditions<dim> &conditions,
+               const FaceConditions<dim> &face_conditions,
+               const std::vector<BoundaryCondition> &conditions,
                const LinearReconstruction<dim> &reconstruction)
-      : space(space), conditions(conditions), reconstruction(reconstruction)
+      : space(space),
+        face_conditions(face_conditions),
+        conditions(conditions),
+        reconstruction(reconstruction)
   {
   }
 
@@ -63,6 +67,8 @@ private:
   CellData mean_over(const CellIterator &parent) const;
   std::vector<char> pack(const CellData &data) const;
   CellData unpack(const std::vector<double> &values) const;
+  /// The part of a change along a boundary face in directions that are not held there.
+  dealii::Tensor<1, dim> free_part(unsigned int face, const dealii::Tensor<1, dim> &change) const;
   /// Fills the new vectors in a cell and on its faces; `divided`: the data are its parent's.
   void set(unsigned int cell,
            const CellData &data,
@@ -71,7 +77,8 @@ private:
            const std::vector<DistributedVector *> &pressures) const;
 
   const CellSpace<dim> &space;
-  const FaceConditions<dim> &conditions;
+  const FaceConditions<dim> &face_conditions;
+  const std::vector<BoundaryCondition> &conditions;
   const LinearReconstruction<dim> &reconstruction;
   std::vector<DistributedVector> old_velocities, old_pressures; ///< with ghosts
   unsigned int handle = 0;                                      ///< of the data at the mesh
