@@ -1,5 +1,6 @@
 #include <continua/finite_volume/linear_reconstruction.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace Continua
