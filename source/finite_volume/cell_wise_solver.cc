@@ -23,6 +23,28 @@ using namespace dealii;
 
 namespace
 {
+/// Solves the equations of a step; a RunError says which one.
+template <int dim>
+void solve_step(CellSolve<dim> &solve,
+                const Step &step,
+                const DistributedVector &momentum,
+                const DistributedVector &mass,
+                DistributedVector &velocity,
+                DistributedVector &pressure,
+                StepReport &report)
+{
+  try
+  {
+    solve.solve(momentum, mass, velocity, pressure, report);
+  }
+  catch (const RunError &error)
+  {
+    std::ostringstream text;
+    text << "in the step to t = " << step.time << " s " << error.what();
+    throw RunError(text.str());
+  }
+}
+
 template <int dim>
 std::unique_ptr<CellSolve<dim>> make_solve(const CellSystem<dim> &system)
 {
@@ -326,7 +348,7 @@ StepReport CellWiseSolver<dim>::advance(const Step &given_step)
     TimerOutput::Scope scope(log.timer(), "solve");
     balanced.velocity.equ(1., velocity);
     balanced.pressure.equ(1., pressure);
-    solve->solve(momentum, mass, balanced.velocity, balanced.pressure, report);
+    solve_step(*solve, step, momentum, mass, balanced.velocity, balanced.pressure, report);
   }
   TimerOutput::Scope scope(log.timer(), "update");
   set_extremes(step, report);
@@ -399,7 +421,7 @@ StepReport CellWiseSolver<dim>::advance_displacement(const Step &step)
   DistributedVector &displacement = history.displacement();
   {
     TimerOutput::Scope scope(log.timer(), "solve");
-    solve->solve(momentum, mass, displacement, pressure, report);
+    solve_step(*solve, step, momentum, mass, displacement, pressure, report);
   }
   TimerOutput::Scope scope(log.timer(), "update");
   balanced.acceleration.add(derivatives.second_own, displacement);
