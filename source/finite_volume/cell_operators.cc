@@ -201,6 +201,48 @@ private:
     normal_stress.move_to(target.normal_stress);
   }
 
+  /// How the pressure that a face has on one side is found.
+  BoundaryPressure pressure_type(const unsigned int face, const unsigned int side) const
+  {
+    const VolumeFace<dim> &surface = mesh.faces()[face];
+    // Where the pressure is computed from the displacement it is so everywhere.
+    if (!parameters.has_pressure())
+      return BoundaryPressure::definition;
+    const BoundaryPressure type = parameters.boundary_pressure_type();
+    // On the axis the pressure has no slope.
+    if (surface.area == 0. || type == BoundaryPressure::zero_gradient)
+      return BoundaryPressure::zero_gradient;
+    if (parameters.formulation_type() == Formulation::velocity_explicit_pressure)
+      return BoundaryPressure::momentum;
+    const bool traction_is_given =
+        surface.at_boundary() && !conditions.of_face(face).normal_is_prescribed;
+    // Where a fluid's velocity is given a change of its volume beside the wall says little of the
+    // pressure; a solid's is as good there as where the traction is given.
+    const bool of_solid =
+        surface.at_boundary() &&
+        !problem.materials[mesh.cells()[surface.cell(side)].material_id].branches.empty();
+    if (traction_is_given || (of_solid && type == BoundaryPressure::definition))
+      return type;
+    return BoundaryPressure::momentum;
+  }
+
+  /// Whether the cell has another face of the kind on its opposite side: then no slope can be
+  /// extrapolated between the two.
+  bool is_between_extrapolated(const unsigned int face, const unsigned int side) const
+  {
+    const Tensor<1, dim> normal = mesh.faces()[face].outward(side);
+    const unsigned int cell = mesh.faces()[face].cell(side);
+    for (const unsigned int other : mesh.cells()[cell].faces)
+    {
+      const VolumeFace<dim> &surface = mesh.faces()[other];
+      const unsigned int other_side = mesh.side(other, cell);
+      if (other != face && surface.has_value() && surface.outward(other_side) * normal < -0.5 &&
+          pressure_type(other, other_side) == BoundaryPressure::momentum)
+        return true;
+    }
+    return false;
+  }
+
   /// The equation of the pressure that a face has on one side.
   void close_pressure(const unsigned int face,
                       const unsigned int side,
@@ -214,24 +256,9 @@ private:
     const unsigned int cell = surface.cell(side);
     const Tensor<1, dim> normal = surface.outward(side);
     const unsigned int row = space.pressures.of_face(face, side);
-    const bool traction_is_given =
-        surface.at_boundary() && !conditions.of_face(face).normal_is_prescribed;
-    BoundaryPressure type = parameters.boundary_pressure_type();
-    if (parameters.formulation_type() == Formulation::velocity_explicit_pressure)
-      type = BoundaryPressure::momentum;
-    // Where a fluid's velocity is given a change of its volume beside the wall says little of the
-    // pressure; a solid's is as good there as where the traction is given.
-    const bool of_solid = surface.at_boundary() &&
-                          !problem.materials[mesh.cells()[cell].material_id].branches.empty();
-    if (!traction_is_given && type != BoundaryPressure::zero_gradient &&
-        !(of_solid && type == BoundaryPressure::definition))
-      type = BoundaryPressure::momentum;
-    // On the axis the pressure has no slope.
-    if (surface.area == 0.)
+    BoundaryPressure type = pressure_type(face, side);
+    if (type == BoundaryPressure::momentum && is_between_extrapolated(face, side))
       type = BoundaryPressure::zero_gradient;
-    // Where the pressure is computed from the displacement it is so everywhere.
-    if (!parameters.has_pressure())
-      type = BoundaryPressure::definition;
 
     if (type == BoundaryPressure::definition)
     {

@@ -178,7 +178,11 @@ CellCoefficients CellWiseSolver<dim>::coefficients(const Step &step) const
   for (const Material &material : problem.materials)
   {
     result.mass.push_back(step.a0 * material.density);
-    result.stiffness.push_back(material.viscosity + BranchHistory::step_stiffness(material, step));
+    // A fluid without viscosity gets next to none, so that its faces have an equation for the
+    // motion along them.
+    const double least = 1e-12 * step.a0 * material.density * smallest_distance * smallest_distance;
+    result.stiffness.push_back(
+        std::max(material.viscosity + BranchHistory::step_stiffness(material, step), least));
     result.compressibility.push_back(BulkHistory::step_compressibility(material, step));
     const bool of_increment = parameters.rhie_chow == "increment" && !material.branches.empty();
     result.increment_mobility.push_back(
