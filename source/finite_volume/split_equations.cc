@@ -61,6 +61,27 @@ void SplitEquations<dim>::reinit()
       if (!owned.is_element(entry.first))
         ghosts.add_index(entry.first);
   }
+  // Two cells beside a face between materials are coupled by the loop, not by these rows.
+  const auto need = [&](const unsigned int number)
+  {
+    const unsigned int index = global_index(number);
+    if (!owned.is_element(index))
+      ghosts.add_index(index);
+  };
+  for (unsigned int face = 0; face < space.mesh.faces().size(); ++face)
+  {
+    const VolumeFace<dim> &surface = space.mesh.faces()[face];
+    for (unsigned int side = 0; surface.is_interface && side < surface.n_sides(); ++side)
+    {
+      for (unsigned int c = 0; c < dim; ++c)
+      {
+        need(dim * space.velocities.of_cell(surface.cell(side)) + c);
+        need(dim * space.velocities.of_face(face, side) + c);
+      }
+      if (with_pressure)
+        need(system.n_velocities() + space.pressures.of_cell(surface.cell(side)));
+    }
+  }
   layout = std::make_shared<Utilities::MPI::Partitioner>(owned, ghosts, space.communicator);
 
   // Pressures among the ghosts are told by their number.
