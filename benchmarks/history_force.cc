@@ -99,7 +99,7 @@ Tube::Tube(const std::string &parameter_file, const Wall &wall)
       input(file, MPI_COMM_WORLD)
 {
   body = std::make_unique<TaylorHoodSolver<2>>(*input.triangulation, input.problem,
-                                               input.taylor_hood, log);
+                                               input.discretisation.taylor_hood, log);
   body->initialise();
   step(); // factors
 }

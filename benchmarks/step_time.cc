@@ -106,8 +106,8 @@ Step Bench<dim>::step(const unsigned int number) const
 template <int dim>
 void Bench<dim>::measure_naive()
 {
-  Space<dim> space(*input.triangulation, input.taylor_hood.space, input.problem.model,
-                   input.problem.regions.size());
+  Space<dim> space(*input.triangulation, input.discretisation.taylor_hood.space,
+                   input.problem.model, input.problem.regions.size());
   space.distribute();
   std::vector<RegionOperators> operators(input.problem.regions.size());
   assemble_region_operators(space, operators);
@@ -166,7 +166,7 @@ void Bench<dim>::measure_naive()
 template <int dim>
 Row Bench<dim>::measure(const std::string &solver, Triad &triad)
 {
-  TaylorHoodParameters parameters = input.taylor_hood;
+  TaylorHoodParameters parameters = input.discretisation.taylor_hood;
   parameters.linear_solver.type = solver;
   Log times_of_run(MPI_COMM_WORLD);
   TaylorHoodSolver<dim> body(*input.triangulation, input.problem, parameters, times_of_run);
