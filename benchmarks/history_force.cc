@@ -96,7 +96,7 @@ Tube::Tube(const std::string &parameter_file, const Wall &wall)
     : wall(wall),
       log(MPI_COMM_WORLD),
       file(parameter_file, overrides(wall)),
-      input(file, MPI_COMM_WORLD)
+      input(file, MPI_COMM_WORLD, false)
 {
   body = std::make_unique<TaylorHoodSolver<2>>(*input.triangulation, input.problem,
                                                input.discretisation.taylor_hood, log);

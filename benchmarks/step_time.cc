@@ -90,7 +90,7 @@ Bench<dim>::Bench(const std::string &source_directory, const Sizes &sizes)
           {"Mesh/Cells=" + sizes.cells, "Mesh/Refinements=" + std::to_string(sizes.refinements)}),
       log(MPI_COMM_WORLD),
       file(parameter_file, overrides),
-      input(file, MPI_COMM_WORLD)
+      input(file, MPI_COMM_WORLD, false)
 {
   input.triangulation->refine_global(input.mesh.refinements);
   measure_naive();
