@@ -1,6 +1,7 @@
 #include <continua/finite_volume/cell_mesh.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_renumbering.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
@@ -116,17 +117,20 @@ template <int dim>
 void CellMesh<dim>::build()
 {
   const double pi = dealii::numbers::PI;
+  // A mesh that is read from a checkpoint has its cells in another order than the run that wrote
+  // it; along the tree they are in the same one.
   cell_dofs.distribute_dofs(element);
+  dealii::DoFRenumbering::hierarchical(cell_dofs);
 
   volumes.clear();
   surfaces.clear();
   local_numbers.assign(triangulation.n_active_cells(), dealii::numbers::invalid_unsigned_int);
   for (const bool owned : {true, false})
   {
+    const std::size_t begin = volumes.size();
     for (const auto &cell : cell_dofs.active_cell_iterators())
       if (owned ? cell->is_locally_owned() : cell->is_ghost())
       {
-        local_numbers[cell->active_cell_index()] = volumes.size();
         FiniteVolume<dim> volume;
         volume.iterator = cell;
         std::vector<dealii::types::global_dof_index> number(1);
@@ -136,9 +140,14 @@ void CellMesh<dim>::build()
         volume.is_owned = owned;
         volumes.push_back(volume);
       }
+    std::sort(volumes.begin() + begin, volumes.end(),
+              [](const FiniteVolume<dim> &a, const FiniteVolume<dim> &b)
+              { return a.number < b.number; });
     if (owned)
       n_owned = volumes.size();
   }
+  for (unsigned int i = 0; i < volumes.size(); ++i)
+    local_numbers[volumes[i].iterator->active_cell_index()] = i;
 
   // The faces of owned cells; what the first of two owned cells has made, the second has already.
   // Volumes and first moments about a point inside come from the simplices between that point and
