@@ -42,12 +42,12 @@ void CellWiseParameters::read(ParameterSection section)
                      {"as the displacement", "trapezoidal", "euler"},
                      "How the pressure follows the velocity: by Time/Update, or by the mean of old "
                      "and new velocity, or by the new one.");
-  section.add_choice(
-      "Pressure at boundaries", boundary_pressure,
-      {"momentum", "definition", "force balance", "zero gradient"},
-      "Pressure of a boundary face with a given traction: extrapolated by the "
-      "momentum equation, from its definition by the divergence, from the force "
-      "balance, or that of the cell. Where the velocity is given it is extrapolated.");
+  section.add_choice("Pressure at boundaries", boundary_pressure,
+                     {"momentum", "definition", "force balance", "zero gradient"},
+                     "Pressure of a boundary face: extrapolated by the momentum equation, from its "
+                     "definition by the divergence, from the force balance, or that of the cell. "
+                     "Where a velocity is given, the definition holds in solids only, elsewhere "
+                     "it is extrapolated; the force balance holds where a traction is given.");
   section.add_choice("Pressure at boundaries as", boundary_pressure_as, {"value", "gradient"},
                      "What of it the segregated pressure equation is given.");
   section.add_choice(
@@ -77,8 +77,8 @@ void CellWiseParameters::read(ParameterSection section)
       "What a step does whose loop reaches the cap: goes on, with a warning, or ends "
       "the run.");
   section.add("Residual history", residual_history,
-              "Whether the residual of every correction of every step is written to "
-              "residuals.csv.");
+              "Whether the residual of every correction of every step of the segregated loop is "
+              "written to log.txt.");
 }
 
 Formulation CellWiseParameters::formulation_type() const

@@ -45,12 +45,24 @@ void solve_step(CellSolve<dim> &solve,
   }
 }
 
+/// `present_time`: of the step's start, kept up to date by the solver.
 template <int dim>
-std::unique_ptr<CellSolve<dim>> make_solve(const CellSystem<dim> &system)
+std::unique_ptr<CellSolve<dim>>
+make_solve(const CellSystem<dim> &system, Log &log, const double &present_time)
 {
-  if (system.parameters.is_segregated())
+  if (!system.parameters.is_segregated())
+    return std::make_unique<CoupledSolve<dim>>(system);
+  if (!system.parameters.residual_history)
     return std::make_unique<SegregatedSolve<dim>>(system);
-  return std::make_unique<CoupledSolve<dim>>(system);
+  const auto tell = [&log, &present_time](const LoopCorrection &correction)
+  {
+    std::ostringstream text;
+    text << "step from t = " << present_time << " s, correction " << correction.number
+         << ": residual " << correction.residual << ", of the equation of state "
+         << correction.continuity;
+    log.detail(text.str());
+  };
+  return std::make_unique<SegregatedSolve<dim>>(system, tell);
 }
 } // namespace
 
@@ -69,7 +81,7 @@ CellWiseSolver<dim>::CellWiseSolver(parallel::TriangulationBase<dim> &triangulat
       history(problem.materials),
       bulk_history(problem.materials),
       system(space, problem, conditions, operators, closure, this->parameters),
-      solve(make_solve(system)),
+      solve(make_solve(system, log, present_time)),
       power_ledger(space, problem, this->parameters, conditions, loads, operators),
       evaluation(space, problem),
       output(space, problem, evaluation),
