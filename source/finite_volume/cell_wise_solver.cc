@@ -517,7 +517,8 @@ void CellWiseSolver<dim>::set_pressure_of_displacement()
     const CellOperators &of_region = operators[region];
     multiply(of_region.divergence, mass_work, history.displacement());
     for (unsigned int i = 0; i < mass_work.locally_owned_size(); ++i)
-      if (of_region.pressure_volume.begin()[i] != 0.)
+      if (of_region.pressure_volume.begin()[i] != 0. &&
+          problem.materials[region].inverse_bulk_modulus > 0.)
         pressure.begin()[i] -= mass_work.begin()[i] / of_region.pressure_volume.begin()[i] /
                                problem.materials[region].inverse_bulk_modulus;
   }

@@ -11,8 +11,6 @@ void DisplacementLevels::reinit(const DistributedVector &displacement)
 {
   for (DistributedVector &level : levels)
     level = displacement;
-  size_old = 0.;
-  n_equal = 0;
 }
 
 void DisplacementLevels::start(const DistributedVector &displacement,

@@ -29,7 +29,8 @@ public:
     bool four_levels = false;
   };
 
-  /// All levels of that size, none known.
+  /// All levels of that size; what distance they have stays, since a change of the mesh carries
+  /// them over.
   void reinit(const DistributedVector &displacement);
   bool is_started() const { return size_old > 0.; }
   /// All levels from the present one and its velocity: the body moved uniformly before.
