@@ -211,10 +211,12 @@ void check_cell_wise_scheme(const Case<dim> &input, ParameterSection root)
                                    "the displacement form has second derivatives by euler implicit "
                                    "or backward differencing only",
                                    "Choose one of them, or another Cell-wise/Formulation");
-  if (parameters.pressure_update != "as the displacement")
+  if (parameters.has_pressure() && parameters.pressure_update != "as the displacement")
     root.subsection("Cell-wise")
-        .refuse("Pressure update", "crank nicolson has its own update of the pressure",
-                "Remove the entry, or choose another Time/Scheme");
+        .refuse("Pressure update",
+                "crank nicolson has its own update of the pressure, which is " +
+                    parameters.pressure_update + " here",
+                "Set Pressure update = as the displacement, or choose another Time/Scheme");
 }
 } // namespace
 
@@ -248,7 +250,8 @@ void check_case(const Case<dim> &input, ParameterSection root)
     check_axis(input, root);
   if (input.discretisation.is_cell_wise())
   {
-    check_cell_wise(input.problem, input.discretisation.cell_wise, is_steady(input), root);
+    check_cell_wise(input.problem, input.discretisation.cell_wise,
+                    is_steady(input) || input.general.analysis == "modal", root);
     check_cell_wise_scheme(input, root);
   }
   else

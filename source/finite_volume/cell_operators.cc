@@ -58,7 +58,6 @@ public:
   void assemble(std::vector<CellOperators> &operators, PressureClosure &closure)
   {
     closure.rows.clear();
-    closure.force_balance.clear();
     operators.resize(problem.materials.size());
     for (unsigned int region = 0; region < operators.size(); ++region)
       assemble_region(region, operators[region], closure);
@@ -127,7 +126,6 @@ private:
     SparseRows wide_stiffness(velocity_rows, velocity_rows, space.communicator);
     SparseRows gradient(velocity_rows, pressure_rows, space.communicator);
     SparseRows divergence(pressure_rows, velocity_rows, space.communicator);
-    SparseRows normal_stress(pressure_rows, velocity_rows, space.communicator);
     target.volume = space.velocity_vector();
     target.pressure_volume = space.pressure_vector();
     const bool with_wide =
@@ -190,7 +188,7 @@ private:
           add(gradient, value, -weight(surface) * normal, pressure);
         }
         if (surface.has_value() && volume.is_owned)
-          close_pressure(face, side, traction, divergence, normal_stress, target, closure);
+          close_pressure(face, side, divergence, target, closure);
       }
     }
     stiffness.move_to(target.stiffness);
@@ -198,7 +196,6 @@ private:
       wide_stiffness.move_to(target.wide_stiffness);
     gradient.move_to(target.gradient);
     divergence.move_to(target.divergence);
-    normal_stress.move_to(target.normal_stress);
   }
 
   /// How the pressure that a face has on one side is found.
@@ -246,9 +243,7 @@ private:
   /// The equation of the pressure that a face has on one side.
   void close_pressure(const unsigned int face,
                       const unsigned int side,
-                      const FaceTraction<dim> &traction,
                       SparseRows &divergence,
-                      SparseRows &normal_stress,
                       CellOperators &target,
                       PressureClosure &closure)
   {
@@ -274,19 +269,6 @@ private:
     }
     closure.rows.push_back(space.local_pressure(row));
     closure_rows.add(row, row, 1.);
-    if (type == BoundaryPressure::force_balance)
-    {
-      for (const auto &[value, tensor] : traction(face, side))
-        for (unsigned int b = 0; b < dim; ++b)
-        {
-          double sum = 0.;
-          for (unsigned int a = 0; a < dim; ++a)
-            sum += normal[a] * tensor[a][b];
-          normal_stress.add(row, dim * value + b, sum);
-        }
-      closure.force_balance.emplace_back(space.local_pressure(row), conditions.number_of(face));
-      return;
-    }
     closure_rows.add(row, space.pressures.of_cell(cell), -1.);
     if (type == BoundaryPressure::momentum)
     {

@@ -72,7 +72,6 @@ void CellSystem<dim>::reinit()
   is_prepared = false;
   has_correction = has_increment_correction = false;
   velocity_work = space.velocity_vector();
-  mixture_work = velocity_work;
   pressure_work = space.pressure_vector();
   measure_diffusion();
 }
@@ -211,12 +210,6 @@ void CellSystem<dim>::multiply(const DistributedVector &velocity,
     pressure_work.equ(present.compressibility[region], pressure);
     pressure_work.scale(of_region.pressure_volume);
     mass.add(1., pressure_work);
-    if (!closure.force_balance.empty())
-    {
-      mixture_work.equ(-present.stiffness[region], velocity);
-      Continua::multiply(of_region.normal_stress, pressure_work, mixture_work);
-      mass.add(1., pressure_work);
-    }
   }
   if (!present.with_pressure)
     return;
@@ -309,9 +302,6 @@ void CellSystem<dim>::for_entries(const std::function<void(int, int, double)> &f
       for_row(of_region.divergence, row,
               [&](const int column, const double value)
               { function(first_pressure + row, column, value); });
-      for_row(of_region.normal_stress, row,
-              [&](const int column, const double value)
-              { function(first_pressure + row, column, -present.stiffness[region] * value); });
       const double volume = of_region.pressure_volume.begin()[row];
       if (volume != 0.)
         function(first_pressure + row, first_pressure + row,

@@ -95,9 +95,10 @@ bool CellVibration<dim>::has_acceleration() const
 template <int dim>
 void CellVibration<dim>::accelerate(const std::vector<double> &x, std::vector<double> &y)
 {
+  // Without the shift's inertia in the product below.
+  prepare(0.);
   if (!held)
   {
-    prepare(0.);
     held = std::make_unique<HeldCells<dim>>(system);
     held->reinit({}, {});
   }

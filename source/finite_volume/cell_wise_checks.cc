@@ -1,6 +1,8 @@
 #include <continua/finite_volume/cell_wise_checks.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace Continua
 {
@@ -41,6 +43,31 @@ void check_materials(const Problem &problem,
                   "Set Stencil coefficient = deviatoric");
   }
 }
+/// Entries that play no part would be ignored without a word.
+void check_entries(const CellWiseParameters &parameters,
+                   const bool steady,
+                   ParameterSection section)
+{
+  const auto refuse_given = [&](const std::vector<std::string> &keys, const std::string &problem)
+  {
+    for (const std::string &key : keys)
+      if (section.given(key))
+        section.refuse(key, problem, "Remove the entry");
+  };
+  if (!parameters.has_pressure())
+    refuse_given({"Rhie-Chow", "Pressure update", "Pressure at boundaries"},
+                 "this Formulation has no pressure among its unknowns");
+  if (parameters.formulation_type() != Formulation::velocity_pressure)
+    refuse_given({"Rhie-Chow", "Pressure corrections", "Pressure at boundaries as"},
+                 "only the formulation velocity-pressure has an equation for the pressure");
+  if (!parameters.is_segregated())
+    refuse_given({"Tolerance", "Maximum corrections", "Pressure corrections", "At the cap",
+                  "Residual history", "Pressure at boundaries as", "Velocity at boundaries as"},
+                 "Solution = coupled has no loop");
+  if (steady)
+    refuse_given({"Accumulated term", "Pressure update", "Power operator"},
+                 "there are no steps in time in which it would play a part");
+}
 } // namespace
 
 void check_cell_wise(const Problem &problem,
@@ -50,6 +77,7 @@ void check_cell_wise(const Problem &problem,
 {
   ParameterSection section = root.subsection("Cell-wise");
   check_materials(problem, parameters, root);
+  check_entries(parameters, steady, section);
   for (const BoundaryCondition &condition : problem.conditions)
     if (condition.outlet)
       root.subsection("Boundaries")
@@ -61,14 +89,21 @@ void check_cell_wise(const Problem &problem,
   if (formulation == Formulation::displacement && parameters.accumulated_term == "inconsistent")
     section.refuse("Accumulated term", "the displacement form accumulates no stress",
                    "Remove the entry, or choose another Formulation");
-  if (formulation == Formulation::velocity_pressure && !parameters.is_segregated() &&
-      parameters.boundary_pressure_type() == BoundaryPressure::force_balance)
+  const bool force_balance = parameters.boundary_pressure_type() == BoundaryPressure::force_balance;
+  if (force_balance && formulation == Formulation::velocity_pressure)
     section.refuse("Pressure at boundaries",
-                   "the force balance determines the velocity of the face already, so that the "
-                   "coupled equations are singular",
-                   "Choose another, or set Solution = segregated");
+                   "the force balance determines the velocity of the face already: it is one "
+                   "equation twice, and the pressure of the face stays undetermined",
+                   "Choose another");
+  if (formulation == Formulation::velocity_explicit_pressure &&
+      section.given("Pressure at boundaries") &&
+      parameters.boundary_pressure_type() != BoundaryPressure::momentum &&
+      parameters.boundary_pressure_type() != BoundaryPressure::zero_gradient)
+    section.refuse("Pressure at boundaries",
+                   "the formulation velocity explicit pressure extrapolates it",
+                   "Choose momentum or zero gradient, or another Formulation");
   if (steady && parameters.is_segregated())
-    section.refuse("Solution", "a state at rest has no time step for the loop to go through",
+    section.refuse("Solution", "without steps in time there is none for the loop to go through",
                    "Set Solution = coupled");
 }
 } // namespace Continua

@@ -42,12 +42,14 @@ void CellWiseParameters::read(ParameterSection section)
                      {"as the displacement", "trapezoidal", "euler"},
                      "How the pressure follows the velocity: by Time/Update, or by the mean of old "
                      "and new velocity, or by the new one.");
-  section.add_choice("Pressure at boundaries", boundary_pressure,
-                     {"momentum", "definition", "force balance", "zero gradient"},
-                     "Pressure of a boundary face: extrapolated by the momentum equation, from its "
-                     "definition by the divergence, from the force balance, or that of the cell. "
-                     "Where a velocity is given, the definition holds in solids only, elsewhere "
-                     "it is extrapolated; the force balance holds where a traction is given.");
+  section.add_choice(
+      "Pressure at boundaries", boundary_pressure,
+      {"momentum", "definition", "force balance", "zero gradient"},
+      "Pressure of a boundary face: extrapolated by the momentum equation, from its "
+      "definition by the divergence, from the force balance, or that of the cell. "
+      "Where a velocity is given, the definition holds in solids only, elsewhere "
+      "it is extrapolated. The force balance, one of the thesis's choices, is refused: it is the "
+      "face's own equation once more.");
   section.add_choice("Pressure at boundaries as", boundary_pressure_as, {"value", "gradient"},
                      "What of it the segregated pressure equation is given.");
   section.add_choice(

@@ -267,11 +267,6 @@ void CellWiseSolver<dim>::add_history(const Step &step)
                                                              : of_region.stiffness,
                balanced.velocity, mixture);
       momentum.add(-1., balanced.velocity);
-      if (!closure.force_balance.empty())
-      {
-        multiply(of_region.normal_stress, mass_work, mixture);
-        mass.add(1., mass_work);
-      }
     }
   }
 }
@@ -324,16 +319,6 @@ void CellWiseSolver<dim>::set_prescribed(const Step &step)
 }
 
 template <int dim>
-void CellWiseSolver<dim>::add_force_balance(const double time)
-{
-  for (const auto &[index, number] : closure.force_balance)
-  {
-    const auto &face = conditions.faces()[number];
-    mass.begin()[index] -= conditions.traction(face, time) * space.mesh.faces()[face.face].normal;
-  }
-}
-
-template <int dim>
 StepReport CellWiseSolver<dim>::advance(const Step &given_step)
 {
   if (formulation == Formulation::displacement)
@@ -354,10 +339,7 @@ StepReport CellWiseSolver<dim>::advance(const Step &given_step)
     add_history(step);
     loads.add(step.balance_time, momentum);
     if (parameters.has_pressure())
-    {
       add_state(step);
-      add_force_balance(step.balance_time);
-    }
     set_prescribed(step);
   }
   {
@@ -613,8 +595,6 @@ void CellWiseSolver<dim>::set_consistent_start()
   }
   if (std::find(yields.begin(), yields.end(), true) == yields.end())
     return;
-  if (parameters.has_pressure())
-    add_force_balance(0.);
   system.prepare(rest);
 
   // What stays as it is: the faces of regions that do not yield, and the pressures that follow from
@@ -674,8 +654,6 @@ void CellWiseSolver<dim>::solve_steady(const double time)
   momentum = 0.;
   mass = 0.;
   loads.add(time, momentum);
-  if (parameters.has_pressure())
-    add_force_balance(time);
   balanced.prescribed = 0.;
   // A solid at rest has no velocity to prescribe: its supports hold.
   if (!solid && !conditions.is_homogeneous())

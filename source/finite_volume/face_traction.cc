@@ -28,14 +28,6 @@ Stencil<Tensor<2, dim>> FaceTraction<dim>::wide(const unsigned int face,
 }
 
 template <int dim>
-Stencil<double> FaceTraction<dim>::compact(const unsigned int face, const unsigned int side) const
-{
-  Stencil<double> result;
-  result.add(stencil_ratio, space.velocity_normal_gradient.compact(face, side));
-  return result;
-}
-
-template <int dim>
 Stencil<Tensor<2, dim>> FaceTraction<dim>::traction(const unsigned int face,
                                                     const unsigned int side,
                                                     const double ratio) const

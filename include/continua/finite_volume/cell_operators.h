@@ -36,9 +36,6 @@ struct CellOperators
   /// The weights of the equations of state that go with it: a cell's volume, of such a face its
   /// area times its distance from the cell's centre [m^3].
   DistributedVector pressure_volume;
-  /// Force balance on a boundary face: n.s.n of the mixture, which its pressure exceeds by -n.t; no
-  /// entries otherwise [1/m].
-  Matrix normal_stress;
 };
 
 /// What the pressures of faces obey that have no equation of state: rows of p_face - (what the
@@ -47,8 +44,6 @@ struct PressureClosure
 {
   dealii::TrilinosWrappers::SparseMatrix matrix;
   std::vector<unsigned int> rows; ///< local indices
-  std::vector<std::pair<unsigned int, unsigned int>>
-      force_balance; ///< (local index of the pressure, number in FaceConditions)
 };
 
 /// The coefficients of a region's traction.

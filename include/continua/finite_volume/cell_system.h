@@ -104,7 +104,7 @@ private:
   bool has_correction = false, has_increment_correction = false;
   std::vector<double> diffusion; ///< sum of area/d over a cell's faces over its volume [1/m^2]
   std::vector<double> diagonal;
-  mutable DistributedVector velocity_work, mixture_work, pressure_work;
+  mutable DistributedVector velocity_work, pressure_work;
 
   void measure_diffusion();
   void assemble_corrections();

@@ -9,7 +9,7 @@ namespace Continua
 {
 /// Refuses what of the problem the cell-wise discretisation cannot take, with the entry that asks
 /// for it and the remedy. `problem` has no outlets yet, its conditions tell of them. `steady`:
-/// whether the state at rest is asked for. Throws InputError.
+/// whether there are no steps in time, but a state at rest or modes. Throws InputError.
 void check_cell_wise(const Problem &problem,
                      const CellWiseParameters &parameters,
                      bool steady,

@@ -112,8 +112,6 @@ private:
   void add_history(const Step &step);
   void add_state(const Step &step);
   void set_prescribed(const Step &step);
-  /// The balance of normal tractions that some faces' pressures obey, -n.t [Pa].
-  void add_force_balance(double time);
   /// The largest velocity and its change of a step that is solved but not finished; throws RunError
   /// if the solution is not finite.
   void set_extremes(const Step &step, StepReport &report) const;

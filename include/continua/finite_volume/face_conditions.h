@@ -41,8 +41,6 @@ public:
     return boundary_faces[number_of_face[face]];
   }
 
-  unsigned int number_of(const unsigned int face) const { return number_of_face[face]; }
-
   /// The prescribed velocity at those faces, in the prescribed directions [m/s]; other entries
   /// stay.
   void evaluate(double time, DistributedVector &velocity) const;

@@ -30,8 +30,6 @@ public:
   Stencil<dealii::Tensor<2, dim>> operator()(unsigned int face, unsigned int side) const;
   /// The same on the wide stencil throughout (kappa = 0).
   Stencil<dealii::Tensor<2, dim>> wide(unsigned int face, unsigned int side) const;
-  /// Its compact part kappa (n.grad w)_compact, as the segregated loop takes it implicitly.
-  Stencil<double> compact(unsigned int face, unsigned int side) const;
   /// Stress round the axis in a cell, 2 w_r/r + r tr(grad w), as vectors that multiply w; empty if
   /// not axisymmetric.
   Stencil<dealii::Tensor<1, dim>> hoop(unsigned int cell) const;
