@@ -34,6 +34,18 @@ void BulkHistory::start(const DistributedVector &pressure)
             -materials[r].inverse_bulk_modulus * pressure.begin()[i];
 }
 
+void BulkHistory::jump(const DistributedVector &pressure_change)
+{
+  for (unsigned int r = 0; r < of_region.size(); ++r)
+    for (Dilatation &dilatation : of_region[r].dilatations)
+      for (const unsigned int i : of_region[r].nodes)
+      {
+        const double change = -materials[r].inverse_bulk_modulus * pressure_change.begin()[i];
+        dilatation.present.begin()[i] += change;
+        dilatation.older.begin()[i] += change;
+      }
+}
+
 double BulkHistory::step_modulus(const Material &material, const Step &step)
 {
   double sum = 0.;

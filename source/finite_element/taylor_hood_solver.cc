@@ -1,6 +1,7 @@
 #include <continua/finite_element/taylor_hood_solver.h>
 
 #include <continua/base/input_error.h>
+#include <continua/continuum/step_extremes.h>
 #include <continua/continuum/vector_archive.h>
 #include <continua/finite_element/initial_state.h>
 #include <continua/finite_element/taylor_hood_vibration.h>
@@ -9,7 +10,6 @@
 #include <deal.II/distributed/tria.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -208,7 +208,7 @@ StepReport TaylorHoodSolver<dim>::advance(const Step &step)
     outlets.couple(step, velocity, balanced.velocity, balanced.pressure);
   }
   TimerOutput::Scope scope(log.timer(), "update");
-  set_extremes(step, report);
+  set_extremes(step, velocity, balanced.velocity, balanced.pressure, report);
   balanced.acceleration.add(step.a0, balanced.velocity);
   history.advance(step, velocity, balanced.velocity);
   bulk_history.advance(step, balanced.pressure);
@@ -236,35 +236,6 @@ StepReport TaylorHoodSolver<dim>::advance(const Step &step)
   present_time = step.time;
   balanced.step = step;
   return report;
-}
-
-template <int dim>
-void TaylorHoodSolver<dim>::set_extremes(const Step &step, StepReport &report) const
-{
-  double largest_velocity = 0., largest_change = 0.;
-  // A maximum passes over what is no number; 0 times it is no number either.
-  double zero = 0.;
-  const double *const solved = balanced.velocity.begin();
-  const double *const old = velocity.begin();
-  for (unsigned int i = 0; i < velocity.locally_owned_size(); ++i)
-  {
-    const double next = step.extrapolate ? 2. * solved[i] - old[i] : solved[i];
-    largest_velocity = std::max(largest_velocity, std::abs(solved[i]));
-    largest_change = std::max(largest_change, std::abs(next - old[i]));
-    zero += 0. * solved[i];
-  }
-  for (const double pressure_entry : balanced.pressure)
-    zero += 0. * pressure_entry;
-  std::array<double, 3> extremes = {{largest_velocity, largest_change, zero == 0. ? 0. : 1.}};
-  MPI_Allreduce(MPI_IN_PLACE, extremes.data(), 3, MPI_DOUBLE, MPI_MAX, space.communicator);
-  if (extremes[2] > 0.)
-  {
-    std::ostringstream text;
-    text << "the solution is not finite in the step to t = " << step.time << " s";
-    throw RunError(text.str());
-  }
-  report.largest_velocity = extremes[0];
-  report.largest_change = extremes[1];
 }
 
 template <int dim>

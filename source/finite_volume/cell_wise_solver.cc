@@ -1,18 +1,18 @@
 #include <continua/finite_volume/cell_wise_solver.h>
 
 #include <continua/base/input_error.h>
+#include <continua/continuum/step_extremes.h>
 #include <continua/continuum/vector_archive.h>
+#include <continua/finite_volume/cell_initial_state.h>
 #include <continua/finite_volume/cell_traction_jump.h>
 #include <continua/finite_volume/cell_vibration.h>
 #include <continua/finite_volume/coupled_solve.h>
-#include <continua/finite_volume/held_cells.h>
 #include <continua/finite_volume/segregated_solve.h>
 #include <continua/linear_algebra/matrix_product.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -82,6 +82,7 @@ CellWiseSolver<dim>::CellWiseSolver(parallel::TriangulationBase<dim> &triangulat
       bulk_history(problem.materials),
       system(space, problem, conditions, operators, closure, this->parameters),
       solve(make_solve(system, log, present_time)),
+      loaded_faces(space, problem, conditions, operators, closure, this->parameters),
       power_ledger(space, problem, this->parameters, conditions, loads, operators),
       evaluation(space, problem),
       output(space, problem, evaluation),
@@ -98,6 +99,7 @@ void CellWiseSolver<dim>::initialise()
   setup();
   set_initial_state();
   bulk_history.start(pressure);
+  balance_faces(0.);
   velocity_older = velocity;
   pressure_older = pressure;
   pressure_known = pressure;
@@ -121,6 +123,7 @@ void CellWiseSolver<dim>::setup()
   history.reinit(space.velocity_vector(), velocities_of_regions);
   bulk_history.reinit(space.pressure_vector(), pressures_of_regions);
   system.reinit();
+  loaded_faces.reinit();
   power_ledger.reinit();
   for (DistributedVector *vector :
        {&velocity, &velocity_older, &balanced.velocity, &balanced.acceleration,
@@ -135,8 +138,8 @@ void CellWiseSolver<dim>::setup()
     smallest_distance = std::min(smallest_distance, surface.distance * surface.normal);
   smallest_distance = Utilities::MPI::min(smallest_distance, space.communicator);
 
-  // A pressure that no compressible material determines follows from the constraint alone; faces
-  // whose pressure is the cells' go with those.
+  // A pressure that no compressible material determines follows from the constraint alone; a
+  // face's goes with its cell's.
   pressures_without_history.clear();
   std::vector<bool> has_history(space.pressures.n_owned(), false);
   for (unsigned int region = 0; region < operators.size(); ++region)
@@ -144,6 +147,16 @@ void CellWiseSolver<dim>::setup()
       for (unsigned int i = 0; i < has_history.size(); ++i)
         if (operators[region].pressure_volume.begin()[i] > 0.)
           has_history[i] = true;
+  for (unsigned int face = 0; face < space.mesh.faces().size(); ++face)
+  {
+    const VolumeFace<dim> &surface = space.mesh.faces()[face];
+    for (unsigned int side = 0; surface.has_value() && side < surface.n_sides(); ++side)
+    {
+      const FiniteVolume<dim> &cell = space.mesh.cells()[surface.cell(side)];
+      if (cell.is_owned && problem.materials[cell.material_id].inverse_bulk_modulus > 0.)
+        has_history[space.local_pressure(space.pressures.of_face(face, side))] = true;
+    }
+  }
   for (unsigned int i = 0; i < has_history.size(); ++i)
     if (!has_history[i])
       pressures_without_history.push_back(i);
@@ -329,11 +342,14 @@ StepReport CellWiseSolver<dim>::advance(const Step &given_step)
                 "boundaries: a few of its highest modes may grow in a long run");
   undamped_is_reported = undamped_is_reported || step.extrapolate;
   StepReport report;
+  take_up_jump(step);
   report.factored = prepare(coefficients(step));
   if (report.factored)
     report_exponential_branches(step);
   {
     TimerOutput::Scope scope(log.timer(), "right-hand side");
+    if (step.divergence_old && !dilatation_rate_is_current)
+      set_dilatation_rate();
     momentum = 0.;
     mass = 0.;
     add_history(step);
@@ -349,7 +365,7 @@ StepReport CellWiseSolver<dim>::advance(const Step &given_step)
     solve_step(*solve, step, momentum, mass, balanced.velocity, balanced.pressure, report);
   }
   TimerOutput::Scope scope(log.timer(), "update");
-  set_extremes(step, report);
+  set_extremes(step, velocity, balanced.velocity, balanced.pressure, report);
   balanced.acceleration.add(step.a0, balanced.velocity);
   history.advance(step, velocity, balanced.velocity);
   if (parameters.has_pressure())
@@ -425,7 +441,7 @@ StepReport CellWiseSolver<dim>::advance_displacement(const Step &step)
   balanced.acceleration.add(derivatives.second_own, displacement);
   balanced.velocity.equ(1., velocity_work);
   balanced.velocity.add(derivatives.first_own, displacement);
-  set_extremes(step, report);
+  set_extremes(step, velocity, balanced.velocity, balanced.pressure, report);
   velocity_older.swap(velocity);
   velocity.equ(1., balanced.velocity);
   displacement_levels.advance(step, displacement);
@@ -433,35 +449,6 @@ StepReport CellWiseSolver<dim>::advance_displacement(const Step &step)
   present_time = step.time;
   balanced.step = step;
   return report;
-}
-
-template <int dim>
-void CellWiseSolver<dim>::set_extremes(const Step &step, StepReport &report) const
-{
-  double largest_velocity = 0., largest_change = 0.;
-  // A maximum passes over what is no number; 0 times it is no number either.
-  double zero = 0.;
-  const double *const solved = balanced.velocity.begin();
-  const double *const old = velocity.begin();
-  for (unsigned int i = 0; i < velocity.locally_owned_size(); ++i)
-  {
-    const double next = step.extrapolate ? 2. * solved[i] - old[i] : solved[i];
-    largest_velocity = std::max(largest_velocity, std::abs(solved[i]));
-    largest_change = std::max(largest_change, std::abs(next - old[i]));
-    zero += 0. * solved[i];
-  }
-  for (const double pressure_entry : balanced.pressure)
-    zero += 0. * pressure_entry;
-  std::array<double, 3> extremes = {{largest_velocity, largest_change, zero == 0. ? 0. : 1.}};
-  MPI_Allreduce(MPI_IN_PLACE, extremes.data(), 3, MPI_DOUBLE, MPI_MAX, space.communicator);
-  if (extremes[2] > 0.)
-  {
-    std::ostringstream text;
-    text << "the solution is not finite in the step to t = " << step.time << " s";
-    throw RunError(text.str());
-  }
-  report.largest_velocity = extremes[0];
-  report.largest_change = extremes[1];
 }
 
 template <int dim>
@@ -486,6 +473,7 @@ void CellWiseSolver<dim>::set_dilatation_rate()
   }
   // What Rhie and Chow's correction of a pressure lets through a face has flowed.
   system.add_pressure_correction(-1., pressure, dilatation_rate);
+  dilatation_rate_is_current = true;
 }
 
 template <int dim>
@@ -507,7 +495,8 @@ void CellWiseSolver<dim>::set_pressure_of_displacement()
   // Faces without an equation of state have the pressure of their cell, extrapolated.
   multiply(closure.matrix, pressure_work, pressure);
   for (const unsigned int i : closure.rows)
-    pressure.begin()[i] -= pressure_work.begin()[i];
+    pressure.begin()[i] -=
+        pressure_work.begin()[i] / closure.matrix.diag_element(space.pressures.first_owned() + i);
   pressure_is_current = true;
 }
 
@@ -515,47 +504,10 @@ template <int dim>
 void CellWiseSolver<dim>::set_initial_state()
 {
   const InteriorData &data = problem.interior;
-  const auto evaluate = [](const Expression &expression, const Point<dim> &point)
-  {
-    double x[3] = {0., 0., 0.};
-    for (unsigned int c = 0; c < dim; ++c)
-      x[c] = point[c];
-    return expression(x, 0.);
-  };
-  // Every value is set at its place: a cell's centre, a face's centre.
-  const auto for_values = [&](const auto &function)
-  {
-    for (unsigned int cell = 0; cell < space.mesh.n_owned_cells(); ++cell)
-      function(space.velocities.of_cell(cell), space.pressures.of_cell(cell), true,
-               space.mesh.cells()[cell].centre, space.mesh.cells()[cell].material_id);
-    for (unsigned int face = 0; face < space.mesh.faces().size(); ++face)
-    {
-      const VolumeFace<dim> &surface = space.mesh.faces()[face];
-      for (unsigned int side = 0; surface.has_value() && side < surface.n_sides(); ++side)
-        if (space.mesh.cells()[surface.cell(side)].is_owned)
-          function(space.velocities.of_face(face, side), space.pressures.of_face(face, side),
-                   space.velocities.owns_face(face, side), surface.centre,
-                   space.mesh.cells()[surface.cell(side)].material_id);
-    }
-  };
-  for_values(
-      [&](const unsigned int value, const unsigned int pressure_value, const bool owned,
-          const Point<dim> &point, const unsigned int region)
-      {
-        for (unsigned int c = 0; c < dim && owned; ++c)
-        {
-          const unsigned int index = space.local_velocity(value) + c;
-          if (!data.initial_velocity.empty())
-            velocity.begin()[index] = evaluate(data.initial_velocity[c], point);
-          if (!data.initial_displacement.empty())
-            history.displacement().begin()[index] = evaluate(data.initial_displacement[c], point);
-        }
-        // The mean pressure is given; in plane stress the unknown is another multiple of it.
-        if (!data.initial_pressure.empty())
-          pressure.begin()[space.local_pressure(pressure_value)] =
-              evaluate(data.initial_pressure[region], point) /
-              problem.materials[region].pressure_factor;
-      });
+  set_initial_values(space, problem, velocity, history.displacement(), pressure);
+  // What is held does not move from the start on.
+  if (conditions.is_homogeneous())
+    conditions.clear_prescribed(velocity);
   if (!data.initial_displacement.empty() && data.initial_pressure.empty() &&
       parameters.has_pressure())
   {
@@ -563,77 +515,63 @@ void CellWiseSolver<dim>::set_initial_state()
     set_pressure_of_displacement();
     log.line("Initial pressure: in equilibrium with the initial displacement");
   }
-  if (data.initial_displacement.empty() && data.initial_pressure.empty())
-    set_consistent_start();
 }
 
 template <int dim>
-void CellWiseSolver<dim>::set_consistent_start()
+void CellWiseSolver<dim>::balance_faces(const double time)
 {
-  if (formulation == Formulation::displacement)
+  if (formulation == Formulation::displacement || !loaded_faces.exist())
     return;
   momentum = 0.;
-  mass = 0.;
-  loads.add(0., momentum);
-  // The load acts on faces; cells have not moved yet.
+  loads.add(time, momentum);
+  for (unsigned int region = 0; region < operators.size(); ++region)
+  {
+    const CellOperators &of_region = operators[region];
+    set_mixture(state(), region, problem.materials[region], mixture);
+    multiply(of_region.stiffness, velocity_work, mixture);
+    momentum.add(-1., velocity_work);
+    if (parameters.has_pressure())
+    {
+      multiply(of_region.gradient, velocity_work, pressure);
+      momentum.add(-1., velocity_work);
+    }
+  }
+  yield_to_forces();
+}
+
+template <int dim>
+void CellWiseSolver<dim>::take_up_jump(const Step &step)
+{
+  if (step.update != Update::trapezoidal || !loaded_faces.exist() ||
+      !loads.jumps(step.time_old, step.balance_time))
+    return;
+  // The load's change in the step, less what the step before says of its smooth part.
+  momentum = 0.;
+  loads.add(step.balance_time, momentum);
+  velocity_work = 0.;
+  loads.add(step.time_old, velocity_work);
+  const double before = step.time_old - step.size();
+  momentum.add(before < 0. ? -1. : -2., velocity_work);
+  if (before >= 0.)
+    loads.add(before, momentum);
+  yield_to_forces();
+}
+
+template <int dim>
+void CellWiseSolver<dim>::yield_to_forces()
+{
   for (unsigned int i = 0; i < dim * space.mesh.n_owned_cells(); ++i)
     momentum.begin()[i] = 0.;
   if (momentum.linfty_norm() == 0.)
     return;
-
-  CellCoefficients rest;
-  rest.with_pressure = parameters.has_pressure();
-  rest.correct_fluxes = false;
-  std::vector<bool> yields; // at once, as a spring does
-  for (const Material &material : problem.materials)
-  {
-    yields.push_back(!material.branches.empty() && material.viscosity == 0.);
-    rest.mass.push_back(0.);
-    rest.stiffness.push_back(yields.back() ? material.instantaneous_shear_modulus() : 0.);
-    rest.compressibility.push_back(material.inverse_bulk_modulus);
-    rest.increment_mobility.push_back(0.);
-  }
-  if (std::find(yields.begin(), yields.end(), true) == yields.end())
-    return;
-  system.prepare(rest);
-
-  // What stays as it is: the faces of regions that do not yield, and the pressures that follow from
-  // no displacement.
-  std::vector<bool> velocity_stays(space.velocities.n_owned(), true),
-      pressure_stays(space.pressures.n_owned(), true);
-  for (unsigned int face = 0; face < space.mesh.faces().size(); ++face)
-  {
-    const VolumeFace<dim> &surface = space.mesh.faces()[face];
-    for (unsigned int side = 0; surface.has_value() && side < surface.n_sides(); ++side)
-    {
-      const FiniteVolume<dim> &cell = space.mesh.cells()[surface.cell(side)];
-      if (!yields[cell.material_id])
-        continue;
-      if (space.velocities.owns_face(face, side))
-        velocity_stays[space.local_velocity(space.velocities.of_face(face, side)) / dim] = false;
-      if (cell.is_owned)
-        pressure_stays[space.local_pressure(space.pressures.of_face(face, side))] = false;
-    }
-  }
-  for (unsigned int cell = 0; cell < space.mesh.n_owned_cells(); ++cell)
-  {
-    const unsigned int region = space.mesh.cells()[cell].material_id;
-    pressure_stays[cell] = !yields[region] || problem.materials[region].inverse_bulk_modulus == 0.;
-  }
-  for (const unsigned int row : closure.rows)
-    pressure_stays[row] = false;
-
-  balanced.prescribed = 0.;
-  system.set_prescribed(balanced.prescribed, momentum);
-  HeldCells<dim> held(system);
-  held.reinit(velocity_stays, pressure_stays);
-  velocity_work = 0.;
-  pressure_work = 0.;
-  held.solve(momentum, mass, velocity_work, pressure_work);
+  loaded_faces.respond(momentum, velocity_work, pressure_work);
   for (DistributedVector *const vector : history.vectors())
-    vector->equ(1., velocity_work);
-  if (rest.with_pressure)
-    pressure.equ(1., pressure_work);
+    vector->add(1., velocity_work);
+  if (!parameters.has_pressure())
+    return;
+  pressure.add(1., pressure_work);
+  pressure_older.add(1., pressure_work);
+  bulk_history.jump(pressure_work);
 }
 
 template <int dim>
@@ -765,7 +703,9 @@ void CellWiseSolver<dim>::transfer()
   setup();
   cell_transfer.finish(velocity_vectors(), pressure_vectors());
   pressure_is_current = parameters.has_pressure();
-  set_dilatation_rate();
+  balance_faces(present_time);
+  // The flux corrections of the new mesh belong to the next step's equations.
+  dilatation_rate_is_current = false;
 }
 
 template <int dim>
@@ -808,6 +748,8 @@ void CellWiseSolver<dim>::save(ArchiveWriter &archive) const
   save_vector(archive, "pressure older", pressure_older);
   save_vector(archive, "pressure known", pressure_known);
   save_vector(archive, "dilatation rate", dilatation_rate);
+  archive.add("dilatation rate is current",
+              static_cast<unsigned long>(dilatation_rate_is_current ? 1 : 0));
   history.save(archive);
   bulk_history.save(archive);
   displacement_levels.save(archive);
@@ -824,6 +766,7 @@ void CellWiseSolver<dim>::load(const ArchiveReader &archive)
   load_vector(archive, "pressure older", pressure_older);
   load_vector(archive, "pressure known", pressure_known);
   load_vector(archive, "dilatation rate", dilatation_rate);
+  dilatation_rate_is_current = archive.integer("dilatation rate is current") == 1;
   history.load(archive);
   bulk_history.load(archive);
   displacement_levels.load(archive);

@@ -31,6 +31,8 @@ public:
               const std::vector<std::vector<unsigned int>> &nodes_of_regions);
   /// The state of a body that was brought to this pressure at once, at rest.
   void start(const DistributedVector &pressure);
+  /// The pressure changes at once by this, and the volume with it [Pa].
+  void jump(const DistributedVector &pressure_change);
 
   /// Whether a region's volume change relaxes.
   bool has(const unsigned int region) const { return !materials[region].bulk_branches.empty(); }

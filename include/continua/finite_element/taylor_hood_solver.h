@@ -103,9 +103,6 @@ private:
 
   void setup();
   void set_coefficients(const Step &step);
-  /// The largest velocity and its change of a step that is solved but not finished; throws RunError
-  /// if the solution is not finite.
-  void set_extremes(const Step &step, StepReport &report) const;
   void report_exponential_branches(const Step &step);
   void extrapolate_pressure(const Step &step);
   State state() const;

@@ -14,6 +14,7 @@
 #include <continua/finite_volume/cell_system.h>
 #include <continua/finite_volume/cell_transfer.h>
 #include <continua/finite_volume/displacement_levels.h>
+#include <continua/finite_volume/loaded_faces.h>
 
 #include <memory>
 #include <set>
@@ -75,6 +76,7 @@ private:
   BulkHistory bulk_history;
   CellSystem<dim> system;
   std::unique_ptr<CellSolve<dim>> solve;
+  LoadedFaces<dim> loaded_faces;
   CellPowerLedger<dim> power_ledger;
   CellEvaluation<dim> evaluation;
   CellOutput<dim> output;
@@ -85,6 +87,7 @@ private:
   /// div U as the equations of state have it, at the end of the last step, for the trapezoidal rule
   /// [m^3/s].
   DistributedVector dilatation_rate;
+  bool dilatation_rate_is_current = true;
   double smallest_distance = 0.; ///< between two cells, or from a cell to a boundary face [m]
   DisplacementLevels displacement_levels; ///< of the displacement form
   double present_time = 0.;
@@ -112,18 +115,18 @@ private:
   void add_history(const Step &step);
   void add_state(const Step &step);
   void set_prescribed(const Step &step);
-  /// The largest velocity and its change of a step that is solved but not finished; throws RunError
-  /// if the solution is not finite.
-  void set_extremes(const Step &step, StepReport &report) const;
   void extrapolate_pressure(const Step &step);
   void set_dilatation_rate();
   /// -K div D, where p is no unknown; otherwise nothing.
   void set_pressure_of_displacement();
   void set_initial_state();
-  /// Gives the faces of a body that is loaded at once the displacement, and cells and faces the
-  /// pressure, which balance the load at t = 0+ with the cells still at rest: under the trapezoidal
-  /// rule their velocity would otherwise ring for ever.
-  void set_consistent_start();
+  /// Lets the faces take up what is out of balance on them at this time, with the cells where they
+  /// are: at the start, where the load is there at once, and on a new mesh.
+  void balance_faces(double time);
+  /// The same for a load that jumps in the step, where the rule is trapezoidal.
+  void take_up_jump(const Step &step);
+  /// Of the forces in `momentum`.
+  void yield_to_forces();
   State state() const;
   std::vector<DistributedVector *> velocity_vectors();
   std::vector<DistributedVector *> pressure_vectors();

@@ -1,0 +1,105 @@
+#include <continua/finite_volume/loaded_faces.h>
+
+namespace Continua
+{
+template <int dim>
+LoadedFaces<dim>::LoadedFaces(const CellSpace<dim> &space,
+                              const Problem &problem,
+                              const FaceConditions<dim> &conditions,
+                              const std::vector<CellOperators> &operators,
+                              const PressureClosure &closure,
+                              const CellWiseParameters &parameters)
+    : space(space),
+      problem(problem),
+      conditions(conditions),
+      closure(closure),
+      system(space, problem, conditions, operators, closure, parameters)
+{
+}
+
+template <int dim>
+void LoadedFaces<dim>::reinit()
+{
+  held.reset();
+}
+
+template <int dim>
+bool LoadedFaces<dim>::yields(const unsigned int region) const
+{
+  const Material &material = problem.materials[region];
+  return !material.branches.empty() && material.viscosity == 0.;
+}
+
+template <int dim>
+bool LoadedFaces<dim>::exist() const
+{
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+    if (yields(region))
+      return true;
+  return false;
+}
+
+template <int dim>
+void LoadedFaces<dim>::make()
+{
+  CellCoefficients rest;
+  rest.with_pressure = system.parameters.has_pressure();
+  rest.correct_fluxes = false;
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+  {
+    const Material &material = problem.materials[region];
+    rest.mass.push_back(0.);
+    rest.stiffness.push_back(yields(region) ? material.instantaneous_shear_modulus() : 0.);
+    rest.compressibility.push_back(material.inverse_bulk_modulus);
+    rest.increment_mobility.push_back(0.);
+  }
+  system.reinit();
+  system.prepare(rest);
+
+  // What stays as it is: the faces of regions that do not yield, and the pressures that follow from
+  // no displacement.
+  std::vector<bool> velocity_stays(space.velocities.n_owned(), true),
+      pressure_stays(space.pressures.n_owned(), true);
+  for (unsigned int face = 0; face < space.mesh.faces().size(); ++face)
+  {
+    const VolumeFace<dim> &surface = space.mesh.faces()[face];
+    for (unsigned int side = 0; surface.has_value() && side < surface.n_sides(); ++side)
+    {
+      const FiniteVolume<dim> &cell = space.mesh.cells()[surface.cell(side)];
+      if (!yields(cell.material_id))
+        continue;
+      if (space.velocities.owns_face(face, side))
+        velocity_stays[space.local_velocity(space.velocities.of_face(face, side)) / dim] = false;
+      if (cell.is_owned)
+        pressure_stays[space.local_pressure(space.pressures.of_face(face, side))] = false;
+    }
+  }
+  for (unsigned int cell = 0; cell < space.mesh.n_owned_cells(); ++cell)
+  {
+    const unsigned int region = space.mesh.cells()[cell].material_id;
+    pressure_stays[space.local_pressure(space.pressures.of_cell(cell))] =
+        !yields(region) || problem.materials[region].inverse_bulk_modulus == 0.;
+  }
+  for (const unsigned int row : closure.rows)
+    pressure_stays[row] = false;
+  held = std::make_unique<HeldCells<dim>>(system);
+  held->reinit(velocity_stays, pressure_stays);
+}
+
+template <int dim>
+void LoadedFaces<dim>::respond(DistributedVector &forces,
+                               DistributedVector &displacement,
+                               DistributedVector &pressure)
+{
+  if (!held)
+    make();
+  conditions.clear_prescribed(forces);
+  displacement = 0.;
+  pressure = 0.;
+  const DistributedVector nothing(pressure);
+  held->solve(forces, nothing, displacement, pressure);
+}
+
+template class LoadedFaces<2>;
+template class LoadedFaces<3>;
+} // namespace Continua
