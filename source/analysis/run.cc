@@ -57,7 +57,8 @@ void Run<dim>::initialise(const std::string &mesh_file)
     if (mesh_file.empty())
       input.triangulation->refine_global(input.mesh.refinements);
     else
-      input.triangulation->load(mesh_file);
+      dynamic_cast<parallel::distributed::Triangulation<dim> &>(*input.triangulation)
+          .load(mesh_file);
   }
   input.power_laws.report_series(log, summary);
   input.absorbing_ends.report(log, summary);
@@ -81,13 +82,15 @@ template <int dim>
 bool Run<dim>::adapt()
 {
   TimerOutput::Scope scope(log.timer(), "adapt mesh");
+  auto &triangulation =
+      dynamic_cast<parallel::distributed::Triangulation<dim> &>(*input.triangulation);
   Vector<float> indicators;
-  solver->indicators(indicators);
-  if (!flag_cells(*input.triangulation, indicators, input.adaptation))
+  solver->indicators(IndicatorRequest(), indicators);
+  if (!flag_cells(triangulation, indicators, input.adaptation))
     return false;
-  input.triangulation->prepare_coarsening_and_refinement();
+  triangulation.prepare_coarsening_and_refinement();
   solver->prepare_refinement();
-  input.triangulation->execute_coarsening_and_refinement();
+  triangulation.execute_coarsening_and_refinement();
   solver->transfer();
   return true;
 }

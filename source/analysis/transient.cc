@@ -260,10 +260,13 @@ void Transient<dim>::write_checkpoint()
         power.save(archive);
         loop.save(archive);
       },
-      mesh_has_changed
-          ? std::function<void(const std::string &)>([this](const std::string &name)
-                                                     { run.input.triangulation->save(name); })
-          : nullptr);
+      mesh_has_changed ? std::function<void(const std::string &)>(
+                             [this](const std::string &name) {
+                               dynamic_cast<parallel::distributed::Triangulation<dim> &>(
+                                   *run.input.triangulation)
+                                   .save(name);
+                             })
+                       : nullptr);
 }
 
 template <int dim>

@@ -317,6 +317,22 @@ void TaylorHoodSolver<dim>::solve_steady(const double time)
 }
 
 template <int dim>
+StepError TaylorHoodSolver<dim>::step_error()
+{
+  return StepError();
+}
+
+template <int dim>
+void TaylorHoodSolver<dim>::keep_state()
+{
+}
+
+template <int dim>
+void TaylorHoodSolver<dim>::return_to_kept_state()
+{
+}
+
+template <int dim>
 bool TaylorHoodSolver<dim>::data_jump(const double begin, const double end) const
 {
   return loads.jumps(begin, end) || constraints.jumps(begin, end) || outlets.jumps(begin, end);
@@ -387,7 +403,7 @@ std::map<std::string, std::string> TaylorHoodSolver<dim>::add_output(DataOut<dim
 }
 
 template <int dim>
-void TaylorHoodSolver<dim>::indicators(Vector<float> &per_cell)
+void TaylorHoodSolver<dim>::indicators(const IndicatorRequest &, Vector<float> &per_cell)
 {
   traction_jump_indicators(space, problem, evaluation, state(),
                            outlets.present_pressures(present_time, velocity), present_time,

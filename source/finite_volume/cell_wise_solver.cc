@@ -619,6 +619,22 @@ std::unique_ptr<VibrationOperator<dim>> CellWiseSolver<dim>::vibration()
 }
 
 template <int dim>
+StepError CellWiseSolver<dim>::step_error()
+{
+  return StepError();
+}
+
+template <int dim>
+void CellWiseSolver<dim>::keep_state()
+{
+}
+
+template <int dim>
+void CellWiseSolver<dim>::return_to_kept_state()
+{
+}
+
+template <int dim>
 bool CellWiseSolver<dim>::data_jump(const double begin, const double end) const
 {
   return loads.jumps(begin, end) || conditions.jumps(begin, end);
@@ -685,7 +701,7 @@ std::map<std::string, std::string> CellWiseSolver<dim>::add_output(DataOut<dim> 
 }
 
 template <int dim>
-void CellWiseSolver<dim>::indicators(Vector<float> &per_cell)
+void CellWiseSolver<dim>::indicators(const IndicatorRequest &, Vector<float> &per_cell)
 {
   set_pressure_of_displacement();
   traction_jump_indicators(space, problem, evaluation, conditions, state(), present_time, per_cell);

@@ -77,7 +77,10 @@ public:
     data_out.add_data_vector(pressure, "pressure");
     return {{"pressure", "Pa"}};
   }
-  void indicators(dealii::Vector<float> &) override {}
+  void indicators(const IndicatorRequest &, dealii::Vector<float> &) override {}
+  StepError step_error() override { return {}; }
+  void keep_state() override {}
+  void return_to_kept_state() override {}
   void prepare_refinement() override {}
   void transfer() override {}
   void save(Continua::ArchiveWriter &) const override {}

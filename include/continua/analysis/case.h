@@ -76,7 +76,7 @@ struct Case
   Probes<dim> probes;
   std::map<std::string, MeasuredWaves> measured_waves; ///< by the probe whose stations they are at
   std::unique_ptr<Geometry<dim>> geometry;
-  std::unique_ptr<dealii::parallel::distributed::Triangulation<dim>> triangulation; ///< coarse
+  std::unique_ptr<dealii::parallel::TriangulationBase<dim>> triangulation; ///< coarse
   Problem problem;
   PowerLaws power_laws;         ///< what the branches of `problem` come from in a run in time
   AbsorbingEnds absorbing_ends; ///< what some of its outlets come from in a run in time

@@ -107,6 +107,31 @@ struct StepReport
   unsigned int corrections = 0;
   double residual = 0.;     ///< [1] with which the loop ended, in its own scale
   bool cap_reached = false; ///< the loop ended at its cap of corrections, above its tolerance
+  /// Of an iterative linear solver, of all its solves in the step.
+  unsigned int linear_iterations = 0;
+};
+
+/// What tells where the mesh is too coarse.
+struct IndicatorRequest
+{
+  enum class Kind
+  {
+    /// Of n.sigma across faces, inside a region and across interfaces, and of its difference from
+    /// the load at a boundary.
+    traction_jump,
+    /// Of the normal derivative of a field across the faces inside each region (Kelly, Gago,
+    /// Zienkiewicz and Babuska, 1983).
+    kelly
+  };
+  Kind kind = Kind::traction_jump;
+  std::string field = "velocity"; ///< velocity, displacement or pressure; of Kelly's indicator
+};
+
+/// The local error of the last step's velocity as the scheme's order lets it be estimated.
+struct StepError
+{
+  bool is_known = false; ///< not in the first steps after a start, a jump or a change of the mesh
+  double kinetic_energy = 0.; ///< that the error of the velocity would have as a motion [J]
 };
 
 /// Sizes of the discrete problem.
@@ -117,6 +142,7 @@ struct SolverSizes
   double factor_entries = 0.;
   double factor_memory = 0.; ///< bytes over all ranks
   std::string linear_solver;
+  std::string reason_of_linear_solver; ///< why it was taken
 };
 
 /**
@@ -142,6 +168,13 @@ public:
   /// The free vibrations of a body that is all solid and does not relax; null if the discretisation
   /// has none. The solver must outlive it.
   virtual std::unique_ptr<VibrationOperator<dim>> vibration() { return nullptr; }
+  /// Estimate for the last step, from the velocities that were kept with keep_state().
+  virtual StepError step_error() = 0;
+  /// Keeps the present state in memory for return_to_kept_state() and for step_error(): call before
+  /// each step whose error is asked for.
+  virtual void keep_state() = 0;
+  /// Goes back to the state kept last: a step is undone.
+  virtual void return_to_kept_state() = 0;
   /// Whether a load or prescribed velocity jumps between the two times [s].
   virtual bool data_jump(double begin, double end) const = 0;
 
@@ -171,8 +204,8 @@ public:
   /// unit.
   virtual std::map<std::string, std::string> add_output(dealii::DataOut<dim> &data_out) = 0;
 
-  /// Square root of the traction-jump indicator for each active cell [N/m^(1/2) in 2-D].
-  virtual void indicators(dealii::Vector<float> &per_cell) = 0;
+  /// An indicator for each active cell; only owned ones count. Traction jump: in N/m^(1/2) in 2-D.
+  virtual void indicators(const IndicatorRequest &request, dealii::Vector<float> &per_cell) = 0;
   /// Call after cells are flagged and before the triangulation refines, and after; all history is
   /// transferred.
   virtual void prepare_refinement() = 0;

@@ -48,6 +48,9 @@ public:
 
   void initialise() override;
   StepReport advance(const Step &step) override;
+  StepError step_error() override;
+  void keep_state() override;
+  void return_to_kept_state() override;
   void solve_steady(double time) override;
   bool steady_is_direct() const override;
   std::unique_ptr<VibrationOperator<dim>> vibration() override;
@@ -60,7 +63,7 @@ public:
   Energy energy() override;
   double divergence() override;
   std::map<std::string, std::string> add_output(dealii::DataOut<dim> &data_out) override;
-  void indicators(dealii::Vector<float> &per_cell) override;
+  void indicators(const IndicatorRequest &request, dealii::Vector<float> &per_cell) override;
   void prepare_refinement() override;
   void transfer() override;
   void save(ArchiveWriter &archive) const override;
