@@ -131,8 +131,10 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator, const bool res
     error_norms.read(root.subsection("Exact solution"));
   expected = read_expected(root.subsection("Expected"));
 
-  triangulation = std::make_unique<parallel::distributed::Triangulation<dim>>(
-      communicator, Triangulation<dim>::limit_level_difference_at_vertices);
+  std::vector<bool> is_solid;
+  for (const Material &material : problem.materials)
+    is_solid.push_back(material.is_solid());
+  triangulation = make_triangulation<dim>(communicator, mesh.partition, std::move(is_solid));
   geometry->create(*triangulation);
   distort_coarse_mesh(*triangulation, mesh.distortion);
 

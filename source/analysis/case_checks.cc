@@ -220,6 +220,20 @@ void check_cell_wise_scheme(const Case<dim> &input, ParameterSection root)
 }
 } // namespace
 
+/// A mesh that every rank has whole cannot hand its solution on to a new one.
+template <int dim>
+void check_partitioner(const Case<dim> &input, ParameterSection root)
+{
+  if (!input.mesh.partition.is_metis() ||
+      (input.adaptation.cycles == 0 && input.adaptation.every_n_steps == 0))
+    return;
+  root.subsection("Mesh").refuse(
+      "Partitioner",
+      "metis has no mesh that adapts: deal.II cannot carry a solution from one to the next",
+      "Set Partitioner = p4est, or " +
+          std::string(is_steady(input) ? "Adaptivity/Cycles = 0" : "Adaptivity/Every n steps = 0"));
+}
+
 /// A power law relaxes for ever.
 template <int dim>
 void check_power_laws(const Case<dim> &input, ParameterSection root)
@@ -241,6 +255,7 @@ void check_case(const Case<dim> &input, ParameterSection root)
   if (input.general.analysis == "linear wave theory")
     return;
   check_power_laws(input, root);
+  check_partitioner(input, root);
   check_pressure_level(input, root);
   if (is_steady(input))
     check_steady(input, root);

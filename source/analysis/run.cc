@@ -55,7 +55,7 @@ void Run<dim>::initialise(const std::string &mesh_file)
   {
     TimerOutput::Scope scope(log.timer(), "mesh");
     if (mesh_file.empty())
-      input.triangulation->refine_global(input.mesh.refinements);
+      refine(*input.triangulation, input.mesh.refinements);
     else
       dynamic_cast<parallel::distributed::Triangulation<dim> &>(*input.triangulation)
           .load(mesh_file);
@@ -74,7 +74,7 @@ void Run<dim>::initialise(const std::string &mesh_file)
   log.line(text.str());
   for (const std::string &key : input.discretisation.citations())
     citations.add(key);
-  citations.add("p4est");
+  citations.add(input.mesh.partition.partitioner);
   citations.add("trilinos");
 }
 

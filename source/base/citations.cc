@@ -80,6 +80,17 @@ std::vector<std::pair<std::string, std::string>> table()
   doi     = {10.1137/100791634}
 }
 )"},
+          {"metis", R"(@article{metis,
+  author  = {Karypis, George and Kumar, Vipin},
+  title   = {A fast and high quality multilevel scheme for partitioning irregular graphs},
+  journal = {SIAM Journal on Scientific Computing},
+  volume  = {20},
+  number  = {1},
+  pages   = {359--392},
+  year    = {1998},
+  doi     = {10.1137/S1064827595287997}
+}
+)"},
           {"trilinos", R"(@misc{trilinos,
   author       = {{The Trilinos Project Team}},
   title        = {The {Trilinos} Project Website},

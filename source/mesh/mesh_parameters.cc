@@ -11,6 +11,7 @@ MeshParameters MeshParameters::read(ParameterSection mesh)
            Range{0., 0.25, false, false});
   mesh.add("Refinements", parameters.refinements,
            "How often every coarse cell is divided into 4 (2-D) or 8 (3-D)", 0, 12);
+  parameters.partition.read(mesh);
   return parameters;
 }
 } // namespace Continua

@@ -2,6 +2,7 @@
 #define continua_mesh_mesh_parameters_h
 
 #include <continua/base/parameter_section.h>
+#include <continua/mesh/partition.h>
 
 namespace Continua
 {
@@ -12,6 +13,7 @@ struct MeshParameters
   double distortion = 0.; ///< displacement of inner coarse vertices over their shortest edge, see
                           ///< distort_coarse_mesh
   unsigned int refinements = 0; ///< how often every cell is divided
+  PartitionParameters partition;
 
   /// Throws InputError.
   static MeshParameters read(ParameterSection mesh);
