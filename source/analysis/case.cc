@@ -3,6 +3,7 @@
 
 #include <continua/analysis/analyses.h>
 #include <continua/analysis/comparison_parameters.h>
+#include <continua/analysis/preflight_input.h>
 #include <continua/boundary/flow_rates.h>
 #include <continua/boundary/outlets.h>
 #include <continua/continuum/field_list.h>
@@ -121,7 +122,13 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator, const bool res
   else
     rest.read(root.subsection("Steady"));
   if (!modal_analysis)
-    adaptation.read(root.subsection("Adaptivity"), transient);
+  {
+    ParameterSection section = root.subsection("Adaptivity");
+    adaptation.read(section, transient);
+    if (adaptation.uses("interface band") && !has_fluid_and_solid(*this))
+      section.refuse("Indicator", "the body has no interface of fluid and solid",
+                     "Choose another indicator");
+  }
   if (transient)
     wave_theory.read(root.subsection("Wave theory"));
   output.read(root.subsection("Output"));

@@ -224,8 +224,7 @@ void check_cell_wise_scheme(const Case<dim> &input, ParameterSection root)
 template <int dim>
 void check_partitioner(const Case<dim> &input, ParameterSection root)
 {
-  if (!input.mesh.partition.is_metis() ||
-      (input.adaptation.cycles == 0 && input.adaptation.every_n_steps == 0))
+  if (!input.mesh.partition.is_metis() || !input.adaptation.changes_mesh())
     return;
   root.subsection("Mesh").refuse(
       "Partitioner",

@@ -1,9 +1,11 @@
 #include <continua/analysis/run.h>
 
+#include <continua/analysis/refinement_indicator.h>
 #include <continua/base/version.h>
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <sstream>
 #include <utility>
 
@@ -79,19 +81,39 @@ void Run<dim>::initialise(const std::string &mesh_file)
 }
 
 template <int dim>
-bool Run<dim>::adapt()
+bool Run<dim>::flag(const double time)
+{
+  return flag_cells(dynamic_cast<parallel::distributed::Triangulation<dim> &>(*input.triangulation),
+                    refinement_indicator(input, *solver, time), input.adaptation);
+}
+
+template <int dim>
+bool Run<dim>::adapt(const double time)
 {
   TimerOutput::Scope scope(log.timer(), "adapt mesh");
-  auto &triangulation =
-      dynamic_cast<parallel::distributed::Triangulation<dim> &>(*input.triangulation);
-  Vector<float> indicators;
-  solver->indicators(IndicatorRequest(), indicators);
-  if (!flag_cells(triangulation, indicators, input.adaptation))
+  const AdaptationParameters &adaptation = input.adaptation;
+  const unsigned int most_changes =
+      adaptation.is_geometric() ? std::max(1u, adaptation.maximum_level - adaptation.minimum_level)
+                                : 1;
+  bool changed = false;
+  for (unsigned int change = 0; change < most_changes && flag(time); ++change)
+  {
+    solver->prepare_refinement();
+    input.triangulation->execute_coarsening_and_refinement();
+    solver->transfer();
+    changed = true;
+  }
+  return changed;
+}
+
+template <int dim>
+bool Run<dim>::adapt_before_start()
+{
+  TimerOutput::Scope scope(log.timer(), "adapt mesh");
+  if (!flag(0.))
     return false;
-  triangulation.prepare_coarsening_and_refinement();
-  solver->prepare_refinement();
-  triangulation.execute_coarsening_and_refinement();
-  solver->transfer();
+  input.triangulation->execute_coarsening_and_refinement();
+  solver->initialise();
   return true;
 }
 

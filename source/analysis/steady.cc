@@ -19,7 +19,7 @@ void Steady<dim>::perform()
   std::unique_ptr<TableWriter> table;
   for (unsigned int cycle = 0; cycle <= input.adaptation.cycles; ++cycle)
   {
-    if (cycle > 0 && !run.adapt())
+    if (cycle > 0 && !run.adapt(0.))
     {
       run.log.line("No cell is left to refine");
       break;

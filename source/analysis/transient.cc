@@ -4,6 +4,7 @@
 #include <continua/analysis/preflight_report.h>
 #include <continua/base/input_error.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -30,7 +31,8 @@ Transient<dim>::Transient(Run<dim> &run)
       power(run.input.communicator,
             run.input.problem.regions,
             relaxing_regions(run.input.problem.materials),
-            run.input.problem.outlets),
+            run.input.problem.outlets,
+            run.input.adaptation.changes_mesh()),
       fields(run.input.communicator,
              run.directory.path(),
              run.input.output.subdivisions_for(run.input.discretisation.velocities_per_cell()),
@@ -64,6 +66,8 @@ void Transient<dim>::perform()
     write_checkpoint();
   power.finish(*run.solver, run.summary);
   loop.finish(run.summary);
+  if (run.input.adaptation.changes_mesh())
+    meshes.finish(time_control.time(), run.summary);
   fields.finish(run.summary);
   LinearWaveTheory<dim>(run).compare();
   run.summary.add({"weak divergence at the end", run.solver->divergence(), "1/s", ""});
@@ -76,6 +80,8 @@ template <int dim>
 void Transient<dim>::start()
 {
   run.initialise();
+  adapt_before_start();
+  meshes.start(run.solver->sizes(), 0.);
   report_initial_jumps();
   run.input.probes.open(run.directory.file("probes.csv"));
   power.open(run.directory.file("power.csv"));
@@ -84,6 +90,32 @@ void Transient<dim>::start()
     run.input.probes.record(0.);
   if (field_schedule.due(0., 0.))
     fields.write(*run.solver, 0.);
+}
+
+template <int dim>
+void Transient<dim>::adapt_before_start()
+{
+  const AdaptationParameters &adaptation = run.input.adaptation;
+  for (unsigned int cycle = 1; cycle <= adaptation.initial_cycles; ++cycle)
+  {
+    if (!adaptation.is_geometric())
+    {
+      TimeControl trial(run.input.time);
+      for (unsigned int step = 0; step < std::max(1u, adaptation.every_n_steps); ++step)
+        for (const Step &part : trial.next())
+          run.solver->advance(part);
+    }
+    if (!run.adapt_before_start())
+    {
+      // The trial steps are taken back.
+      run.solver->initialise();
+      break;
+    }
+    mesh_has_changed = true;
+    std::ostringstream text;
+    text << "Initial cycle " << cycle << ": mesh of " << run.solver->sizes().n_cells << " cells";
+    run.log.line(text.str());
+  }
 }
 
 template <int dim>
@@ -139,6 +171,7 @@ void Transient<dim>::restart()
   run.solver->load(archive);
   power.load(archive);
   loop.load(archive);
+  meshes.load(archive);
   const double time = time_control.time();
   // A row that stands there only because the first part of the run ended there is not one of the
   // whole run.
@@ -224,11 +257,13 @@ template <int dim>
 void Transient<dim>::adapt()
 {
   const double before = run.solver->energy().sum();
-  if (!run.adapt())
+  if (!run.adapt(time_control.time()))
     return;
   mesh_has_changed = true;
   time_control.restart();
   const double after = run.solver->energy().sum();
+  power.record_transfer(after - before);
+  meshes.change(run.solver->sizes(), time_control.time(), before, after);
   std::ostringstream text;
   text << "t = " << time_control.time() << " s: mesh of " << run.solver->sizes().n_cells
        << " cells";
@@ -259,6 +294,7 @@ void Transient<dim>::write_checkpoint()
         run.solver->save(archive);
         power.save(archive);
         loop.save(archive);
+        meshes.save(archive);
       },
       mesh_has_changed ? std::function<void(const std::string &)>(
                              [this](const std::string &name) {

@@ -1,5 +1,6 @@
 #include <continua/finite_element/traction_jump.h>
 
+#include <continua/finite_element/face_pieces.h>
 #include <continua/finite_element/loads.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -178,27 +179,8 @@ void traction_jump_indicators(const Space<dim> &space,
                       space.measure(values.quadrature_point(q));
           }
         }
-        else if (cell->face(f)->has_children())
-          for (unsigned int s = 0; s < cell->face(f)->n_active_descendants(); ++s)
-          {
-            const auto neighbor = cell->neighbor_child_on_subface(f, s);
-            const auto &present = here.subface(cell, f, s);
-            square +=
-                0.5 * length * jump(present, there.face(neighbor, cell->neighbor_of_neighbor(f)));
-          }
-        else if (cell->neighbor_is_coarser(f))
-        {
-          const auto place = cell->neighbor_of_coarser_neighbor(f);
-          const auto &present = here.face(cell, f);
-          square += 0.5 * length *
-                    jump(present, there.subface(cell->neighbor(f), place.first, place.second));
-        }
         else
-        {
-          const auto &present = here.face(cell, f);
-          square += 0.5 * length *
-                    jump(present, there.face(cell->neighbor(f), cell->neighbor_of_neighbor(f)));
-        }
+          square += 0.5 * length * sum_over_pieces(cell, f, here, there, jump);
       }
       per_cell[cell->active_cell_index()] = std::sqrt(square);
     }

@@ -3,11 +3,39 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/distributed/grid_refinement.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Continua
 {
 using namespace dealii;
+
+namespace
+{
+const std::vector<std::string> single_indicators = {"traction jump", "kelly", "interface band",
+                                                    "expression"};
+
+/// An entry that is set and plays no part is a misunderstanding.
+void refuse_idle(const ParameterSection &section,
+                 const std::string &key,
+                 const bool used,
+                 const std::string &owner)
+{
+  if (!used && section.given(key))
+    section.refuse(key, "this entry belongs to " + owner + ", which is not chosen",
+                   "Remove the entry, or choose " + owner);
+}
+} // namespace
+
+bool AdaptationParameters::uses(const std::string &indicator) const
+{
+  return std::find(indicators.begin(), indicators.end(), indicator) != indicators.end();
+}
+
+bool AdaptationParameters::is_geometric() const
+{
+  return !uses("traction jump") && !uses("kelly");
+}
 
 void AdaptationParameters::read(ParameterSection section, const bool transient)
 {
@@ -15,29 +43,134 @@ void AdaptationParameters::read(ParameterSection section, const bool transient)
   {
     section.add("Every n steps", every_n_steps,
                 "Steps between two changes of the mesh; 0 keeps the mesh [1].");
+    section.add("Initial cycles", initial_cycles,
+                "How often the mesh is changed before the start; by an indicator of the solution "
+                "after steps as between two changes, which are then taken anew [1].");
     section.add("End time", end_time, Dimensions::time, "Time after which the mesh stays as it is.",
                 Range::not_negative());
   }
   else
     section.add("Cycles", cycles,
                 "How often the mesh is refined by the solution on it and solved again [1].");
-  section.add_choice(
-      "Strategy", strategy, {"number", "sum"},
-      "Whether the fractions are of the number of cells, or of the sum of the indicators.");
-  section.add("Refine fraction", refine_fraction, Dimensions::none,
-              "Fraction with the largest traction jump that is refined.",
-              Range{0., 1., false, false});
-  section.add("Coarsen fraction", coarsen_fraction, Dimensions::none,
-              "Fraction with the smallest traction jump that is coarsened.",
-              Range{0., 1., false, false});
+  read_indicators(section);
+  read_strategy(section);
   section.add("Maximum level", maximum_level, "How often a coarse cell may be divided [1].", 0, 25);
   section.add("Minimum level", minimum_level,
               "How often every coarse cell stays divided at least [1].", 0, 25);
-  if (refine_fraction + coarsen_fraction > 1.)
-    section.refuse("Refine fraction", "the fractions to refine and to coarsen exceed 1 together",
-                   "Make them smaller");
   if (minimum_level > maximum_level)
     section.refuse("Minimum level", "the minimum level exceeds the maximum level", "Swap them");
+}
+
+void AdaptationParameters::read_indicators(ParameterSection section)
+{
+  std::string indicator = "traction jump";
+  std::vector<std::string> choices = single_indicators;
+  choices.emplace_back("combined");
+  section.add_choice(
+      "Indicator", indicator, choices,
+      "What tells where the mesh is too coarse: traction jump - of the stress vector across faces "
+      "and at loaded boundaries; kelly - of a field's normal derivative across faces inside each "
+      "region; interface band - 1 near an interface of fluid and solid, else 0; expression - of "
+      "place and time; combined - the sum of several, each over its largest value.");
+  std::vector<std::string> several;
+  section.add(
+      "Indicators", several,
+      "Of a combined indicator: two or more of the others (traction jump, interface band).");
+  std::vector<double> given_weights;
+  section.add("Weights", given_weights, Dimensions::none,
+              "Of a combined indicator: a factor for each of Indicators; empty: 1 for all.",
+              Range::not_negative());
+  section.add_choice("Indicator field", kelly_field, {"velocity", "displacement", "pressure"},
+                     "Of kelly: the field whose normal derivative is looked at.");
+  section.add(
+      "Band width", band_width, Dimensions::length,
+      "Of an interface band: cells with a vertex that is nearer to the interface count, and "
+      "those at it.",
+      Range::not_negative());
+  add_expression(section, "Expression", expression, Dimensions::none,
+                 "Of an expression: f(x, y, z, t) in SI; the largest value at a cell's centre and "
+                 "vertices counts. By default a cell is refined where it is positive and coarsened "
+                 "where it is not.");
+
+  const bool combined = indicator == "combined";
+  refuse_idle(section, "Indicators", combined, "Indicator = combined");
+  refuse_idle(section, "Weights", combined, "Indicator = combined");
+  if (combined)
+  {
+    section.require("Indicators");
+    for (unsigned int i = 0; i < several.size(); ++i)
+    {
+      if (std::find(single_indicators.begin(), single_indicators.end(), several[i]) ==
+          single_indicators.end())
+        section.refuse("Indicators", "there is no indicator '" + several[i] + "'",
+                       "Name two or more of traction jump, kelly, interface band, expression");
+      if (std::find(several.begin(), several.begin() + i, several[i]) != several.begin() + i)
+        section.refuse("Indicators", "'" + several[i] + "' is named twice", "Name each once");
+    }
+    if (several.size() == 1)
+      section.refuse("Indicators", "one indicator alone is not combined",
+                     "Set Indicator = " + several[0]);
+    if (given_weights.empty())
+      given_weights.assign(several.size(), 1.);
+    if (given_weights.size() != several.size())
+      section.refuse("Weights",
+                     "there are " + std::to_string(given_weights.size()) + " weights for " +
+                         std::to_string(several.size()) + " indicators",
+                     "Give as many as Indicators");
+    indicators = several;
+    weights = given_weights;
+  }
+  else if (!indicator.empty())
+    indicators = {indicator};
+  refuse_idle(section, "Indicator field", uses("kelly"), "the indicator kelly");
+  refuse_idle(section, "Band width", uses("interface band"), "the indicator interface band");
+  refuse_idle(section, "Expression", uses("expression"), "the indicator expression");
+  if (uses("interface band"))
+    section.require("Band width");
+  if (uses("expression"))
+    section.require("Expression");
+}
+
+void AdaptationParameters::read_strategy(ParameterSection section)
+{
+  std::string choice = "automatic";
+  section.add_choice(
+      "Strategy", choice, {"automatic", "number", "sum", "threshold"},
+      "Which cells are refined and coarsened: fractions of the number of cells; "
+      "fractions of the indicators' sum; those above and below thresholds. "
+      "Automatic: thresholds where no indicator looks at the solution, else number.");
+  section.add("Refine fraction", refine_fraction, Dimensions::none,
+              "Fraction with the largest indicator that is refined.", Range{0., 1., false, false});
+  section.add("Coarsen fraction", coarsen_fraction, Dimensions::none,
+              "Fraction with the smallest indicator that is coarsened.",
+              Range{0., 1., false, false});
+  section.add("Refine above", refine_above, Dimensions::none,
+              "Of a threshold: cells with a larger indicator are refined. Indicators of the "
+              "solution are over their largest value, so that this is from 0 to 1.");
+  section.add("Coarsen below", coarsen_below, Dimensions::none,
+              "Of a threshold: cells with no larger indicator are coarsened.");
+  strategy = choice != "automatic" ? choice : is_geometric() ? "threshold" : "number";
+  const bool threshold = strategy == "threshold";
+  if (!threshold && is_geometric())
+    section.refuse("Strategy",
+                   "an indicator that does not look at the solution has the same value in many "
+                   "cells, of which a fraction would be chosen by chance",
+                   "Set Strategy = threshold");
+  for (const char *key : {"Refine fraction", "Coarsen fraction"})
+    refuse_idle(section, key, !threshold, "Strategy = number or sum");
+  for (const char *key : {"Refine above", "Coarsen below"})
+    refuse_idle(section, key, threshold, "Strategy = threshold");
+  if (threshold && !is_geometric())
+  {
+    section.require("Refine above");
+    section.require("Coarsen below");
+  }
+  if (!threshold && refine_fraction + coarsen_fraction > 1.)
+    section.refuse("Refine fraction", "the fractions to refine and to coarsen exceed 1 together",
+                   "Make them smaller");
+  if (coarsen_below > refine_above)
+    section.refuse("Coarsen below", "cells between the two would be both refined and coarsened",
+                   "Make it at most Refine above");
 }
 
 template <int dim>
@@ -54,10 +187,19 @@ bool flag_cells(parallel::distributed::Triangulation<dim> &triangulation,
   if (parameters.strategy == "number")
     parallel::distributed::GridRefinement::refine_and_coarsen_fixed_number(
         triangulation, indicators, parameters.refine_fraction, parameters.coarsen_fraction);
-  else
+  else if (parameters.strategy == "sum")
     parallel::distributed::GridRefinement::refine_and_coarsen_fixed_fraction(
         triangulation, indicators, parameters.refine_fraction, parameters.coarsen_fraction);
-  int flagged = 0;
+  else
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+      {
+        const double indicator = indicators[cell->active_cell_index()];
+        if (indicator > parameters.refine_above)
+          cell->set_refine_flag();
+        else if (indicator <= parameters.coarsen_below)
+          cell->set_coarsen_flag();
+      }
   for (const auto &cell : triangulation.active_cell_iterators())
     if (cell->is_locally_owned())
     {
@@ -65,9 +207,13 @@ bool flag_cells(parallel::distributed::Triangulation<dim> &triangulation,
         cell->clear_refine_flag();
       if (cell->level() <= static_cast<int>(parameters.minimum_level))
         cell->clear_coarsen_flag();
-      if (cell->refine_flag_set() || cell->coarsen_flag_set())
-        flagged = 1;
     }
+  // Takes the flags back that lead to nothing: a cell to coarsen whose siblings stay.
+  triangulation.prepare_coarsening_and_refinement();
+  int flagged = 0;
+  for (const auto &cell : triangulation.active_cell_iterators())
+    if (cell->is_locally_owned() && (cell->refine_flag_set() || cell->coarsen_flag_set()))
+      flagged = 1;
   return Utilities::MPI::max(flagged, triangulation.get_communicator()) == 1;
 }
 

@@ -11,11 +11,13 @@ template <int dim>
 PowerRecord<dim>::PowerRecord(const MPI_Comm communicator,
                               const std::vector<std::string> &regions,
                               const std::vector<bool> &relaxes,
-                              const std::vector<Outlet> &outlets)
+                              const std::vector<Outlet> &outlets,
+                              const bool mesh_changes)
     : communicator(communicator),
       regions(regions),
       relaxes(relaxes),
       any_relaxes(std::find(relaxes.begin(), relaxes.end(), true) != relaxes.end()),
+      mesh_changes(mesh_changes),
       taken(regions.size()),
       given(outlets.size())
 {
@@ -60,6 +62,8 @@ std::vector<std::string> PowerRecord<dim>::header() const
        {"residual [W]", "share [1]", "kinetic energy [J]", "strain energy [J]",
         "compressive energy [J]", "work of loads [J]"})
     names.emplace_back(name);
+  if (mesh_changes)
+    names.emplace_back("energy change by transfer [J]");
   return names;
 }
 
@@ -138,7 +142,15 @@ void PowerRecord<dim>::record(ContinuumSolver<dim> &solver, const Step &step, co
   const double share = balance.exchanged > 0. ? balance.residual / balance.exchanged : 0.;
   row.insert(row.end(), {balance.residual, share, energy.kinetic, energy.strain, energy.compressive,
                          totals.work});
+  if (mesh_changes)
+    row.push_back(totals.transfer);
   table->row(row);
+}
+
+template <int dim>
+void PowerRecord<dim>::record_transfer(const double energy_change)
+{
+  totals.transfer += energy_change;
 }
 
 template <int dim>
@@ -174,6 +186,8 @@ void PowerRecord<dim>::finish(ContinuumSolver<dim> &solver, Summary &summary)
         {"total energy change", totals.largest_energy_change / totals.initial_energy, "1", ""});
   if (totals.largest_exchanged > 0.)
     summary.add({"work of the loads", totals.work, "J", ""});
+  if (mesh_changes)
+    summary.add({"energy change by transfer", totals.transfer, "J", ""});
   for (unsigned int region = 0; region < taken.size() && totals.largest_exchanged > 0.; ++region)
   {
     double strain = taken[region].strain, compressive = taken[region].compressive;
@@ -204,9 +218,10 @@ void PowerRecord<dim>::finish(ContinuumSolver<dim> &solver, Summary &summary)
 template <int dim>
 void PowerRecord<dim>::save(ArchiveWriter &archive) const
 {
-  std::vector<double> values = {
-      totals.largest_residual, totals.largest_exchanged, totals.residual_energy,      totals.work,
-      totals.initial_energy,   totals.largest_energy,    totals.largest_energy_change};
+  std::vector<double> values = {totals.largest_residual,      totals.largest_exchanged,
+                                totals.residual_energy,       totals.work,
+                                totals.initial_energy,        totals.largest_energy,
+                                totals.largest_energy_change, totals.transfer};
   for (const Power &power : taken)
     values.insert(values.end(), {power.kinetic, power.strain, power.viscous, power.compressive});
   for (const OutletPower &power : given)
@@ -220,12 +235,12 @@ template <int dim>
 void PowerRecord<dim>::load(const ArchiveReader &archive)
 {
   const std::vector<double> values = archive.values("power record");
-  if (values.size() != 7 + 4 * taken.size() + 2 * given.size())
+  if (values.size() != 8 + 4 * taken.size() + 2 * given.size())
     throw RunError("the checkpoint's power record is that of another version of the program");
-  totals = {values[0], values[1], values[2], values[3], values[4], values[5], values[6]};
+  totals = {values[0], values[1], values[2], values[3], values[4], values[5], values[6], values[7]};
   for (unsigned int region = 0; region < taken.size(); ++region)
   {
-    const double *const value = &values[7 + 4 * region];
+    const double *const value = &values[8 + 4 * region];
     taken[region].kinetic = value[0];
     taken[region].strain = value[1];
     taken[region].viscous = value[2];
@@ -233,7 +248,7 @@ void PowerRecord<dim>::load(const ArchiveReader &archive)
   }
   for (unsigned int outlet = 0; outlet < given.size(); ++outlet)
   {
-    const double *const value = &values[7 + 4 * taken.size() + 2 * outlet];
+    const double *const value = &values[8 + 4 * taken.size() + 2 * outlet];
     given[outlet] = {value[0], value[1]};
   }
   initial_strain = archive.values("initial strain energies");

@@ -30,9 +30,12 @@ public:
   /// Refines the mesh as the file asks, sets the solver up and attaches the probes. `mesh_file`:
   /// instead, the mesh of a checkpoint.
   void initialise(const std::string &mesh_file = "");
-  /// Changes the mesh by the solution's indicators and carries the state over; returns whether it
-  /// changed.
-  bool adapt();
+  /// Changes the mesh by the indicators at `time` [s] and carries the state over; returns whether
+  /// it changed. Where no indicator looks at the solution it is changed until it fits.
+  bool adapt(double time);
+  /// Changes the mesh before the start: once, and the state is the initial one on the new mesh.
+  /// Returns whether it changed; if not, the state stays as it is.
+  bool adapt_before_start();
   /// The quantities, checks and summary of a finished run.
   void finish(unsigned int n_steps, double time);
   /// The summary of a run that failed, with the reason.
@@ -49,6 +52,8 @@ public:
   bool is_writer; ///< rank 0
 
 private:
+  /// Flags cells by the indicators; returns whether any is.
+  bool flag(double time);
   void describe_run();
   void write_summary(const std::string &status);
 };

@@ -5,6 +5,7 @@
 #include <continua/analysis/run.h>
 #include <continua/postprocess/field_writer.h>
 #include <continua/postprocess/loop_record.h>
+#include <continua/postprocess/mesh_record.h>
 #include <continua/postprocess/power_record.h>
 #include <continua/time_integration/time_control.h>
 
@@ -23,6 +24,7 @@ private:
   TimeControl time_control;
   PowerRecord<dim> power;
   LoopRecord loop;
+  MeshRecord meshes;
   FieldWriter<dim> fields;
   Checkpoint checkpoint;
   Schedule probe_schedule, power_schedule, field_schedule, checkpoint_schedule;
@@ -31,6 +33,8 @@ private:
   unsigned int tenths_reported = 0;
 
   void start();
+  /// Changes the mesh before the first step, as often as the file asks.
+  void adapt_before_start();
   /// Which boundaries begin with a value that a body at rest meets as a jump.
   void report_initial_jumps();
   /// What linear theory says of a run with fluid and solid.

@@ -2,12 +2,14 @@
 #define continua_mesh_adaptation_h
 
 #include <continua/base/parameter_section.h>
+#include <continua/signal/expression.h>
 
 #include <deal.II/distributed/tria.h>
 #include <deal.II/lac/vector.h>
 
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace Continua
 {
@@ -15,22 +17,42 @@ namespace Continua
 struct AdaptationParameters
 {
   unsigned int cycles = 0; ///< of a steady analysis: how often solve, estimate, refine is repeated
-  unsigned int every_n_steps = 0; ///< of a transient one; 0: the mesh stays
-  double refine_fraction = 0.3;   ///< of the cells, or of the indicators' sum
-  double coarsen_fraction = 0.03;
-  std::string strategy = "number"; ///< number | sum
+  unsigned int every_n_steps = 0;  ///< of a transient one; 0: the mesh stays
+  unsigned int initial_cycles = 0; ///< of a transient one: changes before the start
+  /// What is looked at: traction jump, kelly, interface band, expression; more than one if
+  /// combined.
+  std::vector<std::string> indicators = {"traction jump"};
+  std::vector<double> weights = {1.};   ///< as many
+  std::string kelly_field = "velocity"; ///< velocity, displacement or pressure
+  double band_width = 0.;               ///< [m]
+  Expression expression;                ///< of place and time; positive refines
+  std::string strategy = "number";      ///< number | sum | threshold
+  double refine_fraction = 0.3;         ///< of the cells, or of the indicators' sum
+  double coarsen_fraction = 0.03;       ///< likewise
+  double refine_above = 0.;             ///< of a threshold
+  double coarsen_below = 0.;            ///< up to which cells are coarsened
   unsigned int maximum_level = 10;
   unsigned int minimum_level = 0;
   double end_time = std::numeric_limits<double>::infinity(); ///< [s] after which the mesh stays
 
   /// Declares and reads; throws InputError.
   void read(ParameterSection section, bool transient);
+  bool uses(const std::string &indicator) const;
+  /// Whether no indicator looks at the solution.
+  bool is_geometric() const;
+  /// Whether the mesh is changed at all.
+  bool changes_mesh() const { return cycles > 0 || every_n_steps > 0 || initial_cycles > 0; }
+
+private:
+  void read_indicators(ParameterSection section);
+  void read_strategy(ParameterSection section);
 };
 
 /**
  * Flags cells for refinement and coarsening by their indicators (one an active cell; only the owned
  * ones count). The indicators are rounded to three digits first, so that cells which are alike by
- * symmetry are treated alike, on any number of ranks. Returns whether any cell is flagged.
+ * symmetry are treated alike, on any number of ranks. Flags are those that the mesh can follow:
+ * execute_coarsening_and_refinement() may come next. Returns whether any cell is flagged.
  * Collective.
  */
 template <int dim>

@@ -28,10 +28,12 @@ public:
   /// `regions`: names by material id; with more than one, each has its own columns. `relaxes`: of
   /// which of them stresses relax; none if empty. They have a column for what that turns into heat.
   /// `outlets` as in the problem; each has a column, and one more if it has stores of its own.
+  /// `mesh_changes`: there is a column for the energy that came or went with transfers.
   PowerRecord(MPI_Comm communicator,
               const std::vector<std::string> &regions,
               const std::vector<bool> &relaxes = {},
-              const std::vector<Outlet> &outlets = {});
+              const std::vector<Outlet> &outlets = {},
+              bool mesh_changes = false);
 
   /// Starts the file. Throws RunError on all ranks.
   void open(const std::string &file);
@@ -45,6 +47,8 @@ public:
   /// `write`: also adds a row to the file and compares the energy. Collective; RunError on rank 0
   /// when the disk refuses.
   void record(ContinuumSolver<dim> &solver, const Step &step, bool write);
+  /// The energy changed by this when the state was carried over to a new mesh [J].
+  void record_transfer(double energy_change);
 
   /**
    * Closes the file and adds the quantities, all of them relative: `power residual` (largest
@@ -56,7 +60,9 @@ public:
    * energy taken`, `energy dissipated` (by viscosity). Where stresses relax, the taken energies are
    * those that the springs hold; what else they were given is `energy relaxed`, with what the
    * scheme damps in them. Of each outlet `energy left`, and where it has stores `energy
-   * dissipated`: what it has not stored. Throws RunError on all ranks.
+   * dissipated`: what it has not stored. Where the mesh changes `energy change by transfer`, their
+   * sum: by this, too, the energy at the end differs from that at the start. Throws RunError on all
+   * ranks.
    */
   void finish(ContinuumSolver<dim> &solver, Summary &summary);
 
@@ -77,6 +83,7 @@ private:
     double initial_energy = 0.;        ///< [J]
     double largest_energy = 0.;        ///< [J]
     double largest_energy_change = 0.; ///< [J]
+    double transfer = 0.;              ///< sum of the energy changes [J]
   };
   std::vector<std::string> header() const;
   void compare(double energy);
@@ -90,6 +97,7 @@ private:
   std::vector<std::string> regions;
   std::vector<bool> relaxes;
   bool any_relaxes;
+  bool mesh_changes;
   std::vector<std::string> outlet_names;
   std::vector<bool> outlet_stores; ///< whether they have stores of their own
   Totals totals;

@@ -1,0 +1,45 @@
+#ifndef continua_postprocess_mesh_record_h
+#define continua_postprocess_mesh_record_h
+
+#include <continua/base/archive.h>
+#include <continua/base/summary.h>
+#include <continua/continuum/continuum_solver.h>
+
+namespace Continua
+{
+/// The meshes of a run whose mesh follows the solution: how many, how large, and what carrying the
+/// state from one to the next did to the energy.
+class MeshRecord
+{
+public:
+  /// The first mesh, at `time` [s].
+  void start(const SolverSizes &sizes, double time);
+  /// A new one, with the energies before and after the transfer [J].
+  void change(const SolverSizes &sizes, double time, double energy_before, double energy_after);
+  /**
+   * Adds `mesh changes`, `largest relative energy change by transfer` (over the energy before),
+   * `cells (mean)`, `cells (largest)`, `unknowns (mean)` and `unknowns (largest)`; means are over
+   * the time until `time` [s].
+   */
+  void finish(double time, Summary &summary) const;
+
+  /// The numbers so far, for a restart.
+  void save(ArchiveWriter &archive) const;
+  void load(const ArchiveReader &archive);
+
+private:
+  struct Count
+  {
+    double present = 0., largest = 0.;
+    double times_time = 0.; ///< integral over the time of the meshes before [s]
+  };
+  double start_time = 0., last_time = 0.;
+  Count cells, unknowns;
+  double n_changes = 0.;
+  double largest_energy_change = 0.; ///< relative
+
+  void set(const SolverSizes &sizes);
+};
+} // namespace Continua
+
+#endif
