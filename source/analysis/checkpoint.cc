@@ -6,12 +6,115 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <sstream>
+#include <vector>
 
 namespace Continua
 {
 using namespace dealii;
+
+namespace
+{
+namespace fs = std::filesystem;
+
+/// What goes wrong in `function` on this rank; empty if nothing does.
+std::string problem_in(const std::function<void()> &function)
+{
+  try
+  {
+    function();
+  }
+  catch (const std::exception &error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+/// The problem of the first rank that has one, on all ranks.
+std::string first_problem(const MPI_Comm communicator, const std::string &problem)
+{
+  if (Utilities::MPI::max(problem.empty() ? 0 : 1, communicator) == 0)
+    return "";
+  for (const std::string &one : Utilities::MPI::all_gather(communicator, problem))
+    if (!one.empty())
+      return one;
+  return "";
+}
+
+bool is_step(const std::string &name)
+{
+  return !name.empty() && name.find_first_not_of("0123456789") == std::string::npos;
+}
+
+/// A checksum of a file that others have written (the mesh), by 8 bytes.
+unsigned long checksum_of(const std::string &file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+    throw RunError("cannot read '" + file + "'");
+  std::uint64_t state = 0xcbf29ce484222325ULL;
+  std::vector<char> buffer(1 << 20);
+  while (stream)
+  {
+    stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+    for (std::streamsize i = 0; i < stream.gcount(); ++i)
+      state = (state ^ static_cast<unsigned char>(buffer[i])) * 0x100000001b3ULL;
+  }
+  return state;
+}
+
+/// The files of the mesh, without their folder.
+std::vector<std::string> mesh_files(const std::string &folder)
+{
+  std::vector<std::string> names;
+  for (const fs::directory_entry &entry : fs::directory_iterator(folder))
+    if (entry.path().filename().string().compare(0, 4, "mesh") == 0)
+      names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// The entries of ParameterFile::identity_text.
+std::map<std::string, std::string> entries_of(const std::string &identity)
+{
+  std::map<std::string, std::string> entries;
+  std::istringstream lines(identity);
+  for (std::string line; std::getline(lines, line);)
+  {
+    const std::size_t equals = line.find('=');
+    entries[line.substr(0, equals)] =
+        equals == std::string::npos ? std::string() : line.substr(equals + 1);
+  }
+  return entries;
+}
+
+/// The first entry that two cases do not have in common, in words.
+std::string first_difference(const std::string &there, const std::string &here)
+{
+  const std::map<std::string, std::string> old = entries_of(there), present = entries_of(here);
+  const auto text = [](const std::string &value) { return value.empty() ? "empty" : value; };
+  for (const auto &[path, value] : old)
+  {
+    const auto found = present.find(path);
+    if (found == present.end())
+      return path + " is " + text(value) + " there and no entry of this case";
+    if (found->second != value)
+      return path.compare(0, 11, "content of ") == 0
+                 ? "the " + path + " is another"
+                 : path + " is " + text(value) + " there and " + text(found->second) + " here";
+  }
+  for (const auto &[path, value] : present)
+    if (old.count(path) == 0)
+      return path + " is " + text(value) + " here and no entry there";
+  return "the order of its entries is another";
+}
+} // namespace
 
 Checkpoint::Checkpoint(const MPI_Comm communicator,
                        const std::string &folder,
@@ -22,48 +125,96 @@ Checkpoint::Checkpoint(const MPI_Comm communicator,
 
 std::string Checkpoint::archive_file(const std::string &step) const
 {
-  return folder + "/" + step + "/rank-" +
-         std::to_string(Utilities::MPI::this_mpi_process(communicator));
+  return folder + "/" + step + "/state";
+}
+
+std::string Checkpoint::piece_file(const std::string &step, const unsigned int rank) const
+{
+  return folder + "/" + step + "/rank-" + std::to_string(rank);
 }
 
 std::string Checkpoint::current() const
 {
-  std::ifstream file(folder + "/current");
   std::string step;
-  file >> step;
-  return step;
+  if (Utilities::MPI::this_mpi_process(communicator) == 0)
+    std::ifstream(folder + "/current") >> step;
+  return Utilities::MPI::broadcast(communicator, step);
+}
+
+void Checkpoint::remove_all_but(const std::string &step) const
+{
+  std::error_code error;
+  for (const fs::directory_entry &entry : fs::directory_iterator(folder, error))
+    if (is_step(entry.path().filename().string()) && entry.path().filename() != step)
+      fs::remove_all(entry.path());
 }
 
 void Checkpoint::write(const unsigned int step,
                        const std::function<void(ArchiveWriter &)> &fill,
                        const std::function<void(const std::string &)> &save_mesh) const
 {
-  const std::string name = std::to_string(step);
-  const bool is_writer = Utilities::MPI::this_mpi_process(communicator) == 0;
+  const std::string name = std::to_string(step), path = folder + "/" + name;
+  const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
+  const std::string before = current();
   // A state saved twice at the same step is the same state.
-  if (current() == name)
+  if (before == name)
     return;
-  if (is_writer)
-    std::filesystem::create_directories(folder + "/" + name);
-  MPI_Barrier(communicator);
-  ArchiveWriter archive;
-  archive.add("identity", identity);
-  archive.add("version", version());
-  archive.add("number of ranks",
-              static_cast<unsigned long>(Utilities::MPI::n_mpi_processes(communicator)));
-  fill(archive);
-  archive.write(archive_file(name));
-  if (save_mesh)
-    save_mesh(folder + "/" + name + "/mesh");
-  MPI_Barrier(communicator);
-  if (is_writer)
+  const auto stop_at = [&](const std::string &problem)
   {
-    const std::string before = current();
-    write_file_atomically(folder + "/current", name + "\n");
-    if (!before.empty())
-      std::filesystem::remove_all(folder + "/" + before);
-  }
-  MPI_Barrier(communicator);
+    const std::string first = first_problem(communicator, problem);
+    if (first.empty())
+      return;
+    if (rank == 0)
+    {
+      std::error_code error;
+      fs::remove_all(path, error);
+    }
+    throw RunError(
+        "the checkpoint of step " + name + " cannot be written: " + first +
+        (before.empty() ? "; there is no earlier one" : "; that of step " + before + " is kept"));
+  };
+
+  stop_at(problem_in(
+      [&]()
+      {
+        if (rank != 0)
+          return;
+        fs::create_directories(folder);
+        remove_all_but(before);
+        fs::create_directory(path);
+      }));
+  ArchiveWriter archive;
+  fill(archive);
+  unsigned long checksum = 0;
+  stop_at(problem_in([&]() { checksum = archive.piece().write(piece_file(name, rank)); }));
+  if (save_mesh)
+    stop_at(problem_in([&]() { save_mesh(path + "/mesh"); }));
+  const std::vector<unsigned long> checksums = Utilities::MPI::gather(communicator, checksum);
+  stop_at(problem_in(
+      [&]()
+      {
+        if (rank != 0)
+          return;
+        archive.add("identity", identity);
+        archive.add("version", version());
+        archive.add("checksums of the pieces", checksums);
+        std::string names;
+        std::vector<unsigned long> checksums_of_mesh;
+        for (const std::string &file : mesh_files(path))
+        {
+          flush_to_disk(path + "/" + file);
+          checksums_of_mesh.push_back(checksum_of(path + "/" + file));
+          names += file + "\n";
+        }
+        archive.add("files of the mesh", names);
+        archive.add("checksums of the mesh", checksums_of_mesh);
+        archive.write(archive_file(name));
+        flush_to_disk(folder);
+        write_file_atomically(folder + "/current", name + "\n");
+      }));
+  // The new one is complete: it does not matter if an old one cannot be removed.
+  if (rank == 0)
+    problem_in([&]() { remove_all_but(name); });
 }
 
 ArchiveReader Checkpoint::read() const
@@ -72,32 +223,62 @@ ArchiveReader Checkpoint::read() const
   const Origin origin{folder, 0};
   if (step.empty())
     throw InputError(origin, "--restart", "there is no complete checkpoint",
-                     "Run without --restart");
-  if (!std::filesystem::exists(archive_file(step)))
-    throw InputError(origin, "--restart",
-                     "the checkpoint was written by fewer ranks than the run has now",
-                     "Restart with as many ranks as before");
-  ArchiveReader archive(archive_file(step));
+                     "Run anew with --overwrite");
+  const std::string remedy = "Put it back from a copy, or run anew with --overwrite";
+  const auto stop_at = [&](const std::string &problem)
+  {
+    const std::string first = first_problem(communicator, problem);
+    if (!first.empty())
+      throw InputError(origin, "--restart", "the checkpoint cannot be read: " + first, remedy);
+  };
+  std::unique_ptr<ArchiveReader> archive;
+  stop_at(problem_in([&]() { archive = std::make_unique<ArchiveReader>(archive_file(step)); }));
+  check_case(*archive);
+  stop_at(problem_in([&]() { check_files(*archive, step); }));
+  std::vector<std::string> pieces;
+  for (unsigned int i = 0; i < archive->integers("checksums of the pieces").size(); ++i)
+    pieces.push_back(piece_file(step, i));
+  archive->set_pieces(pieces);
+  return std::move(*archive);
+}
+
+void Checkpoint::check_case(const ArchiveReader &archive) const
+{
+  const Origin origin{folder, 0};
   if (archive.text("version") != version())
     throw InputError(origin, "--restart",
                      "the checkpoint was written by version " + archive.text("version") +
                          ", this is " + version(),
                      "Use that version, or run anew with --overwrite");
-  if (archive.integer("number of ranks") != Utilities::MPI::n_mpi_processes(communicator))
-    throw InputError(origin, "--restart",
-                     "the checkpoint was written by " +
-                         std::to_string(archive.integer("number of ranks")) + " ranks",
-                     "Restart with as many ranks as before");
   if (archive.text("identity") != identity)
-    throw InputError(origin, "--restart", "the checkpoint belongs to other parameters than these",
-                     "Restore them (only Title, Time/End time, Output and Expected may change), or "
-                     "run anew with --overwrite");
-  return archive;
+    throw InputError(origin, "--restart",
+                     "the checkpoint belongs to another case: " +
+                         first_difference(archive.text("identity"), identity),
+                     "Restore the case (only Title, Time/End time, Output, Expected and Comparison "
+                     "may change), or run anew with --overwrite");
+}
+
+void Checkpoint::check_files(const ArchiveReader &archive, const std::string &step) const
+{
+  const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
+  const std::vector<unsigned long> pieces = archive.integers("checksums of the pieces");
+  for (unsigned int i = rank; i < pieces.size(); i += Utilities::MPI::n_mpi_processes(communicator))
+    if (ArchiveReader(piece_file(step, i)).checksum() != pieces[i])
+      throw RunError("'" + piece_file(step, i) + "' is not of this checkpoint");
+  if (rank != 0)
+    return;
+  const std::vector<unsigned long> of_mesh = archive.integers("checksums of the mesh");
+  std::istringstream names(archive.text("files of the mesh"));
+  unsigned int i = 0;
+  for (std::string name; std::getline(names, name); ++i)
+    if (checksum_of(folder + "/" + step + "/" + name) != of_mesh.at(i))
+      throw RunError("'" + folder + "/" + step + "/" + name +
+                     "' is truncated or damaged: its checksum is wrong");
 }
 
 std::string Checkpoint::mesh_file() const
 {
   const std::string file = folder + "/" + current() + "/mesh";
-  return std::filesystem::exists(file) ? file : "";
+  return fs::exists(file) ? file : "";
 }
 } // namespace Continua

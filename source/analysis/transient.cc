@@ -39,7 +39,7 @@ Transient<dim>::Transient(Run<dim> &run)
              run.input.output.higher_order_cells),
       checkpoint(run.input.communicator,
                  run.directory.file("checkpoint"),
-                 run.file.identity({"Title", "Time/End time", "Output", "Expected", "Comparison"})),
+                 run.file.identity_text({"Title", "Time/End time", "Output", "Expected", "Comparison"})),
       probe_schedule(run.input.output.probe_schedule(run.input.time.end_time)),
       power_schedule(run.input.output.power_schedule(run.input.time.end_time)),
       field_schedule(run.input.output.field_schedule(run.input.time.end_time)),

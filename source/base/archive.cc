@@ -14,7 +14,7 @@ namespace Continua
 namespace
 {
 const std::string magic = "Continua archive";
-constexpr std::uint64_t format_version = 1;
+constexpr std::uint64_t format_version = 2;
 constexpr std::size_t number_size = sizeof(std::uint64_t);
 
 static_assert(sizeof(unsigned long) == number_size && sizeof(double) == number_size,
@@ -24,6 +24,7 @@ enum Type : char
 {
   text_record = 't',
   values_record = 'v',
+  integers_record = 'n',
   value_record = 'd',
   integer_record = 'i'
 };
@@ -36,6 +37,8 @@ std::string type_name(const char type)
     return "a text";
   case values_record:
     return "a list of numbers";
+  case integers_record:
+    return "a list of whole numbers";
   case value_record:
     return "a number";
   default:
@@ -83,6 +86,18 @@ std::uint64_t read_number(const std::string &bytes, const std::size_t position)
 }
 } // namespace
 
+ArchiveWriter::ArchiveWriter() : bytes(magic)
+{
+  append_number(bytes, format_version);
+}
+
+ArchiveWriter &ArchiveWriter::piece()
+{
+  if (!own_piece)
+    own_piece = std::make_unique<ArchiveWriter>();
+  return *own_piece;
+}
+
 void ArchiveWriter::append(const std::string &name,
                            const char type,
                            const void *data,
@@ -108,6 +123,11 @@ void ArchiveWriter::add(const std::string &name, const std::vector<double> &valu
   append(name, values_record, values.data(), values.size() * sizeof(double));
 }
 
+void ArchiveWriter::add(const std::string &name, const std::vector<unsigned long> &values)
+{
+  append(name, integers_record, values.data(), values.size() * sizeof(unsigned long));
+}
+
 void ArchiveWriter::add(const std::string &name, const double value)
 {
   append(name, value_record, &value, sizeof(double));
@@ -118,18 +138,17 @@ void ArchiveWriter::add(const std::string &name, const unsigned long value)
   append(name, integer_record, &value, sizeof(unsigned long));
 }
 
-void ArchiveWriter::write(const std::string &file) const
+unsigned long ArchiveWriter::write(const std::string &file) const
 {
-  std::string content;
-  content.reserve(magic.size() + 2 * number_size + bytes.size());
-  content += magic;
-  append_number(content, format_version);
-  content += bytes;
-  append_number(content, checksum(content.data(), content.size()));
-  write_file_atomically(file, content);
+  const std::uint64_t sum = checksum(bytes.data(), bytes.size());
+  std::string end;
+  append_number(end, sum);
+  // In two parts: a copy of a large state would double the memory.
+  write_file_atomically(file, bytes, end);
+  return sum;
 }
 
-ArchiveReader::ArchiveReader(const std::string &file) : file_name(file)
+ArchiveReader::ArchiveReader(const std::string &file) : file_name(file), checksum_of_file(0)
 {
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
   if (!stream)
@@ -151,7 +170,8 @@ ArchiveReader::ArchiveReader(const std::string &file) : file_name(file)
     throw RunError("'" + file + "' has archive format " + std::to_string(version) +
                    "; this program reads format " + std::to_string(format_version));
   const std::size_t end = bytes.size() - number_size;
-  if (checksum(bytes.data(), end) != read_number(bytes, end))
+  checksum_of_file = read_number(bytes, end);
+  if (Continua::checksum(bytes.data(), end) != checksum_of_file)
     throw RunError("'" + file + "' is truncated or damaged: its checksum is wrong");
 
   std::size_t position = magic.size() + number_size;
@@ -192,9 +212,9 @@ const char *ArchiveReader::find(const std::string &name, const char type, std::s
     throw RunError("'" + file_name + "': the record '" + name + "' is " +
                    type_name(record->second.type) + ", not " + type_name(type));
   size = record->second.size;
-  if ((type == value_record || type == integer_record) ? size != number_size
-      : (type == values_record)                        ? size % number_size != 0
-                                                       : false)
+  if ((type == value_record || type == integer_record)     ? size != number_size
+      : (type == values_record || type == integers_record) ? size % number_size != 0
+                                                           : false)
     throw RunError("'" + file_name + "': the record '" + name + "' has a wrong length");
   return bytes.data() + record->second.begin;
 }
@@ -216,6 +236,16 @@ std::vector<double> ArchiveReader::values(const std::string &name) const
   return result;
 }
 
+std::vector<unsigned long> ArchiveReader::integers(const std::string &name) const
+{
+  std::size_t size;
+  const char *const data = find(name, integers_record, size);
+  std::vector<unsigned long> result(size / sizeof(unsigned long));
+  if (size > 0)
+    std::memcpy(result.data(), data, size);
+  return result;
+}
+
 double ArchiveReader::value(const std::string &name) const
 {
   std::size_t size;
@@ -230,5 +260,20 @@ unsigned long ArchiveReader::integer(const std::string &name) const
   unsigned long result;
   std::memcpy(&result, find(name, integer_record, size), sizeof(unsigned long));
   return result;
+}
+
+void ArchiveReader::set_pieces(const std::vector<std::string> &files)
+{
+  piece_files = files;
+  pieces.clear();
+  pieces.resize(files.size());
+}
+
+const ArchiveReader &ArchiveReader::piece(const std::size_t number) const
+{
+  AssertIndexRange(number, pieces.size());
+  if (!pieces[number])
+    pieces[number] = std::make_unique<ArchiveReader>(piece_files[number]);
+  return *pieces[number];
 }
 } // namespace Continua

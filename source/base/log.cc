@@ -161,6 +161,15 @@ void Log::warning(const std::string &text)
   line("warning: " + text);
 }
 
+void Log::resume_warnings(const std::vector<std::string> &earlier)
+{
+  std::vector<std::string> all = earlier;
+  for (const std::string &text : implementation->warnings)
+    if (std::find(all.begin(), all.end(), text) == all.end())
+      all.push_back(text);
+  implementation->warnings = all;
+}
+
 const std::vector<std::string> &Log::warnings() const
 {
   return implementation->warnings;

@@ -180,7 +180,7 @@ void ParameterFile::print(std::ostream &out, const Style style) const
   }
 }
 
-std::string ParameterFile::identity(const std::vector<std::string> &left_out) const
+std::string ParameterFile::identity_text(const std::vector<std::string> &left_out) const
 {
   std::vector<std::string> lines;
   for (const ParameterStore::Declaration &entry : store->declarations)
@@ -198,13 +198,18 @@ std::string ParameterFile::identity(const std::vector<std::string> &left_out) co
     std::ifstream file(name, std::ios::binary);
     std::ostringstream content;
     content << file.rdbuf();
-    lines.push_back(std::filesystem::path(name).filename().string() + "=" + hash(content.str()) +
-                    "\n");
+    lines.push_back("content of " + std::filesystem::path(name).filename().string() + "=" +
+                    hash(content.str()) + "\n");
   }
   std::sort(lines.begin(), lines.end());
   std::string text;
   for (const std::string &line : lines)
     text += line;
-  return hash(text);
+  return text;
+}
+
+std::string ParameterFile::identity(const std::vector<std::string> &left_out) const
+{
+  return hash(identity_text(left_out));
 }
 } // namespace Continua

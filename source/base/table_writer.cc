@@ -1,3 +1,4 @@
+#include <continua/base/atomic_file.h>
 #include <continua/base/input_error.h>
 #include <continua/base/table_writer.h>
 
@@ -140,6 +141,12 @@ void TableWriter::row(const std::vector<double> &values)
   if (buffer.size() > large ||
       std::chrono::steady_clock::now() - last_flush >= std::chrono::seconds(1))
     flush();
+}
+
+void TableWriter::flush_to_disk()
+{
+  flush();
+  Continua::flush_to_disk(file_name);
 }
 
 void TableWriter::flush()

@@ -1,5 +1,5 @@
 #include <continua/continuum/branch_history.h>
-#include <continua/continuum/vector_archive.h>
+#include <continua/continuum/vector_numbering.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -326,22 +326,22 @@ std::vector<DistributedVector *> BranchHistory::vectors()
   return all;
 }
 
-void BranchHistory::save(ArchiveWriter &archive) const
+void BranchHistory::save(ArchiveWriter &archive, const VectorNumbering &numbering) const
 {
   update_vectors();
   for (unsigned int k = 0; k < branches.size(); ++k)
   {
-    save_vector(archive, "branch " + std::to_string(k), branches[k].present);
-    save_vector(archive, "branch " + std::to_string(k) + " older", branches[k].older);
+    numbering.save(archive, "branch " + std::to_string(k), branches[k].present);
+    numbering.save(archive, "branch " + std::to_string(k) + " older", branches[k].older);
   }
 }
 
-void BranchHistory::load(const ArchiveReader &archive)
+void BranchHistory::load(const ArchiveReader &archive, const VectorNumbering &numbering)
 {
   for (unsigned int k = 0; k < branches.size(); ++k)
   {
-    load_vector(archive, "branch " + std::to_string(k), branches[k].present);
-    load_vector(archive, "branch " + std::to_string(k) + " older", branches[k].older);
+    numbering.load(archive, "branch " + std::to_string(k), branches[k].present);
+    numbering.load(archive, "branch " + std::to_string(k) + " older", branches[k].older);
   }
   vectors_are_current = true;
   nodes_are_current = false;

@@ -1,5 +1,5 @@
 #include <continua/continuum/bulk_history.h>
-#include <continua/continuum/vector_archive.h>
+#include <continua/continuum/vector_numbering.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -166,15 +166,15 @@ std::vector<DistributedVector *> BulkHistory::vectors()
   return all;
 }
 
-void BulkHistory::save(ArchiveWriter &archive) const
+void BulkHistory::save(ArchiveWriter &archive, const VectorNumbering &numbering) const
 {
-  for_state(of_region, [&archive](const std::string &name, const DistributedVector &vector)
-            { save_vector(archive, name, vector); });
+  for_state(of_region, [&](const std::string &name, const DistributedVector &vector)
+            { numbering.save(archive, name, vector); });
 }
 
-void BulkHistory::load(const ArchiveReader &archive)
+void BulkHistory::load(const ArchiveReader &archive, const VectorNumbering &numbering)
 {
-  for_state(of_region, [&archive](const std::string &name, DistributedVector &vector)
-            { load_vector(archive, name, vector); });
+  for_state(of_region, [&](const std::string &name, DistributedVector &vector)
+            { numbering.load(archive, name, vector); });
 }
 } // namespace Continua

@@ -2,8 +2,9 @@
 
 #include <continua/base/input_error.h>
 #include <continua/continuum/step_extremes.h>
-#include <continua/continuum/vector_archive.h>
+#include <continua/continuum/vector_numbering.h>
 #include <continua/finite_element/initial_state.h>
+#include <continua/finite_element/kelly_indicator.h>
 #include <continua/finite_element/taylor_hood_vibration.h>
 #include <continua/finite_element/traction_jump.h>
 
@@ -44,6 +45,7 @@ void TaylorHoodSolver<dim>::initialise()
 {
   setup();
   outlets.initialise();
+  present_time = pressure_known_time = 0.;
   set_initial_state(space, problem, operators, log, velocity, history.displacement(), pressure);
   bulk_history.start(pressure);
   velocity_older = velocity;
@@ -403,11 +405,17 @@ std::map<std::string, std::string> TaylorHoodSolver<dim>::add_output(DataOut<dim
 }
 
 template <int dim>
-void TaylorHoodSolver<dim>::indicators(const IndicatorRequest &, Vector<float> &per_cell)
+void TaylorHoodSolver<dim>::indicators(const IndicatorRequest &request, Vector<float> &per_cell)
 {
-  traction_jump_indicators(space, problem, evaluation, state(),
-                           outlets.present_pressures(present_time, velocity), present_time,
-                           per_cell);
+  if (request.kind == IndicatorRequest::Kind::traction_jump)
+    traction_jump_indicators(space, problem, evaluation, state(),
+                             outlets.present_pressures(present_time, velocity), present_time,
+                             per_cell);
+  else if (request.field == "pressure")
+    kelly_indicators_of_pressure(space, pressure, per_cell);
+  else
+    kelly_indicators_of_velocity(
+        space, request.field == "velocity" ? velocity : history.displacement(), per_cell);
 }
 
 template <int dim>
@@ -445,13 +453,19 @@ void TaylorHoodSolver<dim>::save(ArchiveWriter &archive) const
 {
   archive.add("present time", present_time);
   archive.add("time of the known pressure", pressure_known_time);
-  save_vector(archive, "velocity", velocity);
-  save_vector(archive, "velocity older", velocity_older);
-  save_vector(archive, "pressure", pressure);
-  save_vector(archive, "pressure older", pressure_older);
-  save_vector(archive, "pressure known", pressure_known);
-  history.save(archive);
-  bulk_history.save(archive);
+  const VectorNumbering velocities(space.communicator, "velocity",
+                                   numbers_of_dofs(space.velocity_dofs));
+  const VectorNumbering pressures(space.communicator, "pressure",
+                                  numbers_of_dofs(space.pressure_dofs));
+  velocities.save(archive);
+  pressures.save(archive);
+  velocities.save(archive, "velocity", velocity);
+  velocities.save(archive, "velocity older", velocity_older);
+  pressures.save(archive, "pressure", pressure);
+  pressures.save(archive, "pressure older", pressure_older);
+  pressures.save(archive, "pressure known", pressure_known);
+  history.save(archive, velocities);
+  bulk_history.save(archive, pressures);
   outlets.save(archive);
 }
 
@@ -460,13 +474,17 @@ void TaylorHoodSolver<dim>::load(const ArchiveReader &archive)
 {
   present_time = archive.value("present time");
   pressure_known_time = archive.value("time of the known pressure");
-  load_vector(archive, "velocity", velocity);
-  load_vector(archive, "velocity older", velocity_older);
-  load_vector(archive, "pressure", pressure);
-  load_vector(archive, "pressure older", pressure_older);
-  load_vector(archive, "pressure known", pressure_known);
-  history.load(archive);
-  bulk_history.load(archive);
+  const VectorNumbering velocities(space.communicator, "velocity",
+                                   numbers_of_dofs(space.velocity_dofs));
+  const VectorNumbering pressures(space.communicator, "pressure",
+                                  numbers_of_dofs(space.pressure_dofs));
+  velocities.load(archive, "velocity", velocity);
+  velocities.load(archive, "velocity older", velocity_older);
+  pressures.load(archive, "pressure", pressure);
+  pressures.load(archive, "pressure older", pressure_older);
+  pressures.load(archive, "pressure known", pressure_known);
+  history.load(archive, velocities);
+  bulk_history.load(archive, pressures);
   outlets.load(archive);
 }
 

@@ -2,8 +2,9 @@
 
 #include <continua/base/input_error.h>
 #include <continua/continuum/step_extremes.h>
-#include <continua/continuum/vector_archive.h>
+#include <continua/continuum/vector_numbering.h>
 #include <continua/finite_volume/cell_initial_state.h>
+#include <continua/finite_volume/cell_kelly_indicator.h>
 #include <continua/finite_volume/cell_traction_jump.h>
 #include <continua/finite_volume/cell_vibration.h>
 #include <continua/finite_volume/coupled_solve.h>
@@ -97,6 +98,7 @@ template <int dim>
 void CellWiseSolver<dim>::initialise()
 {
   setup();
+  present_time = pressure_known_time = 0.;
   set_initial_state();
   bulk_history.start(pressure);
   balance_faces(0.);
@@ -701,10 +703,19 @@ std::map<std::string, std::string> CellWiseSolver<dim>::add_output(DataOut<dim> 
 }
 
 template <int dim>
-void CellWiseSolver<dim>::indicators(const IndicatorRequest &, Vector<float> &per_cell)
+void CellWiseSolver<dim>::indicators(const IndicatorRequest &request, Vector<float> &per_cell)
 {
   set_pressure_of_displacement();
-  traction_jump_indicators(space, problem, evaluation, conditions, state(), present_time, per_cell);
+  const LinearReconstruction<dim> &reconstruction = evaluation.reconstruction();
+  if (request.kind == IndicatorRequest::Kind::traction_jump)
+    traction_jump_indicators(space, problem, evaluation, conditions, state(), present_time,
+                             per_cell);
+  else if (request.field == "pressure")
+    kelly_indicators_of_pressure(space, reconstruction, pressure, per_cell);
+  else
+    kelly_indicators_of_velocity(space, reconstruction,
+                                 request.field == "velocity" ? velocity : history.displacement(),
+                                 per_cell);
 }
 
 template <int dim>
@@ -758,17 +769,21 @@ void CellWiseSolver<dim>::save(ArchiveWriter &archive) const
 {
   archive.add("present time", present_time);
   archive.add("time of the known pressure", pressure_known_time);
-  save_vector(archive, "velocity", velocity);
-  save_vector(archive, "velocity older", velocity_older);
-  save_vector(archive, "pressure", pressure);
-  save_vector(archive, "pressure older", pressure_older);
-  save_vector(archive, "pressure known", pressure_known);
-  save_vector(archive, "dilatation rate", dilatation_rate);
+  const VectorNumbering velocities(space.communicator, "velocity", space.velocities.numbers(dim));
+  const VectorNumbering pressures(space.communicator, "pressure", space.pressures.numbers(1));
+  velocities.save(archive);
+  pressures.save(archive);
+  velocities.save(archive, "velocity", velocity);
+  velocities.save(archive, "velocity older", velocity_older);
+  pressures.save(archive, "pressure", pressure);
+  pressures.save(archive, "pressure older", pressure_older);
+  pressures.save(archive, "pressure known", pressure_known);
+  pressures.save(archive, "dilatation rate", dilatation_rate);
   archive.add("dilatation rate is current",
               static_cast<unsigned long>(dilatation_rate_is_current ? 1 : 0));
-  history.save(archive);
-  bulk_history.save(archive);
-  displacement_levels.save(archive);
+  history.save(archive, velocities);
+  bulk_history.save(archive, pressures);
+  displacement_levels.save(archive, velocities);
 }
 
 template <int dim>
@@ -776,16 +791,18 @@ void CellWiseSolver<dim>::load(const ArchiveReader &archive)
 {
   present_time = archive.value("present time");
   pressure_known_time = archive.value("time of the known pressure");
-  load_vector(archive, "velocity", velocity);
-  load_vector(archive, "velocity older", velocity_older);
-  load_vector(archive, "pressure", pressure);
-  load_vector(archive, "pressure older", pressure_older);
-  load_vector(archive, "pressure known", pressure_known);
-  load_vector(archive, "dilatation rate", dilatation_rate);
+  const VectorNumbering velocities(space.communicator, "velocity", space.velocities.numbers(dim));
+  const VectorNumbering pressures(space.communicator, "pressure", space.pressures.numbers(1));
+  velocities.load(archive, "velocity", velocity);
+  velocities.load(archive, "velocity older", velocity_older);
+  pressures.load(archive, "pressure", pressure);
+  pressures.load(archive, "pressure older", pressure_older);
+  pressures.load(archive, "pressure known", pressure_known);
+  pressures.load(archive, "dilatation rate", dilatation_rate);
   dilatation_rate_is_current = archive.integer("dilatation rate is current") == 1;
-  history.load(archive);
-  bulk_history.load(archive);
-  displacement_levels.load(archive);
+  history.load(archive, velocities);
+  bulk_history.load(archive, pressures);
+  displacement_levels.load(archive, velocities);
   pressure_is_current = parameters.has_pressure();
 }
 

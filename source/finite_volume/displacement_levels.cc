@@ -1,6 +1,6 @@
 #include <continua/finite_volume/displacement_levels.h>
 
-#include <continua/continuum/vector_archive.h>
+#include <continua/continuum/vector_numbering.h>
 
 #include <cmath>
 #include <string>
@@ -75,19 +75,19 @@ std::vector<DistributedVector *> DisplacementLevels::vectors()
   return {&levels[0], &levels[1], &levels[2]};
 }
 
-void DisplacementLevels::save(ArchiveWriter &archive) const
+void DisplacementLevels::save(ArchiveWriter &archive, const VectorNumbering &numbering) const
 {
   archive.add("displacement levels: distance", size_old);
   archive.add("displacement levels: number", static_cast<unsigned long>(n_equal));
   for (unsigned int i = 0; i < levels.size(); ++i)
-    save_vector(archive, "displacement level " + std::to_string(i), levels[i]);
+    numbering.save(archive, "displacement level " + std::to_string(i), levels[i]);
 }
 
-void DisplacementLevels::load(const ArchiveReader &archive)
+void DisplacementLevels::load(const ArchiveReader &archive, const VectorNumbering &numbering)
 {
   size_old = archive.value("displacement levels: distance");
   n_equal = archive.integer("displacement levels: number");
   for (unsigned int i = 0; i < levels.size(); ++i)
-    load_vector(archive, "displacement level " + std::to_string(i), levels[i]);
+    numbering.load(archive, "displacement level " + std::to_string(i), levels[i]);
 }
 } // namespace Continua

@@ -1,9 +1,13 @@
 #include <continua/finite_volume/value_space.h>
+#include <continua/mesh/tree_places.h>
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_tools.h>
 
+#include <algorithm>
 #include <map>
+#include <numeric>
 
 namespace Continua
 {
@@ -107,6 +111,64 @@ template <int dim>
 dealii::TrilinosWrappers::MPI::Vector ValueSpace<dim>::vector(const unsigned int n_components) const
 {
   return dealii::TrilinosWrappers::MPI::Vector(owned(n_components), mesh.communicator());
+}
+
+template <int dim>
+std::vector<unsigned long> ValueSpace<dim>::numbers(const unsigned int n_components) const
+{
+  const auto &cells = mesh.cells();
+  const auto &faces = mesh.faces();
+  const std::vector<unsigned long> places = tree_places(mesh.triangulation);
+  const auto place = [&](const unsigned int cell) -> unsigned long {
+    return places.empty() ? cells[cell].number : places[cells[cell].iterator->active_cell_index()];
+  };
+  // Behind a cell's own value those of its faces, and of each those of the finer cells beyond it.
+  constexpr unsigned int n_children = dealii::GeometryInfo<dim>::max_children_per_cell;
+  constexpr unsigned long n_per_cell = 1 + dealii::GeometryInfo<dim>::faces_per_cell * n_children;
+  const auto place_of_face = [&](const unsigned int face, const unsigned int side)
+  {
+    const VolumeFace<dim> &on = faces[face];
+    const auto &cell = cells[on.cell(side)].iterator;
+    unsigned int child = 0;
+    if (!on.at_boundary())
+    {
+      const auto &beyond = cells[on.cell(1 - side)].iterator;
+      if (beyond->level() > cell->level())
+        while (beyond->parent()->child(child) != beyond)
+          ++child;
+    }
+    return place(on.cell(side)) * n_per_cell + 1 + on.number_in_cell[side] * n_children + child;
+  };
+
+  std::vector<unsigned long> of_values(n_local);
+  for (unsigned int c = 0; c < mesh.n_owned_cells(); ++c)
+    of_values[cell_values[c] - first] = place(c) * n_per_cell;
+  for (unsigned int f = 0; f < faces.size(); ++f)
+    for (unsigned int side = 0; side < 2; ++side)
+      if (face_values[f][side] != dealii::numbers::invalid_unsigned_int && owns_face(f, side))
+      {
+        // Of a common value which cell is the owner may depend on the ranks.
+        const bool other = interface_value == InterfaceValue::common && !faces[f].at_boundary() &&
+                           place(faces[f].neighbour) < place(faces[f].owner);
+        of_values[face_values[f][side] - first] = place_of_face(f, other ? 1 - side : side);
+      }
+  if (places.empty())
+  {
+    // A rank has the cells of one stretch of the curve: without gaps the numbers need less room.
+    std::vector<unsigned int> order(n_local);
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(),
+              [&](const unsigned int a, const unsigned int b)
+              { return of_values[a] < of_values[b]; });
+    for (unsigned int i = 0; i < n_local; ++i)
+      of_values[order[i]] = first + i;
+  }
+  std::vector<unsigned long> result;
+  result.reserve(n_components * n_local);
+  for (const unsigned long value : of_values)
+    for (unsigned int c = 0; c < n_components; ++c)
+      result.push_back(n_components * value + c);
+  return result;
 }
 
 template class ValueSpace<2>;

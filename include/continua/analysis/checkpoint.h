@@ -11,26 +11,29 @@
 namespace Continua
 {
 /**
- * The state of a run on disk, to go on from: `checkpoint/STEP/` with one archive a rank and, where
- * the mesh has changed, the mesh; `checkpoint/current` names the last complete one. A new one is
- * written beside the old, then named, then the old one is removed, so that a kill at any moment
- * leaves a good one.
+ * The state of a run on disk, to go on from on any number of ranks: `checkpoint/STEP/` with an
+ * archive `state`, a piece `rank-N` of each rank that wrote it and, where the mesh has changed, the
+ * mesh; `checkpoint/current` names the last complete one. A new one is written beside the old,
+ * flushed to the disk, then named, then the old one is removed, so that a kill at any moment leaves
+ * a good one. All methods are collective and throw on all ranks alike.
  */
 class Checkpoint
 {
 public:
-  /// `folder`: the output's checkpoint folder. `identity`: hash of the case, which must be the same
-  /// at the restart.
+  /// `folder`: the output's checkpoint folder. `identity`: the text of ParameterFile that must be
+  /// the same at the restart.
   Checkpoint(MPI_Comm communicator, const std::string &folder, const std::string &identity);
 
-  /// Writes what `fill` adds to this rank's archive. `save_mesh`, if any, writes the mesh to the
-  /// file it is given. Collective.
+  /// Writes what `fill` adds to the archive, on rank 0, and to its piece, on every rank.
+  /// `save_mesh`, if any, writes the mesh to the file it is given and to files that begin like it.
+  /// Throws RunError when the disk refuses; what was written of this one is then removed, and an
+  /// earlier one is kept.
   void write(unsigned int step,
              const std::function<void(ArchiveWriter &)> &fill,
              const std::function<void(const std::string &)> &save_mesh) const;
 
-  /// Opens the last complete checkpoint: this rank's archive. Throws InputError if there is none,
-  /// or if it belongs to another case, version or number of ranks; RunError if it is damaged.
+  /// Opens the last complete checkpoint. Throws InputError if there is none, if it belongs to
+  /// another case or version, or if any of its files is missing or damaged.
   ArchiveReader read() const;
   /// The mesh file of the last complete checkpoint; empty if the mesh was not changed.
   std::string mesh_file() const;
@@ -42,6 +45,13 @@ private:
 
   std::string current() const;
   std::string archive_file(const std::string &step) const;
+  std::string piece_file(const std::string &step, unsigned int rank) const;
+  /// What is left of checkpoints that were not finished, or not removed.
+  void remove_all_but(const std::string &step) const;
+  /// Throws InputError.
+  void check_case(const ArchiveReader &archive) const;
+  /// Whether all other files are there and whole; throws RunError. A rank looks at its share.
+  void check_files(const ArchiveReader &archive, const std::string &step) const;
 };
 } // namespace Continua
 

@@ -38,6 +38,8 @@ public:
   /// "warning: TEXT" once per text.
   void warning(const std::string &text);
   const std::vector<std::string> &warnings() const;
+  /// Takes up the warnings of the part of the run before a restart, without telling them again.
+  void resume_warnings(const std::vector<std::string> &earlier);
 
   /// Progress line on a terminal, at most five a second; nothing off a terminal. Times in s.
   void progress(double time, double end_time, unsigned int step);

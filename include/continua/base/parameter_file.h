@@ -54,10 +54,12 @@ public:
   /// for the manual.
   void print(std::ostream &out, Style style) const;
 
-  /// A hash (FNV-1a, 64 bit, 16 hexadecimal digits) of all resolved entries but those that are, or
-  /// lie in, one of `left_out` ("Output", "Time/End time"): a checkpoint's case identity. It does
-  /// not depend on the unit or the order in which values were written, nor on the directory of an
-  /// input file, but on what it contains.
+  /// All resolved entries but those that are, or lie in, one of `left_out` ("Output", "Time/End
+  /// time"), sorted, a line "PATH=VALUE" each, and of each input file "content of NAME=HASH": what
+  /// makes two cases the same. It does not depend on the unit or the order in which values were
+  /// written, nor on the directory of an input file, but on what it contains.
+  std::string identity_text(const std::vector<std::string> &left_out = {}) const;
+  /// A hash (FNV-1a, 64 bit, 16 hexadecimal digits) of that text.
   std::string identity(const std::vector<std::string> &left_out = {}) const;
 
 private:

@@ -31,6 +31,8 @@ public:
   /// As many values as the header has names.
   void row(const std::vector<double> &values);
   void flush();
+  /// As flush(), and waits until the disk has it: a later power failure takes nothing of it.
+  void flush_to_disk();
 
 private:
   void open(bool append);

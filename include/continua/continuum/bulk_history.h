@@ -2,6 +2,7 @@
 #define continua_continuum_bulk_history_h
 
 #include <continua/base/archive.h>
+#include <continua/continuum/vector_numbering.h>
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/materials/material.h>
 #include <continua/time_integration/step.h>
@@ -63,8 +64,9 @@ public:
 
   /// All vectors that a change of the mesh must carry over.
   std::vector<DistributedVector *> vectors();
-  void save(ArchiveWriter &archive) const;
-  void load(const ArchiveReader &archive);
+  /// `numbering`: of the entries of its vectors.
+  void save(ArchiveWriter &archive, const VectorNumbering &numbering) const;
+  void load(const ArchiveReader &archive, const VectorNumbering &numbering);
 
 private:
   struct Dilatation

@@ -2,6 +2,7 @@
 #define continua_finite_volume_displacement_levels_h
 
 #include <continua/base/archive.h>
+#include <continua/continuum/vector_numbering.h>
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/time_integration/step.h>
 
@@ -44,8 +45,9 @@ public:
   void advance(const Step &step, const DistributedVector &displacement);
 
   std::vector<DistributedVector *> vectors();
-  void save(ArchiveWriter &archive) const;
-  void load(const ArchiveReader &archive);
+  /// `numbering`: of the entries of its vectors.
+  void save(ArchiveWriter &archive, const VectorNumbering &numbering) const;
+  void load(const ArchiveReader &archive, const VectorNumbering &numbering);
 
 private:
   std::array<DistributedVector, 3> levels; ///< the newest first

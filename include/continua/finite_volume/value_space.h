@@ -53,6 +53,9 @@ public:
   /// The entries of a field with so many components on this rank.
   dealii::IndexSet owned(unsigned int n_components) const;
   dealii::TrilinosWrappers::MPI::Vector vector(unsigned int n_components) const;
+  /// Numbers of a field's entries on this rank, for VectorNumbering: along the cells in the order
+  /// of the tree, of each its own value and then those of its faces.
+  std::vector<unsigned long> numbers(unsigned int n_components) const;
 
 private:
   const CellMesh<dim> &mesh;
