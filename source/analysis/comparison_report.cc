@@ -1,16 +1,13 @@
 #include <continua/analysis/comparison_report.h>
 
+#include <continua/analysis/chosen_quantities.h>
 #include <continua/base/atomic_file.h>
-#include <continua/base/input_error.h>
-#include <continua/base/nearest_name.h>
-#include <continua/base/units.h>
+#include <continua/base/text_table.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <limits>
 #include <map>
-#include <sstream>
 
 namespace Continua
 {
@@ -21,35 +18,9 @@ constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 /// Of the largest value of its unit: what solvers and sums leave in digits.
 constexpr double round_off_share = 1e-10;
 
-std::string label_of(const Quantity &quantity)
-{
-  return quantity.probe.empty() ? quantity.name : quantity.probe + ": " + quantity.name;
-}
-
-/// Whether a word of Quantities means this one: its label, or its name at whatever probe.
-bool matches(const std::string &asked, const Quantity &quantity)
-{
-  return asked == label_of(quantity) || asked == quantity.name;
-}
-
-const Quantity *find(const ComparedRun &run, const std::string &label)
-{
-  for (const Quantity &quantity : run.quantities)
-    if (label_of(quantity) == label)
-      return &quantity;
-  return nullptr;
-}
-
 std::string with_unit(const ComparisonReport::Row &row)
 {
   return row.label + (row.unit.empty() || row.unit == "1" ? "" : " [" + row.unit + "]");
-}
-
-std::string number(const double value, const int n_digits)
-{
-  std::ostringstream text;
-  text << std::setprecision(n_digits) << value;
-  return text.str();
 }
 
 const char *verdict_name(const Verdict verdict)
@@ -57,45 +28,6 @@ const char *verdict_name(const Verdict verdict)
   return verdict == Verdict::agree ? "agree" : verdict == Verdict::differ ? "differ" : "not judged";
 }
 
-/// Lines of a table whose columns are as wide as their widest cell; the first column to the left.
-std::vector<std::string> aligned(const std::vector<std::vector<std::string>> &rows)
-{
-  std::vector<std::size_t> widths;
-  for (const auto &row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i)
-    {
-      if (i == widths.size())
-        widths.push_back(0);
-      widths[i] = std::max(widths[i], row[i].size());
-    }
-  std::vector<std::string> lines;
-  for (const auto &row : rows)
-  {
-    std::ostringstream text;
-    for (std::size_t i = 0; i < row.size(); ++i)
-      text << (i == 0 ? "" : "  ") << (i == 0 ? std::left : std::right)
-           << std::setw(static_cast<int>(widths[i])) << row[i];
-    std::string line = text.str();
-    line.erase(line.find_last_not_of(' ') + 1);
-    lines.push_back(line);
-  }
-  return lines;
-}
-
-/// A text in a csv file (RFC 4180).
-std::string cell(const std::string &text)
-{
-  std::string result = "\"";
-  for (const char letter : text)
-    result += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-  return result + '"';
-}
-
-/// A number in a csv file; nothing where there is none.
-std::string cell(const double value)
-{
-  return std::isfinite(value) ? shortest_number(value) : "";
-}
 } // namespace
 
 ComparisonReport::ComparisonReport(const ComparisonParameters &parameters,
@@ -104,7 +36,8 @@ ComparisonReport::ComparisonReport(const ComparisonParameters &parameters,
     : parameters(parameters), orders(orders), runs(runs)
 {
   std::map<std::string, double> largest; // by unit
-  for (const std::string &label : labels())
+  for (const std::string &label :
+       chosen_labels(parameters.quantities, std::vector<RunResult>(runs.begin(), runs.end())))
   {
     Row row;
     row.label = label;
@@ -113,7 +46,7 @@ ComparisonReport::ComparisonReport(const ComparisonParameters &parameters,
       for (const unsigned int mesh : parameters.meshes_of(way))
       {
         const ComparedRun *const found = run(way, mesh);
-        const Quantity *const quantity = found == nullptr ? nullptr : find(*found, label);
+        const Quantity *const quantity = found == nullptr ? nullptr : find_quantity(*found, label);
         row.values[way].push_back(quantity == nullptr ? undefined : quantity->value);
         if (quantity != nullptr)
         {
@@ -137,59 +70,12 @@ ComparisonReport::ComparisonReport(const ComparisonParameters &parameters,
   }
 }
 
-bool ComparisonReport::is_of_the_computation(const std::string &name)
-{
-  static const std::vector<std::string> words = {
-      "residual",   "error",    "misfit", "divergence", "difference",  "change",   "residuals",
-      "iterations", "branches", "steps",  "cells",      "theoretical", "measured", "corrections"};
-  std::istringstream stream(name);
-  for (std::string word; stream >> word;)
-    if (std::find(words.begin(), words.end(), word) != words.end())
-      return true;
-  return false;
-}
-
-void ComparisonReport::check_asked(const ComparisonParameters &parameters, const ComparedRun &run)
-{
-  for (const std::string &asked : parameters.quantities)
-    if (std::none_of(run.quantities.begin(), run.quantities.end(),
-                     [&asked](const Quantity &quantity) { return matches(asked, quantity); }))
-    {
-      std::vector<std::string> names;
-      for (const Quantity &quantity : run.quantities)
-        names.push_back(label_of(quantity));
-      const std::string nearest = nearest_name(asked, names);
-      throw RunError("Comparison/Quantities: the run " + run.name + " has no quantity '" + asked +
-                     "'" +
-                     (nearest.empty() ? "; its summary.json lists those that there are"
-                                      : ". Did you mean '" + nearest + "'?"));
-    }
-}
-
 const ComparedRun *ComparisonReport::run(const unsigned int way, const unsigned int mesh) const
 {
   for (const ComparedRun &candidate : runs)
     if (candidate.way == way && candidate.mesh == mesh && candidate.failure.empty())
       return &candidate;
   return nullptr;
-}
-
-std::vector<std::string> ComparisonReport::labels() const
-{
-  const auto counts = [this](const Quantity &quantity)
-  {
-    if (parameters.quantities.empty())
-      return !is_of_the_computation(quantity.name);
-    return std::any_of(parameters.quantities.begin(), parameters.quantities.end(),
-                       [&quantity](const std::string &asked) { return matches(asked, quantity); });
-  };
-  std::vector<std::string> result;
-  for (const ComparedRun &run : runs)
-    for (const Quantity &quantity : run.quantities)
-      if (counts(quantity) &&
-          std::find(result.begin(), result.end(), label_of(quantity)) == result.end())
-        result.push_back(label_of(quantity));
-  return result;
 }
 
 void ComparisonReport::compare(Row &row) const
@@ -228,11 +114,11 @@ std::vector<std::string> ComparisonReport::lines() const
   std::vector<std::string> failures;
   for (const ComparedRun &run : runs)
     if (run.failure.empty())
-      table.push_back(
-          {run.name, number(run.n_cells, 15), number(run.n_dofs, 15), number(run.n_steps, 15)});
+      table.push_back({run.name, number_text(run.n_cells, 15), number_text(run.n_dofs, 15),
+                       number_text(run.n_steps, 15)});
     else
       failures.push_back(run.name + " failed: " + run.failure);
-  std::vector<std::string> result = aligned(table);
+  std::vector<std::string> result = aligned_lines(table);
   result.insert(result.end(), failures.begin(), failures.end());
   if (!all_rows.empty())
   {
@@ -249,8 +135,9 @@ std::vector<std::string> ComparisonReport::lines() const
       // Round-off is not the same on every machine.
       const auto rounded = [&row](const double value, const int n_digits)
       {
-        return std::isnan(value) ? "-"
-                                 : number(std::abs(value) <= row.round_off ? 0. : value, n_digits);
+        return std::isnan(value)
+                   ? "-"
+                   : number_text(std::abs(value) <= row.round_off ? 0. : value, n_digits);
       };
       for (const GridConvergence &convergence : row.convergence)
       {
@@ -264,7 +151,7 @@ std::vector<std::string> ComparisonReport::lines() const
       line.push_back(verdict_name(row.verdict));
       table.push_back(line);
     }
-    const std::vector<std::string> lines = aligned(table);
+    const std::vector<std::string> lines = aligned_lines(table);
     result.insert(result.end(), lines.begin(), lines.end());
   }
   if (!left_out.empty())
@@ -317,29 +204,29 @@ void ComparisonReport::add_quantities(Summary &summary) const
 
 void ComparisonReport::write_quantities(const std::string &file) const
 {
-  std::string text = cell("quantity [unit]");
+  std::string text = csv_cell("quantity [unit]");
   for (unsigned int way = 0; way < 2; ++way)
   {
     const std::string name = parameters.name(way) + ", ";
     for (const unsigned int mesh : parameters.meshes_of(way))
-      text += "," + cell(name + "mesh " + std::to_string(mesh));
+      text += "," + csv_cell(name + "mesh " + std::to_string(mesh));
     for (const char *what : {"extrapolated", "estimated error", "order [1]", "sequence"})
-      text += "," + cell(name + what);
+      text += "," + csv_cell(name + what);
   }
   text += ",\"difference\",\"difference over errors [1]\",\"verdict\"\n";
   for (const Row &row : all_rows)
   {
-    text += cell(with_unit(row));
+    text += csv_cell(with_unit(row));
     for (unsigned int way = 0; way < 2; ++way)
     {
       const GridConvergence &convergence = row.convergence[way];
       for (const double value : row.values[way])
-        text += "," + cell(value);
-      text += "," + cell(convergence.limit) + "," + cell(convergence.estimated_error) + "," +
-              cell(convergence.order) + "," + cell(convergence.description());
+        text += "," + csv_cell(value);
+      text += "," + csv_cell(convergence.limit) + "," + csv_cell(convergence.estimated_error) +
+              "," + csv_cell(convergence.order) + "," + csv_cell(convergence.description());
     }
-    text += "," + cell(row.difference) + "," + cell(row.over_errors) + "," +
-            cell(verdict_name(row.verdict)) + "\n";
+    text += "," + csv_cell(row.difference) + "," + csv_cell(row.over_errors) + "," +
+            csv_cell(verdict_name(row.verdict)) + "\n";
   }
   write_file_atomically(file, text);
 }
@@ -350,11 +237,12 @@ void ComparisonReport::write_runs(const std::string &file) const
                      "[1],wall time [s],failure\n";
   for (const ComparedRun &run : runs)
   {
-    text += cell(run.name) + "," + cell(parameters.name(run.way)) + "," + std::to_string(run.mesh);
+    text += csv_cell(run.name) + "," + csv_cell(parameters.name(run.way)) + "," +
+            std::to_string(run.mesh);
     for (const double value :
          {run.n_cells, run.cell_size, run.time_step, run.n_steps, run.n_dofs, run.wall_time})
-      text += "," + (value > 0. ? cell(value) : std::string());
-    text += "," + cell(run.failure) + "\n";
+      text += "," + (value > 0. ? csv_cell(value) : std::string());
+    text += "," + csv_cell(run.failure) + "\n";
   }
   write_file_atomically(file, text);
 }

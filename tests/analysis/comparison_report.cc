@@ -1,5 +1,6 @@
 // The report of a comparison: two ways whose values have known limits and orders.
 
+#include <continua/analysis/chosen_quantities.h>
 #include <continua/analysis/comparison_report.h>
 #include <continua/base/input_error.h>
 
@@ -117,19 +118,19 @@ int main()
   check::is_true("exact in both", row(report, "work of the loads").verdict == Verdict::agree);
 
   check::is_true("what tells of the computation is left out", report.rows().size() == 6);
-  check::is_true(
-      "a rule by words",
-      ComparisonReport::is_of_the_computation("largest difference of first pulse time") &&
-          ComparisonReport::is_of_the_computation("theoretical wave speed") &&
-          !ComparisonReport::is_of_the_computation("wave speed") &&
-          !ComparisonReport::is_of_the_computation("time of first maximum pressure"));
+  check::is_true("a rule by words",
+                 is_of_the_computation("largest difference of first pulse time") &&
+                     is_of_the_computation("theoretical wave speed") &&
+                     !is_of_the_computation("wave speed") &&
+                     !is_of_the_computation("time of first maximum pressure"));
   ComparisonParameters asked = parameters;
   asked.quantities = {"energy residual", "tip: frequency"};
   check::is_true("what is asked for", ComparisonReport(asked, orders, runs).rows().size() == 2);
-  ComparisonReport::check_asked(asked, runs[0]);
+  check_asked("Comparison/Quantities", asked.quantities, runs[0]);
   asked.quantities = {"tip: frequenzy"};
   check::throws<RunError>(
-      "asked for what is not there", [&]() { ComparisonReport::check_asked(asked, runs[0]); },
+      "asked for what is not there",
+      [&]() { check_asked("Comparison/Quantities", asked.quantities, runs[0]); },
       "taylor-hood-0 has no quantity 'tip: frequenzy'. Did you mean 'tip: frequency'");
 
   Summary summary;

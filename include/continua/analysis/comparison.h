@@ -4,6 +4,7 @@
 #include <continua/analysis/case.h>
 #include <continua/analysis/comparison_parameters.h>
 #include <continua/analysis/comparison_report.h>
+#include <continua/analysis/run_series.h>
 #include <continua/base/log.h>
 #include <continua/base/output_directory.h>
 
@@ -43,11 +44,10 @@ private:
   /// One run.
   struct Plan
   {
-    std::string name; ///< of its folder
+    PlannedRun run;
     unsigned int way;
     unsigned int mesh;
     double time_step; ///< [s]; 0: none
-    CommandLine command_line;
   };
 
   CommandLine command_line;
@@ -66,17 +66,10 @@ private:
   Plan plan(unsigned int way, unsigned int mesh, const std::string &output) const;
   /// The runs in their order: mesh by mesh, so that what fails or is misspelt shows early.
   std::vector<Plan> plans(const std::string &output) const;
-  /// What identifies the input, the program and the ranks of a run.
-  std::string identity(const Plan &plan) const;
-
-  /// Performs the run and returns why it failed; empty if it did not.
-  std::string perform(const Plan &plan, const OutputDirectory &directory, MPI_Comm watch) const;
-  template <int dim>
-  void run_case(const Plan &plan, const OutputDirectory &directory) const;
-  /// What the folder of a run says of it; the same on all ranks.
-  ComparedRun result(const Plan &plan) const;
-  void
-  report(const std::vector<ComparedRun> &runs, const OutputDirectory &directory, Log &log) const;
+  void report(const std::vector<ComparedRun> &runs,
+              const std::vector<RunResult> &results,
+              const OutputDirectory &directory,
+              Log &log) const;
 };
 } // namespace Continua
 

@@ -2,6 +2,7 @@
 #define continua_analysis_comparison_report_h
 
 #include <continua/analysis/comparison_parameters.h>
+#include <continua/analysis/run_series.h>
 #include <continua/base/summary.h>
 #include <continua/postprocess/grid_convergence.h>
 
@@ -10,20 +11,12 @@
 
 namespace Continua
 {
-/// What one run of a comparison left, as its summary.json says.
-struct ComparedRun
+/// One run of a comparison.
+struct ComparedRun : RunResult
 {
-  std::string name;      ///< of its folder: "taylor-hood-0"
   unsigned int way = 0;  ///< 0 or 1: which of the two values
   unsigned int mesh = 0; ///< how often the cells of the file's mesh are divided
-  std::string failure;   ///< why it failed; empty if it finished
-  double n_cells = 0.;   ///< [1]
-  double n_dofs = 0.;    ///< [1] of all fields
-  double cell_size = 0.; ///< [m], the dim-th root of volume over cells
   double time_step = 0.; ///< [s]; 0: none
-  double wall_time = 0.; ///< [s]
-  double n_steps = 0.;   ///< [1]
-  std::vector<Quantity> quantities;
 };
 
 /**
@@ -53,16 +46,10 @@ public:
     double round_off; ///< differences up to this are none
   };
 
-  /// `orders`: of the two ways. Throws RunError for a quantity that was asked for and that no run
-  /// has.
+  /// `orders`: of the two ways.
   ComparisonReport(const ComparisonParameters &parameters,
                    const std::vector<ConvergenceOrders> &orders,
                    const std::vector<ComparedRun> &runs);
-
-  /// Throws RunError for a quantity that was asked for and that this run has not.
-  static void check_asked(const ComparisonParameters &parameters, const ComparedRun &run);
-  /// Whether a quantity tells of the computation (an error, a count) rather than of the body.
-  static bool is_of_the_computation(const std::string &name);
 
   const std::vector<Row> &rows() const { return all_rows; }
   /// The tables for the log: runs, quantities, what was left out. No wall times.
@@ -87,8 +74,6 @@ private:
   std::vector<std::string> left_out; ///< labels that neither way has on two meshes
 
   const ComparedRun *run(unsigned int way, unsigned int mesh) const;
-  /// The labels that count, in the order of the summaries.
-  std::vector<std::string> labels() const;
   void compare(Row &row) const;
 };
 } // namespace Continua
