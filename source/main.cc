@@ -1,10 +1,12 @@
 #include <continua/analysis/case_run.h>
+#include <continua/analysis/checkpoint.h>
 #include <continua/analysis/comparison.h>
 #include <continua/analysis/documentation.h>
 #include <continua/analysis/material_laboratory.h>
 #include <continua/analysis/spin_coating_analysis.h>
 #include <continua/base/command_line.h>
 #include <continua/base/input_error.h>
+#include <continua/base/interruption.h>
 #include <continua/base/version.h>
 
 #include <deal.II/base/mpi.h>
@@ -34,11 +36,12 @@ std::string output_path(const CommandLine &command_line)
 }
 
 /// What every analysis has around it once its input is read: to print or validate only, or an
-/// output folder with the input and a log.
+/// output folder with the input and a log. `has_checkpoint`: whether a restart goes on from one.
 void with_output(ParameterFile &file,
                  const CommandLine &command_line,
                  const MPI_Comm communicator,
                  const std::string &title,
+                 const bool has_checkpoint,
                  const std::function<void(const OutputDirectory &, Log &)> &perform)
 {
   const bool is_writer = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
@@ -59,6 +62,9 @@ void with_output(ParameterFile &file,
                                   : command_line.overwrite ? OutputDirectory::Mode::overwrite
                                                            : OutputDirectory::Mode::fresh,
                                   communicator, file.input_files());
+  // Before anything is written: a checkpoint that cannot be used leaves the folder as it is.
+  if (command_line.restart && has_checkpoint)
+    Checkpoint(communicator, directory, file).read();
   Log log(communicator);
   begin_output(file, command_line, communicator, title, directory, log);
   perform(directory, log);
@@ -69,6 +75,7 @@ void run_case(ParameterFile &file, const CommandLine &command_line, const MPI_Co
 {
   Case<dim> input(file, communicator, command_line.restart);
   with_output(file, command_line, communicator, input.general.title,
+              input.general.analysis == "transient",
               [&](const OutputDirectory &directory, Log &log)
               { perform_case(input, file, command_line, directory, log); });
 }
@@ -78,7 +85,7 @@ void run_comparison(ParameterFile &file,
                     const MPI_Comm communicator)
 {
   const Comparison comparison(file, command_line, communicator);
-  with_output(file, command_line, communicator, comparison.title(),
+  with_output(file, command_line, communicator, comparison.title(), false,
               [&](const OutputDirectory &directory, Log &log)
               { comparison.perform(directory, log); });
 }
@@ -88,7 +95,7 @@ void run_spin_coating(ParameterFile &file,
                       const MPI_Comm communicator)
 {
   const SpinCoatingAnalysis analysis(file);
-  with_output(file, command_line, communicator, analysis.title(),
+  with_output(file, command_line, communicator, analysis.title(), false,
               [&](const OutputDirectory &directory, Log &log)
               {
                 if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
@@ -101,7 +108,7 @@ void run_material_laboratory(ParameterFile &file,
                              const MPI_Comm communicator)
 {
   const MaterialLaboratory laboratory(file);
-  with_output(file, command_line, communicator, laboratory.title(),
+  with_output(file, command_line, communicator, laboratory.title(), false,
               [&](const OutputDirectory &directory, Log &log)
               { laboratory.perform(command_line, communicator, directory, log); });
 }
@@ -154,6 +161,13 @@ int main(int argc, char **argv)
     if (is_writer)
       std::cerr << "error: " << error.what() << std::endl;
     return status_input_wrong;
+  }
+  catch (const Continua::Interrupted &interruption)
+  {
+    // All ranks come here.
+    if (is_writer)
+      std::cerr << interruption.what() << std::endl;
+    return status_run_failed;
   }
   catch (const std::exception &error)
   {

@@ -2,6 +2,7 @@
 
 #include <continua/analysis/analyses.h>
 #include <continua/base/input_error.h>
+#include <continua/base/interruption.h>
 #include <continua/base/version.h>
 
 #include <deal.II/base/mpi.h>
@@ -46,10 +47,24 @@ void perform_case(Case<dim> &input,
   {
     throw;
   }
+  catch (const Interrupted &interruption)
+  {
+    log.end_progress();
+    run.interrupt(interruption.what());
+    throw;
+  }
   catch (const std::exception &error)
   {
     log.end_progress();
-    run.fail(error.what());
+    try
+    {
+      run.fail(error.what());
+    }
+    catch (const RunError &second)
+    {
+      // A full disk has no room for the summary either; what came first counts.
+      log.warning(second.what());
+    }
     throw;
   }
 }

@@ -123,6 +123,15 @@ Checkpoint::Checkpoint(const MPI_Comm communicator,
 {
 }
 
+Checkpoint::Checkpoint(const MPI_Comm communicator,
+                       const OutputDirectory &directory,
+                       const ParameterFile &file)
+    : Checkpoint(communicator,
+                 directory.file("checkpoint"),
+                 file.identity_text({"Title", "Time/End time", "Output", "Expected", "Comparison"}))
+{
+}
+
 std::string Checkpoint::archive_file(const std::string &step) const
 {
   return folder + "/" + step + "/state";

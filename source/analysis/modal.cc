@@ -287,7 +287,7 @@ void Modal<dim>::perform()
     table = std::make_unique<TableWriter>(run.directory.file("modes.csv"), header());
   FieldWriter<dim> writer(input.communicator, run.directory.path(),
                           input.output.subdivisions_for(input.discretisation.velocities_per_cell()),
-                          input.output.higher_order_cells);
+                          input.output.higher_order_cells, input.output.files_per_state);
   std::vector<std::string> texts;
   std::vector<double> carried(motions.size(), 0.);
   double largest_residual = 0.;

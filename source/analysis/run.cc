@@ -6,6 +6,8 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <iomanip>
+#include <map>
 #include <sstream>
 #include <utility>
 
@@ -140,6 +142,13 @@ void Run<dim>::fail(const std::string &reason)
 }
 
 template <int dim>
+void Run<dim>::interrupt(const std::string &reason)
+{
+  summary.set("interruption", reason);
+  write_summary("interrupted");
+}
+
+template <int dim>
 void Run<dim>::write_summary(const std::string &status)
 {
   summary.set("status", status);
@@ -161,11 +170,29 @@ void Run<dim>::write_summary(const std::string &status)
   summary.set("wall time [s]", log.wall_times());
   summary.set("warnings", log.warnings());
   log.timing_summary();
+  report_output_share();
   if (is_writer)
   {
     summary.write(directory.file("summary.json"));
     citations.write(directory.file("citation.bib"));
   }
+}
+
+template <int dim>
+void Run<dim>::report_output_share()
+{
+  const std::map<std::string, double> times = log.wall_times();
+  std::map<std::string, double> shares;
+  double sum = 0.;
+  for (const char *const section : {"probes", "fields", "checkpoint"})
+    if (const auto found = times.find(section); found != times.end())
+      sum += shares[section] = found->second / times.at("total");
+  shares["sum"] = sum;
+  summary.set("share of output in the wall time [1]", shares);
+  std::ostringstream text;
+  text << "Output and checkpoints took " << std::setprecision(3) << 100. * sum
+       << " % of the wall time";
+  log.detail(text.str());
 }
 
 template class Run<2>;

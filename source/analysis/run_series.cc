@@ -3,6 +3,7 @@
 #include <continua/analysis/case_run.h>
 #include <continua/base/atomic_file.h>
 #include <continua/base/input_error.h>
+#include <continua/base/interruption.h>
 #include <continua/base/parameter_text.h>
 #include <continua/base/version.h>
 #include <continua/postprocess/writing_rank.h>
@@ -166,6 +167,8 @@ RunSeries::perform(const std::vector<PlannedRun> &plans,
                                                   ? OutputDirectory::Mode::overwrite
                                                   : OutputDirectory::Mode::fresh,
                                               communicator, input_files));
+  // From now on there is something to restart from, if only from the first run.
+  on_writing_rank(communicator, [&]() { write_file_atomically(checkpoint, finished); });
   MPI_Comm watch;
   MPI_Comm_dup(communicator, &watch);
   std::vector<RunResult> runs;
@@ -203,6 +206,11 @@ std::string RunSeries::perform(const PlannedRun &plan,
       run_case<2>(plan, directory);
     else
       run_case<3>(plan, directory);
+  }
+  catch (const Interrupted &)
+  {
+    // The runs that are finished stand in the checkpoint: --restart goes on with this one.
+    throw;
   }
   catch (const std::exception &error)
   {

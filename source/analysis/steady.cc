@@ -1,6 +1,7 @@
 #include <continua/analysis/steady.h>
 
 #include <continua/base/input_error.h>
+#include <continua/base/interruption.h>
 #include <continua/base/table_writer.h>
 #include <continua/postprocess/field_writer.h>
 
@@ -12,6 +13,7 @@ namespace Continua
 template <int dim>
 void Steady<dim>::perform()
 {
+  const SignalWatch watch;
   run.initialise();
   Case<dim> &input = run.input;
   input.probes.open(run.directory.file("probes.csv"));
@@ -49,8 +51,12 @@ void Steady<dim>::perform()
           row.push_back(dofs.second);
         row.insert(row.end(), probe_values.begin(), probe_values.end());
         table->row(row);
+        table->flush();
       }
     }
+    if (cycle < input.adaptation.cycles)
+      SignalWatch::stop_if_asked(input.communicator, "after cycle " + std::to_string(cycle) +
+                                                         "; a steady analysis begins anew");
   }
   if (table)
     table->flush();
@@ -60,7 +66,7 @@ void Steady<dim>::perform()
     FieldWriter<dim> writer(
         input.communicator, run.directory.path(),
         input.output.subdivisions_for(input.discretisation.velocities_per_cell()),
-        input.output.higher_order_cells);
+        input.output.higher_order_cells, input.output.files_per_state);
     writer.write(*run.solver, 0.);
     writer.finish(run.summary);
   }
@@ -99,6 +105,9 @@ void Steady<dim>::step_to_rest()
       run.log.line(text.str());
       return;
     }
+    SignalWatch::stop_if_asked(run.input.communicator, "on the way to rest, after step " +
+                                                           std::to_string(step + 1) +
+                                                           "; a steady analysis begins anew");
   }
   std::ostringstream text;
   text << "the body did not come to rest in " << rest.maximum_steps << " steps of "

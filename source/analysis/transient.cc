@@ -3,9 +3,12 @@
 #include <continua/analysis/linear_wave_theory.h>
 #include <continua/analysis/preflight_report.h>
 #include <continua/base/input_error.h>
+#include <continua/base/interruption.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 
 namespace Continua
@@ -36,10 +39,9 @@ Transient<dim>::Transient(Run<dim> &run)
       fields(run.input.communicator,
              run.directory.path(),
              run.input.output.subdivisions_for(run.input.discretisation.velocities_per_cell()),
-             run.input.output.higher_order_cells),
-      checkpoint(run.input.communicator,
-                 run.directory.file("checkpoint"),
-                 run.file.identity_text({"Title", "Time/End time", "Output", "Expected", "Comparison"})),
+             run.input.output.higher_order_cells,
+             run.input.output.files_per_state),
+      checkpoint(run.input.communicator, run.directory, run.file),
       probe_schedule(run.input.output.probe_schedule(run.input.time.end_time)),
       power_schedule(run.input.output.power_schedule(run.input.time.end_time)),
       field_schedule(run.input.output.field_schedule(run.input.time.end_time)),
@@ -54,6 +56,7 @@ void Transient<dim>::perform()
   if (run.input.time.changes.empty() && std::abs(steps_to_end - std::round(steps_to_end)) > 1e-6)
     run.log.warning("the end time is not a whole number of time steps: the run ends with the first "
                     "step beyond it");
+  const SignalWatch watch;
   if (run.command_line.restart)
     restart();
   else
@@ -173,12 +176,27 @@ void Transient<dim>::restart()
   loop.load(archive);
   meshes.load(archive);
   const double time = time_control.time();
+  n_restarts = archive.integer("restarts") + 1;
+  earlier_wall_time = archive.value("wall time");
+  run.summary.set("restarts", static_cast<double>(n_restarts));
+  run.summary.set("wall time before the restart [s]", earlier_wall_time);
+  std::vector<std::string> warnings;
+  std::istringstream lines(archive.text("warnings"));
+  for (std::string line; std::getline(lines, line);)
+    warnings.push_back(line);
+  run.log.resume_warnings(warnings);
   // A row that stands there only because the first part of the run ended there is not one of the
   // whole run.
   const double size = archive.value("size of the last step");
   const auto kept = [&](const Schedule &schedule)
   { return schedule.due(time, size) ? time : time - 0.5 * size; };
   run.input.probes.open(run.directory.file("probes.csv"), kept(probe_schedule));
+  const unsigned long n_rows =
+      archive.integer("rows of probes.csv") - (probe_schedule.due(time, size) ? 0 : 1);
+  if (run.input.probes.n_columns() > 0 && run.input.probes.times().size() != n_rows)
+    run.log.warning("probes.csv has " + std::to_string(run.input.probes.times().size()) +
+                    " rows up to the restart, the run that is continued had written " +
+                    std::to_string(n_rows));
   power.open(run.directory.file("power.csv"), kept(power_schedule));
   fields.resume(kept(field_schedule));
   // The mesh does not change at the end of a run; if the run goes on it does.
@@ -240,9 +258,37 @@ void Transient<dim>::step()
   last_size = size;
   if (adaptation_is_due() && !time_control.at_end())
     adapt();
-  if (checkpoint_schedule.due(time, size))
-    write_checkpoint();
+  save_or_stop();
   report_progress();
+}
+
+template <int dim>
+void Transient<dim>::save_or_stop()
+{
+  // A signal may have come on one rank alone, and no two clocks are the same.
+  const OutputParameters &output = run.input.output;
+  const double wall_time =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - last_checkpoint).count();
+  const bool time_is_over =
+      output.checkpoint_wall_time > 0. && run.is_writer && wall_time >= output.checkpoint_wall_time;
+  const std::array<int, 2> mine = {{SignalWatch::pending(), time_is_over ? 1 : 0}};
+  std::array<int, 2> all;
+  const int error =
+      MPI_Allreduce(mine.data(), all.data(), 2, MPI_INT, MPI_MAX, run.input.communicator);
+  AssertThrowMPI(error);
+  const bool stop = all[0] != 0 && !time_control.at_end();
+  const bool steps_are_over =
+      output.checkpoint_steps > 0 && time_control.n_steps() % output.checkpoint_steps == 0;
+  if (stop || all[1] != 0 || steps_are_over ||
+      checkpoint_schedule.due(time_control.time(), last_size))
+    write_checkpoint();
+  if (!stop)
+    return;
+  run.summary.set("steps", static_cast<double>(time_control.n_steps()));
+  std::ostringstream text;
+  text << "interrupted by " << SignalWatch::name(all[0]) << " at t = " << time_control.time()
+       << " s, step " << time_control.n_steps() << "; the state is saved, go on with --restart";
+  throw Interrupted(text.str());
 }
 
 template <int dim>
@@ -279,8 +325,8 @@ void Transient<dim>::write_checkpoint()
 {
   TimerOutput::Scope scope(run.log.timer(), "checkpoint");
   // A run that is killed goes on from here: what stands before must be on the disk.
-  run.input.probes.flush();
-  power.flush();
+  run.input.probes.flush_to_disk();
+  power.flush_to_disk();
   checkpoint.write(
       time_control.n_steps(),
       [this](ArchiveWriter &archive)
@@ -295,14 +341,40 @@ void Transient<dim>::write_checkpoint()
         power.save(archive);
         loop.save(archive);
         meshes.save(archive);
+        archive.add("rows of probes.csv",
+                    static_cast<unsigned long>(run.input.probes.times().size()));
+        archive.add("restarts", n_restarts);
+        archive.add("wall time", earlier_wall_time + run.log.wall_times().at("total"));
+        std::string warnings;
+        for (const std::string &warning : run.log.warnings())
+          warnings += warning + "\n";
+        archive.add("warnings", warnings);
       },
-      mesh_has_changed ? std::function<void(const std::string &)>(
-                             [this](const std::string &name) {
-                               dynamic_cast<parallel::distributed::Triangulation<dim> &>(
-                                   *run.input.triangulation)
-                                   .save(name);
-                             })
+      mesh_has_changed ? std::function<void(const std::string &)>([this](const std::string &name)
+                                                                  { save_mesh(name); })
                        : nullptr);
+  last_checkpoint = std::chrono::steady_clock::now();
+}
+
+template <int dim>
+void Transient<dim>::save_mesh(const std::string &name) const
+{
+  auto &mesh = dynamic_cast<parallel::distributed::Triangulation<dim> &>(*run.input.triangulation);
+  // p4est ends the program when the disk is full. It keeps some 20 bytes a cell, and the vertices
+  // and neighbours of the coarse cells.
+  int is_full = 0;
+  if (run.is_writer)
+  {
+    const double size =
+        1e5 + 32. * static_cast<double>(mesh.n_global_active_cells()) + 1000. * mesh.n_cells(0);
+    std::error_code error;
+    const auto space =
+        std::filesystem::space(std::filesystem::path(name).parent_path(), error).available;
+    is_full = !error && static_cast<double>(space) < size ? 1 : 0;
+  }
+  if (Utilities::MPI::max(is_full, run.input.communicator) != 0)
+    throw RunError("the disk is too full for the mesh");
+  mesh.save(name);
 }
 
 template <int dim>

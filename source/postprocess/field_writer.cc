@@ -10,7 +10,9 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 
@@ -18,6 +20,9 @@ namespace Continua
 {
 namespace
 {
+/// What the names of a state's files begin with.
+const std::string prefix = "solution-";
+
 /// Writes a file through `write`; returns what went wrong, or nothing.
 std::string write_stream(const std::string &file, const std::function<void(std::ostream &)> &write)
 {
@@ -80,12 +85,12 @@ FieldWriter<dim>::FieldWriter(const MPI_Comm communicator,
                               const std::string &folder,
                               const unsigned int subdivisions,
                               const bool higher_order_cells,
-                              const std::string &name)
+                              const unsigned int files_per_state)
     : communicator(communicator),
       folder(folder),
       subdivisions(subdivisions),
       higher_order_cells(higher_order_cells),
-      name(name)
+      files_per_state(files_per_state)
 {
 }
 
@@ -102,8 +107,50 @@ void FieldWriter<dim>::resume(const double restart_time)
                       return;
                     entries = read_list(file, last_time);
                     write_list();
+                    remove_later_states();
                   });
   entries = dealii::Utilities::MPI::broadcast(communicator, entries);
+}
+
+template <int dim>
+void FieldWriter<dim>::remove_later_states() const
+{
+  std::error_code error;
+  std::vector<std::filesystem::path> later;
+  for (const auto &entry : std::filesystem::directory_iterator(folder + "/fields", error))
+  {
+    const std::string name = entry.path().filename().string();
+    unsigned int number = 0;
+    if (name.compare(0, prefix.size(), prefix) == 0 &&
+        std::from_chars(name.data() + prefix.size(), name.data() + name.size(), number).ec ==
+            std::errc() &&
+        number >= entries.size())
+      later.push_back(entry.path());
+  }
+  // A file that cannot be removed is in no list and is written over.
+  for (const auto &path : later)
+    std::filesystem::remove(path, error);
+}
+
+template <int dim>
+std::string FieldWriter<dim>::write_together(dealii::DataOut<dim> &data_out,
+                                             const std::string &file,
+                                             const unsigned int group) const
+{
+  MPI_Comm of_group;
+  const int error = MPI_Comm_split(communicator, static_cast<int>(group), 0, &of_group);
+  AssertThrowMPI(error);
+  std::string problem;
+  try
+  {
+    data_out.write_vtu_in_parallel(file, of_group);
+  }
+  catch (const std::exception &)
+  {
+    problem = "cannot write '" + file + "'";
+  }
+  MPI_Comm_free(&of_group);
+  return problem;
 }
 
 template <int dim>
@@ -112,10 +159,12 @@ void FieldWriter<dim>::write(ContinuumSolver<dim> &solver, const double time)
   if (!entries.empty() && entries.back().first == time)
     entries.pop_back();
   const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+  const bool together = files_per_state > 0 && files_per_state < n_ranks;
+  const unsigned int n_files = together ? files_per_state : n_ranks;
   const std::string base =
-      name + "-" + dealii::Utilities::int_to_string(static_cast<unsigned int>(entries.size()), 5);
-  const auto piece = [&](const unsigned int rank)
-  { return base + (n_ranks > 1 ? "." + std::to_string(rank) : "") + ".vtu"; };
+      prefix + dealii::Utilities::int_to_string(static_cast<unsigned int>(entries.size()), 5);
+  const auto piece = [&](const unsigned int number)
+  { return base + (n_files > 1 ? "." + std::to_string(number) : "") + ".vtu"; };
   const std::string path = folder + "/fields/";
 
   dealii::DataOut<dim> data_out;
@@ -131,15 +180,19 @@ void FieldWriter<dim>::write(ContinuumSolver<dim> &solver, const double time)
   data_out.build_patches(solver.mapping(), subdivisions, dealii::DataOut<dim>::curved_inner_cells);
 
   const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(communicator);
-  agree(communicator, write_stream(path + piece(rank),
-                                   [&](std::ostream &stream) { data_out.write_vtu(stream); }));
+  // Ranks that write together follow each other.
+  const auto number = static_cast<unsigned int>(std::uint64_t(rank) * n_files / n_ranks);
+  const std::string own = path + piece(number);
+  agree(communicator,
+        together ? write_together(data_out, own, number)
+                 : write_stream(own, [&](std::ostream &stream) { data_out.write_vtu(stream); }));
   std::string file = piece(0);
-  if (n_ranks > 1)
+  if (n_files > 1)
   {
     file = base + ".pvtu";
     std::vector<std::string> pieces;
-    for (unsigned int r = 0; r < n_ranks; ++r)
-      pieces.push_back(piece(r));
+    for (unsigned int i = 0; i < n_files; ++i)
+      pieces.push_back(piece(i));
     std::string problem;
     if (is_writing_rank(communicator))
       problem = write_stream(path + file, [&](std::ostream &stream)

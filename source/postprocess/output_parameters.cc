@@ -17,7 +17,13 @@ void OutputParameters::read(ParameterSection section)
   section.add("Final fields", final_fields,
               "Whether the state at the end of the run is written to fields.pvd");
   section.add("Checkpoint interval", checkpoint_interval, time,
-              "Time between two checkpoints [s]; 0: none", range);
+              "Simulated time between two checkpoints [s]; 0: none", range);
+  section.add("Checkpoint steps", checkpoint_steps, "Steps between two checkpoints; 0: none", 0);
+  section.add(
+      "Checkpoint wall time", checkpoint_wall_time, time,
+      "Time on the clock between two checkpoints [s]; 0: none. With any of the three one is "
+      "written when any of them is due; on SIGTERM, SIGINT and SIGUSR1 in any case",
+      range);
   section.add("Checkpoint at end", checkpoint_at_end,
               "Whether the state at the end is saved, so that a later run can go on from there");
   section.add("Subdivisions", subdivisions,
@@ -26,6 +32,8 @@ void OutputParameters::read(ParameterSection section)
   section.add(
       "Higher order cells", higher_order_cells,
       "Whether the parts of a cell are written as one curved cell (ParaView 5.5 and later)");
+  section.add("Files per state", files_per_state,
+              "Files into which the ranks write a state of the fields together; 0: one a rank", 0);
 }
 
 unsigned int OutputParameters::subdivisions_for(const unsigned int element_degree) const

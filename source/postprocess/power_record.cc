@@ -162,6 +162,17 @@ void PowerRecord<dim>::compare(const double energy)
 }
 
 template <int dim>
+void PowerRecord<dim>::flush_to_disk()
+{
+  on_writing_rank(communicator,
+                  [&]()
+                  {
+                    if (table)
+                      table->flush_to_disk();
+                  });
+}
+
+template <int dim>
 void PowerRecord<dim>::flush()
 {
   on_writing_rank(communicator,

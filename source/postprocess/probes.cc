@@ -470,6 +470,17 @@ void Probes<dim>::add_quantities(const Column &column,
 }
 
 template <int dim>
+void Probes<dim>::flush_to_disk()
+{
+  on_writing_rank(communicator,
+                  [&]()
+                  {
+                    if (table)
+                      table->flush_to_disk();
+                  });
+}
+
+template <int dim>
 void Probes<dim>::flush()
 {
   on_writing_rank(communicator,

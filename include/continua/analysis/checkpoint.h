@@ -2,6 +2,8 @@
 #define continua_analysis_checkpoint_h
 
 #include <continua/base/archive.h>
+#include <continua/base/output_directory.h>
+#include <continua/base/parameter_file.h>
 
 #include <mpi.h>
 
@@ -23,6 +25,8 @@ public:
   /// `folder`: the output's checkpoint folder. `identity`: the text of ParameterFile that must be
   /// the same at the restart.
   Checkpoint(MPI_Comm communicator, const std::string &folder, const std::string &identity);
+  /// Of a run of the program.
+  Checkpoint(MPI_Comm communicator, const OutputDirectory &directory, const ParameterFile &file);
 
   /// Writes what `fill` adds to the archive, on rank 0, and to its piece, on every rank.
   /// `save_mesh`, if any, writes the mesh to the file it is given and to files that begin like it.

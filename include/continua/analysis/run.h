@@ -38,8 +38,9 @@ public:
   bool adapt_before_start();
   /// The quantities, checks and summary of a finished run.
   void finish(unsigned int n_steps, double time);
-  /// The summary of a run that failed, with the reason.
+  /// The summary of a run that failed, or was interrupted, with the reason.
   void fail(const std::string &reason);
+  void interrupt(const std::string &reason);
 
   Case<dim> &input;
   const ParameterFile &file;
@@ -56,6 +57,8 @@ private:
   bool flag(double time);
   void describe_run();
   void write_summary(const std::string &status);
+  /// How much of the wall time probes, fields and checkpoints took, on rank 0.
+  void report_output_share();
 };
 } // namespace Continua
 

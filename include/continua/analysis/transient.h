@@ -9,6 +9,12 @@
 #include <continua/postprocess/power_record.h>
 #include <continua/time_integration/time_control.h>
 
+#include <limits>
+#include <vector>
+
+#include <chrono>
+#include <string>
+
 namespace Continua
 {
 /// Steps through time, with probes, power ledger, fields, adaptive mesh and checkpoints on the way.
@@ -30,7 +36,14 @@ private:
   Schedule probe_schedule, power_schedule, field_schedule, checkpoint_schedule;
   bool mesh_has_changed = false;
   double last_size = 0.; ///< [s] of the step that led here
+  // Of an adaptive step.
+  double largest_energy = 0.; ///< of the body so far [J]
+  unsigned long n_factors = 0;
+  double smallest_size = std::numeric_limits<double>::infinity(), largest_size = 0.; ///< [s]
   unsigned int tenths_reported = 0;
+  unsigned long n_restarts = 0;
+  double earlier_wall_time = 0.; ///< [s] of the run before the restart
+  std::chrono::steady_clock::time_point last_checkpoint = std::chrono::steady_clock::now();
 
   void start();
   /// Changes the mesh before the first step, as often as the file asks.
@@ -41,9 +54,19 @@ private:
   void report_preflight();
   void restart();
   void step();
+  /// Looks for jumps in the step that comes next.
+  void find_jumps();
+  /// Makes it, as often as its error asks for; returns its parts but for the first, which is done.
+  std::vector<Step> advance();
+  StepReport advance(const Step &part);
+  void take(const StepReport &report, const Step &part);
+  void report_steps();
   bool adaptation_is_due() const;
   void adapt();
+  /// Writes a checkpoint if one is due; also ends the run if a signal asks for it.
+  void save_or_stop();
   void write_checkpoint();
+  void save_mesh(const std::string &name) const;
   void report_progress();
 };
 } // namespace Continua

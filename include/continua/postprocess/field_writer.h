@@ -15,8 +15,8 @@ namespace Continua
 {
 /**
  * The fields over the body for ParaView: fields.pvd, which lists the times, and the folder fields
- * with a NAME-00000.vtu for each, or on several ranks a NAME-00000.pvtu with a piece
- * NAME-00000.RANK.vtu each. The list is written after the files that it names, whole each time.
+ * with a solution-00000.vtu for each, or on several ranks a solution-00000.pvtu with the pieces
+ * solution-00000.NUMBER.vtu. The list is written after the files that it names, whole each time.
  * Methods are collective and throw RunError on all ranks when the disk refuses.
  */
 template <int dim>
@@ -25,13 +25,15 @@ class FieldWriter
 public:
   /// `folder`: the output folder, with a folder `fields` in it. `subdivisions` of each cell in each
   /// direction; `higher_order_cells`: they are drawn as one curved cell (Lagrange cells of VTK).
+  /// `files_per_state`: into how many files the ranks write together; 0: each into one of its own.
   FieldWriter(MPI_Comm communicator,
               const std::string &folder,
               unsigned int subdivisions,
               bool higher_order_cells,
-              const std::string &name = "solution");
+              unsigned int files_per_state = 0);
 
-  /// Continues after a restart at `restart_time` [s]: entries up to it are kept.
+  /// Continues after a restart at `restart_time` [s]: entries up to it are kept, files of later
+  /// states are removed.
   void resume(double restart_time);
   /// Writes the present state under `time` [s]; a second state at the same time replaces the first.
   void write(ContinuumSolver<dim> &solver, double time);
@@ -40,12 +42,17 @@ public:
 
 private:
   void write_list() const;
+  /// Writes this rank's part of the file `base` with the number of its group; empty if all is well.
+  std::string
+  write_together(dealii::DataOut<dim> &data_out, const std::string &file, unsigned int group) const;
+  /// Removes the files of the states that are not in the list.
+  void remove_later_states() const;
 
   MPI_Comm communicator;
   std::string folder;
   unsigned int subdivisions;
   bool higher_order_cells;
-  std::string name;
+  unsigned int files_per_state;
   std::vector<std::pair<double, std::string>> entries; ///< time [s] and file, from the folder
   std::map<std::string, std::string> units;            ///< of the fields
 };

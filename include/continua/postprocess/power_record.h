@@ -68,6 +68,8 @@ public:
 
   /// Writes what is buffered of the file. Throws RunError on all ranks.
   void flush();
+  /// As flush(), and waits until the disk has it.
+  void flush_to_disk();
 
   /// The sums and maxima of the steps so far, for a restart.
   void save(ArchiveWriter &archive) const;

@@ -90,6 +90,8 @@ public:
   std::vector<std::string> finish(Summary &summary);
   /// Writes what is buffered of the file. Throws RunError on all ranks.
   void flush();
+  /// As flush(), and waits until the disk has it.
+  void flush_to_disk();
 
   /// "NAME: FIELD [UNIT]" of every column.
   std::vector<std::string> column_names() const;
