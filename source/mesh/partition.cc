@@ -84,11 +84,13 @@ template <int dim>
 void refine(parallel::TriangulationBase<dim> &triangulation, const unsigned int n_refinements)
 {
   triangulation.refine_global(n_refinements);
-  // p4est does not ask for weights when it divides the coarse mesh.
-  if (n_refinements == 0 && !triangulation.signals.weight.empty())
-    if (auto *const mesh =
-            dynamic_cast<parallel::distributed::Triangulation<dim> *>(&triangulation))
-      mesh->repartition();
+  if (n_refinements > 0 || triangulation.signals.weight.empty())
+    return;
+  // p4est does not ask for weights when it divides the coarse mesh, and METIS before it is painted.
+  if (auto *const mesh = dynamic_cast<parallel::distributed::Triangulation<dim> *>(&triangulation))
+    mesh->repartition();
+  else
+    triangulation.execute_coarsening_and_refinement();
 }
 
 template <int dim>

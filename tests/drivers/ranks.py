@@ -4,6 +4,7 @@
 Header comments of the case, all optional:
 
     # ranks: 1, 2, 3        the numbers of ranks; the first is what the others are compared with
+    # others: KEY = VALUE   none or more; what all runs but the first have besides
     # tolerance: 1e-8       relative to the largest magnitude of each column of probes.csv (and power.csv if there)
     # floor: 1e-12          magnitude below which a column counts as zero (default 0)
     # power tolerance: 1e-6 for power.csv; `none` leaves it out
@@ -24,9 +25,11 @@ def case(program, parameter_file, folder):
     power_tolerance = driver.single(entries, "power tolerance", str(tolerance))
 
     outputs, screens = [], []
-    for n in ranks:
-        output = os.path.join(folder, f"ranks-{n}")
-        done = driver.run_to_the_end(program, [parameter_file, "--output", output], ranks=n, folder=folder)
+    others = driver.overrides(entries.get("others", []))
+    for i, n in enumerate(ranks):
+        output = os.path.join(folder, f"{i}-ranks-{n}")
+        arguments = [parameter_file, "--output", output, *(others if i > 0 else [])]
+        done = driver.run_to_the_end(program, arguments, ranks=n, folder=folder)
         outputs.append(output)
         screens.append(done.stdout.replace(output, "OUTPUT"))
     for n, output, screen in zip(ranks[1:], outputs[1:], screens[1:]):
