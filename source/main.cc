@@ -3,6 +3,7 @@
 #include <continua/analysis/comparison.h>
 #include <continua/analysis/documentation.h>
 #include <continua/analysis/material_laboratory.h>
+#include <continua/analysis/refinement_study.h>
 #include <continua/analysis/spin_coating_analysis.h>
 #include <continua/base/command_line.h>
 #include <continua/base/input_error.h>
@@ -80,14 +81,13 @@ void run_case(ParameterFile &file, const CommandLine &command_line, const MPI_Co
               { perform_case(input, file, command_line, directory, log); });
 }
 
-void run_comparison(ParameterFile &file,
-                    const CommandLine &command_line,
-                    const MPI_Comm communicator)
+/// A comparison or a refinement study.
+template <typename Series>
+void run_series(ParameterFile &file, const CommandLine &command_line, const MPI_Comm communicator)
 {
-  const Comparison comparison(file, command_line, communicator);
-  with_output(file, command_line, communicator, comparison.title(), false,
-              [&](const OutputDirectory &directory, Log &log)
-              { comparison.perform(directory, log); });
+  const Series series(file, command_line, communicator);
+  with_output(file, command_line, communicator, series.title(), false,
+              [&](const OutputDirectory &directory, Log &log) { series.perform(directory, log); });
 }
 
 void run_spin_coating(ParameterFile &file,
@@ -135,7 +135,9 @@ int run(const CommandLine &command_line, const MPI_Comm communicator)
   if (general.analysis == "spin coating")
     run_spin_coating(file, command_line, communicator);
   else if (general.analysis == "comparison")
-    run_comparison(file, command_line, communicator);
+    run_series<Comparison>(file, command_line, communicator);
+  else if (general.analysis == "refinement study")
+    run_series<RefinementStudy>(file, command_line, communicator);
   else if (general.analysis == "material")
     run_material_laboratory(file, command_line, communicator);
   else if (n_dimensions(model_of(general.model)) == 2)

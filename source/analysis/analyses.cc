@@ -41,10 +41,15 @@ std::vector<std::pair<std::string, std::string>> analysis_types()
   std::vector<std::pair<std::string, std::string>> types;
   for (const Row<2> &row : table<2>())
     types.emplace_back(row.name, row.description);
-  // Of many runs, or of none: Comparison, SpinCoatingAnalysis and MaterialLaboratory.
+  // Of many runs, or of none: Comparison, RefinementStudy, SpinCoatingAnalysis and
+  // MaterialLaboratory.
   types.emplace_back("comparison",
                      "The same case by both discretisations on several meshes: orders, limits and "
                      "whether they agree.");
+  types.emplace_back(
+      "refinement study",
+      "The same case on finer and finer meshes, uniform and adaptive: errors, orders "
+      "and what they cost.");
   types.emplace_back("spin coating", "How a tube is made: what the motors do along the rod.");
   types.emplace_back("material",
                      "What a solid is like: its complex modulus, and simulated material tests.");

@@ -4,6 +4,7 @@
 #include <continua/analysis/analyses.h>
 #include <continua/analysis/comparison_parameters.h>
 #include <continua/analysis/preflight_input.h>
+#include <continua/analysis/refinement_study_parameters.h>
 #include <continua/boundary/flow_rates.h>
 #include <continua/boundary/outlets.h>
 #include <continua/continuum/field_list.h>
@@ -88,6 +89,13 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator, const bool res
     comparison.read(root);
     if (general.analysis == "comparison")
       general.analysis = comparison.analysis;
+  }
+  if (general.analysis == "refinement study" || root.has_subsection("Refinement study"))
+  {
+    RefinementStudyParameters study;
+    study.read(root);
+    if (general.analysis == "refinement study")
+      general.analysis = study.analysis;
   }
   problem.communicator = communicator;
   problem.model = model_of(general.model);

@@ -128,7 +128,8 @@ Checkpoint::Checkpoint(const MPI_Comm communicator,
                        const ParameterFile &file)
     : Checkpoint(communicator,
                  directory.file("checkpoint"),
-                 file.identity_text({"Title", "Time/End time", "Output", "Expected", "Comparison"}))
+                 file.identity_text({"Title", "Time/End time", "Output", "Expected", "Comparison",
+                                     "Refinement study"}))
 {
 }
 
@@ -263,8 +264,8 @@ void Checkpoint::check_case(const ArchiveReader &archive) const
     throw InputError(origin, "--restart",
                      "the checkpoint belongs to another case: " +
                          first_difference(archive.text("identity"), identity),
-                     "Restore the case (only Title, Time/End time, Output, Expected and Comparison "
-                     "may change), or run anew with --overwrite");
+                     "Restore the case (only Title, Time/End time, Output, Expected, Comparison "
+                     "and Refinement study may change), or run anew with --overwrite");
 }
 
 void Checkpoint::check_files(const ArchiveReader &archive, const std::string &step) const

@@ -4,6 +4,7 @@
 #include <continua/analysis/comparison_parameters.h>
 #include <continua/analysis/laboratory_parameters.h>
 #include <continua/analysis/measured_waves.h>
+#include <continua/analysis/refinement_study_parameters.h>
 #include <continua/base/input_error.h>
 #include <continua/base/parameter_text.h>
 #include <continua/boundary/boundary_condition.h>
@@ -166,6 +167,14 @@ std::vector<Source> sources()
        "agreement.",
        {},
        [](Root root, const General &) { ComparisonParameters().read(root); },
+       "",
+       {}},
+      {"Refinement study",
+       "Of `Analysis = refinement study`: how the mesh becomes finer, how often, and to what "
+       "errors "
+       "are.",
+       {},
+       [](Root root, const General &) { RefinementStudyParameters().read(root); },
        "",
        {}},
       {"Spin coating",
