@@ -246,10 +246,31 @@ void check_power_laws(const Case<dim> &input, ParameterSection root)
                   "Use a law with a long-term modulus, or Analysis = transient");
 }
 
+/// Where the error of a step cannot be estimated, or there are no steps.
+template <int dim>
+void check_time_step_control(const Case<dim> &input, ParameterSection root)
+{
+  if (!input.time.is_adaptive())
+    return;
+  ParameterSection section = root.subsection("Time");
+  if (input.general.analysis == "linear wave theory")
+    section.refuse("Time step control", "linear wave theory makes no steps in time",
+                   "Remove the entry: Time step is the interval of the theory's table");
+  if (input.discretisation.is_cell_wise() &&
+      input.discretisation.cell_wise.formulation_type() == Formulation::displacement &&
+      input.time.scheme_type() == Scheme::backward_differencing)
+    section.refuse("Time step control",
+                   "the displacement form's second derivative over four levels needs them at one "
+                   "distance",
+                   "Set Scheme = euler implicit, another Cell-wise/Formulation, or Time step "
+                   "control = fixed");
+}
+
 template <int dim>
 void check_case(const Case<dim> &input, ParameterSection root)
 {
   LinearWaveTheory<dim>::check(input, root);
+  check_time_step_control(input, root);
   // Wave theory has no fields.
   if (input.general.analysis == "linear wave theory")
     return;

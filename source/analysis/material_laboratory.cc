@@ -33,7 +33,13 @@ MaterialLaboratory::MaterialLaboratory(ParameterFile &file)
   ParameterSection section = root.subsection("Laboratory");
   laboratory.read(section);
   if (!laboratory.tests.empty())
+  {
     time.read(root.subsection("Time"));
+    if (time.is_adaptive())
+      root.subsection("Time").refuse("Time step control",
+                                     "the laboratory's tests have steps of one size",
+                                     "Remove the entry");
+  }
   expected = read_expected(root.subsection("Expected"));
   // Before the checks across entries: a misspelt key is the likelier reason for them to fail.
   file.refuse_unknown();

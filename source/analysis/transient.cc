@@ -69,6 +69,7 @@ void Transient<dim>::perform()
     write_checkpoint();
   power.finish(*run.solver, run.summary);
   loop.finish(run.summary);
+  step_record.finish(time_control, run.summary, run.log);
   if (run.input.adaptation.changes_mesh())
     meshes.finish(time_control.time(), run.summary);
   fields.finish(run.summary);
@@ -89,6 +90,8 @@ void Transient<dim>::start()
   run.input.probes.open(run.directory.file("probes.csv"));
   power.open(run.directory.file("power.csv"));
   power.start(*run.solver);
+  if (time_control.is_adaptive())
+    largest_energy = run.solver->energy().sum();
   if (probe_schedule.due(0., 0.))
     run.input.probes.record(0.);
   if (field_schedule.due(0., 0.))
@@ -174,6 +177,8 @@ void Transient<dim>::restart()
   run.solver->load(archive);
   power.load(archive);
   loop.load(archive);
+  step_record.load(archive);
+  largest_energy = archive.value("largest energy");
   meshes.load(archive);
   const double time = time_control.time();
   n_restarts = archive.integer("restarts") + 1;
@@ -209,30 +214,75 @@ void Transient<dim>::restart()
 }
 
 template <int dim>
+void Transient<dim>::find_jumps()
+{
+  if (time_control.n_steps() == 0 ||
+      (run.input.time.scheme_type() == Scheme::euler_implicit && !time_control.is_adaptive()))
+    return;
+  TimerOutput::Scope scope(run.log.timer(), "search for jumps");
+  const double start = time_control.time();
+  // A jump anywhere in the step: at its end it is the next step's.
+  const auto jumps = [&]()
+  {
+    const double size = time_control.next_size();
+    return run.solver->data_jump(start - 1e-6 * size, start + (1. - 1e-6) * size);
+  };
+  while (jumps())
+    if (time_control.jump())
+    {
+      std::ostringstream text;
+      text << "A load or prescribed velocity jumps in the step from t = " << start
+           << " s: the scheme starts anew";
+      run.log.line(text.str());
+      return;
+    }
+}
+
+template <int dim>
+StepReport Transient<dim>::advance(const Step &part)
+{
+  const StepReport report = run.solver->advance(part);
+  step_record.attempt(report);
+  return report;
+}
+
+template <int dim>
+bool Transient<dim>::stands()
+{
+  if (!time_control.is_adaptive())
+    return true;
+  const StepError error = run.solver->step_error();
+  {
+    TimerOutput::Scope scope(run.log.timer(), "step error");
+    largest_energy = std::max(largest_energy, run.solver->energy().sum());
+  }
+  if (!error.is_known)
+    return time_control.judge({});
+  return time_control.judge(
+      error.kinetic_energy > 0. ? std::sqrt(error.kinetic_energy / largest_energy) : 0.);
+}
+
+template <int dim>
 void Transient<dim>::step()
 {
-  const double start = time_control.time();
-  const double size = time_control.next_size();
-  // A jump anywhere in the step: at its end it is the next step's.
-  bool jumps = false;
-  if (time_control.n_steps() > 0 && run.input.time.scheme_type() != Scheme::euler_implicit)
+  find_jumps();
+  if (time_control.is_adaptive())
+    run.solver->keep_state();
+  std::vector<Step> steps = time_control.next();
+  StepReport report = advance(steps.front());
+  // A step in two halves stands: it starts the scheme, and its error is not known.
+  while (!stands())
   {
-    TimerOutput::Scope scope(run.log.timer(), "search for jumps");
-    jumps = run.solver->data_jump(start - 1e-6 * size, start + (1. - 1e-6) * size);
+    run.solver->return_to_kept_state();
+    steps = time_control.next();
+    report = advance(steps.front());
   }
-  if (jumps)
-  {
-    std::ostringstream text;
-    text << "A load or prescribed velocity jumps in the step from t = " << start
-         << " s: the scheme starts anew";
-    run.log.line(text.str());
-    time_control.restart();
-  }
-  const std::vector<Step> steps = time_control.next();
-  const double time = time_control.time();
+  const double time = time_control.time(), size = time_control.last_size();
+  step_record.take(size);
   for (const Step &part : steps)
   {
-    const StepReport report = run.solver->advance(part);
+    if (&part != &steps.front())
+      report = advance(part);
     loop.record(report, part.time, run.log);
     if (report.largest_velocity > run.input.time.velocity_limit)
     {
@@ -340,6 +390,8 @@ void Transient<dim>::write_checkpoint()
         run.solver->save(archive);
         power.save(archive);
         loop.save(archive);
+        step_record.save(archive);
+        archive.add("largest energy", largest_energy);
         meshes.save(archive);
         archive.add("rows of probes.csv",
                     static_cast<unsigned long>(run.input.probes.times().size()));

@@ -326,23 +326,48 @@ std::vector<DistributedVector *> BranchHistory::vectors()
   return all;
 }
 
+void BranchHistory::visit(StateVisitor &visitor)
+{
+  update_nodes();
+  visitor.levels(branches[0].present, branches[0].older);
+  for (Region &region : regions)
+    for (NodalBranch &branch : region.branches)
+    {
+      visitor.levels(branch.present.data(), branch.older.data(), branch.present.size());
+      vectors_are_current = false;
+    }
+}
+
 void BranchHistory::save(ArchiveWriter &archive, const VectorNumbering &numbering) const
 {
   update_vectors();
   for (unsigned int k = 0; k < branches.size(); ++k)
-  {
     numbering.save(archive, "branch " + std::to_string(k), branches[k].present);
-    numbering.save(archive, "branch " + std::to_string(k) + " older", branches[k].older);
-  }
+  save_older(archive, numbering, "older");
+}
+
+void BranchHistory::save_older(ArchiveWriter &archive,
+                               const VectorNumbering &numbering,
+                               const std::string &name) const
+{
+  update_vectors();
+  for (unsigned int k = 0; k < branches.size(); ++k)
+    numbering.save(archive, "branch " + std::to_string(k) + " " + name, branches[k].older);
 }
 
 void BranchHistory::load(const ArchiveReader &archive, const VectorNumbering &numbering)
 {
   for (unsigned int k = 0; k < branches.size(); ++k)
-  {
     numbering.load(archive, "branch " + std::to_string(k), branches[k].present);
-    numbering.load(archive, "branch " + std::to_string(k) + " older", branches[k].older);
-  }
+  load_older(archive, numbering, "older");
+}
+
+void BranchHistory::load_older(const ArchiveReader &archive,
+                               const VectorNumbering &numbering,
+                               const std::string &name)
+{
+  for (unsigned int k = 0; k < branches.size(); ++k)
+    numbering.load(archive, "branch " + std::to_string(k) + " " + name, branches[k].older);
   vectors_are_current = true;
   nodes_are_current = false;
 }

@@ -158,12 +158,32 @@ void BulkHistory::for_state(Regions &regions, const Function &function)
     }
 }
 
+template <typename Regions, typename Function>
+void BulkHistory::for_older(Regions &regions, const Function &function)
+{
+  for (unsigned int r = 0; r < regions.size(); ++r)
+    for (unsigned int k = 0; k < regions[r].dilatations.size(); ++k)
+      function("dilatation of region " + std::to_string(r) + ": " + std::to_string(k),
+               regions[r].dilatations[k].older);
+}
+
 std::vector<DistributedVector *> BulkHistory::vectors()
 {
   std::vector<DistributedVector *> all;
   for_state(of_region,
             [&all](const std::string &, DistributedVector &vector) { all.push_back(&vector); });
   return all;
+}
+
+void BulkHistory::visit(StateVisitor &visitor)
+{
+  for (Region &region : of_region)
+    if (!region.dilatations.empty())
+    {
+      for (Dilatation &dilatation : region.dilatations)
+        visitor.levels(dilatation.present, dilatation.older);
+      visitor.values(region.rate);
+    }
 }
 
 void BulkHistory::save(ArchiveWriter &archive, const VectorNumbering &numbering) const
@@ -176,5 +196,21 @@ void BulkHistory::load(const ArchiveReader &archive, const VectorNumbering &numb
 {
   for_state(of_region, [&](const std::string &name, DistributedVector &vector)
             { numbering.load(archive, name, vector); });
+}
+
+void BulkHistory::save_older(ArchiveWriter &archive,
+                             const VectorNumbering &numbering,
+                             const std::string &name) const
+{
+  for_older(of_region, [&](const std::string &dilatation, const DistributedVector &vector)
+            { numbering.save(archive, dilatation + " " + name, vector); });
+}
+
+void BulkHistory::load_older(const ArchiveReader &archive,
+                             const VectorNumbering &numbering,
+                             const std::string &name)
+{
+  for_older(of_region, [&](const std::string &dilatation, DistributedVector &vector)
+            { numbering.load(archive, dilatation + " " + name, vector); });
 }
 } // namespace Continua

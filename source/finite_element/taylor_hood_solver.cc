@@ -36,7 +36,8 @@ TaylorHoodSolver<dim>::TaylorHoodSolver(parallel::TriangulationBase<dim> &triang
       power_ledger(space, problem, operators, constraints, loads, outlets),
       mesh_transfer(space),
       evaluation(space, problem),
-      output(space, problem, evaluation)
+      output(space, problem, evaluation),
+      kept([this](StateVisitor &visitor) { visit(visitor); })
 {
 }
 
@@ -90,6 +91,7 @@ void TaylorHoodSolver<dim>::setup()
     if (compressible.begin()[i] == 0.)
       incompressible_pressures.push_back(i);
   evaluation.rebuild();
+  kept.forget();
 }
 
 template <int dim>
@@ -124,6 +126,7 @@ template <int dim>
 StepReport TaylorHoodSolver<dim>::advance(const Step &step)
 {
   StepReport report;
+  kept.move_older_level(step);
   {
     TimerOutput::Scope scope(log.timer(), "factor");
     set_coefficients(step);
@@ -237,6 +240,7 @@ StepReport TaylorHoodSolver<dim>::advance(const Step &step)
   }
   present_time = step.time;
   balanced.step = step;
+  kept.advance(step);
   return report;
 }
 
@@ -321,17 +325,47 @@ void TaylorHoodSolver<dim>::solve_steady(const double time)
 template <int dim>
 StepError TaylorHoodSolver<dim>::step_error()
 {
-  return StepError();
+  StepError error;
+  error.is_known = kept.error_is_known();
+  if (!error.is_known)
+    return error;
+  TimerOutput::Scope scope(log.timer(), "step error");
+  kept.velocity_error(velocity, velocity_work);
+  // Prescribed velocities are exact, whatever is predicted of them.
+  mixture = 0.;
+  constraints.set_constrained(velocity_work, mixture);
+  for (unsigned int region = 0; region < operators.size(); ++region)
+  {
+    multiply(operators[region].mass, momentum, velocity_work);
+    error.kinetic_energy += 0.5 * problem.materials[region].density * (velocity_work * momentum);
+  }
+  return error;
 }
 
 template <int dim>
 void TaylorHoodSolver<dim>::keep_state()
 {
+  TimerOutput::Scope scope(log.timer(), "step error");
+  kept.keep();
 }
 
 template <int dim>
 void TaylorHoodSolver<dim>::return_to_kept_state()
 {
+  kept.give_back();
+}
+
+template <int dim>
+void TaylorHoodSolver<dim>::visit(StateVisitor &visitor)
+{
+  visitor.levels(velocity, velocity_older);
+  visitor.levels(pressure, pressure_older);
+  history.visit(visitor);
+  bulk_history.visit(visitor);
+  outlets.visit(visitor);
+  visitor.values(pressure_known);
+  visitor.value(pressure_known_time);
+  visitor.value(present_time);
 }
 
 template <int dim>
@@ -467,6 +501,15 @@ void TaylorHoodSolver<dim>::save(ArchiveWriter &archive) const
   history.save(archive, velocities);
   bulk_history.save(archive, pressures);
   outlets.save(archive);
+  kept.save(archive,
+            [&]
+            {
+              velocities.save(archive, "velocity eldest", velocity_older);
+              pressures.save(archive, "pressure eldest", pressure_older);
+              history.save_older(archive, velocities, "eldest");
+              bulk_history.save_older(archive, pressures, "eldest");
+              outlets.save_older(archive, "eldest");
+            });
 }
 
 template <int dim>
@@ -478,6 +521,15 @@ void TaylorHoodSolver<dim>::load(const ArchiveReader &archive)
                                    numbers_of_dofs(space.velocity_dofs));
   const VectorNumbering pressures(space.communicator, "pressure",
                                   numbers_of_dofs(space.pressure_dofs));
+  kept.load(archive,
+            [&]
+            {
+              velocities.load(archive, "velocity eldest", velocity_older);
+              pressures.load(archive, "pressure eldest", pressure_older);
+              history.load_older(archive, velocities, "eldest");
+              bulk_history.load_older(archive, pressures, "eldest");
+              outlets.load_older(archive, "eldest");
+            });
   velocities.load(archive, "velocity", velocity);
   velocities.load(archive, "velocity older", velocity_older);
   pressures.load(archive, "pressure", pressure);

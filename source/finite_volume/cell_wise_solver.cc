@@ -87,7 +87,8 @@ CellWiseSolver<dim>::CellWiseSolver(parallel::TriangulationBase<dim> &triangulat
       power_ledger(space, problem, this->parameters, conditions, loads, operators),
       evaluation(space, problem),
       output(space, problem, evaluation),
-      cell_transfer(space, conditions, problem.conditions, evaluation.reconstruction())
+      cell_transfer(space, conditions, problem.conditions, evaluation.reconstruction()),
+      kept([this](StateVisitor &visitor) { visit(visitor); })
 {
 }
 
@@ -163,6 +164,7 @@ void CellWiseSolver<dim>::setup()
     if (!has_history[i])
       pressures_without_history.push_back(i);
   evaluation.build();
+  kept.forget();
 }
 
 template <int dim>
@@ -344,6 +346,7 @@ StepReport CellWiseSolver<dim>::advance(const Step &given_step)
                 "boundaries: a few of its highest modes may grow in a long run");
   undamped_is_reported = undamped_is_reported || step.extrapolate;
   StepReport report;
+  kept.move_older_level(step);
   take_up_jump(step);
   report.factored = prepare(coefficients(step));
   if (report.factored)
@@ -397,6 +400,7 @@ StepReport CellWiseSolver<dim>::advance(const Step &given_step)
   pressure_is_current = parameters.has_pressure();
   present_time = step.time;
   balanced.step = step;
+  kept.advance(step);
   return report;
 }
 
@@ -450,6 +454,7 @@ StepReport CellWiseSolver<dim>::advance_displacement(const Step &step)
   pressure_is_current = false;
   present_time = step.time;
   balanced.step = step;
+  kept.advance(step);
   return report;
 }
 
@@ -623,17 +628,51 @@ std::unique_ptr<VibrationOperator<dim>> CellWiseSolver<dim>::vibration()
 template <int dim>
 StepError CellWiseSolver<dim>::step_error()
 {
-  return StepError();
+  StepError error;
+  error.is_known = kept.error_is_known();
+  if (!error.is_known)
+    return error;
+  TimerOutput::Scope scope(log.timer(), "step error");
+  kept.velocity_error(velocity, velocity_work);
+  for (unsigned int region = 0; region < operators.size(); ++region)
+  {
+    const double *const volume = operators[region].volume.begin();
+    const double *const entries = velocity_work.begin();
+    for (unsigned int i = 0; i < velocity_work.locally_owned_size(); ++i)
+      error.kinetic_energy +=
+          0.5 * problem.materials[region].density * volume[i] * entries[i] * entries[i];
+  }
+  error.kinetic_energy = Utilities::MPI::sum(error.kinetic_energy, space.communicator);
+  return error;
 }
 
 template <int dim>
 void CellWiseSolver<dim>::keep_state()
 {
+  TimerOutput::Scope scope(log.timer(), "step error");
+  kept.keep();
 }
 
 template <int dim>
 void CellWiseSolver<dim>::return_to_kept_state()
 {
+  kept.give_back();
+}
+
+template <int dim>
+void CellWiseSolver<dim>::visit(StateVisitor &visitor)
+{
+  visitor.levels(velocity, velocity_older);
+  visitor.levels(pressure, pressure_older);
+  history.visit(visitor);
+  bulk_history.visit(visitor);
+  displacement_levels.visit(visitor);
+  visitor.values(dilatation_rate);
+  visitor.value(dilatation_rate_is_current);
+  visitor.values(pressure_known);
+  visitor.value(pressure_known_time);
+  visitor.value(pressure_is_current);
+  visitor.value(present_time);
 }
 
 template <int dim>
@@ -784,6 +823,14 @@ void CellWiseSolver<dim>::save(ArchiveWriter &archive) const
   history.save(archive, velocities);
   bulk_history.save(archive, pressures);
   displacement_levels.save(archive, velocities);
+  kept.save(archive,
+            [&]
+            {
+              velocities.save(archive, "velocity eldest", velocity_older);
+              pressures.save(archive, "pressure eldest", pressure_older);
+              history.save_older(archive, velocities, "eldest");
+              bulk_history.save_older(archive, pressures, "eldest");
+            });
 }
 
 template <int dim>
@@ -793,6 +840,14 @@ void CellWiseSolver<dim>::load(const ArchiveReader &archive)
   pressure_known_time = archive.value("time of the known pressure");
   const VectorNumbering velocities(space.communicator, "velocity", space.velocities.numbers(dim));
   const VectorNumbering pressures(space.communicator, "pressure", space.pressures.numbers(1));
+  kept.load(archive,
+            [&]
+            {
+              velocities.load(archive, "velocity eldest", velocity_older);
+              pressures.load(archive, "pressure eldest", pressure_older);
+              history.load_older(archive, velocities, "eldest");
+              bulk_history.load_older(archive, pressures, "eldest");
+            });
   velocities.load(archive, "velocity", velocity);
   velocities.load(archive, "velocity older", velocity_older);
   pressures.load(archive, "pressure", pressure);

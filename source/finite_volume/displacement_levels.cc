@@ -75,6 +75,14 @@ std::vector<DistributedVector *> DisplacementLevels::vectors()
   return {&levels[0], &levels[1], &levels[2]};
 }
 
+void DisplacementLevels::visit(StateVisitor &visitor)
+{
+  for (DistributedVector &level : levels)
+    visitor.values(level);
+  visitor.value(size_old);
+  visitor.value(n_equal);
+}
+
 void DisplacementLevels::save(ArchiveWriter &archive, const VectorNumbering &numbering) const
 {
   archive.add("displacement levels: distance", size_old);

@@ -82,6 +82,7 @@ Step backward_differencing_step(const double time_old,
   step.a0 = (1. + 2. * r) / (1. + r) / size;
   step.a1 = -(1. + r) / size;
   step.a2 = r * r / (1. + r) / size;
+  step.older_distance = size_old;
   if (update == Update::implicit)
   {
     step.pressure_time = 1. / step.a0;

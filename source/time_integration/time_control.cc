@@ -19,7 +19,8 @@ void TimeParameters::read(ParameterSection section)
       "the "
       "formula of the velocity), automatic: trapezoidal for euler implicit, implicit for backward "
       "differencing. Crank-Nicolson has its own.");
-  section.add("Time step", time_step, Dimensions::time, "Time step. Required.", Range::positive());
+  section.add("Time step", time_step, Dimensions::time,
+              "Time step; of an adaptive one the first. Required.", Range::positive());
   section.add("End time", end_time, Dimensions::time, "Time at which the run ends. Required.",
               Range::positive());
   std::vector<std::string> change_texts;
@@ -36,11 +37,48 @@ void TimeParameters::read(ParameterSection section)
   section.add("Velocity limit", velocity_limit, Dimensions::velocity,
               "A run whose largest velocity exceeds this has diverged and is stopped.",
               Range::positive());
+  section.add_choice("Time step control", step_control, {"fixed", "adaptive"},
+                     "fixed: every step has the size given; adaptive: its size follows an estimate "
+                     "of its local error, in powers of two of the first step.");
+  section.add("Error tolerance", error_tolerance, Dimensions::none,
+              "Of an adaptive step: the local error that the velocity may have after one step, as "
+              "the square root of the kinetic energy that it would have as a motion over the "
+              "largest energy of the body so far.",
+              Range::positive());
+  section.add("Smallest time step", least_step, Dimensions::time,
+              "Of an adaptive step; a step of that size stands, whatever its error. 0: a 64th of "
+              "the first.",
+              Range::not_negative());
+  section.add("Largest time step", largest_step, Dimensions::time,
+              "Of an adaptive step. No load may come and go within it: what happens between the "
+              "steps is not seen. 0: 64 times the first.",
+              Range::not_negative());
+  section.add("Steps between increases", steps_between_increases,
+              "Of an adaptive step: how many in a row must have allowed one twice as long before "
+              "it becomes that [1].",
+              3, 10000);
   section.require("Time step");
   section.require("End time");
   if (time_step > end_time * (1. + 1e-9))
     section.refuse("Time step", "the time step is larger than the end time",
                    "Give a smaller step, or a later end");
+  if (is_adaptive())
+  {
+    if (section.given("Time step changes"))
+      section.refuse("Time step changes", "an adaptive time step changes by itself",
+                     "Remove the entry, or set Time step control = fixed");
+    if (least_step > time_step)
+      section.refuse("Smallest time step", "it is larger than the first one, Time step",
+                     "Give a smaller one, or a larger Time step");
+    if (largest_step > 0. && largest_step < time_step)
+      section.refuse("Largest time step", "it is smaller than the first one, Time step",
+                     "Give a larger one, or a smaller Time step");
+  }
+  else
+    for (const char *const key :
+         {"Error tolerance", "Smallest time step", "Largest time step", "Steps between increases"})
+      if (section.given(key))
+        section.refuse(key, "a fixed time step has none", "Set Time step control = adaptive");
   if (scheme == "crank nicolson" && update != "automatic")
     section.refuse("Update", "crank nicolson has its own update of displacement and pressure",
                    "Remove the entry, or choose another scheme");
@@ -75,6 +113,8 @@ void TimeParameters::read(ParameterSection section)
 
 double TimeParameters::smallest_step() const
 {
+  if (is_adaptive())
+    return step_sizes().smallest;
   double smallest = time_step;
   for (const auto &change : changes)
     smallest = std::min(smallest, change.second);
@@ -95,48 +135,96 @@ Update TimeParameters::update_type() const
   return update == "trapezoidal" ? Update::trapezoidal : Update::implicit;
 }
 
-TimeControl::TimeControl(const TimeParameters &parameters) : parameters(parameters)
+StepSizeParameters TimeParameters::step_sizes() const
 {
+  StepSizeParameters sizes;
+  sizes.first = time_step;
+  sizes.tolerance = error_tolerance;
+  sizes.smallest = least_step > 0. ? least_step : time_step / 64.;
+  sizes.largest = largest_step > 0. ? largest_step : 64. * time_step;
+  sizes.steps_between_increases = steps_between_increases;
+  sizes.order = scheme_type() == Scheme::euler_implicit ? 1 : 2;
+  return sizes;
+}
+
+TimeControl::TimeControl(const TimeParameters &parameters)
+    : parameters(parameters), size_control(parameters.step_sizes())
+{
+  now.segment_size = parameters.time_step;
   apply_changes();
 }
 
 double TimeControl::time() const
 {
-  return segment_start + steps_in_segment * next_size();
+  return now.segment_start + now.steps_in_segment * now.segment_size;
+}
+
+double TimeControl::tolerance() const
+{
+  return 1e-6 * (is_adaptive() ? size_control.size_of(size_control.smallest_exponent_used())
+                               : now.segment_size);
+}
+
+int TimeControl::next_exponent() const
+{
+  const double event = now.n_jumps_done < parameters.jump_times.size()
+                           ? std::min(parameters.jump_times[now.n_jumps_done], parameters.end_time)
+                           : parameters.end_time;
+  const double left = event - time() + tolerance();
+  int exponent = size_control.present_exponent();
+  // All times so far are multiples of the smallest size: if the first one divides the time of the
+  // event, some multiple of that size leads there.
+  while (size_control.size_of(exponent) > left && exponent > size_control.smallest_exponent_used())
+    --exponent;
+  return exponent;
 }
 
 double TimeControl::next_size() const
 {
-  return n_changes_done == 0 ? parameters.time_step : parameters.changes[n_changes_done - 1].second;
+  return is_adaptive() ? size_control.size_of(next_exponent()) : now.segment_size;
 }
 
 bool TimeControl::at_end() const
 {
   // The run ends with the first step that reaches the end, up to round-off of the count.
-  return time() > parameters.end_time - 1e-6 * next_size();
+  return time() > parameters.end_time - tolerance();
+}
+
+void TimeControl::begin_segment(const double size)
+{
+  now.segment_start = time();
+  now.steps_in_segment = 0;
+  now.segment_size = size;
 }
 
 void TimeControl::apply_changes()
 {
-  while (n_changes_done < parameters.changes.size() &&
-         parameters.changes[n_changes_done].first <= time() + 1e-6 * next_size())
-  {
-    segment_start = time();
-    steps_in_segment = 0;
-    ++n_changes_done;
-  }
-  while (n_jumps_done < parameters.jump_times.size() &&
-         parameters.jump_times[n_jumps_done] <= time() + 1e-6 * next_size())
+  while (now.n_changes_done < parameters.changes.size() &&
+         parameters.changes[now.n_changes_done].first <= time() + tolerance())
+    begin_segment(parameters.changes[now.n_changes_done++].second);
+  while (now.n_jumps_done < parameters.jump_times.size() &&
+         parameters.jump_times[now.n_jumps_done] <= time() + tolerance())
   {
     restart();
-    ++n_jumps_done;
+    size_control.return_to_first();
+    ++now.n_jumps_done;
   }
 }
 
 std::vector<Step> TimeControl::next()
 {
-  const double start = time();
+  before = now;
   const double size = next_size();
+  if (is_adaptive())
+  {
+    last_exponent = next_exponent();
+    if (size != now.segment_size)
+      begin_segment(size);
+  }
+  const double start = time();
+  const bool begins_smoothly =
+      parameters.scheme_type() == Scheme::crank_nicolson && parameters.smooth_start;
+  const bool is_start = now.smooth_steps < (begins_smoothly ? 2 : 1);
   std::vector<Step> steps;
   switch (parameters.scheme_type())
   {
@@ -144,13 +232,18 @@ std::vector<Step> TimeControl::next()
     steps.push_back(euler_step(start, size, parameters.update_type()));
     break;
   case Scheme::backward_differencing:
-    if (smooth_steps == 0)
+    if (is_start)
       steps.push_back(euler_step(start, size, parameters.update_type()));
     else
-      steps.push_back(backward_differencing_step(start, size, size_old, parameters.update_type()));
+    {
+      // As soon as there are three earlier states, the older one can be moved.
+      const bool can_move = is_adaptive() && now.smooth_steps >= 3;
+      steps.push_back(backward_differencing_step(start, size, can_move ? size : now.size_old,
+                                                 parameters.update_type()));
+    }
     break;
   case Scheme::crank_nicolson:
-    if (smooth_steps < 2 && parameters.smooth_start)
+    if (is_start && begins_smoothly)
     {
       steps.push_back(euler_step(start, 0.5 * size, Update::midpoint));
       steps.push_back(euler_step(start + 0.5 * size, 0.5 * size, Update::midpoint));
@@ -159,10 +252,12 @@ std::vector<Step> TimeControl::next()
       steps.push_back(crank_nicolson_step(start, size));
     break;
   }
-  ++smooth_steps;
-  ++steps_in_segment;
-  ++step_number;
-  size_old = size;
+  for (Step &step : steps)
+    step.is_start = is_start;
+  ++now.smooth_steps;
+  ++now.steps_in_segment;
+  ++now.step_number;
+  now.size_old = size;
   // The end of the step is the counted time, not a sum, so that its loads and output agree with it
   // to the last bit.
   steps.back().time = time();
@@ -172,30 +267,53 @@ std::vector<Step> TimeControl::next()
   return steps;
 }
 
+bool TimeControl::judge(const std::optional<double> &error)
+{
+  if (!error || size_control.judge(*error, last_exponent))
+    return true;
+  now = before;
+  return false;
+}
+
 void TimeControl::restart()
 {
-  smooth_steps = 0;
+  now.smooth_steps = 0;
+}
+
+bool TimeControl::jump()
+{
+  if (is_adaptive() && next_exponent() > 0)
+  {
+    size_control.return_to_first();
+    return false;
+  }
+  restart();
+  return true;
 }
 
 void TimeControl::save(ArchiveWriter &archive) const
 {
-  archive.add("time: step number", static_cast<unsigned long>(step_number));
-  archive.add("time: segment start", segment_start);
-  archive.add("time: steps in segment", static_cast<unsigned long>(steps_in_segment));
-  archive.add("time: changes done", static_cast<unsigned long>(n_changes_done));
-  archive.add("time: jumps done", static_cast<unsigned long>(n_jumps_done));
-  archive.add("time: smooth steps", static_cast<unsigned long>(smooth_steps));
-  archive.add("time: size of the last step", size_old);
+  archive.add("time: step number", static_cast<unsigned long>(now.step_number));
+  archive.add("time: segment start", now.segment_start);
+  archive.add("time: segment size", now.segment_size);
+  archive.add("time: steps in segment", static_cast<unsigned long>(now.steps_in_segment));
+  archive.add("time: changes done", static_cast<unsigned long>(now.n_changes_done));
+  archive.add("time: jumps done", static_cast<unsigned long>(now.n_jumps_done));
+  archive.add("time: smooth steps", static_cast<unsigned long>(now.smooth_steps));
+  archive.add("time: size of the last step", now.size_old);
+  size_control.save(archive);
 }
 
 void TimeControl::load(const ArchiveReader &archive)
 {
-  step_number = archive.integer("time: step number");
-  segment_start = archive.value("time: segment start");
-  steps_in_segment = archive.integer("time: steps in segment");
-  n_changes_done = archive.integer("time: changes done");
-  n_jumps_done = archive.integer("time: jumps done");
-  smooth_steps = archive.integer("time: smooth steps");
-  size_old = archive.value("time: size of the last step");
+  now.step_number = archive.integer("time: step number");
+  now.segment_start = archive.value("time: segment start");
+  now.segment_size = archive.value("time: segment size");
+  now.steps_in_segment = archive.integer("time: steps in segment");
+  now.n_changes_done = archive.integer("time: changes done");
+  now.n_jumps_done = archive.integer("time: jumps done");
+  now.smooth_steps = archive.integer("time: smooth steps");
+  now.size_old = archive.value("time: size of the last step");
+  size_control.load(archive);
 }
 } // namespace Continua

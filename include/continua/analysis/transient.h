@@ -7,10 +7,8 @@
 #include <continua/postprocess/loop_record.h>
 #include <continua/postprocess/mesh_record.h>
 #include <continua/postprocess/power_record.h>
+#include <continua/postprocess/step_record.h>
 #include <continua/time_integration/time_control.h>
-
-#include <limits>
-#include <vector>
 
 #include <chrono>
 #include <string>
@@ -30,16 +28,14 @@ private:
   TimeControl time_control;
   PowerRecord<dim> power;
   LoopRecord loop;
+  StepRecord step_record;
   MeshRecord meshes;
   FieldWriter<dim> fields;
   Checkpoint checkpoint;
   Schedule probe_schedule, power_schedule, field_schedule, checkpoint_schedule;
   bool mesh_has_changed = false;
   double last_size = 0.; ///< [s] of the step that led here
-  // Of an adaptive step.
-  double largest_energy = 0.; ///< of the body so far [J]
-  unsigned long n_factors = 0;
-  double smallest_size = std::numeric_limits<double>::infinity(), largest_size = 0.; ///< [s]
+  double largest_energy = 0.; ///< of the body so far, where the time step adapts [J]
   unsigned int tenths_reported = 0;
   unsigned long n_restarts = 0;
   double earlier_wall_time = 0.; ///< [s] of the run before the restart
@@ -54,13 +50,11 @@ private:
   void report_preflight();
   void restart();
   void step();
-  /// Looks for jumps in the step that comes next.
+  /// Starts the scheme anew if something jumps in the step that comes next.
   void find_jumps();
-  /// Makes it, as often as its error asks for; returns its parts but for the first, which is done.
-  std::vector<Step> advance();
   StepReport advance(const Step &part);
-  void take(const StepReport &report, const Step &part);
-  void report_steps();
+  /// Whether the step that was made last is good enough; else time is at its start again.
+  bool stands();
   bool adaptation_is_due() const;
   void adapt();
   /// Writes a checkpoint if one is due; also ends the run if a signal asks for it.

@@ -4,6 +4,7 @@
 #include <continua/base/archive.h>
 #include <continua/continuum/continuum_solver.h>
 #include <continua/continuum/problem.h>
+#include <continua/continuum/state_visitor.h>
 #include <continua/finite_element/boundary_constraints.h>
 #include <continua/finite_element/loads.h>
 #include <continua/finite_element/step_system.h>
@@ -87,8 +88,13 @@ public:
   /// Whether the pressure behind an outlet jumps between the two times [s].
   bool jumps(double begin, double end) const;
 
+  /// Hands over all that a step changes.
+  void visit(StateVisitor &visitor);
   void save(ArchiveWriter &archive) const;
   void load(const ArchiveReader &archive);
+  /// What was one step before, alone and under this name.
+  void save_older(ArchiveWriter &archive, const std::string &name) const;
+  void load_older(const ArchiveReader &archive, const std::string &name);
 
 private:
   /// The entries of an owned vector that are not zero, by local index.
@@ -99,6 +105,7 @@ private:
     dealii::Vector<double> present, older, balanced;
     dealii::Vector<double> rate; ///< dx_k/dt as the step has it [m^3/s]
   };
+  using Level = dealii::Vector<double> State::*;
   struct Port
   {
     unsigned int outlet;
@@ -127,6 +134,12 @@ private:
   std::vector<double> sums, coefficients; ///< of x_k, by outlet and term
   dealii::Vector<double> outputs, rhs, inputs, predicted;
 
+  void save_numbers(ArchiveWriter &archive,
+                    const std::string &name,
+                    const std::vector<Level> &levels) const;
+  void load_numbers(const ArchiveReader &archive,
+                    const std::string &name,
+                    const std::vector<Level> &levels);
   static Sparse sparse(const DistributedVector &vector);
   static double product(const Sparse &sparse, const DistributedVector &vector);
   /// This rank's part of what a port gives back.

@@ -5,6 +5,7 @@
 #include <continua/continuum/branch_history.h>
 #include <continua/continuum/bulk_history.h>
 #include <continua/continuum/continuum_solver.h>
+#include <continua/continuum/kept_state.h>
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/boundary_constraints.h>
 #include <continua/finite_element/field_evaluation.h>
@@ -104,7 +105,10 @@ private:
   SystemCoefficients coefficients;
   DistributedVector momentum, mass, velocity_work, mixture, pressure_work, mass_work;
 
+  KeptState kept;
+
   void setup();
+  void visit(StateVisitor &visitor);
   void set_coefficients(const Step &step);
   void report_exponential_branches(const Step &step);
   void extrapolate_pressure(const Step &step);

@@ -5,6 +5,7 @@
 #include <continua/continuum/branch_history.h>
 #include <continua/continuum/bulk_history.h>
 #include <continua/continuum/continuum_solver.h>
+#include <continua/continuum/kept_state.h>
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state.h>
 #include <continua/finite_volume/cell_evaluation.h>
@@ -106,7 +107,10 @@ private:
   // Work space of the step.
   DistributedVector momentum, mass, velocity_work, mixture, pressure_work, mass_work, prescribed;
 
+  KeptState kept;
+
   void setup();
+  void visit(StateVisitor &visitor);
   /// The step with the pressure's own update, where one is asked for.
   Step with_pressure_update(const Step &step) const;
   CellCoefficients coefficients(const Step &step) const;

@@ -3,6 +3,7 @@
 
 #include <continua/base/archive.h>
 #include <continua/continuum/vector_numbering.h>
+#include <continua/continuum/state_visitor.h>
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/time_integration/step.h>
 
@@ -45,6 +46,8 @@ public:
   void advance(const Step &step, const DistributedVector &displacement);
 
   std::vector<DistributedVector *> vectors();
+  /// Hands over all that a step changes.
+  void visit(StateVisitor &visitor);
   /// `numbering`: of the entries of its vectors.
   void save(ArchiveWriter &archive, const VectorNumbering &numbering) const;
   void load(const ArchiveReader &archive, const VectorNumbering &numbering);

@@ -37,6 +37,11 @@ struct Step
   double duration = 0.;
   double balance_time = 0.;         ///< [s] at which the equations are balanced and the loads taken
   double a0 = 0., a1 = 0., a2 = 0.; ///< [1/s]
+  /// Of the state that a2 belongs to from the step's start [s]; where no state has that distance it
+  /// is one between three earlier ones.
+  double older_distance = 0.;
+  /// Whether it starts the scheme: what was before it does not go on smoothly.
+  bool is_start = false;
   /// The time b in p = p_plus - K b div U (and C = M_p / (K b)) [s].
   double pressure_time = 0.;
   double pressure_old = 1.;   ///< weight of p_old in p_plus

@@ -1,0 +1,39 @@
+#ifndef continua_postprocess_step_record_h
+#define continua_postprocess_step_record_h
+
+#include <continua/base/archive.h>
+#include <continua/base/log.h>
+#include <continua/base/summary.h>
+#include <continua/continuum/continuum_solver.h>
+#include <continua/time_integration/time_control.h>
+
+#include <limits>
+
+namespace Continua
+{
+/// What became of the steps of a run whose time step adapts; of one whose step is fixed, nothing.
+class StepRecord
+{
+public:
+  /// Takes the report of a step, or part of one, whether it stands or not.
+  void attempt(const StepReport &report);
+  /// Takes a step that stands, by its size [s].
+  void take(double size);
+  /**
+   * Adds `steps`, `steps rejected`, `steps above the tolerance`, `matrices factored`, and
+   * `smallest time step`, `largest time step` and `mean time step`; tells of them in one line, and
+   * warns of steps that stand with a larger error than the tolerance.
+   */
+  void finish(const TimeControl &control, Summary &summary, Log &log) const;
+
+  /// The numbers so far, for a restart.
+  void save(ArchiveWriter &archive) const;
+  void load(const ArchiveReader &archive);
+
+private:
+  unsigned long n_factored = 0;
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0.; ///< [s]
+};
+} // namespace Continua
+
+#endif

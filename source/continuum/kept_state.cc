@@ -1,0 +1,174 @@
+#include <continua/continuum/kept_state.h>
+
+#include <algorithm>
+
+namespace Continua
+{
+/// Copies the state; the copies grow to what is there.
+class KeptState::Copy : public StateVisitor
+{
+public:
+  using StateVisitor::levels, StateVisitor::values;
+  explicit Copy(KeptState &kept) : kept(kept) {}
+  void levels(double *const present, double *const older, const std::size_t n) override
+  {
+    copy(present, n, kept.present, n_levels);
+    copy(older, n, kept.older, n_levels);
+    n_levels += n;
+  }
+  void values(double *const numbers, const std::size_t n) override
+  {
+    copy(numbers, n, kept.others, n_others);
+    n_others += n;
+  }
+
+private:
+  KeptState &kept;
+  std::size_t n_levels = 0, n_others = 0;
+
+  static void
+  copy(const double *const from, const std::size_t n, Numbers &to, const std::size_t first)
+  {
+    if (to.size() < first + n)
+      to.resize(first + n);
+    std::copy(from, from + n, to.begin() + first);
+  }
+};
+
+class KeptState::Return : public StateVisitor
+{
+public:
+  using StateVisitor::levels, StateVisitor::values;
+  explicit Return(const KeptState &kept) : kept(kept) {}
+  void levels(double *const present, double *const older, const std::size_t n) override
+  {
+    std::copy_n(kept.present.begin() + n_levels, n, present);
+    std::copy_n(kept.older.begin() + n_levels, n, older);
+    n_levels += n;
+  }
+  void values(double *const numbers, const std::size_t n) override
+  {
+    std::copy_n(kept.others.begin() + n_others, n, numbers);
+    n_others += n;
+  }
+
+private:
+  const KeptState &kept;
+  std::size_t n_levels = 0, n_others = 0;
+};
+
+/// older = the mean of the three levels by weights.
+class KeptState::Move : public StateVisitor
+{
+public:
+  using StateVisitor::levels, StateVisitor::values;
+  Move(const KeptState &kept, const StepErrorEstimate::Weights &weights)
+      : kept(kept), weights(weights)
+  {
+  }
+  void levels(double *const present, double *const older, const std::size_t n) override
+  {
+    const double *const eldest = kept.eldest.data() + n_levels;
+    for (std::size_t i = 0; i < n; ++i)
+      older[i] = weights[0] * present[i] + weights[1] * older[i] + weights[2] * eldest[i];
+    n_levels += n;
+  }
+  void values(double *, std::size_t) override {}
+
+private:
+  const KeptState &kept;
+  const StepErrorEstimate::Weights weights;
+  std::size_t n_levels = 0;
+};
+
+/// Exchanges the older level with other numbers.
+class KeptState::Exchange : public StateVisitor
+{
+public:
+  using StateVisitor::levels, StateVisitor::values;
+  explicit Exchange(Numbers &numbers) : numbers(numbers) {}
+  void levels(double *, double *const older, const std::size_t n) override
+  {
+    std::swap_ranges(older, older + n, numbers.begin() + n_levels);
+    n_levels += n;
+  }
+  void values(double *, std::size_t) override {}
+
+private:
+  Numbers &numbers;
+  std::size_t n_levels = 0;
+};
+
+void KeptState::forget()
+{
+  for (Numbers *const numbers : {&present, &older, &eldest, &others})
+    numbers->clear();
+  estimate = kept_estimate = StepErrorEstimate();
+}
+
+void KeptState::keep()
+{
+  in_use = true;
+  eldest.swap(older);
+  Copy copy(*this);
+  state(copy);
+  // After the first time there is nothing that could be two steps old.
+  eldest.resize(older.size());
+  kept_estimate = estimate;
+}
+
+void KeptState::give_back()
+{
+  Return give(*this);
+  state(give);
+  estimate = kept_estimate;
+}
+
+void KeptState::move_older_level(const Step &step)
+{
+  if (!in_use || !estimate.wants_another_level(step))
+    return;
+  Move move(*this, estimate.weights_of_level(step.older_distance));
+  state(move);
+}
+
+void KeptState::advance(const Step &step)
+{
+  if (in_use)
+    estimate.advance(step);
+}
+
+void KeptState::velocity_error(const DistributedVector &velocity, DistributedVector &error) const
+{
+  const StepErrorEstimate::Weights &weights = estimate.prediction();
+  const double factor = estimate.factor();
+  for (unsigned int i = 0; i < velocity.locally_owned_size(); ++i)
+    error.begin()[i] = factor * (velocity.begin()[i] - weights[0] * present[i] -
+                                 weights[1] * older[i] - weights[2] * eldest[i]);
+}
+
+void KeptState::save(ArchiveWriter &archive, const std::function<void()> &save_older) const
+{
+  if (!in_use || older.empty())
+    return;
+  // The older level of the last step's start is the eldest of the next one.
+  Numbers numbers = older;
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    Exchange exchange(numbers);
+    state(exchange);
+    if (i == 0)
+      save_older();
+  }
+  estimate.save(archive);
+}
+
+void KeptState::load(const ArchiveReader &archive, const std::function<void()> &load_older)
+{
+  if (!StepErrorEstimate::is_in(archive))
+    return;
+  load_older();
+  keep();
+  estimate.load(archive);
+}
+} // namespace Continua
