@@ -352,13 +352,14 @@ bool Transient<dim>::adaptation_is_due() const
 template <int dim>
 void Transient<dim>::adapt()
 {
-  const double before = run.solver->energy().sum();
+  const Energy energy_before = run.solver->energy();
   if (!run.adapt(time_control.time()))
     return;
   mesh_has_changed = true;
   time_control.restart();
-  const double after = run.solver->energy().sum();
-  power.record_transfer(after - before);
+  const Energy energy_after = run.solver->energy();
+  power.record_transfer(energy_before, energy_after);
+  const double before = energy_before.sum(), after = energy_after.sum();
   meshes.change(run.solver->sizes(), time_control.time(), before, after);
   std::ostringstream text;
   text << "t = " << time_control.time() << " s: mesh of " << run.solver->sizes().n_cells

@@ -18,6 +18,8 @@ PowerRecord<dim>::PowerRecord(const MPI_Comm communicator,
       relaxes(relaxes),
       any_relaxes(std::find(relaxes.begin(), relaxes.end(), true) != relaxes.end()),
       mesh_changes(mesh_changes),
+      transfer_strain(regions.size(), 0.),
+      transfer_compressive(regions.size(), 0.),
       taken(regions.size()),
       given(outlets.size())
 {
@@ -148,9 +150,16 @@ void PowerRecord<dim>::record(ContinuumSolver<dim> &solver, const Step &step, co
 }
 
 template <int dim>
-void PowerRecord<dim>::record_transfer(const double energy_change)
+void PowerRecord<dim>::record_transfer(const Energy &before, const Energy &after)
 {
-  totals.transfer += energy_change;
+  totals.transfer += after.sum() - before.sum();
+  for (unsigned int region = 0; region < regions.size(); ++region)
+  {
+    transfer_strain[region] +=
+        after.strain_of_materials[region] - before.strain_of_materials[region];
+    transfer_compressive[region] +=
+        after.compressive_of_materials[region] - before.compressive_of_materials[region];
+  }
 }
 
 template <int dim>
@@ -204,8 +213,10 @@ void PowerRecord<dim>::finish(ContinuumSolver<dim> &solver, Summary &summary)
     double strain = taken[region].strain, compressive = taken[region].compressive;
     if (region_relaxes(region))
     {
-      strain = energy.strain_of_materials[region] - initial_strain[region];
-      compressive = energy.compressive_of_materials[region] - initial_compressive[region];
+      strain =
+          energy.strain_of_materials[region] - initial_strain[region] - transfer_strain[region];
+      compressive = energy.compressive_of_materials[region] - initial_compressive[region] -
+                    transfer_compressive[region];
       summary.add({"energy relaxed",
                    taken[region].strain - strain + taken[region].compressive - compressive, "J",
                    regions[region]});
@@ -240,6 +251,8 @@ void PowerRecord<dim>::save(ArchiveWriter &archive) const
   archive.add("power record", values);
   archive.add("initial strain energies", initial_strain);
   archive.add("initial compressive energies", initial_compressive);
+  archive.add("strain energies by transfer", transfer_strain);
+  archive.add("compressive energies by transfer", transfer_compressive);
 }
 
 template <int dim>
@@ -264,6 +277,8 @@ void PowerRecord<dim>::load(const ArchiveReader &archive)
   }
   initial_strain = archive.values("initial strain energies");
   initial_compressive = archive.values("initial compressive energies");
+  transfer_strain = archive.values("strain energies by transfer");
+  transfer_compressive = archive.values("compressive energies by transfer");
 }
 
 template class PowerRecord<2>;

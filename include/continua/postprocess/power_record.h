@@ -47,8 +47,8 @@ public:
   /// `write`: also adds a row to the file and compares the energy. Collective; RunError on rank 0
   /// when the disk refuses.
   void record(ContinuumSolver<dim> &solver, const Step &step, bool write);
-  /// The energy changed by this when the state was carried over to a new mesh [J].
-  void record_transfer(double energy_change);
+  /// The energies before and after the state was carried over to a new mesh.
+  void record_transfer(const Energy &before, const Energy &after);
 
   /**
    * Closes the file and adds the quantities, all of them relative: `power residual` (largest
@@ -103,10 +103,11 @@ private:
   std::vector<std::string> outlet_names;
   std::vector<bool> outlet_stores; ///< whether they have stores of their own
   Totals totals;
-  std::vector<double> initial_strain, initial_compressive; ///< energies by region [J]
-  std::vector<Power> taken;                                ///< by region, integrated over time [J]
-  std::vector<OutletPower> given;                          ///< to outlets, over time [J]
-  std::unique_ptr<TableWriter> table;                      ///< on the rank that writes
+  std::vector<double> initial_strain, initial_compressive;   ///< energies by region [J]
+  std::vector<double> transfer_strain, transfer_compressive; ///< their changes by transfers [J]
+  std::vector<Power> taken;           ///< by region, integrated over time [J]
+  std::vector<OutletPower> given;     ///< to outlets, over time [J]
+  std::unique_ptr<TableWriter> table; ///< on the rank that writes
   std::vector<double> row;
 };
 } // namespace Continua
