@@ -33,9 +33,9 @@ const Quantity *find_quantity(const RunResult &run, const std::string &label)
 bool is_of_the_computation(const std::string &name)
 {
   static const std::vector<std::string> words = {
-      "residual", "error",       "misfit",     "divergence", "difference", "change",
-      "changes",  "residuals",   "iterations", "unknowns",   "branches",   "steps",
-      "cells",    "theoretical", "measured",   "corrections"};
+      "residual", "error",     "misfit",      "divergence", "difference", "change",
+      "changes",  "residuals", "iterations",  "unknowns",   "branches",   "steps",
+      "step",     "cells",     "theoretical", "measured",   "corrections"};
   std::istringstream stream(name);
   for (std::string word; stream >> word;)
     if (std::find(words.begin(), words.end(), word) != words.end())

@@ -52,6 +52,9 @@ void Comparison::read_ways(ParameterFile &file)
                          " the case is refused: " + error.what(),
                      "");
     }
+    if (parameters.refine_time_step && ways[way].time.is_adaptive())
+      section.refuse("Refine the time step", "an adaptive time step follows its own error",
+                     "Remove the entry, or set Time/Time step control = fixed");
     if (ways[way].refinements + parameters.meshes_of(way).back() > most_refinements)
       section.refuse(way == 0 ? "Meshes" : "Meshes of the second",
                      "with Mesh/Refinements the cells would be divided more than " +

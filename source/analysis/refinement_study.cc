@@ -69,6 +69,9 @@ void RefinementStudy::check(const Way &way,
                    "with Mesh/Refinements the cells would be divided more than " +
                        std::to_string(most_refinements) + " times",
                    "Give fewer cycles");
+  if (parameters.refine_time_step && way.time.is_adaptive())
+    section.refuse("Refine the time step", "an adaptive time step follows its own error",
+                   "Remove the entry, or set Time/Time step control = fixed");
   if (name == "adaptive" && parameters.analysis == "transient")
   {
     if (way.adaptation.every_n_steps == 0 && way.adaptation.initial_cycles == 0)
