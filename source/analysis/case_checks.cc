@@ -220,7 +220,8 @@ void check_cell_wise_scheme(const Case<dim> &input, ParameterSection root)
 }
 } // namespace
 
-/// A mesh that every rank has whole cannot hand its solution on to a new one.
+/// On a mesh that every rank has whole, deal.II carries a solution over only if every rank has that
+/// whole, too, and neither data of cells nor meshes for checkpoints.
 template <int dim>
 void check_partitioner(const Case<dim> &input, ParameterSection root)
 {
@@ -228,7 +229,7 @@ void check_partitioner(const Case<dim> &input, ParameterSection root)
     return;
   root.subsection("Mesh").refuse(
       "Partitioner",
-      "metis has no mesh that adapts: deal.II cannot carry a solution from one to the next",
+      "the solution on a mesh that metis divides cannot be carried over to another mesh",
       "Set Partitioner = p4est, or " +
           std::string(is_steady(input) ? "Adaptivity/Cycles = 0" : "Adaptivity/Every n steps = 0"));
 }
