@@ -78,6 +78,10 @@ def main():
     passed = misbehave != "value"
     summary = {
         "title": "A sine",
+        "status": "finished",
+        "steps": n - first if misbehave == "steps" else n,
+        "warnings": [],
+        **({"restarts": 1} if first else {}),
         "quantities": [{"name": "velocity error", "value": error, "unit": "m/s", "probe": ""},
                        {"name": "frequency", "value": 3 + error, "unit": "Hz", "probe": "tip"},
                        {"name": "energy relaxed", "value": 1.0 * n, "unit": "J", "probe": "wall"}],

@@ -70,6 +70,8 @@ class Drivers(unittest.TestCase):
         self.assert_passes("restart", RESTART)
         self.assert_fails("restart", RESTART + "set Misbehave = restart\n", "line 8 differs")
         self.assert_fails("restart", RESTART.replace("= 5", "= 10"), "nothing is left to restart")
+        self.assert_fails("restart", RESTART + "set Misbehave = steps\n", "'steps' of the summary is 10 .* and 4")
+        self.assert_fails("restart", RESTART + "# refused: Cells = 5 -> another case\n", "exit status 0 instead of 2")
 
     def test_ringing(self):
         loud = "# ringing run: Amplitude = 0.1\n"
