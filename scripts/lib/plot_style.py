@@ -55,6 +55,18 @@ def readable(largest, unit):
     return 10.0**-exponent, PREFIXES[exponent] + unit
 
 
+def whole_decades(axes):
+    """Logarithmic axes from one power of ten to another, labelled at these alone."""
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    for axis, data in ((axes.xaxis, "get_xdata"), (axes.yaxis, "get_ydata")):
+        values = [value for line in axes.lines for value in getattr(line, data)() if value > 0]
+        if values:
+            low, high = math.floor(math.log10(min(values))), math.ceil(math.log10(max(values)))
+            axis.set_view_interval(10.0**low, 10.0**max(high, low + 1), ignore=True)
+        axis.set_minor_formatter(plt.NullFormatter())
+
+
 def axis_label(name, unit):
     name = name[:1].upper() + name[1:]
     # Powers as the reader knows them, "m^3/s" as m³/s.
