@@ -138,13 +138,15 @@ void KeptState::advance(const Step &step)
     estimate.advance(step);
 }
 
-void KeptState::velocity_error(const DistributedVector &velocity, DistributedVector &error) const
+void KeptState::velocity_error(const double *const velocity,
+                               double *const error,
+                               const std::size_t n) const
 {
   const StepErrorEstimate::Weights &weights = estimate.prediction();
   const double factor = estimate.factor();
-  for (unsigned int i = 0; i < velocity.locally_owned_size(); ++i)
-    error.begin()[i] = factor * (velocity.begin()[i] - weights[0] * present[i] -
-                                 weights[1] * older[i] - weights[2] * eldest[i]);
+  for (std::size_t i = 0; i < n; ++i)
+    error[i] = factor * (velocity[i] - weights[0] * present[i] - weights[1] * older[i] -
+                         weights[2] * eldest[i]);
 }
 
 void KeptState::save(ArchiveWriter &archive, const std::function<void()> &save_older) const

@@ -330,7 +330,7 @@ StepError TaylorHoodSolver<dim>::step_error()
   if (!error.is_known)
     return error;
   TimerOutput::Scope scope(log.timer(), "step error");
-  kept.velocity_error(velocity, velocity_work);
+  kept.velocity_error(velocity.begin(), velocity_work.begin(), velocity.locally_owned_size());
   // Prescribed velocities are exact, whatever is predicted of them.
   mixture = 0.;
   constraints.set_constrained(velocity_work, mixture);

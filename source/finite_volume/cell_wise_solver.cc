@@ -633,7 +633,7 @@ StepError CellWiseSolver<dim>::step_error()
   if (!error.is_known)
     return error;
   TimerOutput::Scope scope(log.timer(), "step error");
-  kept.velocity_error(velocity, velocity_work);
+  kept.velocity_error(velocity.begin(), velocity_work.begin(), velocity.locally_owned_size());
   for (unsigned int region = 0; region < operators.size(); ++region)
   {
     const double *const volume = operators[region].volume.begin();

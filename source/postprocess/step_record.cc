@@ -30,10 +30,11 @@ void StepRecord::finish(const TimeControl &control, Summary &summary, Log &log) 
   add("steps", n_steps, "1");
   add("steps rejected", n_rejected, "1");
   add("steps above the tolerance", n_above, "1");
-  add("matrices factored", n_factored, "1");
   add("smallest time step", smallest, "s");
   add("largest time step", largest, "s");
   add("mean time step", control.time() / n_steps, "s");
+  // No quantity: a restart makes one more.
+  summary.set("matrices factored", static_cast<double>(n_factored));
   std::ostringstream text;
   text << n_steps << " time steps of " << smallest << " s to " << largest << " s; " << n_rejected
        << " more were rejected";

@@ -39,8 +39,9 @@ public:
   /// To be called after a step.
   void advance(const Step &step);
   bool error_is_known() const { return in_use && estimate.is_known(); }
-  /// Sets `error` to the estimated local error of the last step's velocity [m/s].
-  void velocity_error(const DistributedVector &velocity, DistributedVector &error) const;
+  /// Sets `error` to the estimated local error of the last step's velocity [m/s], n numbers as the
+  /// state has them.
+  void velocity_error(const double *velocity, double *error, std::size_t n) const;
 
   /// What a step after a restart needs of it, bit by bit; nothing if it is not in use. The
   /// functions save and load the older level of the state: it has the eldest one in its place for

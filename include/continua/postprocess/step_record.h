@@ -20,9 +20,9 @@ public:
   /// Takes a step that stands, by its size [s].
   void take(double size);
   /**
-   * Adds `steps`, `steps rejected`, `steps above the tolerance`, `matrices factored`, and
-   * `smallest time step`, `largest time step` and `mean time step`; tells of them in one line, and
-   * warns of steps that stand with a larger error than the tolerance.
+   * Adds `steps`, `steps rejected`, `steps above the tolerance`, `smallest time step`, `largest time
+   * step` and `mean time step`, and to the summary `matrices factored`; tells of the steps in one
+   * line, and warns of those that stand with a larger error than the tolerance.
    */
   void finish(const TimeControl &control, Summary &summary, Log &log) const;
 
