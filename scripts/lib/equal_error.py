@@ -133,12 +133,12 @@ def choices(codes, starts, thresholds=THRESHOLDS, with_loss=False):
     rows = []
     for threshold in thresholds:
         base = None
-        for code, runs in codes.items():
+        for number, (code, runs) in enumerate(codes.items()):
             run, is_bound = time_at(runs, threshold, with_loss)
             if run is None:
                 rows.append((percent(threshold), code) + ("-", ) * (len(CHOICE_HEADER) - 2))
                 continue
-            if base is None and not is_bound:
+            if number == 0 and not is_bound:
                 base = run.whole_processor
             sign = "> " if is_bound else ""
             ratio = "-" if base is None else sign + plain(run.whole_processor / base)
