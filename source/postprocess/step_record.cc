@@ -20,6 +20,8 @@ void StepRecord::take(const double size)
 
 void StepRecord::finish(const TimeControl &control, Summary &summary, Log &log) const
 {
+  // No quantity: a restart makes one more.
+  summary.set("matrices factored", static_cast<double>(n_factored));
   if (!control.is_adaptive() || control.n_steps() == 0)
     return;
   const unsigned int n_steps = control.n_steps(), n_rejected = control.sizes().n_rejected(),
@@ -27,14 +29,11 @@ void StepRecord::finish(const TimeControl &control, Summary &summary, Log &log) 
   const auto add = [&summary](const char *name, const double value, const char *unit) {
     summary.add({name, value, unit, ""});
   };
-  add("steps", n_steps, "1");
   add("steps rejected", n_rejected, "1");
   add("steps above the tolerance", n_above, "1");
   add("smallest time step", smallest, "s");
   add("largest time step", largest, "s");
   add("mean time step", control.time() / n_steps, "s");
-  // No quantity: a restart makes one more.
-  summary.set("matrices factored", static_cast<double>(n_factored));
   std::ostringstream text;
   text << n_steps << " time steps of " << smallest << " s to " << largest << " s; " << n_rejected
        << " more were rejected";

@@ -11,7 +11,8 @@
 
 namespace Continua
 {
-/// What became of the steps of a run whose time step adapts; of one whose step is fixed, nothing.
+/// What became of the steps of a run: how many matrices they took, and, where the time step adapts,
+/// their sizes and rejections.
 class StepRecord
 {
 public:
@@ -20,9 +21,9 @@ public:
   /// Takes a step that stands, by its size [s].
   void take(double size);
   /**
-   * Adds `steps`, `steps rejected`, `steps above the tolerance`, `smallest time step`, `largest time
-   * step` and `mean time step`, and to the summary `matrices factored`; tells of the steps in one
-   * line, and warns of those that stand with a larger error than the tolerance.
+   * Sets `matrices factored` in the summary. Of an adaptive step adds `steps rejected`, `steps above
+   * the tolerance`, `smallest time step`, `largest time step` and `mean time step`; tells of them in
+   * one line, and warns of steps that stand with a larger error than the tolerance.
    */
   void finish(const TimeControl &control, Summary &summary, Log &log) const;
 
