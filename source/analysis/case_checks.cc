@@ -104,8 +104,13 @@ void check_modal(const Case<dim> &input, ParameterSection root)
                       "Make a boundary 'fixed' or 'roller', or give Modal/Shift a frequency, such "
                       "as half of the first mode's");
   ParameterSection linear_solver = root.subsection("Linear solver");
-  if (input.modal.shift > 0. && input.discretisation.taylor_hood.linear_solver.type == "cholmod")
-    linear_solver.refuse("Type", "cholmod does not pivot, which a shift needs",
+  if (!input.discretisation.is_cell_wise() &&
+      input.discretisation.taylor_hood.linear_solver.type == "iterative")
+    linear_solver.refuse("Type", "vibrations have an indefinite matrix, which is solved directly",
+                         "Use automatic or direct");
+  if (input.modal.shift > 0. &&
+      input.discretisation.taylor_hood.linear_solver.direct_solver == "cholmod")
+    linear_solver.refuse("Direct solver", "cholmod does not pivot, which a shift needs",
                          "Use automatic or mumps");
   refuse_checkpoints(input, root.subsection("Output"));
 }
@@ -183,7 +188,7 @@ void check_axis(const Case<dim> &input, ParameterSection root)
 template <int dim>
 void check_linear_solver(const Case<dim> &input, ParameterSection root)
 {
-  const std::string &type = input.discretisation.taylor_hood.linear_solver.type;
+  const std::string &type = input.discretisation.taylor_hood.linear_solver.direct_solver;
   ParameterSection section = root.subsection("Linear solver");
   const bool incompressible =
       std::any_of(input.problem.materials.begin(), input.problem.materials.end(),
@@ -192,11 +197,11 @@ void check_linear_solver(const Case<dim> &input, ParameterSection root)
                            (is_steady(input) && material.branches.empty());
                   });
   if (type == "cholmod" && incompressible)
-    section.refuse("Type", "cholmod does not pivot, which an incompressible material needs",
+    section.refuse("Direct solver", "cholmod does not pivot, which an incompressible material needs",
                    "Use automatic or mumps");
   if ((type == "cholmod" || type == "umfpack") &&
       Utilities::MPI::n_mpi_processes(input.communicator) > 1)
-    section.refuse("Type", type + " works on one rank only", "Use automatic or mumps");
+    section.refuse("Direct solver", type + " works on one rank only", "Use automatic or mumps");
 }
 /// The cell-wise path's own entries against the scheme in time.
 template <int dim>

@@ -55,7 +55,8 @@ std::unique_ptr<parallel::distributed::Triangulation<dim>> make_mesh()
 TaylorHoodParameters pivoting_solver()
 {
   TaylorHoodParameters parameters;
-  parameters.linear_solver.type = "umfpack";
+  parameters.linear_solver.type = "direct";
+  parameters.linear_solver.direct_solver = "umfpack";
   return parameters;
 }
 } // namespace

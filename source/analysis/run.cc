@@ -161,6 +161,8 @@ void Run<dim>::write_summary(const std::string &status)
       dofs[entry.first] = entry.second;
     summary.set("degrees of freedom", dofs);
     summary.set("linear solver", sizes.linear_solver);
+    if (!sizes.reason_of_linear_solver.empty())
+      summary.set("reason of linear solver", sizes.reason_of_linear_solver);
     summary.set("factor entries", sizes.factor_entries);
     summary.set("factor memory [bytes]", sizes.factor_memory);
     for (const auto &[name, key] : {std::pair("CHOLMOD", "cholmod"), std::pair("MUMPS", "mumps")})

@@ -2,12 +2,9 @@
 
 #include <continua/base/input_error.h>
 
-#include <deal.II/base/mpi.h>
-
-#include <Epetra_CrsMatrix.h>
-
 #include <algorithm>
 #include <cmath>
+#include <list>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -15,67 +12,6 @@
 namespace Continua
 {
 using namespace dealii;
-
-namespace
-{
-bool nearly_equal(const std::vector<double> &a, const std::vector<double> &b)
-{
-  if (a.size() != b.size())
-    return false;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (std::abs(a[i] - b[i]) > 1e-12 * std::abs(a[i]))
-      return false;
-  return true;
-}
-
-/// One row of a Trilinos matrix: calls function(global column, value).
-template <typename Function>
-void for_row(const TrilinosWrappers::SparseMatrix &matrix,
-             const int local_row,
-             const Function &function)
-{
-  const Epetra_CrsMatrix &epetra = matrix.trilinos_matrix();
-  int n_entries = 0;
-  double *values = nullptr;
-  int *columns = nullptr;
-  epetra.ExtractMyRowView(local_row, n_entries, values, columns);
-  for (int k = 0; k < n_entries; ++k)
-    function(epetra.GCID(columns[k]), values[k]);
-}
-
-using Entries = std::vector<std::pair<int, double>>;
-
-/// Sorts by column and adds what stands in the same one.
-void merge(Entries &entries)
-{
-  std::sort(entries.begin(), entries.end(),
-            [](const auto &a, const auto &b) { return a.first < b.first; });
-  std::size_t last = 0;
-  for (std::size_t k = 1; k < entries.size(); ++k)
-    if (entries[k].first == entries[last].first)
-      entries[last].second += entries[k].second;
-    else
-      entries[++last] = entries[k];
-  if (!entries.empty())
-    entries.resize(last + 1);
-}
-} // namespace
-
-void LinearSolverParameters::read(ParameterSection section)
-{
-  section.add_choice("Type", type, {"automatic", "cholmod", "mumps", "umfpack"},
-                     "Direct solver of the step's system: automatic takes cholmod on one rank "
-                     "where every material is compressible and the matrix has no more than 2 "
-                     "million entries, else mumps; umfpack is there for comparison.");
-  section.add("Refinement steps", refinement_steps,
-              "Steps of iterative refinement after each solve [1].", 0, 5);
-}
-
-bool SystemCoefficients::operator==(const SystemCoefficients &other) const
-{
-  return nearly_equal(mass, other.mass) && nearly_equal(stiffness, other.stiffness) &&
-         nearly_equal(compressibility, other.compressibility);
-}
 
 template <int dim>
 StepSystem<dim>::StepSystem(const Space<dim> &space,
@@ -89,7 +25,9 @@ StepSystem<dim>::StepSystem(const Space<dim> &space,
 template <int dim>
 void StepSystem<dim>::reinit()
 {
-  is_factored = false;
+  is_prepared = false;
+  kept_factors.clear();
+  iterative_solver = nullptr;
   velocity_product = space.velocity_vector();
   velocity_residual = velocity_product;
   velocity_correction = velocity_product;
@@ -104,130 +42,72 @@ void StepSystem<dim>::reinit()
 }
 
 template <int dim>
-AffineConstraints<double> StepSystem<dim>::constraints_of_columns() const
+void StepSystem<dim>::choose()
 {
-  IndexSet columns = space.velocity_relevant;
-  std::vector<types::global_dof_index> others;
-  const auto collect = [&](const TrilinosWrappers::SparseMatrix &matrix, const unsigned int n_rows)
+  const auto n = space.velocity_dofs.n_dofs() + space.pressure_dofs.n_dofs();
+  const std::string limit =
+      std::to_string(largest_direct_system) + " unknowns in " + std::to_string(dim) + " dimensions";
+  const bool is_shifted = std::any_of(coefficients.mass.begin(), coefficients.mass.end(),
+                                      [](const double mass) { return mass < 0.; });
+  is_iterative = false;
+  if (is_shifted)
   {
-    for (unsigned int i = 0; i < n_rows; ++i)
-      for_row(matrix, i,
-              [&](const types::global_dof_index j, double)
-              {
-                if (!space.velocity_relevant.is_element(j))
-                  others.push_back(j);
-              });
-  };
-  for (const RegionOperators &region : operators)
-  {
-    // The stiffness has all the columns that the mass has.
-    collect(region.stiffness, space.velocity_owned.n_elements());
-    collect(region.divergence, space.pressure_owned.n_elements());
+    if (parameters.type == "iterative")
+      throw RunError("the iterative solver does not apply to vibrations, whose matrix is "
+                     "indefinite; use Linear solver/Type = direct");
+    reason_of_choice = "the matrix of vibrations is indefinite";
   }
-  std::sort(others.begin(), others.end());
-  columns.add_indices(others.begin(), std::unique(others.begin(), others.end()));
-  columns.compress();
-
-  AffineConstraints<double> lines(columns);
-  lines.merge(constraints.all(), AffineConstraints<double>::no_conflicts_allowed, true);
-  if (Utilities::MPI::n_mpi_processes(space.communicator) > 1)
-    lines.make_consistent_in_parallel(space.velocity_owned, columns, space.communicator);
-  lines.close();
-  return lines;
-}
-
-template <int dim>
-SymmetricTriplets StepSystem<dim>::triplets() const
-{
-  const int n_velocity = space.velocity_dofs.n_dofs();
-  SymmetricTriplets result;
-  result.n = n_velocity + space.pressure_dofs.n_dofs();
-  const auto add = [&result](const int row, const int column, const double value)
+  else if (parameters.type != "automatic")
   {
-    if (row >= column)
-    {
-      result.rows.push_back(row);
-      result.columns.push_back(column);
-      result.values.push_back(value);
-    }
-  };
-  const AffineConstraints<double> lines = constraints_of_columns();
-  // The free dofs that a velocity dof stands for, with their weights: the rows of T. Hanging nodes
-  // are condensed already: they stand in no row but their own.
-  const auto masters = [&lines](const int index, Entries &entries)
-  {
-    entries.clear();
-    if (!lines.is_constrained(index))
-      entries.emplace_back(index, 1.);
-    else
-      for (const auto &entry : *lines.get_constraint_entries(index))
-        entries.emplace_back(entry.first, entry.second);
-  };
-
-  Entries row, row_masters, column_masters;
-  for (unsigned int i = 0; i < space.velocity_owned.n_elements(); ++i)
-  {
-    const int global = space.velocity_owned.nth_index_in_set(i);
-    if (lines.is_constrained(global))
-      add(global, global, 1.);
-    if (space.velocity_hanging.is_constrained(global))
-      continue;
-    masters(global, row_masters);
-    if (row_masters.empty())
-      continue;
-    row.clear();
-    for (unsigned int region = 0; region < operators.size(); ++region)
-    {
-      const double mass = coefficients.mass[region], stiffness = coefficients.stiffness[region];
-      if (mass != 0.)
-        for_row(operators[region].mass, i,
-                [&](const int j, const double value) { row.emplace_back(j, mass * value); });
-      if (stiffness != 0.)
-        for_row(operators[region].stiffness, i,
-                [&](const int j, const double value) { row.emplace_back(j, stiffness * value); });
-    }
-    merge(row);
-    for (const auto &[column, value] : row)
-    {
-      masters(column, column_masters);
-      for (const auto &[to_row, row_weight] : row_masters)
-        for (const auto &[to_column, column_weight] : column_masters)
-          add(to_row, to_column, row_weight * column_weight * value);
-    }
+    is_iterative = parameters.type == "iterative";
+    reason_of_choice = "Linear solver/Type says";
   }
-  for (unsigned int k = 0; k < space.pressure_owned.n_elements(); ++k)
+  else
   {
-    const int global = space.pressure_owned.nth_index_in_set(k);
-    if (space.pressure_hanging.is_constrained(global))
-    {
-      add(n_velocity + global, n_velocity + global, -1.);
-      continue;
-    }
-    for (unsigned int region = 0; region < operators.size(); ++region)
-    {
-      for_row(operators[region].divergence, k,
-              [&](const int j, const double value)
-              {
-                masters(j, column_masters);
-                for (const auto &[to_column, column_weight] : column_masters)
-                  add(n_velocity + global, to_column, -column_weight * value);
-              });
-      const double compressibility = coefficients.compressibility[region];
-      if (compressibility != 0.)
-        for_row(operators[region].pressure_mass, k,
-                [&](const int l, const double value)
-                { add(n_velocity + global, n_velocity + l, -compressibility * value); });
-    }
+    is_iterative = n > largest_direct_system;
+    reason_of_choice =
+        std::string("there are ") + (is_iterative ? "more" : "no more") + " than " + limit;
   }
-  return result;
 }
 
 template <int dim>
 bool StepSystem<dim>::prepare(const SystemCoefficients &wanted)
 {
-  if (is_factored && coefficients == wanted)
+  made_factor = false;
+  if (is_prepared && coefficients == wanted)
     return false;
   coefficients = wanted;
+  choose();
+  if (is_iterative)
+  {
+    if (!iterative_solver)
+      iterative_solver =
+          std::make_unique<IterativeStepSolver<dim>>(space, operators, constraints, parameters);
+    made_factor = iterative_solver->prepare(coefficients);
+  }
+  else
+  {
+    const auto kept = std::find_if(kept_factors.begin(), kept_factors.end(),
+                                   [this](const KeptFactor &candidate)
+                                   { return candidate.coefficients == coefficients; });
+    if (kept != kept_factors.end())
+      kept_factors.splice(kept_factors.begin(), kept_factors, kept);
+    else
+    {
+      factorize();
+      made_factor = true;
+    }
+  }
+  is_prepared = true;
+  return true;
+}
+
+template <int dim>
+void StepSystem<dim>::factorize()
+{
+  // The oldest goes first: there may be no room for one more.
+  while (kept_factors.size() >= parameters.kept_factors)
+    kept_factors.pop_back();
   // A negative mass is the shift of an eigenvalue problem.
   const bool quasi_definite =
       std::all_of(coefficients.compressibility.begin(), coefficients.compressibility.end(),
@@ -240,20 +120,42 @@ bool StepSystem<dim>::prepare(const SystemCoefficients &wanted)
     owned.push_back(index);
   for (const auto index : space.pressure_owned)
     owned.push_back(space.velocity_dofs.n_dofs() + index);
-  const SymmetricTriplets matrix = triplets();
+  const SymmetricTriplets matrix = condensed_triplets(space, operators, constraints, coefficients);
+  KeptFactor made;
+  made.coefficients = coefficients;
   try
   {
-    symmetric_factor = make_symmetric_factor(parameters.type, quasi_definite, matrix.values.size(),
-                                             space.communicator);
+    made.factor = make_symmetric_factor(parameters.direct_solver, quasi_definite,
+                                        matrix.values.size(), space.communicator);
   }
   catch (const std::invalid_argument &error)
   {
     throw RunError(error.what());
   }
-  symmetric_factor->factorize(matrix, owned);
-  is_factored = true;
-  residual_is_checked = false;
-  return true;
+  made.factor->factorize(matrix, owned);
+  kept_factors.push_front(std::move(made));
+}
+
+template <int dim>
+const SymmetricFactor *StepSystem<dim>::factor() const
+{
+  if (is_iterative)
+    return iterative_solver->factor();
+  return kept_factors.empty() ? nullptr : kept_factors.front().factor.get();
+}
+
+template <int dim>
+std::string StepSystem<dim>::name() const
+{
+  if (!is_prepared)
+    return "";
+  return is_iterative ? iterative_solver->name() : factor()->name();
+}
+
+template <int dim>
+unsigned int StepSystem<dim>::take_iterations()
+{
+  return std::exchange(n_iterations, 0);
 }
 
 template <int dim>
@@ -264,7 +166,7 @@ void StepSystem<dim>::solve_packed(const DistributedVector &momentum,
 {
   const auto middle = std::copy(momentum.begin(), momentum.end(), packed.begin());
   std::copy(mass.begin(), mass.end(), middle);
-  symmetric_factor->solve(packed);
+  kept_factors.front().factor->solve(packed);
   std::copy(packed.begin(), middle, velocity.begin());
   std::copy(middle, packed.end(), pressure.begin());
 }
@@ -318,6 +220,11 @@ void StepSystem<dim>::solve(DistributedVector &momentum,
 {
   for (const unsigned int index : pressure_hanging)
     mass.begin()[index] = 0.;
+  if (is_iterative)
+  {
+    n_iterations += iterative_solver->solve(momentum, mass, velocity, pressure);
+    return;
+  }
   solve_packed(momentum, mass, velocity, pressure);
   for (unsigned int step = 0; step < parameters.refinement_steps; ++step)
   {
@@ -326,7 +233,7 @@ void StepSystem<dim>::solve(DistributedVector &momentum,
     velocity.add(1., velocity_correction);
     pressure.add(1., pressure_correction);
   }
-  if (!residual_is_checked)
+  if (!kept_factors.front().residual_is_checked)
   {
     const double relative = residual(momentum, mass, velocity, pressure);
     if (!(relative < 1e-8))
@@ -339,12 +246,12 @@ void StepSystem<dim>::solve(DistributedVector &momentum,
       if (!(refined < 1e-6))
       {
         std::ostringstream text;
-        text << "the direct solver " << symmetric_factor->name() << " left a relative residual of "
+        text << "the direct solver " << factor()->name() << " left a relative residual of "
              << relative << " (" << refined << " after a step of refinement)";
         throw RunError(text.str());
       }
     }
-    residual_is_checked = true;
+    kept_factors.front().residual_is_checked = true;
   }
 }
 

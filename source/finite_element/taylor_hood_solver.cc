@@ -123,6 +123,22 @@ void TaylorHoodSolver<dim>::report_exponential_branches(const Step &step)
 }
 
 template <int dim>
+void TaylorHoodSolver<dim>::report_linear_solver()
+{
+  const std::string text = std::string("Linear solver: ") +
+                           (system.is_direct() ? "direct" : "iterative") + ", as " +
+                           system.reason();
+  if (text == linear_solver_reported)
+    return;
+  linear_solver_reported = text;
+  if (system.is_direct() || !system.is_automatic())
+    log.detail(text);
+  else
+    log.line(text);
+  log.detail(system.name());
+}
+
+template <int dim>
 StepReport TaylorHoodSolver<dim>::advance(const Step &step)
 {
   StepReport report;
@@ -130,9 +146,13 @@ StepReport TaylorHoodSolver<dim>::advance(const Step &step)
   {
     TimerOutput::Scope scope(log.timer(), "factor");
     set_coefficients(step);
-    report.factored = system.prepare(coefficients);
-    if (report.factored)
+    const bool is_new = system.prepare(coefficients);
+    report.factored = system.has_new_factor();
+    if (is_new)
+    {
+      report_linear_solver();
       outlets.respond(system);
+    }
   }
   if (report.factored)
     report_exponential_branches(step);
@@ -210,6 +230,7 @@ StepReport TaylorHoodSolver<dim>::advance(const Step &step)
     TimerOutput::Scope scope(log.timer(), "solve");
     system.solve(momentum, mass, balanced.velocity, balanced.pressure);
     constraints.set_constrained(balanced.velocity, balanced.prescribed);
+    report.linear_iterations = system.take_iterations();
     outlets.couple(step, velocity, balanced.velocity, balanced.pressure);
   }
   TimerOutput::Scope scope(log.timer(), "update");
@@ -289,7 +310,10 @@ void TaylorHoodSolver<dim>::solve_steady(const double time)
   }
   {
     TimerOutput::Scope scope(log.timer(), "factor");
-    if (system.prepare(steady) && !solid)
+    const bool is_new = system.prepare(steady);
+    if (is_new)
+      report_linear_solver();
+    if (is_new && !solid)
       outlets.respond(system);
   }
   momentum = 0.;
@@ -559,8 +583,9 @@ SolverSizes TaylorHoodSolver<dim>::sizes() const
   {
     sizes.factor_entries = system.factor()->n_entries();
     sizes.factor_memory = system.factor()->memory();
-    sizes.linear_solver = system.factor()->name();
   }
+  sizes.linear_solver = system.name();
+  sizes.reason_of_linear_solver = system.reason();
   return sizes;
 }
 

@@ -11,6 +11,8 @@ void LoopRecord::record(const StepReport &report, const double time, Log &log)
   n_corrections += report.corrections;
   most_corrections = std::max<unsigned long>(most_corrections, report.corrections);
   largest_residual = std::max(largest_residual, report.residual);
+  n_linear += report.linear_iterations;
+  most_linear = std::max<unsigned long>(most_linear, report.linear_iterations);
   if (!report.cap_reached)
     return;
   std::ostringstream text;
@@ -24,6 +26,13 @@ void LoopRecord::record(const StepReport &report, const double time, Log &log)
 
 void LoopRecord::finish(Summary &summary) const
 {
+  if (n_linear > 0)
+  {
+    // No quantities: they depend on the ranks.
+    summary.set("linear iterations a step (mean)",
+                static_cast<double>(n_linear) / static_cast<double>(n_steps));
+    summary.set("linear iterations a step (maximum)", static_cast<double>(most_linear));
+  }
   if (n_corrections == 0)
     return;
   const double mean = static_cast<double>(n_corrections) / static_cast<double>(n_steps);
@@ -39,6 +48,8 @@ void LoopRecord::save(ArchiveWriter &archive) const
   archive.add("loop: corrections", n_corrections);
   archive.add("loop: most corrections", most_corrections);
   archive.add("loop: steps at the cap", n_capped);
+  archive.add("loop: linear iterations", n_linear);
+  archive.add("loop: most linear iterations", most_linear);
   archive.add("loop: largest residual", largest_residual);
 }
 
@@ -48,6 +59,8 @@ void LoopRecord::load(const ArchiveReader &archive)
   n_corrections = archive.integer("loop: corrections");
   most_corrections = archive.integer("loop: most corrections");
   n_capped = archive.integer("loop: steps at the cap");
+  n_linear = archive.integer("loop: linear iterations");
+  most_linear = archive.integer("loop: most linear iterations");
   largest_residual = archive.value("loop: largest residual");
 }
 } // namespace Continua

@@ -2,43 +2,28 @@
 #define continua_finite_element_step_system_h
 
 #include <continua/finite_element/boundary_constraints.h>
+#include <continua/finite_element/condensed_system.h>
+#include <continua/finite_element/iterative_step_solver.h>
+#include <continua/finite_element/linear_solver_parameters.h>
 #include <continua/finite_element/region_operators.h>
 #include <continua/finite_element/space.h>
 #include <continua/linear_algebra/symmetric_factor.h>
 
+#include <list>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace Continua
 {
-/// The section Linear solver.
-struct LinearSolverParameters
-{
-  std::string type = "automatic";
-  unsigned int refinement_steps = 0;
-
-  void read(ParameterSection section);
-};
-
-/// What a step's matrix is made of, by material id.
-struct SystemCoefficients
-{
-  std::vector<double> mass;            ///< a0 rho [kg/(m^3 s)]
-  std::vector<double> stiffness;       ///< alpha, equation 7.4 [Pa s]
-  std::vector<double> compressibility; ///< 1/(K b) [1/(Pa s)]
-
-  bool operator==(const SystemCoefficients &other) const;
-};
-
 /**
  * The symmetric system of a step,
  *
  *   [  A   -B^T ] [ U ]   [ f ]       A = sum a0 rho M + alpha S,  C = sum M_p / (K b)
  *   [ -B   -C   ] [ p ] = [ g ]
  *
- * and its factor, which is kept as long as the coefficients stay what they are. Boundary
- * constraints are eliminated on both sides.
+ * and its solver: a factor, of which as many are kept as the parameters say, the least recently
+ * used goes; or an iterative one. Boundary constraints are eliminated on both sides.
  */
 template <int dim>
 class StepSystem
@@ -51,11 +36,14 @@ public:
 
   /// Forgets the factor: mesh or constraints have changed.
   void reinit();
-  /// Makes the factor if the coefficients are new, and says whether it did. Throws RunError.
+  /// Makes the system that of the coefficients, and says whether they are others than before.
+  /// Throws RunError.
   bool prepare(const SystemCoefficients &coefficients);
+  /// Whether the last prepare() had to make a factor or a preconditioner.
+  bool has_new_factor() const { return made_factor; }
   /// Solves for free dofs; constrained and hanging entries of the result are 0. The right-hand
   /// sides must be restricted. After a new factor the residual is checked once: RunError if it is
-  /// larger than 1e-8 of the right-hand side.
+  /// larger than 1e-8 of the right-hand side; RunError if the iterative solver does not converge.
   void solve(DistributedVector &momentum,
              DistributedVector &mass,
              DistributedVector &velocity,
@@ -68,27 +56,45 @@ public:
   /// result += C p.
   void add_compression(const DistributedVector &pressure, DistributedVector &result);
 
-  /// Null before the first prepare().
-  const SymmetricFactor *factor() const { return symmetric_factor.get(); }
+  /// The factor in use, of the stiff block alone if the solver is iterative; null if there is none.
+  const SymmetricFactor *factor() const;
+  /// Of the solver in use; empty before the first prepare().
+  std::string name() const;
+  bool is_direct() const { return !is_iterative; }
+  bool is_automatic() const { return parameters.type == "automatic"; }
+  const std::string &reason() const { return reason_of_choice; }
+  /// Of the iterative solver, since the last call.
+  unsigned int take_iterations();
 
 private:
+  /// Up to so many unknowns `automatic` is direct.
+  static constexpr unsigned int largest_direct_system = dim == 2 ? 1000000 : 150000;
+
+  struct KeptFactor
+  {
+    SystemCoefficients coefficients;
+    std::unique_ptr<SymmetricFactor> factor;
+    bool residual_is_checked = false;
+  };
+
   const Space<dim> &space;
   const std::vector<RegionOperators> &operators;
   const BoundaryConstraints<dim> &constraints;
   LinearSolverParameters parameters;
   SystemCoefficients coefficients;
-  std::unique_ptr<SymmetricFactor> symmetric_factor;
-  bool is_factored = false;
-  bool residual_is_checked = false;
+  std::list<KeptFactor> kept_factors; ///< the one in use first
+  std::unique_ptr<IterativeStepSolver<dim>> iterative_solver;
+  bool is_prepared = false, is_iterative = false, made_factor = false;
+  std::string reason_of_choice;
+  unsigned int n_iterations = 0;
   std::vector<unsigned int> pressure_hanging; ///< local indices
   std::vector<double> packed;
   DistributedVector velocity_product, pressure_product, velocity_residual, pressure_residual,
       velocity_correction, pressure_correction;
 
-  /// The constraints of every column of this rank's rows. Where hanging nodes lie on the border of
-  /// two ranks a row couples with dofs that are on none of this rank's cells, ghost cells included.
-  dealii::AffineConstraints<double> constraints_of_columns() const;
-  SymmetricTriplets triplets() const;
+  /// Decides between direct and iterative for these coefficients.
+  void choose();
+  void factorize();
   void solve_packed(const DistributedVector &momentum,
                     const DistributedVector &mass,
                     DistributedVector &velocity,

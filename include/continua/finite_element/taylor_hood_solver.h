@@ -101,6 +101,7 @@ private:
   std::vector<unsigned int> incompressible_pressures; ///< local indices
   /// Relaxation times whose exponential update the log has told of.
   std::set<double> exponential_branches_reported;
+  std::string linear_solver_reported;
   // Work space of the step.
   SystemCoefficients coefficients;
   DistributedVector momentum, mass, velocity_work, mixture, pressure_work, mass_work;
@@ -111,6 +112,7 @@ private:
   void visit(StateVisitor &visitor);
   void set_coefficients(const Step &step);
   void report_exponential_branches(const Step &step);
+  void report_linear_solver();
   void extrapolate_pressure(const Step &step);
   State state() const;
   std::vector<DistributedVector *> velocity_vectors();

@@ -8,8 +8,8 @@
 
 namespace Continua
 {
-/// What the steps of a run say of a solver that corrects its solution in a loop; of one that does
-/// not, nothing.
+/// What the steps of a run say of a solver that corrects its solution in a loop, and of an iterative
+/// linear solver; of others, nothing.
 class LoopRecord
 {
 public:
@@ -17,7 +17,8 @@ public:
   /// of corrections and notes the others in log.txt.
   void record(const StepReport &report, double time, Log &log);
   /// Adds `corrections a step (mean)` and `(maximum)`, `largest residual` (with which a step's loop
-  /// ended) and `steps that reached the cap`.
+  /// ended) and `steps that reached the cap`; of a linear solver `linear iterations a step (mean)`
+  /// and `(maximum)`.
   void finish(Summary &summary) const;
 
   /// The numbers so far, for a restart.
@@ -26,6 +27,7 @@ public:
 
 private:
   unsigned long n_steps = 0, n_corrections = 0, most_corrections = 0, n_capped = 0;
+  unsigned long n_linear = 0, most_linear = 0; ///< iterations
   double largest_residual = 0.; ///< [1]
 };
 } // namespace Continua

@@ -1,0 +1,102 @@
+#ifndef continua_finite_element_iterative_step_solver_h
+#define continua_finite_element_iterative_step_solver_h
+
+#include <continua/finite_element/boundary_constraints.h>
+#include <continua/finite_element/condensed_system.h>
+#include <continua/finite_element/linear_solver_parameters.h>
+#include <continua/finite_element/region_operators.h>
+#include <continua/finite_element/space.h>
+#include <continua/linear_algebra/saddle_point_solver.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * FGMRES on a step's system, with a preconditioner that knows its physics.
+ *
+ * Regions are stiff where alpha/(a0 rho) is more than `stiff_ratio` times the square of the mesh
+ * size (by the diagonals of the matrices), and alpha not below `comparable` of the largest: of a
+ * tube the wall, of a body without a fluid all of it. The velocities of stiff regions, interfaces
+ * included, are one block of the VelocityPreconditioner; the others are relaxed, or, where they are
+ * viscous on the scale of the mesh, have algebraic multigrid of their own.
+ *
+ * A alone takes no work for a change of volume; thin walls have many motions whose only work that
+ * is. In stiff regions the preconditioner therefore has the system augmented by the bulk modulus
+ * alpha (see SaddlePointSolver), with int alpha div u div v in the place of B^T W B. An error in
+ * the pressure's Schur complement S^-1 = (1 + alpha s)/(s + 1/(K b)) then is at most a factor of
+ * two for every s >= 1/alpha.
+ */
+template <int dim>
+class IterativeStepSolver
+{
+public:
+  /// All must outlive it.
+  IterativeStepSolver(const Space<dim> &space,
+                      const std::vector<RegionOperators> &operators,
+                      const BoundaryConstraints<dim> &constraints,
+                      const LinearSolverParameters &parameters);
+
+  /**
+   * Assembles the blocks of new coefficients. The preconditioner is made anew if there is none yet,
+   * if a coefficient has changed by more than a factor of two since it was made, or if a solve has
+   * taken more than 1.5 times as many iterations as its first one, and 5. Returns whether it was.
+   */
+  bool prepare(const SystemCoefficients &coefficients);
+  /// Solves to the tolerance from the last solution. Throws RunError if that takes too many
+  /// iterations. Returns how many it took.
+  unsigned int solve(const DistributedVector &momentum,
+                     const DistributedVector &mass,
+                     DistributedVector &velocity,
+                     DistributedVector &pressure);
+
+  /// "FGMRES; stiff block: ..., fluid block: ..., Schur complement: ...".
+  std::string name() const;
+  /// Of the stiff block; null if it has none.
+  const SymmetricFactor *factor() const;
+
+private:
+  /// Largest ratio of the diagonals of alpha S and a0 rho M for which relaxation is enough.
+  static constexpr double stiff_ratio = 10.;
+  static constexpr double viscous_ratio = 100.;
+  static constexpr double comparable = 1e-3;
+  /// Up to so many unknowns of all ranks the stiff block has a factor.
+  static constexpr unsigned int largest_direct_block = dim == 2 ? 400000 : 60000;
+
+  struct Preconditioner
+  {
+    SystemCoefficients coefficients;
+    CondensedBlocks blocks; ///< augmented; of which only A is kept
+    std::unique_ptr<VelocityPreconditioner> velocity;
+    std::unique_ptr<SchurComplement> schur_complement;
+    DistributedVector augmentation; ///< W
+    unsigned int first_iterations = 0;
+    bool is_used = false, is_worn = false;
+    std::string name;
+  };
+
+  const Space<dim> &space;
+  const std::vector<RegionOperators> &operators;
+  const BoundaryConstraints<dim> &constraints;
+  const LinearSolverParameters parameters;
+  SystemCoefficients coefficients;
+  CondensedBlocks blocks;
+  std::unique_ptr<Preconditioner> preconditioner;
+  SaddlePointSolver solver;
+  DistributedVector last_velocity, last_pressure;
+
+  bool is_near(const SystemCoefficients &others) const;
+  void make_preconditioner();
+  VelocityBlocks velocity_blocks(const std::vector<bool> &stiff_regions,
+                                 DistributedVector &mobility,
+                                 double &fluid_ratio) const;
+  SaddlePointSolver::Blocks matrices() const
+  {
+    return {blocks.velocity, blocks.divergence, blocks.compression};
+  }
+};
+} // namespace Continua
+
+#endif

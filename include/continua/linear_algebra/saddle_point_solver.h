@@ -1,0 +1,77 @@
+#ifndef continua_linear_algebra_saddle_point_solver_h
+#define continua_linear_algebra_saddle_point_solver_h
+
+#include <continua/linear_algebra/distributed_vector.h>
+#include <continua/linear_algebra/schur_complement.h>
+#include <continua/linear_algebra/velocity_preconditioner.h>
+
+#include <deal.II/lac/trilinos_parallel_block_vector.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/vector_memory.h>
+
+namespace Continua
+{
+/// Of a solve by FGMRES.
+struct KrylovReport
+{
+  bool converged = true;
+  unsigned int iterations = 0;
+  double residual = 0.; ///< relative, as the tolerance
+};
+
+/**
+ * FGMRES (Saad, SIAM J. Sci. Comput. 14 (1993)) for
+ *
+ *   [  A   -B^T ] [ u ]   [ f ]
+ *   [ -B   -C   ] [ p ] = [ g ]
+ *
+ * with the block-triangular preconditioner that has the approximate inverses of A and of the Schur
+ * complement on its diagonal. Residuals are measured with the diagonals of both,
+ * (r^T D^-1 r)^(1/2), in which the two equations have one unit, that of the square root of a power;
+ * a solve has converged when that of both together is below the tolerance times that of the largest
+ * of the equations' own terms: f, g, and A u, B^T p, B u, C p of the initial guess.
+ *
+ * Augmentation: with a diagonal W >= 0, B^T W times the second equation is taken from the first,
+ * which adds B^T W B to A without a change of the solution. The preconditioner is then that of this
+ * system (and the inverse of A has to be that of A + B^T W B), while the operator stays as it is.
+ */
+class SaddlePointSolver
+{
+public:
+  using BlockVector = dealii::TrilinosWrappers::MPI::BlockVector;
+
+  /// A, B and C.
+  struct Blocks
+  {
+    const dealii::TrilinosWrappers::SparseMatrix &velocity, &divergence, &compression;
+  };
+
+  explicit SaddlePointSolver(unsigned int restart_length);
+
+  /// Takes the maps of the unknowns from the blocks; allocates.
+  void reinit(const Blocks &blocks);
+  /// `velocity` and `pressure` hold the initial guess; nothing is taken of it if zero is closer.
+  KrylovReport solve(const Blocks &blocks,
+                     VelocityPreconditioner &velocity_inverse,
+                     SchurComplement &schur_complement,
+                     const DistributedVector &augmentation,
+                     const DistributedVector &momentum,
+                     const DistributedVector &mass,
+                     DistributedVector &velocity,
+                     DistributedVector &pressure,
+                     double tolerance,
+                     unsigned int maximum_iterations);
+
+private:
+  const unsigned int restart_length;
+  /// Roots of the inverse diagonals of A and of the Schur complement, and the roots themselves.
+  BlockVector scale, inverse_scale;
+  BlockVector right_hand_side, solution, product;
+  DistributedVector velocity_work, pressure_work, augmented;
+  dealii::GrowingVectorMemory<BlockVector> memory;
+
+  void multiply_blocks(const Blocks &blocks, BlockVector &target, const BlockVector &source);
+};
+} // namespace Continua
+
+#endif

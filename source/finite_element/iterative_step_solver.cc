@@ -1,0 +1,336 @@
+#include <continua/finite_element/iterative_step_solver.h>
+
+#include <continua/base/input_error.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/tensor.h>
+#include <deal.II/dofs/dof_tools.h>
+
+#include <Epetra_CrsMatrix.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace Continua
+{
+using namespace dealii;
+
+namespace
+{
+/// Local indices of the owned velocities, the components of a node one after the other.
+template <int dim>
+std::vector<unsigned int> by_nodes(const Space<dim> &space)
+{
+  const unsigned int n_dofs = space.velocity_element.n_dofs_per_cell();
+  std::vector<std::array<unsigned int, dim>> place(n_dofs / dim);
+  for (unsigned int i = 0; i < n_dofs; ++i)
+  {
+    const auto component = space.velocity_element.system_to_component_index(i);
+    place[component.second][component.first] = i;
+  }
+  std::vector<bool> is_known(space.velocity_owned.n_elements(), false);
+  std::vector<unsigned int> order;
+  std::vector<types::global_dof_index> indices(n_dofs);
+  // An owned velocity lies on an owned cell.
+  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+    if (cell->is_locally_owned())
+    {
+      cell->get_dof_indices(indices);
+      for (const auto &node : place)
+        for (const unsigned int i : node)
+          if (space.velocity_owned.is_element(indices[i]))
+          {
+            const unsigned int local = space.velocity_owned.index_within_set(indices[i]);
+            if (!is_known[local])
+              order.push_back(local);
+            is_known[local] = true;
+          }
+    }
+  return order;
+}
+
+/// The rigid motions at the owned velocities: the translations, then the rotations. In axisymmetry
+/// those of the meridian plane: on the scale of a few cells they take next to no force, too.
+template <int dim>
+std::vector<std::vector<double>> rigid_motions(const Space<dim> &space)
+{
+  const unsigned int n_local = space.velocity_owned.n_elements();
+  std::map<types::global_dof_index, Point<dim>> points;
+  DoFTools::map_dofs_to_support_points(space.mapping, space.velocity_dofs, points);
+  Point<dim> middle;
+  double n_all = n_local;
+  for (const auto index : space.velocity_owned)
+    middle += points.at(index);
+  Utilities::MPI::sum(ArrayView<const double>(&middle[0], dim), space.communicator,
+                      ArrayView<double>(&middle[0], dim));
+  n_all = Utilities::MPI::sum(n_all, space.communicator);
+  middle /= n_all;
+  double size = 0.;
+  for (const auto index : space.velocity_owned)
+    size = std::max(size, points.at(index).distance(middle));
+  size = Utilities::MPI::max(size, space.communicator);
+
+  constexpr unsigned int n_rotations = dim == 2 ? 1 : 3;
+  std::vector<std::vector<double>> modes(dim + n_rotations, std::vector<double>(n_local, 0.));
+  for (unsigned int c = 0; c < dim; ++c)
+  {
+    ComponentMask component(dim, false);
+    component.set(c, true);
+    for (const auto index : DoFTools::extract_dofs(space.velocity_dofs, component))
+    {
+      const unsigned int local = space.velocity_owned.index_within_set(index);
+      const Tensor<1, dim> x = (points.at(index) - middle) / size;
+      modes[c][local] = 1.;
+      for (unsigned int k = 0; k < n_rotations; ++k)
+      {
+        // In the plane of two axes.
+        const unsigned int first = dim == 2 ? 0 : (k + 1) % 3, second = dim == 2 ? 1 : (k + 2) % 3;
+        if (c == first)
+          modes[dim + k][local] = -x[second];
+        else if (c == second)
+          modes[dim + k][local] = x[first];
+      }
+    }
+  }
+  return modes;
+}
+} // namespace
+
+template <int dim>
+IterativeStepSolver<dim>::IterativeStepSolver(const Space<dim> &space,
+                                              const std::vector<RegionOperators> &operators,
+                                              const BoundaryConstraints<dim> &constraints,
+                                              const LinearSolverParameters &parameters)
+    : space(space),
+      operators(operators),
+      constraints(constraints),
+      parameters(parameters),
+      solver(parameters.restart_length),
+      last_velocity(space.velocity_vector()),
+      last_pressure(space.pressure_vector())
+{
+}
+
+template <int dim>
+bool IterativeStepSolver<dim>::is_near(const SystemCoefficients &others) const
+{
+  const auto near = [](const std::vector<double> &a, const std::vector<double> &b)
+  {
+    for (std::size_t i = 0; i < a.size(); ++i)
+      if (a[i] > 2. * b[i] || b[i] > 2. * a[i])
+        return false;
+    return true;
+  };
+  return near(coefficients.mass, others.mass) && near(coefficients.stiffness, others.stiffness) &&
+         near(coefficients.compressibility, others.compressibility);
+}
+
+template <int dim>
+bool IterativeStepSolver<dim>::prepare(const SystemCoefficients &wanted)
+{
+  coefficients = wanted;
+  assemble_condensed_blocks(space, operators, constraints, coefficients, nullptr, blocks);
+  solver.reinit(matrices());
+  if (preconditioner && !preconditioner->is_worn && is_near(preconditioner->coefficients))
+    return false;
+  make_preconditioner();
+  return true;
+}
+
+template <int dim>
+VelocityBlocks IterativeStepSolver<dim>::velocity_blocks(const std::vector<bool> &stiff_regions,
+                                                         DistributedVector &mobility,
+                                                         double &fluid_ratio) const
+{
+  VelocityBlocks result;
+  result.n_components = dim;
+  result.modes = rigid_motions(space);
+  fluid_ratio = 0.;
+  for (const unsigned int i : by_nodes(space))
+  {
+    const auto global = space.velocity_owned.nth_index_in_set(i);
+    double inertia = 0., stiffness = 0.;
+    bool is_stiff = false, is_soft = false;
+    if (!space.velocity_hanging.is_constrained(global))
+      for (unsigned int region = 0; region < operators.size(); ++region)
+        if (operators[region].stiffness.trilinos_matrix().NumMyEntries(static_cast<int>(i)) > 0)
+        {
+          inertia += coefficients.mass[region] * operators[region].mass.diag_element(global);
+          stiffness +=
+              coefficients.stiffness[region] * operators[region].stiffness.diag_element(global);
+          (stiff_regions[region] ? is_stiff : is_soft) = true;
+        }
+    (is_stiff ? result.stiff : result.fluid).push_back(i);
+    if (!is_stiff && inertia > 0.)
+      fluid_ratio = std::max(fluid_ratio, stiffness / inertia);
+    // What a pressure moves. A soft region feels the interface as stiff as it is.
+    const double resistance = is_stiff && is_soft ? blocks.velocity.diag_element(global) : inertia;
+    mobility.begin()[i] = resistance > 0. ? 1. / resistance : 0.;
+  }
+  fluid_ratio = Utilities::MPI::max(fluid_ratio, space.communicator);
+  return result;
+}
+
+template <int dim>
+void IterativeStepSolver<dim>::make_preconditioner()
+{
+  // The old one first: two would not fit where one does.
+  preconditioner = nullptr;
+  auto made = std::make_unique<Preconditioner>();
+  made->coefficients = coefficients;
+
+  // Which regions are stiff.
+  const unsigned int n_regions = operators.size();
+  std::vector<double> ratios(n_regions, 0.);
+  for (unsigned int region = 0; region < n_regions; ++region)
+    for (unsigned int i = 0; i < space.velocity_owned.n_elements(); ++i)
+    {
+      const auto global = space.velocity_owned.nth_index_in_set(i);
+      if (space.velocity_hanging.is_constrained(global) ||
+          operators[region].stiffness.trilinos_matrix().NumMyEntries(static_cast<int>(i)) == 0)
+        continue;
+      const double inertia =
+          coefficients.mass[region] * operators[region].mass.diag_element(global);
+      const double stiffness =
+          coefficients.stiffness[region] * operators[region].stiffness.diag_element(global);
+      ratios[region] = std::max(ratios[region], inertia > 0. ? stiffness / inertia : 1e300);
+    }
+  Utilities::MPI::max(ratios, space.communicator, ratios);
+  const double largest =
+      *std::max_element(coefficients.stiffness.begin(), coefficients.stiffness.end());
+  std::vector<bool> stiff_regions(n_regions);
+  for (unsigned int region = 0; region < n_regions; ++region)
+    stiff_regions[region] =
+        ratios[region] > stiff_ratio && coefficients.stiffness[region] >= comparable * largest;
+  const bool has_inertia = std::all_of(coefficients.mass.begin(), coefficients.mass.end(),
+                                       [](const double mass) { return mass > 0.; });
+
+  DistributedVector mobility = space.velocity_vector();
+  double fluid_ratio = 0.;
+  VelocityBlocks parts = velocity_blocks(stiff_regions, mobility, fluid_ratio);
+  const auto n_stiff =
+      Utilities::MPI::sum(static_cast<unsigned int>(parts.stiff.size()), space.communicator);
+  const bool has_fluid =
+      Utilities::MPI::sum(static_cast<unsigned int>(parts.fluid.size()), space.communicator) > 0;
+  parts.stiff_is_direct =
+      parameters.stiff_block == "direct" ||
+      (parameters.stiff_block == "automatic" && n_stiff <= largest_direct_block);
+  parts.fluid_is_viscous =
+      parameters.fluid_block == "algebraic multigrid" ||
+      (parameters.fluid_block == "automatic" && (fluid_ratio > viscous_ratio || !has_inertia));
+  const bool simple = parameters.schur_complement == "simple";
+
+  // Augmented by a bulk modulus of alpha; the mass form of the Schur complement follows.
+  VolumetricStiffness volumetric;
+  std::vector<double> mass_factors;
+  made->augmentation = space.pressure_vector();
+  DistributedVector one = space.pressure_vector(), volume = space.pressure_vector();
+  one = 1.;
+  for (unsigned int region = 0; region < n_regions; ++region)
+  {
+    const double alpha = coefficients.stiffness[region];
+    const bool is_augmented = stiff_regions[region] && !simple;
+    volumetric.coefficients.push_back(is_augmented ? alpha : 0.);
+    mass_factors.push_back((1. / std::max(alpha, 1e-100) + coefficients.compressibility[region]) /
+                           (is_augmented ? 2. : 1.));
+    if (!is_augmented)
+      continue;
+    multiply(operators[region].pressure_mass, volume, one);
+    for (unsigned int i = 0; i < volume.locally_owned_size(); ++i)
+      if (volume.begin()[i] > 0. &&
+          !space.pressure_hanging.is_constrained(space.pressure_owned.nth_index_in_set(i)))
+        made->augmentation.begin()[i] = alpha / volume.begin()[i];
+  }
+  assemble_volumetric_stiffness(space, operators, volumetric);
+  assemble_condensed_blocks(space, operators, constraints, coefficients, &volumetric, made->blocks);
+  made->velocity = std::make_unique<VelocityPreconditioner>(made->blocks.velocity, parts);
+
+  if (simple)
+  {
+    for (const unsigned int i : by_nodes(space))
+      mobility.begin()[i] =
+          1. / blocks.velocity.diag_element(space.velocity_owned.nth_index_in_set(i));
+    made->schur_complement = std::make_unique<SchurComplement>(
+        blocks.divergence, blocks.compression, nullptr, &mobility);
+  }
+  else
+  {
+    TrilinosWrappers::SparseMatrix mass_form;
+    assemble_pressure_mass(space, operators, mass_factors, mass_form);
+    made->schur_complement = std::make_unique<SchurComplement>(
+        blocks.divergence, blocks.compression, &mass_form, has_inertia ? &mobility : nullptr);
+  }
+  made->blocks.divergence.clear();
+  made->blocks.compression.clear();
+
+  std::ostringstream text;
+  text << "FGMRES";
+  if (n_stiff > 0)
+    text << "; stiff block: "
+         << (parts.stiff_is_direct ? made->velocity->factor()->name() : "algebraic multigrid");
+  if (has_fluid)
+    text << "; fluid block: " << (parts.fluid_is_viscous ? "algebraic multigrid" : "relaxation");
+  text << "; Schur complement: " << (simple ? "simple" : "cahouet-chabard");
+  made->name = text.str();
+  preconditioner = std::move(made);
+}
+
+template <int dim>
+unsigned int IterativeStepSolver<dim>::solve(const DistributedVector &momentum,
+                                             const DistributedVector &mass,
+                                             DistributedVector &velocity,
+                                             DistributedVector &pressure)
+{
+  unsigned int iterations = 0;
+  KrylovReport report;
+  for (bool last_try = false;; last_try = true)
+  {
+    velocity.equ(1., last_velocity);
+    pressure.equ(1., last_pressure);
+    report = solver.solve(matrices(), *preconditioner->velocity, *preconditioner->schur_complement,
+                          preconditioner->augmentation, momentum, mass, velocity, pressure,
+                          parameters.tolerance, parameters.maximum_iterations);
+    iterations += report.iterations;
+    // A preconditioner of other coefficients may be what fails.
+    if (report.converged || last_try || coefficients == preconditioner->coefficients)
+      break;
+    make_preconditioner();
+  }
+  if (!report.converged)
+  {
+    std::ostringstream text;
+    text << "the iterative solver has not converged: after " << report.iterations
+         << " iterations the residual is " << report.residual
+         << " of the largest term of the equations, and Linear solver/Tolerance is "
+         << parameters.tolerance
+         << ". Use Linear solver/Type = direct, or more 'Maximum iterations'";
+    throw RunError(text.str());
+  }
+  Preconditioner &used = *preconditioner;
+  if (!used.is_used)
+    used.first_iterations = report.iterations;
+  used.is_used = true;
+  used.is_worn =
+      !(coefficients == used.coefficients) && report.iterations > 1.5 * used.first_iterations + 5.;
+  last_velocity.equ(1., velocity);
+  last_pressure.equ(1., pressure);
+  return iterations;
+}
+
+template <int dim>
+std::string IterativeStepSolver<dim>::name() const
+{
+  return preconditioner ? preconditioner->name : "FGMRES";
+}
+
+template <int dim>
+const SymmetricFactor *IterativeStepSolver<dim>::factor() const
+{
+  return preconditioner ? preconditioner->velocity->factor() : nullptr;
+}
+
+template class IterativeStepSolver<2>;
+template class IterativeStepSolver<3>;
+} // namespace Continua

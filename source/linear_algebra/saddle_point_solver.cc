@@ -1,0 +1,156 @@
+#include <continua/linear_algebra/saddle_point_solver.h>
+
+#include <continua/linear_algebra/matrix_product.h>
+
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/solver_gmres.h>
+
+#include <Epetra_CrsMatrix.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Continua
+{
+using namespace dealii;
+
+namespace
+{
+/// What deal.II's solvers ask of a matrix or preconditioner, of a function.
+template <typename Function>
+struct Map
+{
+  const Function &function;
+  void vmult(SaddlePointSolver::BlockVector &target,
+             const SaddlePointSolver::BlockVector &source) const
+  {
+    function(target, source);
+  }
+};
+} // namespace
+
+SaddlePointSolver::SaddlePointSolver(const unsigned int restart_length)
+    : restart_length(restart_length)
+{
+}
+
+void SaddlePointSolver::reinit(const Blocks &blocks)
+{
+  const MPI_Comm communicator = blocks.velocity.get_mpi_communicator();
+  velocity_work.reinit(blocks.velocity.locally_owned_range_indices(), communicator);
+  pressure_work.reinit(blocks.compression.locally_owned_range_indices(), communicator);
+  augmented = pressure_work;
+  scale.reinit(2);
+  scale.block(0) = velocity_work;
+  scale.block(1) = pressure_work;
+  scale.collect_sizes();
+  for (BlockVector *vector : {&inverse_scale, &right_hand_side, &solution, &product})
+    *vector = scale;
+}
+
+void SaddlePointSolver::multiply_blocks(const Blocks &blocks,
+                                        BlockVector &target,
+                                        const BlockVector &source)
+{
+  multiply(blocks.velocity, target.block(0), source.block(0));
+  multiply_transposed(blocks.divergence, velocity_work, source.block(1));
+  target.block(0).add(-1., velocity_work);
+  multiply(blocks.divergence, target.block(1), source.block(0));
+  multiply(blocks.compression, pressure_work, source.block(1));
+  target.block(1).sadd(-1., -1., pressure_work);
+}
+
+KrylovReport SaddlePointSolver::solve(const Blocks &blocks,
+                                      VelocityPreconditioner &velocity_inverse,
+                                      SchurComplement &schur_complement,
+                                      const DistributedVector &augmentation,
+                                      const DistributedVector &momentum,
+                                      const DistributedVector &mass,
+                                      DistributedVector &velocity,
+                                      DistributedVector &pressure,
+                                      const double tolerance,
+                                      const unsigned int maximum_iterations)
+{
+  const Epetra_CrsMatrix &a = blocks.velocity.trilinos_matrix();
+  for (unsigned int i = 0; i < velocity_work.locally_owned_size(); ++i)
+    inverse_scale.block(0).begin()[i] = std::sqrt(blocks.velocity.diag_element(a.GRID(i)));
+  for (unsigned int i = 0; i < pressure_work.locally_owned_size(); ++i)
+    inverse_scale.block(1).begin()[i] = std::sqrt(schur_complement.diagonal().begin()[i]);
+  for (unsigned int b = 0; b < 2; ++b)
+    for (unsigned int i = 0; i < scale.block(b).locally_owned_size(); ++i)
+      scale.block(b).begin()[i] = 1. / inverse_scale.block(b).begin()[i];
+
+  // The operator, its rows scaled; and the preconditioner of such rows.
+  const auto multiply_scaled = [&](BlockVector &target, const BlockVector &source)
+  {
+    multiply_blocks(blocks, target, source);
+    target.scale(scale);
+  };
+  const auto precondition = [&](BlockVector &target, const BlockVector &source)
+  {
+    product.equ(1., source);
+    product.scale(inverse_scale);
+    // p = -S^-1 g, and A u = f + B^T (p - W (g + C p)).
+    schur_complement.vmult(target.block(1), product.block(1));
+    target.block(1) *= -1.;
+    multiply(blocks.compression, augmented, target.block(1));
+    augmented.add(1., product.block(1));
+    augmented.scale(augmentation);
+    augmented.sadd(-1., 1., target.block(1));
+    multiply_transposed(blocks.divergence, velocity_work, augmented);
+    product.block(0).add(1., velocity_work);
+    velocity_inverse.vmult(target.block(0), product.block(0));
+  };
+
+  right_hand_side.block(0).equ(1., momentum);
+  right_hand_side.block(1).equ(1., mass);
+  right_hand_side.scale(scale);
+  solution.block(0).equ(1., velocity);
+  solution.block(1).equ(1., pressure);
+  double size = std::max(right_hand_side.block(0).l2_norm(), right_hand_side.block(1).l2_norm());
+  multiply_scaled(product, solution);
+  product.add(-1., right_hand_side);
+  if (product.l2_norm() < right_hand_side.l2_norm())
+  {
+    const auto take = [&size](DistributedVector &term, const DistributedVector &scale_of_rows)
+    {
+      term.scale(scale_of_rows);
+      size = std::max(size, term.l2_norm());
+    };
+    multiply(blocks.velocity, velocity_work, velocity);
+    take(velocity_work, scale.block(0));
+    multiply_transposed(blocks.divergence, velocity_work, pressure);
+    take(velocity_work, scale.block(0));
+    multiply(blocks.divergence, pressure_work, velocity);
+    take(pressure_work, scale.block(1));
+    multiply(blocks.compression, pressure_work, pressure);
+    take(pressure_work, scale.block(1));
+  }
+  else
+    solution = 0.;
+
+  KrylovReport report;
+  if (size > 0.)
+  {
+    SolverControl control(maximum_iterations, tolerance * size);
+    SolverFGMRES<BlockVector> solver(control, memory,
+                                     SolverFGMRES<BlockVector>::AdditionalData(restart_length));
+    try
+    {
+      solver.solve(Map<decltype(multiply_scaled)>{multiply_scaled}, solution, right_hand_side,
+                   Map<decltype(precondition)>{precondition});
+    }
+    catch (const SolverControl::NoConvergence &)
+    {
+      report.converged = false;
+    }
+    report.iterations = control.last_step();
+    report.residual = control.last_value() / size;
+  }
+  else
+    solution = 0.;
+  velocity.equ(1., solution.block(0));
+  pressure.equ(1., solution.block(1));
+  return report;
+}
+} // namespace Continua

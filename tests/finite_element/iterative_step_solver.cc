@@ -1,0 +1,127 @@
+// The iterative solver finds a known velocity and pressure, on hanging nodes, with an inclined
+// roller, a jump of the stiffness by 1e9 and with incompressible regions; in a bounded number of
+// iterations, that do not grow with the mesh.
+
+#include <continua/finite_element/iterative_step_solver.h>
+#include <continua/finite_element/step_system.h>
+
+#include "../check.h"
+#include "../parameter_text.h"
+#include "small_problem.h"
+
+#include <algorithm>
+
+using namespace Continua;
+using namespace dealii;
+
+namespace
+{
+/// The largest error of a solve for a known solution, and its iterations.
+void solve(const std::string &name,
+           const unsigned int n_refinements,
+           const SystemCoefficients &coefficients,
+           LinearSolverParameters parameters)
+{
+  small_problem::Mesh<2> mesh(MPI_COMM_WORLD);
+  small_problem::make_box<2>(mesh, {4, 2}, Point<2>(), 2.);
+  GridTools::rotate(0.4, mesh);
+  mesh.refine_global(n_refinements);
+  small_problem::refine<2>(mesh, [](const Point<2> &x) { return x.norm() > 2.; });
+  Space<2> space(mesh, SpaceParameters(), Model::plane_strain, 2);
+  space.distribute();
+  ParameterFile file = parameters_of("subsection Boundaries\n"
+                                     "subsection left\nset Type = roller\nend\n"
+                                     "subsection right\nset Type = free\nend\n"
+                                     "subsection bottom\nset Type = fixed\nend\n"
+                                     "subsection top\nset Type = free\nend\nend\n");
+  const std::set<std::pair<unsigned int, unsigned int>> pairs = {{0, 0}, {1, 1}, {2, 0},
+                                                                 {2, 1}, {3, 0}, {3, 1}};
+  const std::vector<BoundaryCondition> conditions =
+      read_boundary_conditions(file.root().subsection("Boundaries"),
+                               {"left", "right", "bottom", "top"}, {"one", "two"}, pairs, 2, false);
+  BoundaryConstraints<2> constraints(space, conditions);
+  constraints.build();
+  std::vector<RegionOperators> operators(2);
+  assemble_region_operators(space, operators);
+
+  parameters.type = "iterative";
+  parameters.tolerance = 1e-12;
+  StepSystem<2> system(space, operators, constraints, parameters);
+  system.reinit();
+  system.prepare(coefficients);
+
+  DistributedVector velocity = small_problem::interpolated<2>(
+      space,
+      [](const Point<2> &x) {
+        return Tensor<1, 2>({std::sin(x[0] + 2. * x[1]), std::cos(3. * x[0] * x[1])});
+      });
+  const DistributedVector zero = space.velocity_vector();
+  constraints.set_constrained(velocity, zero);
+  const DistributedVector pressure = small_problem::interpolated_pressure<2>(
+      space, [](const Point<2> &x, const unsigned int region)
+      { return 10. * region + std::sin(x[0] - x[1]); });
+  DistributedVector momentum = space.velocity_vector(), mass = space.pressure_vector(),
+                    compression = mass;
+  system.add_velocity_product(velocity, momentum);
+  system.add_gradient(-1., pressure, momentum);
+  constraints.restrict_to_free(momentum);
+  system.add_divergence(-1., velocity, mass);
+  system.add_compression(pressure, compression);
+  mass.add(-1., compression);
+
+  DistributedVector solved = space.velocity_vector(), solved_pressure = space.pressure_vector();
+  system.solve(momentum, mass, solved, solved_pressure);
+  const unsigned int n_first = system.take_iterations();
+  constraints.set_constrained(solved, zero);
+  DistributedVector error = solved, pressure_error = solved_pressure;
+  error.add(-1., velocity);
+  pressure_error.add(-1., pressure);
+  check::absolute(name + ": velocity", error.linfty_norm(), 0., 1e-6);
+  // Pressures are balanced by stresses, so they count relative to those.
+  const double stress =
+      *std::max_element(coefficients.stiffness.begin(), coefficients.stiffness.end());
+  check::absolute(name + ": pressure",
+                  pressure_error.linfty_norm() / std::max(stress, pressure.linfty_norm()), 0.,
+                  1e-8);
+  if (n_first > 70)
+    std::cout << n_first << " iterations" << std::endl;
+  check::is_true(name + ": iterations", n_first > 0 && n_first <= 70);
+  system.solve(momentum, mass, solved, solved_pressure);
+  check::is_true(name + ": the solution is its own guess", system.take_iterations() <= 1);
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  small_problem::quiet_other_ranks();
+  const SystemCoefficients jump{{2e3, 2e3}, {1e-3, 1e6}, {0.1, 1e-6}};
+  const SystemCoefficients incompressible{{2., 5.}, {1e-2, 1e4}, {0., 0.}};
+  const SystemCoefficients bulky{{1., 1.}, {1e3, 1e3}, {1e-3, 1e-3}};
+  const SystemCoefficients steady{{0., 0.}, {1., 2.}, {0.5, 0.}};
+  LinearSolverParameters parameters;
+  for (const unsigned int n_refinements : {1, 2})
+  {
+    const std::string mesh = n_refinements == 1 ? "coarse, " : "fine, ";
+    solve(mesh + "a stiff region", n_refinements, jump, parameters);
+    solve(mesh + "incompressible", n_refinements, incompressible, parameters);
+    solve(mesh + "steady", n_refinements, steady, parameters);
+    LinearSolverParameters multigrid;
+    multigrid.stiff_block = "algebraic multigrid";
+    solve(mesh + "multigrid", n_refinements, bulky, multigrid);
+    LinearSolverParameters simple;
+    simple.schur_complement = "simple";
+    solve(mesh + "simple", n_refinements, jump, simple);
+  }
+
+  LinearSolverParameters few;
+  few.maximum_iterations = 3;
+  check::throws<RunError>(
+      "too few iterations", [&]() { solve("few", 1, jump, few); }, "has not converged: after 3");
+  check::throws<RunError>(
+      "vibrations",
+      [&]() {
+        solve("shifted", 1, SystemCoefficients{{-1., -1.}, {1., 1.}, {1., 1.}}, parameters);
+      },
+      "use Linear solver/Type = direct");
+}
