@@ -56,6 +56,11 @@ void Transient<dim>::perform()
   if (run.input.time.changes.empty() && std::abs(steps_to_end - std::round(steps_to_end)) > 1e-6)
     run.log.warning("the end time is not a whole number of time steps: the run ends with the first "
                     "step beyond it");
+  // Backward differencing knows its error from the sixth step of a start on.
+  const unsigned int every_n_steps = run.input.adaptation.every_n_steps;
+  if (time_control.is_adaptive() && every_n_steps > 0 && every_n_steps <= 5)
+    run.log.warning("the mesh changes so often that the error of a step is hardly ever known, and "
+                    "the time step does not adapt");
   const SignalWatch watch;
   if (run.command_line.restart)
     restart();
