@@ -2,11 +2,12 @@
 // the direct and the iterative solver, on the same mesh (strong scaling) and on one that grows with
 // the ranks (weak), with both partitioners; and the memory that a mesh takes on each rank.
 //
-//   benchmark_scaling OUTPUT SOURCE_DIRECTORY [--ranks 1,2] [--rounds 3] [--mpirun COMMAND]
-//                     [--set KEY=VALUE ...]
+//   benchmark_scaling OUTPUT SOURCE_DIRECTORY [--ranks 1,2] [--rounds 3]
+//                     [--solvers direct,iterative] [--mpirun COMMAND] [--set KEY=VALUE ...]
 //
-// writes OUTPUT.txt and OUTPUT.md. It starts itself under COMMAND -np N for every number of ranks,
-// in turns, so that ratios are those of one round; the entries of --set go to all runs of the tube.
+// writes OUTPUT.txt, OUTPUT.md and, for extrapolate_ranks.py, OUTPUT.json. It starts itself under
+// COMMAND -np N for every number of ranks, in turns, so that ratios are those of one round; the
+// entries of --set go to all runs of the tube.
 
 #include "communication.h"
 #include "measurement.h"
@@ -16,8 +17,12 @@
 #include <continua/postprocess/field_writer.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
 #include <deal.II/grid/grid_generator.h>
 
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -208,6 +213,7 @@ struct Options
 {
   std::string output, source_directory, program;
   std::vector<unsigned int> ranks = {1, 2};
+  std::vector<std::string> solvers = {"direct", "iterative"};
   unsigned int n_rounds = 3;
   std::string mpirun = "mpirun";
   std::vector<std::string> overrides;
@@ -243,24 +249,13 @@ run_on(const Options &options, const unsigned int n_ranks, std::vector<std::stri
   return values;
 }
 
-/// The tube of a size, solved in one way.
+/// The tube in two or three dimensions, solved in one way.
 struct Tube
 {
   unsigned int n_dimensions;
-  std::string solver;
-  unsigned int axial_cells;
-  std::vector<std::string> overrides;
+  std::string solver; ///< of Linear solver/Type
+  unsigned int axial_cells() const { return n_dimensions == 2 ? 100 : 20; }
 };
-
-const std::vector<Tube> &tubes()
-{
-  static const std::vector<Tube> all = {
-      {2, "direct", 100, {"Mesh/Radial cells=8", "Mesh/Refinements=1"}},
-      {2, "iterative", 100, {"Mesh/Radial cells=8", "Mesh/Refinements=1"}},
-      {3, "direct", 20, {}},
-      {3, "iterative", 20, {}}};
-  return all;
-}
 
 Values run_tube(const Options &options,
                 const Tube &tube,
@@ -273,10 +268,9 @@ Values run_tube(const Options &options,
       options.source_directory + "/benchmarks/scaling-tube-" + dimension + "d.prm",
       options.output + "-fields",
       "Linear solver/Type=" + tube.solver,
-      "Mesh/Axial cells=" + std::to_string(length * tube.axial_cells),
+      "Mesh/Axial cells=" + std::to_string(length * tube.axial_cells()),
       "Geometry/Length=" + std::to_string(50 * length) + " mm",
       "Mesh/Partitioner=" + partitioner};
-  arguments.insert(arguments.end(), tube.overrides.begin(), tube.overrides.end());
   arguments.insert(arguments.end(), options.overrides.begin(), options.overrides.end());
   return run_on(options, n_ranks, arguments);
 }
@@ -313,7 +307,11 @@ struct Rounds
 std::vector<Rounds> run_tubes(const Options &options)
 {
   std::vector<Rounds> all;
-  for (const Tube &tube : tubes())
+  std::vector<Tube> tubes;
+  for (const unsigned int n_dimensions : {2, 3})
+    for (const std::string &solver : options.solvers)
+      tubes.push_back({n_dimensions, solver});
+  for (const Tube &tube : tubes)
   {
     std::vector<Rounds> of_tube;
     for (const unsigned int n : options.ranks)
@@ -398,8 +396,28 @@ void write_communication(Report &report, const std::vector<Rounds> &all)
   }
 }
 
-void write_meshes(Report &report, const Options &options)
+/// The medians of everything, for extrapolate_ranks.py.
+nlohmann::json medians(const std::vector<Rounds> &all)
 {
+  nlohmann::json list = nlohmann::json::array();
+  for (const Rounds &rounds : all)
+  {
+    nlohmann::json values;
+    for (const auto &entry : rounds.values.front())
+      values[entry.first] = median_of(rounds.values, entry.first);
+    list.push_back({{"dimensions", rounds.tube.n_dimensions},
+                    {"solver", rounds.tube.solver},
+                    {"mesh", rounds.kind},
+                    {"ranks", rounds.n_ranks},
+                    {"values", values}});
+  }
+  return list;
+}
+
+/// Also as a list for extrapolate_ranks.py.
+nlohmann::json write_meshes(Report &report, const Options &options)
+{
+  nlohmann::json list = nlohmann::json::array();
   report.start_table("Memory of the mesh alone, a rank's mean",
                      {"partitioner", "coarse cells", "refinements", "cells", "ranks", "MB",
                       "bytes a cell of the mesh", "bytes a cell of the rank"});
@@ -415,7 +433,13 @@ void write_meshes(Report &report, const Options &options)
         report.row({partitioner, std::to_string(n * n * n), std::to_string(refinements),
                     number(n_cells), std::to_string(n_ranks), number(1e-6 * bytes),
                     number(bytes / n_cells), number(bytes / n_cells * n_ranks)});
+        list.push_back({{"partitioner", partitioner},
+                        {"coarse cells", n * n * n},
+                        {"cells", n_cells},
+                        {"ranks", n_ranks},
+                        {"bytes", bytes}});
       }
+  return list;
 }
 
 void run(const Options &options)
@@ -430,16 +454,19 @@ void run(const Options &options)
   const std::vector<Rounds> all = run_tubes(options);
   write_times(report, all);
   write_communication(report, all);
-  write_meshes(report, options);
+  const nlohmann::json meshes = write_meshes(report, options);
   report.line("load at the end: " + number(load()));
   report.finish(options.output);
+  std::ofstream(options.output + ".json")
+      << nlohmann::json({{"tubes", medians(all)}, {"meshes", meshes}}).dump(1) << '\n';
 }
 
 Options read_options(const std::vector<std::string> &arguments)
 {
   if (arguments.size() < 3)
     throw std::runtime_error("usage: benchmark_scaling OUTPUT SOURCE_DIRECTORY [--ranks 1,2] "
-                             "[--rounds 3] [--mpirun COMMAND] [--set KEY=VALUE ...]");
+                             "[--rounds 3] [--solvers direct,iterative] [--mpirun COMMAND] "
+                             "[--set KEY=VALUE ...]");
   Options options;
   options.program = std::filesystem::canonical("/proc/self/exe").string();
   options.output = arguments[1];
@@ -450,11 +477,11 @@ Options read_options(const std::vector<std::string> &arguments)
     if (name == "--ranks")
     {
       options.ranks.clear();
-      std::istringstream list(value);
-      std::string one;
-      while (std::getline(list, one, ','))
+      for (const std::string &one : dealii::Utilities::split_string_list(value))
         options.ranks.push_back(std::stoul(one));
     }
+    else if (name == "--solvers")
+      options.solvers = dealii::Utilities::split_string_list(value);
     else if (name == "--rounds")
       options.n_rounds = std::stoul(value);
     else if (name == "--mpirun")

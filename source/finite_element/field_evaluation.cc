@@ -4,6 +4,7 @@
 #include <continua/mesh/plane_section.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/mpi.templates.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/cell_id.h>
@@ -54,18 +55,13 @@ double FieldEvaluation<dim>::add_point(const ProbeRequest<dim> &request,
         unit_point = candidate;
       }
     }
-  const auto all = Utilities::MPI::all_gather(
-      space.communicator, std::make_pair(found, found ? chosen_id.to_string() : std::string()));
-  bool anywhere = false, mine = found;
-  for (const auto &other : all)
-  {
-    anywhere = anywhere || other.first;
-    if (mine && other.first && CellId(other.second) < chosen_id)
-      mine = false;
-  }
-  if (mine)
+  const std::string first = Utilities::MPI::all_reduce<std::string>(
+      found ? chosen_id.to_string() : std::string(), space.communicator,
+      [](const std::string &a, const std::string &b)
+      { return b.empty() || (!a.empty() && CellId(a) < CellId(b)) ? a : b; });
+  if (found && CellId(first) == chosen_id)
     add_values(field, chosen, Quadrature<dim>(unit_point), {1.}, collector);
-  return anywhere ? 1. : 0.;
+  return first.empty() ? 0. : 1.;
 }
 
 template <int dim>
