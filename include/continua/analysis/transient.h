@@ -34,7 +34,7 @@ private:
   Checkpoint checkpoint;
   Schedule probe_schedule, power_schedule, field_schedule, checkpoint_schedule;
   bool mesh_has_changed = false;
-  double last_size = 0.; ///< [s] of the step that led here
+  double last_size = 0.;      ///< [s] of the step that led here
   double largest_energy = 0.; ///< of the body so far, where the time step adapts [J]
   unsigned int tenths_reported = 0;
   unsigned long n_restarts = 0;

@@ -2,8 +2,8 @@
 #define continua_continuum_bulk_history_h
 
 #include <continua/base/archive.h>
-#include <continua/continuum/vector_numbering.h>
 #include <continua/continuum/state_visitor.h>
+#include <continua/continuum/vector_numbering.h>
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/materials/material.h>
 #include <continua/time_integration/step.h>

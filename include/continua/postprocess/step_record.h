@@ -21,9 +21,9 @@ public:
   /// Takes a step that stands, by its size [s].
   void take(double size);
   /**
-   * Sets `matrices factored` in the summary. Of an adaptive step adds `steps rejected`, `steps above
-   * the tolerance`, `smallest time step`, `largest time step` and `mean time step`; tells of them in
-   * one line, and warns of steps that stand with a larger error than the tolerance.
+   * Sets `matrices factored` in the summary. Of an adaptive step adds `steps rejected`, `steps
+   * above the tolerance`, `smallest time step`, `largest time step` and `mean time step`; tells of
+   * them in one line, and warns of steps that stand with a larger error than the tolerance.
    */
   void finish(const TimeControl &control, Summary &summary, Log &log) const;
 
