@@ -5,12 +5,13 @@ Prints markdown tables. The model, for an interior rank of P with as many cells 
 
     compute      the step's time on one rank
     messages     (messages to a neighbour) (neighbours) alpha (levels) + (bytes a face between ranks) (faces) / beta
-    collectives  (reductions and barriers) 2 log2(P) alpha + (broadcasts) log2(P) alpha
+    collectives  (reductions and barriers) 2 log2(P) alpha + (broadcasts) log2(P) alpha + (all-to-all) P alpha
+    MUMPS        (bytes of its broadcasts and reductions an unknown of the whole problem) (unknowns) / beta
     gathers      (gathers) log2(P) alpha + (bytes from a rank) P / beta
 
 neighbours and faces are those of a cube (square) of cells in the middle of others: 26 (8), and 6 c^(2/3) (4 c^(1/2));
 levels is the growth of the hierarchy of algebraic multigrid with the mesh, whose cells an aggregate unites 27 (9) at a
-time; it is 1 without. Of MUMPS memory and work are told instead of messages: entries ~ N^(4/3) and operations ~ N^2 in
+time; it is 1 without. Of MUMPS memory and work are told besides, not its messages: entries ~ N^(4/3) and operations ~ N^2 in
 three dimensions, N log N and N^(3/2) in two (nested dissection; George 1973).
 """
 
@@ -56,14 +57,16 @@ def steps(dimensions, solver, one, two):
         levels = 1 if solver != "iterative" else 1 + math.log(ranks, aggregate) / levels_here
         messages, message_bytes = of("messages")
         t_messages = messages * neighbours * ALPHA * levels + message_bytes / two["cut faces"] * faces / BETA
-        collectives = of("reductions")[0] + of("barriers")[0] + of("all-to-all")[0]
-        t_collectives = collectives * 2 * hops * ALPHA + of("broadcasts")[0] * hops * ALPHA
+        collectives = of("reductions")[0] + of("barriers")[0]
+        t_collectives = (collectives * 2 * hops + of("broadcasts")[0] * hops + of("all-to-all")[0] * ranks) * ALPHA
+        of_mumps = sum(two[f"step mumps {kind} bytes"] for kind in ("broadcasts", "reductions")) / two["dofs"]
+        t_mumps = of_mumps * ranks * one["dofs"] / BETA
         gathers, gather_bytes = of("gathers")
         t_gathers = gathers * hops * ALPHA + gather_bytes / 2 * ranks / BETA
         compute = one["step [s]"]
-        whole = compute + t_messages + t_collectives + t_gathers
+        whole = compute + t_messages + t_collectives + t_gathers + t_mumps
         yield (str(dimensions), solver, str(ranks), ranks * one["dofs"], 1e3 * compute, 1e3 * t_messages,
-               1e3 * t_collectives, 1e3 * t_gathers, compute / whole)
+               1e3 * t_collectives, 1e3 * t_gathers, 1e3 * t_mumps, compute / whole)
 
 
 def main():
@@ -80,9 +83,9 @@ def main():
             if one and two:
                 rows += steps(dimensions, solver, one, two)
     table(f"A step, the cells of the one-rank run on every rank; alpha = {1e6 * ALPHA:g} us, beta = {1e-9 * BETA:.2g} GB/s "
-          "a rank; of the direct solver all but MUMPS itself",
+          "a rank",
           ("dim", "solver", "ranks", "unknowns", "compute [ms]", "messages [ms]", "collectives [ms]", "gathers [ms]",
-           "efficiency"), rows)
+           "whole vectors of MUMPS [ms]", "efficiency"), rows)
 
     rows = []
     for dimensions in (2, 3):
@@ -115,17 +118,14 @@ def main():
     rows = []
     for partitioner in ("p4est", "metis"):
         for coarse in sorted({mesh["coarse cells"] for mesh in meshes}):
-            points = [(1 / mesh["ranks"], mesh["bytes"] / mesh["cells"]) for mesh in meshes
-                      if mesh["partitioner"] == partitioner and mesh["coarse cells"] == coarse]
-            mean_x = sum(x for x, _ in points) / len(points)
-            mean_y = sum(y for _, y in points) / len(points)
-            shared = sum((x - mean_x) * (y - mean_y) for x, y in points) / sum((x - mean_x)**2 for x, _ in points)
-            replicated = mean_y - shared * mean_x
-            all_coarse = coarse == next(mesh["cells"] for mesh in meshes if mesh["coarse cells"] == coarse)
-            rows.append((partitioner, "coarse" if all_coarse else "refined", replicated, shared,
-                         MEMORY / replicated if replicated > 0 else float("inf")))
-    table(f"Memory of the mesh: bytes a cell on every rank, and bytes a cell on its own; cells that fill {1e-9 * MEMORY:g} GB",
-          ("partitioner", "cells", "on every rank", "on its own rank", "cells at most"), rows)
+            last = max((mesh for mesh in meshes if mesh["partitioner"] == partitioner
+                        and mesh["coarse cells"] == coarse), key=lambda mesh: mesh["ranks"])
+            whole = coarse == last["cells"] or partitioner == "metis"
+            a_cell = last["bytes"] / last["cells"] * (1 if whole else last["ranks"])
+            rows.append((partitioner, "not refined" if coarse == last["cells"] else "refined", str(last["ranks"]),
+                         "every cell of the mesh" if whole else "a cell of the rank", a_cell, MEMORY / a_cell))
+    table(f"Memory of the mesh on most ranks; cells that fill {1e-9 * MEMORY:g} GB of a rank",
+          ("partitioner", "coarse mesh", "ranks", "a rank has", "bytes a cell", "cells at most"), rows)
 
     rows = []
     for dimensions in (2, 3):
