@@ -76,6 +76,14 @@ void Run<dim>::initialise(const std::string &mesh_file)
   for (const auto &dofs : sizes.n_dofs)
     text << ' ' << dofs.first << ' ' << dofs.second;
   log.line(text.str());
+  if (Utilities::MPI::n_mpi_processes(input.communicator) > 1)
+  {
+    const PartitionQuality quality = measure_partition(*input.triangulation);
+    std::ostringstream partition;
+    partition << "Divided by " << input.mesh.partition.partitioner << ": " << quality.n_cut_faces
+              << " faces between ranks, most work of a rank over the mean " << quality.imbalance;
+    log.detail(partition.str());
+  }
   for (const std::string &key : input.discretisation.citations())
     citations.add(key);
   citations.add(input.mesh.partition.partitioner);
