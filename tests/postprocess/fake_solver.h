@@ -77,8 +77,8 @@ public:
     data_out.add_data_vector(pressure, "pressure");
     return {{"pressure", "Pa"}};
   }
-  void indicators(const IndicatorRequest &, dealii::Vector<float> &) override {}
-  StepError step_error() override { return {}; }
+  void indicators(const Continua::IndicatorRequest &, dealii::Vector<float> &) override {}
+  Continua::StepError step_error() override { return {}; }
   void keep_state() override {}
   void return_to_kept_state() override {}
   void prepare_refinement() override {}

@@ -98,6 +98,11 @@ int main(int argc, char **argv)
     check::equal(
         "list cut", read_text("fields.pvd"),
         list_of(entry("0", "solution-00000" + suffix) + entry("0.1", "solution-00001" + suffix)));
+    check::is_true("files of later states are gone",
+                   std::filesystem::exists("fields/solution-00001" + suffix) &&
+                       !std::filesystem::exists("fields/solution-00002" + suffix) &&
+                       !std::filesystem::exists("fields/solution-00002.0.vtu"));
+    MPI_Barrier(MPI_COMM_WORLD);
     writer.write(solver, 0.4);
     writer.write(solver, 0.4);
     check::equal("list continued", read_text("fields.pvd"),
@@ -108,6 +113,20 @@ int main(int argc, char **argv)
     check::absolute("curved cells",
                     number(read_text("fields/solution-00002" + piece), "NumberOfCells"),
                     n_ranks > 1 ? 2. : 4., 0.);
+  }
+
+  // All ranks in one file.
+  {
+    FieldWriter<2> writer(MPI_COMM_WORLD, ".", 2, false, 1);
+    writer.write(solver, 0.);
+    check::equal("list of files that ranks share", read_text("fields.pvd"),
+                 list_of(entry("0", "solution-00000.vtu")));
+    const std::string text = read_text("fields/solution-00000.vtu");
+    unsigned int n_cells = 0;
+    const std::string key = "NumberOfCells";
+    for (std::size_t i = text.find(key); i != std::string::npos; i = text.find(key, i + 1))
+      n_cells += number(text.substr(i), key);
+    check::absolute("cells in one file", n_cells, 16., 0.);
   }
 
   // In three dimensions, and where nothing can be written.
