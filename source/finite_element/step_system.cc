@@ -139,6 +139,8 @@ void StepSystem<dim>::factorize()
 template <int dim>
 const SymmetricFactor *StepSystem<dim>::factor() const
 {
+  if (!is_prepared)
+    return nullptr;
   if (is_iterative)
     return iterative_solver->factor();
   return kept_factors.empty() ? nullptr : kept_factors.front().factor.get();
