@@ -3,7 +3,7 @@
 // the ranks (weak), with both partitioners; and the memory that a mesh takes on each rank.
 //
 //   benchmark_scaling OUTPUT SOURCE_DIRECTORY [--ranks 1,2] [--rounds 3]
-//                     [--solvers automatic] [--mpirun COMMAND] [--set KEY=VALUE ...]
+//                     [--solvers direct,iterative] [--mpirun COMMAND] [--set KEY=VALUE ...]
 //
 // writes OUTPUT.txt, OUTPUT.md and, for extrapolate_ranks.py, OUTPUT.json. It starts itself under
 // COMMAND -np N for every number of ranks, in turns, so that ratios are those of one round; the
@@ -213,7 +213,7 @@ struct Options
 {
   std::string output, source_directory, program;
   std::vector<unsigned int> ranks = {1, 2};
-  std::vector<std::string> solvers = {"automatic"};
+  std::vector<std::string> solvers = {"direct", "iterative"};
   unsigned int n_rounds = 3;
   std::string mpirun = "mpirun";
   std::vector<std::string> overrides;
@@ -465,7 +465,7 @@ Options read_options(const std::vector<std::string> &arguments)
 {
   if (arguments.size() < 3)
     throw std::runtime_error("usage: benchmark_scaling OUTPUT SOURCE_DIRECTORY [--ranks 1,2] "
-                             "[--rounds 3] [--solvers automatic] [--mpirun COMMAND] "
+                             "[--rounds 3] [--solvers direct,iterative] [--mpirun COMMAND] "
                              "[--set KEY=VALUE ...]");
   Options options;
   options.program = std::filesystem::canonical("/proc/self/exe").string();
