@@ -4,7 +4,7 @@
 //
 //   benchmark_matrix_free OUTPUT SOURCE_DIRECTORY [--large]
 //
-// writes OUTPUT.txt and OUTPUT.md. --large: a third mesh, of 0.8 million velocities.
+// writes OUTPUT.txt and OUTPUT.md. --large: a third mesh, of 0.5 million velocities.
 
 #include "matrix_free_product.h"
 #include "measurement.h"
