@@ -1,5 +1,6 @@
 #include <continua/finite_element/boundary_constraints.h>
 #include <continua/finite_element/flow_shapes.h>
+#include <continua/mesh/cells_in_tree_order.h>
 #include <continua/signal/jump.h>
 
 #include <deal.II/base/mpi.h>
@@ -89,7 +90,7 @@ collect_nodes(const Space<dim> &space, const std::vector<BoundaryCondition> &con
   std::vector<types::global_dof_index> face_dofs(space.velocity_element.n_dofs_per_face());
 
   std::map<types::global_dof_index, Node<dim>> nodes;
-  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+  for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
     if (!cell->is_artificial() && cell->at_boundary())
       for (const unsigned int f : cell->face_indices())
         if (cell->face(f)->at_boundary())

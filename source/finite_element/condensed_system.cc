@@ -1,5 +1,7 @@
 #include <continua/finite_element/condensed_system.h>
 
+#include <continua/mesh/cells_in_tree_order.h>
+
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
@@ -240,7 +242,7 @@ void assemble_volumetric_stiffness(const Space<dim> &space,
   FullMatrix<double> matrix(n_dofs, n_dofs);
   std::vector<types::global_dof_index> indices(n_dofs);
   std::vector<double> trace(n_dofs);
-  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+  for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
     if (cell->is_locally_owned() && volumetric.coefficients[cell->material_id()] != 0.)
     {
       values.reinit(cell);

@@ -1,6 +1,7 @@
 #include <continua/finite_element/field_evaluation.h>
 
 #include <continua/mesh/cell_point.h>
+#include <continua/mesh/cells_in_tree_order.h>
 #include <continua/mesh/plane_section.h>
 
 #include <deal.II/base/mpi.h>
@@ -76,7 +77,7 @@ double FieldEvaluation<dim>::add_boundary(const ProbeRequest<dim> &request,
   hp::FEFaceValues<dim> pressure_values(space.mappings, space.pressure_elements,
                                         hp::QCollection<dim - 1>(quadrature), update_values);
   double area = 0.;
-  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+  for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
     if (cell->is_locally_owned() && this->counts(request, cell->material_id()))
       for (const unsigned int f : cell->face_indices())
         if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == request.boundary_id)
@@ -252,7 +253,7 @@ double FieldEvaluation<dim>::error_norm(const State &state,
   std::vector<Vector<double>> pressures(quadrature.size(),
                                         Vector<double>(space.pressure_elements.n_components()));
   double sum = 0.;
-  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+  for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
     if (cell->is_locally_owned())
     {
       const unsigned int region = cell->material_id();

@@ -1,5 +1,7 @@
 #include <continua/finite_element/flow_shapes.h>
 
+#include <continua/mesh/cells_in_tree_order.h>
+
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
@@ -29,7 +31,7 @@ nodal_flow_shapes(const Space<dim> &space, const BoundaryCondition &condition)
   std::map<types::global_dof_index, std::vector<double>> shapes;
   // What a unit velocity along x at a node lets through.
   DistributedVector flow_of_node = space.velocity_vector();
-  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+  for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
     if (!cell->is_artificial() && cell->at_boundary() &&
         condition.region_ids.count(cell->material_id()) > 0)
       for (const unsigned int f : cell->face_indices())

@@ -1,4 +1,5 @@
 #include <continua/finite_element/loads.h>
+#include <continua/mesh/cells_in_tree_order.h>
 #include <continua/signal/jump.h>
 
 #include <deal.II/base/mpi.h>
@@ -141,7 +142,7 @@ void Loads<dim>::assemble(const Item &item,
                     direction[space.velocity_element.system_to_component_index(i).first];
     }
   };
-  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+  for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
     if (cell->is_locally_owned())
     {
       bool touched = false;
@@ -216,7 +217,7 @@ void Loads<dim>::watch_points(Item &item) const
   }
   constexpr unsigned int n_watched = 8;
   std::vector<std::array<double, 3>> points;
-  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+  for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
     if (cell->is_locally_owned())
     {
       if (item.condition < 0)

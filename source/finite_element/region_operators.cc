@@ -1,5 +1,7 @@
 #include <continua/finite_element/region_operators.h>
 
+#include <continua/mesh/cells_in_tree_order.h>
+
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/hp/fe_values.h>
@@ -41,7 +43,7 @@ void reinit_matrices(const Space<dim> &space, std::vector<RegionOperators> &oper
                              space.velocity_element.system_to_component_index(j).first;
 
   std::vector<types::global_dof_index> velocity_indices(n_velocity), pressure_indices;
-  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+  for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
     if (cell->is_locally_owned())
     {
       const typename DoFHandler<dim>::active_cell_iterator pressure_cell(
@@ -106,7 +108,7 @@ void assemble_region_operators(const Space<dim> &space, std::vector<RegionOperat
   // Trace of the strain of each velocity dof at one point, and its hoop part.
   std::vector<double> trace(n_velocity), hoop(n_velocity);
 
-  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+  for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
     if (cell->is_locally_owned())
     {
       values.reinit(static_cast<typename Triangulation<dim>::active_cell_iterator>(cell));

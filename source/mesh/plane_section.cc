@@ -1,5 +1,7 @@
 #include <continua/mesh/plane_section.h>
 
+#include <continua/mesh/cells_in_tree_order.h>
+
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/function.h>
 #include <deal.II/base/mpi.h>
@@ -228,7 +230,7 @@ double PlaneSection<dim>::cut()
       cut_cell(cell);
     return area;
   }
-  for (const auto &cell : triangulation.active_cell_iterators())
+  for (const auto &cell : cells_in_tree_order(triangulation))
     if (cell->is_locally_owned())
       cut_cell(cell);
   return Utilities::MPI::sum(area, triangulation.get_communicator());
