@@ -246,6 +246,7 @@ RunResult RunSeries::result(const PlannedRun &plan) const
   const nlohmann::json summary = nlohmann::json::parse(text);
   run.n_cells = summary.value("cells", 0.);
   run.n_steps = summary.value("steps", 0.);
+  run.iterations = summary.value("linear iterations", 0.) + summary.value("corrections", 0.);
   run.cell_size = run.n_cells > 0. ? std::pow(volume / run.n_cells, 1. / dimension) : 0.;
   if (summary.count("degrees of freedom") > 0)
     for (const auto &field : summary["degrees of freedom"])

@@ -257,16 +257,22 @@ bool Transient<dim>::stands()
   if (!time_control.is_adaptive())
     return true;
   const StepError error = run.solver->step_error();
+  double scale = largest_energy;
   const auto relative = [&]()
-  { return error.kinetic_energy > 0. ? std::sqrt(error.kinetic_energy / largest_energy) : 0.; };
-  // The energy costs products with all matrices: it is asked for now and then, and where it may save
-  // a step.
+  { return error.kinetic_energy > 0. ? std::sqrt(error.kinetic_energy / scale) : 0.; };
+  // The energy costs products with all matrices: it is asked for now and then, and where it may
+  // save a step.
   if (time_control.n_steps() % 4 == 0 || relative() > run.input.time.error_tolerance)
   {
     TimerOutput::Scope scope(run.log.timer(), "step error");
-    largest_energy = std::max(largest_energy, run.solver->energy().sum());
+    scale = std::max(scale, run.solver->energy().sum());
   }
-  return time_control.judge(error.is_known ? std::optional<double>(relative()) : std::nullopt);
+  const bool accepted =
+      time_control.judge(error.is_known ? std::optional<double>(relative()) : std::nullopt);
+  // A step that is undone was never there.
+  if (accepted)
+    largest_energy = scale;
+  return accepted;
 }
 
 template <int dim>

@@ -29,12 +29,14 @@ void LoopRecord::finish(Summary &summary) const
   if (n_linear > 0)
   {
     // No quantities: they depend on the ranks.
+    summary.set("linear iterations", static_cast<double>(n_linear));
     summary.set("linear iterations a step (mean)",
                 static_cast<double>(n_linear) / static_cast<double>(n_steps));
     summary.set("linear iterations a step (maximum)", static_cast<double>(most_linear));
   }
   if (n_corrections == 0)
     return;
+  summary.set("corrections", static_cast<double>(n_corrections));
   const double mean = static_cast<double>(n_corrections) / static_cast<double>(n_steps);
   summary.add({"corrections a step (mean)", mean, "1", ""});
   summary.add({"corrections a step (maximum)", static_cast<double>(most_corrections), "1", ""});

@@ -96,20 +96,27 @@ def read_table(path):
     return rows[0], table
 
 
-def compare_tables(first, second, tolerance, floor=0.0, left_out=()):
+def unit_of(name):
+    return name[name.rfind("["):] if "[" in name else ""
+
+
+def compare_tables(first, second, tolerance, floor=0.0, left_out=(), floor_share=0.0):
     """Column by column, the deviation relative to the largest magnitude in the column of the first table, or to the
-    floor where the whole column is below it (a quantity that is zero but for round-off). Columns that are `left_out`
-    need not agree."""
+    floor where the whole column is below it (a quantity that is zero but for round-off). The floor is at least
+    `floor_share` of the largest magnitude among all columns of the same unit. Columns that are `left_out` need not
+    agree."""
     names, rows = read_table(first)
     other_names, other_rows = read_table(second)
     if names != other_names:
         raise TestFailure(f"columns differ: {names} in {first}, {other_names} in {second}")
     if len(rows) != len(other_rows):
         raise TestFailure(f"{len(rows)} rows in {first}, {len(other_rows)} in {second}")
+    largest = [max(abs(row[column]) for row in rows) for column in range(len(names))]
     for column, name in enumerate(names):
         if name in left_out:
             continue
-        scale = max(floor, *(abs(row[column]) for row in rows))
+        of_unit = max(size for size, other in zip(largest, names) if unit_of(other) == unit_of(name))
+        scale = max(floor, largest[column], floor_share * of_unit)
         deviation, time = max((abs(a[column] - b[column]), a[0]) for a, b in zip(rows, other_rows))
         if deviation > tolerance * scale:
             raise TestFailure(f"column '{name}': off by {deviation:.3g} at time {time:.6g}, which is more than "
