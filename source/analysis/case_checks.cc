@@ -197,7 +197,8 @@ void check_linear_solver(const Case<dim> &input, ParameterSection root)
                            (is_steady(input) && material.branches.empty());
                   });
   if (type == "cholmod" && incompressible)
-    section.refuse("Direct solver", "cholmod does not pivot, which an incompressible material needs",
+    section.refuse("Direct solver",
+                   "cholmod does not pivot, which an incompressible material needs",
                    "Use automatic or mumps");
   if ((type == "cholmod" || type == "umfpack") &&
       Utilities::MPI::n_mpi_processes(input.communicator) > 1)

@@ -36,9 +36,8 @@ MaterialLaboratory::MaterialLaboratory(ParameterFile &file)
   {
     time.read(root.subsection("Time"));
     if (time.is_adaptive())
-      root.subsection("Time").refuse("Time step control",
-                                     "the laboratory's tests have steps of one size",
-                                     "Remove the entry");
+      root.subsection("Time").refuse(
+          "Time step control", "the laboratory's tests have steps of one size", "Remove the entry");
   }
   expected = read_expected(root.subsection("Expected"));
   // Before the checks across entries: a misspelt key is the likelier reason for them to fail.

@@ -2,8 +2,8 @@
 #define continua_finite_volume_displacement_levels_h
 
 #include <continua/base/archive.h>
-#include <continua/continuum/vector_numbering.h>
 #include <continua/continuum/state_visitor.h>
+#include <continua/continuum/vector_numbering.h>
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/time_integration/step.h>
 

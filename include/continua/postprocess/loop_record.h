@@ -8,8 +8,8 @@
 
 namespace Continua
 {
-/// What the steps of a run say of a solver that corrects its solution in a loop, and of an iterative
-/// linear solver; of others, nothing.
+/// What the steps of a run say of a solver that corrects its solution in a loop, and of an
+/// iterative linear solver; of others, nothing.
 class LoopRecord
 {
 public:
@@ -28,7 +28,7 @@ public:
 private:
   unsigned long n_steps = 0, n_corrections = 0, most_corrections = 0, n_capped = 0;
   unsigned long n_linear = 0, most_linear = 0; ///< iterations
-  double largest_residual = 0.; ///< [1]
+  double largest_residual = 0.;                ///< [1]
 };
 } // namespace Continua
 
