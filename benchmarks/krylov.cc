@@ -335,6 +335,7 @@ void run(const std::string &output)
             iterations<2>(report, {body, 2, time_step, shear_modulus, aspect, poisson});
     for (const double poisson : {0.49, 0.4999, 0.5})
       iterations<2>(report, {body, 2, 1e-4, 2e9, 1., poisson});
+    report.save(output);
   }
   for (const double viscosity : {1., 10., 1e3})
     iterations<2>(report, {"channel", 2, 1e-3, 2e9, 1., 0.3, viscosity});
@@ -347,6 +348,7 @@ void run(const std::string &output)
     for (const double aspect : {10., 40.})
       for (const double poisson : {0.3, 0.4999})
         iterations<3>(report, {body, 1, 1e-3, 8e10, aspect, poisson});
+    report.save(output);
   }
 
   report.start_table("Direct and iterative",

@@ -156,6 +156,11 @@ std::string Report::markdown() const
 void Report::finish(const std::string &path) const
 {
   std::cout << text() << std::flush;
+  save(path);
+}
+
+void Report::save(const std::string &path) const
+{
   for (const auto &[suffix, content] :
        {std::make_pair(".txt", text()), std::make_pair(".md", markdown())})
   {

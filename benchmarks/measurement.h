@@ -43,6 +43,8 @@ public:
   void line(const std::string &text);
   void start_table(const std::string &heading, const std::vector<std::string> &columns);
   void row(const std::vector<std::string> &cells);
+  /// Writes what there is so far, as finish() does: a long benchmark that is stopped leaves it.
+  void save(const std::string &path) const;
   /// Prints as plain text on the screen and writes `path`.txt and `path`.md. Throws
   /// std::runtime_error if a file cannot be written.
   void finish(const std::string &path) const;

@@ -90,6 +90,9 @@ void TaylorHoodSolver<dim>::setup()
   for (unsigned int i = 0; i < space.pressure_owned.n_elements(); ++i)
     if (compressible.begin()[i] == 0.)
       incompressible_pressures.push_back(i);
+  // Copies are collective: a rank without such a pressure makes them, too.
+  some_incompressible_pressures =
+      Utilities::MPI::max(incompressible_pressures.empty() ? 0 : 1, problem.communicator) == 1;
   evaluation.rebuild();
   kept.forget();
 }
@@ -254,7 +257,7 @@ StepReport TaylorHoodSolver<dim>::advance(const Step &step)
     velocity.equ(1., balanced.velocity);
     pressure.equ(1., balanced.pressure);
   }
-  if (!incompressible_pressures.empty())
+  if (some_incompressible_pressures)
   {
     pressure_known.equ(1., balanced.pressure);
     pressure_known_time = step.balance_time;

@@ -163,6 +163,9 @@ void CellWiseSolver<dim>::setup()
   for (unsigned int i = 0; i < has_history.size(); ++i)
     if (!has_history[i])
       pressures_without_history.push_back(i);
+  // Copies are collective: a rank without such a pressure makes them, too.
+  some_pressures_without_history =
+      Utilities::MPI::max(pressures_without_history.empty() ? 0 : 1, problem.communicator) == 1;
   evaluation.build();
   kept.forget();
 }
@@ -390,7 +393,7 @@ StepReport CellWiseSolver<dim>::advance(const Step &given_step)
     velocity.equ(1., balanced.velocity);
     pressure.equ(1., balanced.pressure);
   }
-  if (!pressures_without_history.empty())
+  if (some_pressures_without_history)
   {
     pressure_known.equ(1., balanced.pressure);
     pressure_known_time = step.balance_time;

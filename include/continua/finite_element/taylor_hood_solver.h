@@ -99,6 +99,7 @@ private:
   DistributedVector pressure_known;
   double pressure_known_time = 0.;
   std::vector<unsigned int> incompressible_pressures; ///< local indices
+  bool some_incompressible_pressures = false;         ///< on any rank
   /// Relaxation times whose exponential update the log has told of.
   std::set<double> exponential_branches_reported;
   std::string linear_solver_reported;

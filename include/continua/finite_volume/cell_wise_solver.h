@@ -102,6 +102,7 @@ private:
   DistributedVector pressure_known;
   double pressure_known_time = 0.;
   std::vector<unsigned int> pressures_without_history; ///< local indices
+  bool some_pressures_without_history = false;         ///< on any rank
   std::set<double> exponential_branches_reported;
   bool undamped_is_reported = false;
   // Work space of the step.
