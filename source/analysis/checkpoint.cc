@@ -126,10 +126,11 @@ Checkpoint::Checkpoint(const MPI_Comm communicator,
 Checkpoint::Checkpoint(const MPI_Comm communicator,
                        const OutputDirectory &directory,
                        const ParameterFile &file)
-    : Checkpoint(communicator,
-                 directory.file("checkpoint"),
-                 file.identity_text({"Title", "Time/End time", "Output", "Expected", "Comparison",
-                                     "Refinement study"}))
+    : Checkpoint(
+          communicator,
+          directory.file("checkpoint"),
+          file.identity_text({"Title", "Time/End time", "Time/Velocity limit", "Linear solver",
+                              "Output", "Expected", "Comparison", "Refinement study"}))
 {
 }
 

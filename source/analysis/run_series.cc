@@ -56,14 +56,15 @@ std::string text_of(const CommandLine &command_line)
 
 /// What tells this program from others: of one revision there may be several, changed and not
 /// committed.
-std::string program_identity()
+std::string program_identity(const MPI_Comm communicator)
 {
   const std::filesystem::path file = std::filesystem::canonical("/proc/self/exe");
   std::ostringstream text;
   text << version() << " " << revision() << " of "
        << std::filesystem::last_write_time(file).time_since_epoch().count() << ", "
        << std::filesystem::file_size(file) << " bytes";
-  return text.str();
+  // Nodes may have copies of other times.
+  return Utilities::MPI::broadcast(communicator, text.str());
 }
 
 /// Whether every rank comes here within a minute: an exception that all threw, not one alone while
@@ -137,7 +138,8 @@ std::string RunSeries::identity(const PlannedRun &plan) const
 {
   std::ostringstream text;
   text << plan.name << " case " << plan.identity << " ranks "
-       << Utilities::MPI::n_mpi_processes(communicator) << " program " << program_identity();
+       << Utilities::MPI::n_mpi_processes(communicator) << " program "
+       << program_identity(communicator);
   return text.str();
 }
 

@@ -58,9 +58,12 @@ void Transient<dim>::perform()
                     "step beyond it");
   // Backward differencing knows its error from the sixth step of a start on.
   const unsigned int every_n_steps = run.input.adaptation.every_n_steps;
-  if (time_control.is_adaptive() && every_n_steps > 0 && every_n_steps <= 5)
-    run.log.warning("the mesh changes so often that the error of a step is hardly ever known, and "
-                    "the time step does not adapt");
+  if (time_control.is_adaptive() && every_n_steps > 0)
+    run.log.warning(every_n_steps <= 5
+                        ? "the mesh changes so often that the error of a step is hardly ever "
+                          "known, and the time step does not adapt"
+                        : "each change of the mesh excites fast motions, which an adaptive time "
+                          "step follows: a fixed one may need fewer steps");
   const SignalWatch watch;
   if (run.command_line.restart)
     restart();
@@ -210,7 +213,7 @@ void Transient<dim>::restart()
   power.open(run.directory.file("power.csv"), kept(power_schedule));
   fields.resume(kept(field_schedule));
   // The mesh does not change at the end of a run; if the run goes on it does.
-  if (archive.integer("adaptation is due") == 1)
+  if (archive.integer("adaptation is due") == 1 && !time_control.at_end())
     adapt();
   std::ostringstream text;
   text << "Restart at t = " << time << " s, step " << time_control.n_steps();

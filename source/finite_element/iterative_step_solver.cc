@@ -153,7 +153,9 @@ VelocityBlocks IterativeStepSolver<dim>::velocity_blocks(const std::vector<bool>
     const auto global = space.velocity_owned.nth_index_in_set(i);
     double inertia = 0., stiffness = 0.;
     bool is_stiff = false, is_soft = false;
-    if (!space.velocity_hanging.is_constrained(global))
+    // A hanging node has no equation of its own.
+    const bool is_hanging = space.velocity_hanging.is_constrained(global);
+    if (!is_hanging)
       for (unsigned int region = 0; region < operators.size(); ++region)
         if (operators[region].stiffness.trilinos_matrix().NumMyEntries(static_cast<int>(i)) > 0)
         {
@@ -162,7 +164,8 @@ VelocityBlocks IterativeStepSolver<dim>::velocity_blocks(const std::vector<bool>
               coefficients.stiffness[region] * operators[region].stiffness.diag_element(global);
           (stiff_regions[region] ? is_stiff : is_soft) = true;
         }
-    (is_stiff ? result.stiff : result.fluid).push_back(i);
+    if (!is_hanging)
+      (is_stiff ? result.stiff : result.fluid).push_back(i);
     if (!is_stiff && inertia > 0.)
       fluid_ratio = std::max(fluid_ratio, stiffness / inertia);
     // What a pressure moves. A soft region feels the interface as stiff as it is.

@@ -44,5 +44,18 @@ void LinearSolverParameters::read(ParameterSection section)
   section.add_choice("Fluid block", fluid_block, {"automatic", "relaxation", "algebraic multigrid"},
                      "What the iterative solver does with the fluid: automatic takes relaxation "
                      "unless viscosity evens velocities out over several cells within a step.");
+  const auto refuse_idle = [&](const std::vector<std::string> &keys, const std::string &of)
+  {
+    for (const std::string &key : keys)
+      if (section.given(key))
+        section.refuse(key, "Type = " + type + " makes no use of it",
+                       "Remove it, or set Type = " + of + " or automatic");
+  };
+  if (type == "iterative")
+    refuse_idle({"Direct solver", "Refinement steps", "Kept factors"}, "direct");
+  if (type == "direct")
+    refuse_idle({"Tolerance", "Maximum iterations", "Restart length", "Schur complement",
+                 "Stiff block", "Fluid block"},
+                "iterative");
 }
 } // namespace Continua

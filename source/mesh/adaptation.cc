@@ -117,6 +117,9 @@ void AdaptationParameters::read_indicators(ParameterSection section)
                      "there are " + std::to_string(given_weights.size()) + " weights for " +
                          std::to_string(several.size()) + " indicators",
                      "Give as many as Indicators");
+    if (!given_weights.empty() && std::all_of(given_weights.begin(), given_weights.end(),
+                                              [](const double weight) { return weight == 0.; }))
+      section.refuse("Weights", "no indicator has a weight", "Give one of them more than 0");
     indicators = several;
     weights = given_weights;
   }

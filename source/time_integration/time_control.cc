@@ -70,6 +70,10 @@ void TimeParameters::read(ParameterSection section)
     if (least_step > time_step)
       section.refuse("Smallest time step", "it is larger than the first one, Time step",
                      "Give a smaller one, or a larger Time step");
+    if (least_step > 0. && least_step < 1e-9 * end_time)
+      section.refuse("Smallest time step",
+                     "so many steps do not fit between 0 and End time that rounding tells apart",
+                     "Give at least 1e-9 of End time");
     if (largest_step > 0. && largest_step < time_step)
       section.refuse("Largest time step", "it is smaller than the first one, Time step",
                      "Give a larger one, or a smaller Time step");

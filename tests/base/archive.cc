@@ -117,8 +117,8 @@ int main()
   unreadable("foreign", "<?xml version=\"1.0\"?><VTKFile type=\"x\">",
              "not an archive of Continua");
   std::string newer = good;
-  newer[16] = 2;
-  unreadable("newer format", newer, "format 2; this program reads format 1");
+  newer[16] = 3;
+  unreadable("newer format", newer, "format 3; this program reads format 2");
   check::throws<RunError>(
       "no file", []() { ArchiveReader missing("no-such-file"); }, "'no-such-file'.*No such file");
   check::throws<RunError>(
