@@ -265,8 +265,9 @@ void Checkpoint::check_case(const ArchiveReader &archive) const
     throw InputError(origin, "--restart",
                      "the checkpoint belongs to another case: " +
                          first_difference(archive.text("identity"), identity),
-                     "Restore the case (only Title, Time/End time, Output, Expected, Comparison "
-                     "and Refinement study may change), or run anew with --overwrite");
+                     "Restore the case (only Title, Time/End time, Time/Velocity limit, Linear "
+                     "solver, Output, Expected, Comparison and Refinement study may change), or "
+                     "run anew with --overwrite");
 }
 
 void Checkpoint::check_files(const ArchiveReader &archive, const std::string &step) const
