@@ -9,10 +9,34 @@ namespace Continua
 {
 using namespace dealii;
 
+namespace
+{
+/// Whether this rank has the same entries in both. Not collective.
+[[maybe_unused]] bool is_same_layout(const Epetra_BlockMap &a, const Epetra_BlockMap &b)
+{
+  return a.NumMyElements() == b.NumMyElements() && a.MinMyGID() == b.MinMyGID() &&
+         a.MaxMyGID() == b.MaxMyGID();
+}
+
+/// Of a product target = matrix source.
+void assert_layouts([[maybe_unused]] const Epetra_BlockMap &target_of_matrix,
+                    [[maybe_unused]] const DistributedVector &target,
+                    [[maybe_unused]] const Epetra_BlockMap &source_of_matrix,
+                    [[maybe_unused]] const DistributedVector &source)
+{
+  Assert(is_same_layout(target_of_matrix, target.trilinos_vector().Map()),
+         ExcMessage("The target has another layout than the matrix."));
+  Assert(is_same_layout(source_of_matrix, source.trilinos_vector().Map()),
+         ExcMessage("The source has another layout than the matrix."));
+}
+} // namespace
+
 void multiply(const TrilinosWrappers::SparseMatrix &matrix,
               DistributedVector &target,
               const DistributedVector &source)
 {
+  assert_layouts(matrix.trilinos_matrix().RangeMap(), target, matrix.trilinos_matrix().DomainMap(),
+                 source);
   const int status =
       matrix.trilinos_matrix().Multiply(false, source.trilinos_vector(), target.trilinos_vector());
   AssertThrow(status == 0, LACExceptions::ExcTrilinosError(status));
@@ -22,6 +46,8 @@ void multiply_transposed(const TrilinosWrappers::SparseMatrix &matrix,
                          DistributedVector &target,
                          const DistributedVector &source)
 {
+  assert_layouts(matrix.trilinos_matrix().DomainMap(), target, matrix.trilinos_matrix().RangeMap(),
+                 source);
   const int status =
       matrix.trilinos_matrix().Multiply(true, source.trilinos_vector(), target.trilinos_vector());
   AssertThrow(status == 0, LACExceptions::ExcTrilinosError(status));

@@ -3,7 +3,7 @@
 
 #include <continua/theory/reflection.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <limits>
 #include <stdexcept>
@@ -18,7 +18,7 @@ void close(const std::string &name, const Complex value, const Complex reference
 }
 } // namespace
 
-int main()
+UNIT_TEST(reflection)
 {
   close("impedance", characteristic_impedance(1000., 5., 0.001), 5e6);
   close("closed", reflection_coefficient(5., std::numeric_limits<double>::infinity()), 1.);
