@@ -9,10 +9,22 @@ namespace Continua
 {
 namespace
 {
-MPI_Datatype mpi_type(const char *) { return MPI_CHAR; }
-MPI_Datatype mpi_type(const double *) { return MPI_DOUBLE; }
-MPI_Datatype mpi_type(const unsigned int *) { return MPI_UNSIGNED; }
-MPI_Datatype mpi_type(const unsigned long *) { return MPI_UNSIGNED_LONG; }
+MPI_Datatype mpi_type(const char *)
+{
+  return MPI_CHAR;
+}
+MPI_Datatype mpi_type(const double *)
+{
+  return MPI_DOUBLE;
+}
+MPI_Datatype mpi_type(const unsigned int *)
+{
+  return MPI_UNSIGNED;
+}
+MPI_Datatype mpi_type(const unsigned long *)
+{
+  return MPI_UNSIGNED_LONG;
+}
 
 /// Whether there is anybody to exchange with; without MPI_Init there is nobody.
 bool is_alone(const MPI_Comm communicator)
@@ -42,8 +54,8 @@ std::vector<Number> all_gather_number(const MPI_Comm communicator, const Number 
   if (is_alone(communicator))
     return {value};
   std::vector<Number> result(dealii::Utilities::MPI::n_mpi_processes(communicator));
-  const int error = MPI_Allgather(&value, 1, mpi_type(&value), result.data(), 1, mpi_type(&value),
-                                  communicator);
+  const int error =
+      MPI_Allgather(&value, 1, mpi_type(&value), result.data(), 1, mpi_type(&value), communicator);
   AssertThrowMPI(error);
   return result;
 }
@@ -84,7 +96,8 @@ std::vector<double> broadcast(const MPI_Comm communicator, const std::vector<dou
 std::vector<std::string> broadcast(const MPI_Comm communicator,
                                    const std::vector<std::string> &value)
 {
-  std::vector<std::string> result(broadcast(communicator, std::vector<double>(value.size())).size());
+  std::vector<std::string> result(
+      broadcast(communicator, std::vector<double>(value.size())).size());
   for (std::size_t i = 0; i < result.size(); ++i)
     result[i] = broadcast(communicator, i < value.size() ? value[i] : std::string());
   return result;

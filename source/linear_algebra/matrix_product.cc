@@ -5,6 +5,8 @@
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_FEVector.h>
 
+#include <algorithm>
+
 namespace Continua
 {
 using namespace dealii;
@@ -58,8 +60,25 @@ std::vector<unsigned int> rows_with_entries(const TrilinosWrappers::SparseMatrix
   std::vector<unsigned int> rows;
   const auto n_rows = static_cast<unsigned int>(matrix.trilinos_matrix().NumMyRows());
   for (unsigned int i = 0; i < n_rows; ++i)
-    if (matrix.trilinos_matrix().NumMyEntries(i) > 0)
+    if (matrix.trilinos_matrix().NumMyEntries(static_cast<int>(i)) > 0)
       rows.push_back(i);
+  return rows;
+}
+
+std::vector<unsigned int> rows_with_values(const TrilinosWrappers::SparseMatrix &matrix)
+{
+  std::vector<unsigned int> rows;
+  const auto n_rows = static_cast<unsigned int>(matrix.trilinos_matrix().NumMyRows());
+  for (unsigned int i = 0; i < n_rows; ++i)
+  {
+    int n_entries = 0;
+    double *values = nullptr;
+    const int status =
+        matrix.trilinos_matrix().ExtractMyRowView(static_cast<int>(i), n_entries, values);
+    AssertThrow(status == 0, LACExceptions::ExcTrilinosError(status));
+    if (std::any_of(values, values + n_entries, [](const double value) { return value != 0.; }))
+      rows.push_back(i);
+  }
   return rows;
 }
 } // namespace Continua

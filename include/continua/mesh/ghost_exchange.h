@@ -9,10 +9,10 @@
 namespace Continua
 {
 /**
- * Hands numbers of each owned cell to the ranks on which the cell is a ghost: `numbers_of` is called
- * for owned cells that are ghosts elsewhere, `take` for this rank's ghosts. Collective. Whole
- * numbers up to 2^53 pass unchanged. (deal.II's exchange of any type compiles Boost's serialisation
- * into each file that calls it.)
+ * Hands numbers of each owned cell to the ranks on which the cell is a ghost: `numbers_of` is
+ * called for owned cells that are ghosts elsewhere, `take` for this rank's ghosts. Collective.
+ * Whole numbers up to 2^53 pass unchanged. (deal.II's exchange of any type compiles Boost's
+ * serialisation into each file that calls it.)
  */
 template <int dim>
 void exchange_with_ghosts(
