@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace Continua
 {
@@ -97,7 +98,7 @@ void CellSystem<dim>::measure_diffusion()
   GridTools::exchange_cell_data_to_ghosts<double, Triangulation<dim>>(
       mesh.triangulation,
       [&](const auto &cell)
-      { return std_cxx17::optional<double>(diffusion[mesh.cell_number(cell)]); },
+      { return std::optional<double>(diffusion[mesh.cell_number(cell)]); },
       [&](const auto &cell, const double value) { diffusion[mesh.cell_number(cell)] = value; });
 }
 
