@@ -10,8 +10,9 @@ export root build_root python
 # One thread a rank; more ranks than cores and root are allowed, since containers and small machines have both.
 set_run_environment() {
   export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
-  export OMPI_MCA_rmaps_base_oversubscribe=1
-  export OMPI_MCA_hwloc_base_binding_policy=none
+  # What Open MPI 4 reads, and what Open MPI 5 does.
+  export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
+  export PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe PRTE_MCA_hwloc_default_binding_policy=none
   if [ "$(id -u)" -eq 0 ]; then
     export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   fi
