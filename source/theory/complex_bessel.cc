@@ -1,17 +1,6 @@
 #include <continua/theory/complex_bessel.h>
 
-// Arb is a part of FLINT from its version 3 on.
-#if __has_include(<flint/acb_hypgeom.h>)
-#include <flint/acb.h>
-#include <flint/acb_hypgeom.h>
-#include <flint/arb.h>
-#include <flint/arf.h>
-#else
-#include <acb.h>
-#include <acb_hypgeom.h>
-#include <arb.h>
-#include <arf.h>
-#endif
+#include <continua/theory/arb.h>
 
 #include <cmath>
 #include <stdexcept>

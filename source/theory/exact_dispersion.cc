@@ -1,8 +1,7 @@
 #include <continua/theory/exact_dispersion.h>
 
+#include <continua/theory/arb.h>
 #include <continua/theory/womersley.h>
-
-#include <acb_hypgeom.h>
 
 #include <algorithm>
 #include <cmath>
