@@ -1,6 +1,6 @@
 #include <continua/theory/exact_dispersion.h>
 
-#include <continua/theory/arb.h>
+#include <continua/theory/arb_headers.h>
 #include <continua/theory/womersley.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-#ifndef continua_theory_arb_h
-#define continua_theory_arb_h
+#ifndef continua_theory_arb_headers_h
+#define continua_theory_arb_headers_h
 
 // What Continua uses of Arb, which is a library of its own beside FLINT 2 and a part of FLINT 3.
 #if __has_include(<flint/acb_hypgeom.h>)
