@@ -150,7 +150,11 @@ int run(const CommandLine &command_line, const MPI_Comm communicator)
 
 int main(int argc, char **argv)
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  // The arguments are Continua's alone: PETSc takes each that it sees for an option of its own.
+  char *program_name[] = {argv[0], nullptr};
+  int n_names = 1;
+  char **names = program_name;
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(n_names, names, 1);
   const MPI_Comm communicator = MPI_COMM_WORLD;
   const bool is_writer = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   try

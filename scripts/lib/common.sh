@@ -10,8 +10,9 @@ export root build_root python
 # One thread a rank; more ranks than cores and root are allowed, since containers and small machines have both.
 set_run_environment() {
   export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
-  export OMPI_MCA_rmaps_base_oversubscribe=1
-  export OMPI_MCA_hwloc_base_binding_policy=none
+  # What Open MPI 4 reads, and what Open MPI 5 does.
+  export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
+  export PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe PRTE_MCA_hwloc_default_binding_policy=none
   if [ "$(id -u)" -eq 0 ]; then
     export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   fi
@@ -24,12 +25,32 @@ fail() {
   exit 1
 }
 
-# The packages of the groups named, one a line.
+# The release whose packages are taken: bookworm or trixie, or for another one trixie with a note.
+debian_release() {
+  local file=${CONTINUA_OS_RELEASE:-/etc/os-release} name='' codename=''
+  if [ -r "$file" ]; then
+    # shellcheck disable=SC1090
+    name=$(. "$file" && printf '%s' "${PRETTY_NAME:-}")
+    # shellcheck disable=SC1090
+    codename=$(. "$file" && [ "${ID:-}" = debian ] && printf '%s' "${VERSION_CODENAME:-}") || codename=''
+  fi
+  case $codename in
+    bookworm | trixie) say "$codename" ;;
+    *)
+      say "note: this is ${name:-no known release}; the packages are those of Debian 13 (trixie)" >&2
+      say trixie
+      ;;
+  esac
+}
+
+# The packages of the groups named, one a line: what [GROUP] lists and what [GROUP RELEASE] adds.
 list_packages() {
-  local group
+  local release group
+  release=$(debian_release)
   for group in "$@"; do
-    sed -e 's/#.*//' "$root/scripts/packages.txt" |
-      awk -v wanted="[$group]" '/^\[/ { inside = ($1 == wanted); next } inside && NF { print $1 }'
+    sed -e 's/#.*//' -e 's/[[:space:]]*$//' "$root/scripts/packages.txt" |
+      awk -v every="[$group]" -v this="[$group $release]" \
+        '/^\[/ { inside = ($0 == every || $0 == this); next } inside && NF { print $1 }'
   done | sort -u
 }
 

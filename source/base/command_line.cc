@@ -121,7 +121,8 @@ CommandLine CommandLine::parse(const int argc, const char *const *argv)
     }
 
     const std::size_t equals = argument.find('=');
-    const Option &option = find_option(argument.substr(0, equals));
+    const std::string name = argument.substr(0, equals);
+    const Option &option = find_option(name);
     if (option.name != "--set")
     {
       if (std::find(seen.begin(), seen.end(), option.name) != seen.end())

@@ -172,14 +172,11 @@ std::vector<std::string> TubeGeometry<dim>::regions() const
 template <int dim>
 std::vector<std::string> TubeGeometry<dim>::boundaries() const
 {
-  std::vector<std::string> names = {"inlet", "outlet", "wall inlet end", "wall outlet end"};
   if (dim == 2)
-    names.insert(names.end(), {"axis", "outside"});
-  else
-    names.push_back("outside");
-  if (dim == 3 && !parameters.full)
-    names.insert(names.end(), {"side y", "side z"});
-  return names;
+    return {"inlet", "outlet", "wall inlet end", "wall outlet end", "axis", "outside"};
+  if (parameters.full)
+    return {"inlet", "outlet", "wall inlet end", "wall outlet end", "outside"};
+  return {"inlet", "outlet", "wall inlet end", "wall outlet end", "outside", "side y", "side z"};
 }
 
 template <int dim>

@@ -1,6 +1,6 @@
 #include <continua/theory/complex_bessel.h>
 
-#include <acb_hypgeom.h>
+#include <continua/theory/arb_headers.h>
 
 #include <cmath>
 #include <stdexcept>

@@ -1,9 +1,8 @@
 #include <continua/theory/exact_dispersion.h>
 
+#include <continua/theory/arb_headers.h>
 #include <continua/theory/constants.h>
 #include <continua/theory/womersley.h>
-
-#include <acb_hypgeom.h>
 
 #include <algorithm>
 #include <cmath>

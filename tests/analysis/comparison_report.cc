@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 
 #include "../unit_test.h"
 
@@ -49,12 +50,12 @@ std::vector<ComparedRun> runs_of(const ComparisonParameters &parameters)
   return runs;
 }
 
-const ComparisonReport::Row &row(const ComparisonReport &report, const std::string &label)
+const ComparisonReport::Row &row(const ComparisonReport &report, const std::string_view label)
 {
   for (const ComparisonReport::Row &candidate : report.rows())
     if (candidate.label == label)
       return candidate;
-  throw std::runtime_error("there is no row " + label);
+  throw std::runtime_error("there is no row " + std::string(label));
 }
 
 double quantity(const Summary &summary, const std::string &probe, const std::string &name)

@@ -49,6 +49,8 @@ def environment():
     variables = dict(os.environ)
     variables.update(OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", DEAL_II_NUM_THREADS="1",
                      OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_hwloc_base_binding_policy="none",
+                     PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe",
+                     PRTE_MCA_hwloc_default_binding_policy="none",
                      OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", LC_ALL="C.UTF-8")
     return variables
 

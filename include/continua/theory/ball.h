@@ -1,7 +1,7 @@
 #ifndef continua_theory_ball_h
 #define continua_theory_ball_h
 
-#include <acb.h>
+#include <continua/theory/arb_headers.h>
 
 #include <complex>
 
