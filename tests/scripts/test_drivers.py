@@ -97,6 +97,14 @@ class Drivers(unittest.TestCase):
         self.assert_fails("restart", other_order, "the cell at .* is another one")
         self.assert_passes("restart", other_order + "# cells: in another order\n")
 
+    def test_unchanged(self):
+        case = "# run: Amplitude = 0.01\n# run: Amplitude = 0.02\n# tolerance: {}\nset Cells = 4\n"
+        self.assert_passes("unchanged", case.format("0.02"))
+        self.assert_fails("unchanged", case.format("0.005"), "more than 0.005 of the largest")
+        self.assert_passes("unchanged", case.format("0.005\n# tolerance of displacement y: 0.02"))
+        self.assert_fails("unchanged", case.format("0.02\n# tolerance of displacement y: 0.005"), "more than 0.005 of the largest")
+        self.assert_fails("unchanged", case.format("0.02\n# tolerance of pressure: 0.01"), "no column of this field")
+
     def test_ringing(self):
         loud = "# ringing run: Amplitude = 0.1\n"
         self.assert_passes("ringing", RINGING + loud + "# bound: velocity error <= 0.0626\n")
