@@ -32,7 +32,7 @@ WALLS = {"A": "0.1e-3", "B": "0.05e-3"}
 def basis(frequencies):
     """What k/f is made of: powers of 1/sqrt(f), from the layer at the wall, and of f^2, from dispersion."""
     root = numpy.sqrt(frequencies)
-    return numpy.stack([root**power for power in (0, -1, -2, -3, 1, 4, 8)], axis=1)
+    return numpy.stack([root**power for power in (0, -1, -2, -3, 1, 2, 4, 6, 8)], axis=1)
 
 
 def wave_numbers(thickness):

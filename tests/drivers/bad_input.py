@@ -79,7 +79,10 @@ def check_place(text, patterns, no_line):
             continue
         with open(found["file"], encoding="utf-8") as stream:
             line = stream.read().splitlines()[int(found["line"]) - 1]
-        if key.lower() not in line.lower() or not re.match(r"\s*(set|subsection)\b", line):
+        # An entry that is missing is to blame where its section begins.
+        section = (found["key"] or "").split("/")[-2:-1]
+        if not (re.match(r"\s*(set|subsection|include)\b", line) and key.lower() in line.lower()
+                or section and re.fullmatch(rf"\s*subsection\s+{re.escape(section[0])}\s*(#.*)?", line)):
             raise driver.TestFailure(f"'{found.group(0)}' points to the line '{line.strip()}', which has no '{key}'")
 
 

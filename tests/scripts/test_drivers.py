@@ -66,11 +66,14 @@ class Drivers(unittest.TestCase):
     def test_convergence(self):
         self.assert_passes("convergence", CONVERGENCE)
         self.assert_fails("convergence", CONVERGENCE + "set Misbehave = order\n", "order 1.000 .*expected 1.99 .. 2.01")
-        high = CONVERGENCE.replace("1.99 .. 2.01", "1.5 .. 1.9")
-        self.assert_fails("convergence", high, "velocity error: order 2.000 .*expected 1.5 .. 1.9")
+        high = CONVERGENCE.replace("1.99 .. 2.01", "1.7 .. 1.9")
+        self.assert_fails("convergence", high, "velocity error: order 2.000 .*expected 1.7 .. 1.9")
         wild = CONVERGENCE.replace("Cells = 4\n", "Cells = 7.9\n")
         self.assert_fails("convergence", wild, "between levels 1 and 2, expected 1.49 .. 2.51")
         self.assert_fails("convergence", CONVERGENCE + "# order: velocity error = 1 .. 3\n", "wider than one order")
+        wide = CONVERGENCE + "# order: velocity error = 1.8 .. 2.2\n"
+        self.assert_fails("convergence", wide, "'1.8 .. 2.2' is wider than 0.2")
+        self.assert_passes("convergence", wide + "# wider because: a test of the test\n")
         self.assert_fails("convergence", CONVERGENCE + "# order: velocity error >= 1\n", "cannot read")
         self.assert_fails("convergence", CONVERGENCE + "# bound: velocity error <= 0.0039\n", "at most 0.0039")
         self.assert_fails("convergence", CONVERGENCE + "# order: drag = 1 .. 2\n", "0 quantities match 'drag'")
