@@ -87,8 +87,9 @@ def orders():
     print("tests/convergence/windkessel-*.prm")
     for name, compliance in (("", "0.02"), (" of the fast one", "2e-5")):
         model = Windkessel(3, 40, compliance, mp.mpf("0.5"), 1)
-        model.check(mp.mpf("0.75"))
-        show(f"pressure{name} at 0.75 s", model.pressure(mp.mpf("0.75")), "Pa")
+        # Not at 0.75 s, where the flow has no second derivative and an error of second order vanishes.
+        model.check(mp.mpf("0.6"))
+        show(f"pressure{name} at 0.6 s", model.pressure(mp.mpf("0.6")), "Pa")
 
 
 if __name__ == "__main__":

@@ -102,11 +102,11 @@ def unit_of(name):
     return name[name.rfind("["):] if "[" in name else ""
 
 
-def compare_tables(first, second, tolerance, floor=0.0, left_out=(), floor_share=0.0):
+def compare_tables(first, second, tolerance, floor=0.0, left_out=(), floor_share=0.0, of_fields=()):
     """Column by column, the deviation relative to the largest magnitude in the column of the first table, or to the
     floor where the whole column is below it (a quantity that is zero but for round-off). The floor is at least
     `floor_share` of the largest magnitude among all columns of the same unit. Columns that are `left_out` need not
-    agree."""
+    agree. `of_fields`: {field: tolerance} for the columns 'PROBE: FIELD [UNIT]' that have one of their own."""
     names, rows = read_table(first)
     other_names, other_rows = read_table(second)
     if names != other_names:
@@ -120,9 +120,11 @@ def compare_tables(first, second, tolerance, floor=0.0, left_out=(), floor_share
         of_unit = max(size for size, other in zip(largest, names) if unit_of(other) == unit_of(name))
         scale = max(floor, largest[column], floor_share * of_unit)
         deviation, time = max((abs(a[column] - b[column]), a[0]) for a, b in zip(rows, other_rows))
-        if deviation > tolerance * scale:
+        allowed = dict(of_fields).get(name.rpartition(": ")[2].partition(" [")[0], tolerance)
+        print(f"  {name}: {deviation / scale if scale > 0 else 0:.2g} of the largest magnitude, allowed {allowed:g}")
+        if deviation > allowed * scale:
             raise TestFailure(f"column '{name}': off by {deviation:.3g} at time {time:.6g}, which is more than "
-                              f"{tolerance:g} of the largest magnitude {scale:.6g}")
+                              f"{allowed:g} of the largest magnitude {scale:.6g}")
 
 
 def quantity(summary_file, name, probe=None):
