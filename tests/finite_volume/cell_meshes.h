@@ -208,6 +208,24 @@ std::vector<NamedMesh<dim>> flat_faced()
   return list;
 }
 
+/// A function's values at the centres of cells and faces, by global number, on every rank.
+template <int dim>
+std::vector<double> replicated_field(const CellMesh<dim> &mesh,
+                                     const ValueSpace<dim> &space,
+                                     const std::function<double(const dealii::Point<dim> &)> &function)
+{
+  std::vector<double> values(space.n_values(), 0.);
+  for (unsigned int c = 0; c < mesh.n_owned_cells(); ++c)
+    values[space.of_cell(c)] = function(mesh.cells()[c].centre);
+  for (unsigned int f = 0; f < mesh.faces().size(); ++f)
+    if (mesh.faces()[f].has_value())
+      for (unsigned int side = 0; side < mesh.faces()[f].n_sides(); ++side)
+        if (space.owns_face(f, side))
+          values[space.of_face(f, side)] = function(mesh.faces()[f].centre);
+  dealii::Utilities::MPI::sum(values, mesh.communicator(), values);
+  return values;
+}
+
 /// All operators on one mesh, and fields of replicated values.
 template <int dim>
 class Operators
@@ -226,16 +244,7 @@ public:
   /// A function's values at centres of cells and faces.
   std::vector<double> field(const std::function<double(const dealii::Point<dim> &)> &function) const
   {
-    std::vector<double> values(space.n_values(), 0.);
-    for (unsigned int c = 0; c < mesh.n_owned_cells(); ++c)
-      values[space.of_cell(c)] = function(mesh.cells()[c].centre);
-    for (unsigned int f = 0; f < mesh.faces().size(); ++f)
-      if (mesh.faces()[f].has_value())
-        for (unsigned int side = 0; side < mesh.faces()[f].n_sides(); ++side)
-          if (space.owns_face(f, side))
-            values[space.of_face(f, side)] = function(mesh.faces()[f].centre);
-    dealii::Utilities::MPI::sum(values, mesh.communicator(), values);
-    return values;
+    return replicated_field<dim>(mesh, space, function);
   }
 
   /// The divergence of a vector field over a cell as the equations have it, by what its faces'
