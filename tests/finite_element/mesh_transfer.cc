@@ -1,5 +1,5 @@
-// Over a change of the mesh: fields that the spaces hold stay the same functions, through refinement
-// and coarsening, with pressures that jump between regions; hanging nodes are zero.
+// Over a change of the mesh: fields that the spaces hold stay the same functions, through
+// refinement and coarsening, with pressures that jump between regions; hanging nodes are zero.
 
 #include <continua/finite_element/mesh_transfer.h>
 

@@ -46,9 +46,9 @@ void test()
                                             u[dim - 1] = p[0] + p[dim - 1];
                                           return u;
                                         }));
-  pressure.add(-1., pressure_field<dim>(space,
-                                        [](const dealii::Point<dim> &p, const unsigned int region)
-                                        { return region == 0 ? (1. + p[0]) / 0.8 : 5. - p[1]; }));
+  pressure.add(-1.,
+               pressure_field<dim>(space, [](const dealii::Point<dim> &p, const unsigned int region)
+                                   { return region == 0 ? (1. + p[0]) / 0.8 : 5. - p[1]; }));
   check::absolute(name + "velocity", velocity.linfty_norm(), 0., 1e-14);
   check::absolute(name + "pressure", pressure.linfty_norm(), 0., 1e-14);
   displacement.add(-7.);

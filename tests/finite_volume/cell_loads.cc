@@ -1,5 +1,5 @@
-// Loads: weights and pressures in sum by hand, a constant, a function of time, one of place and time,
-// pressure on a closed surface, and jumps.
+// Loads: weights and pressures in sum by hand, a constant, a function of time, one of place and
+// time, pressure on a closed surface, and jumps.
 
 #include <continua/finite_volume/cell_loads.h>
 
@@ -76,9 +76,13 @@ double total(const LoadedBody<dim> &body,
 template <int dim>
 void check_weight(const Model model)
 {
-  const std::string name = model == Model::axisymmetric ? "axisymmetric: " : dim == 2 ? "2-D: " : "3-D: ";
-  const double all = model == Model::axisymmetric ? pi : 1.,
-               fluid = model == Model::axisymmetric ? pi / 4. : dim == 2 ? 0.25 : 0.125;
+  const std::string name = model == Model::axisymmetric ? "axisymmetric: "
+                           : dim == 2                   ? "2-D: "
+                                                        : "3-D: ";
+  const double all = model == Model::axisymmetric ? pi : 1., fluid = model == Model::axisymmetric
+                                                                         ? pi / 4.
+                                                                     : dim == 2 ? 0.25
+                                                                                : 0.125;
   const LoadedBody<dim> body([](Triangulation<dim> &mesh) { make_box(mesh, 4); }, model,
                              [](Problem &problem)
                              {
@@ -106,7 +110,9 @@ void check_weight(const Model model)
 template <int dim>
 void check_pressure(const Model model)
 {
-  const std::string name = model == Model::axisymmetric ? "axisymmetric: " : dim == 2 ? "2-D: " : "3-D: ";
+  const std::string name = model == Model::axisymmetric ? "axisymmetric: "
+                           : dim == 2                   ? "2-D: "
+                                                        : "3-D: ";
   const auto body = [&](const std::function<void(Problem &)> &change)
   {
     return std::make_unique<LoadedBody<dim>>(
@@ -128,7 +134,8 @@ void check_pressure(const Model model)
         }
       });
   const DistributedVector loads = around->at(0.75);
-  check::absolute(name + "pressure all around, along x", total(*around, loads, 0, false), 0., 1e-13);
+  check::absolute(name + "pressure all around, along x", total(*around, loads, 0, false), 0.,
+                  1e-13);
   if (model == Model::axisymmetric)
     // Where the axis has no area the equation counts as in the plane: a length of 1.
     check::absolute(name + "pressure on the rim", total(*around, loads, 1, false),

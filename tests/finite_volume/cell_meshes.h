@@ -210,9 +210,10 @@ std::vector<NamedMesh<dim>> flat_faced()
 
 /// A function's values at the centres of cells and faces, by global number, on every rank.
 template <int dim>
-std::vector<double> replicated_field(const CellMesh<dim> &mesh,
-                                     const ValueSpace<dim> &space,
-                                     const std::function<double(const dealii::Point<dim> &)> &function)
+std::vector<double>
+replicated_field(const CellMesh<dim> &mesh,
+                 const ValueSpace<dim> &space,
+                 const std::function<double(const dealii::Point<dim> &)> &function)
 {
   std::vector<double> values(space.n_values(), 0.);
   for (unsigned int c = 0; c < mesh.n_owned_cells(); ++c)

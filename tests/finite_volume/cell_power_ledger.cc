@@ -52,8 +52,10 @@ template <int dim>
 void test(const Model model, const std::string &power_operator)
 {
   const bool axisymmetric = model == Model::axisymmetric;
-  const std::string name =
-      (axisymmetric ? "axisymmetric, " : dim == 2 ? "2-D, " : "3-D, ") + power_operator + ": ";
+  const std::string name = (axisymmetric ? "axisymmetric, "
+                            : dim == 2   ? "2-D, "
+                                         : "3-D, ") +
+                           power_operator + ": ";
   CellWiseParameters parameters;
   parameters.power_operator = power_operator;
   // Every boundary moves as it is told to; a body force of 3 N/m^3 along x.
@@ -104,8 +106,8 @@ void test(const Model model, const std::string &power_operator)
   BalancedCells balanced;
   balanced.step = euler_step(0., 0.1, Update::implicit);
   balanced.velocity = velocity_field<dim>(space, field<dim>(rate));
-  balanced.pressure = pressure_field<dim>(
-      space, [](const dealii::Point<dim> &, const unsigned int) { return pressure_value; });
+  balanced.pressure = pressure_field<dim>(space, [](const dealii::Point<dim> &, const unsigned int)
+                                          { return pressure_value; });
   balanced.acceleration = velocity_field<dim>(space,
                                               [](const dealii::Point<dim> &)
                                               {
@@ -124,8 +126,7 @@ void test(const Model model, const std::string &power_operator)
     start.begin()[i] = 1.;
     end.begin()[i] = 2.;
   }
-  const PowerBalance balance =
-      ledger.balance(balanced, start, end, history, bulk_history, true);
+  const PowerBalance balance = ledger.balance(balanced, start, end, history, bulk_history, true);
 
   const Slopes elastic = combined(1., stretch, 0.1, rate);
   const Slopes relaxing = combined(0.1 / (1. + 0.1 / relaxation_time), rate, 0., rate);
@@ -149,17 +150,17 @@ void test(const Model model, const std::string &power_operator)
     const double expected_kinetic = power_operator == "scheme"
                                         ? density * 5. * rate[0] * sum(moment)
                                         : 0.5 * density / 0.1 * (4. - 1.) * volumes[region];
-    const double expected_strain =
-        volumes[region] * (spring * deviatoric(elastic, rate) + soft_spring * deviatoric(relaxing, rate));
+    const double expected_strain = volumes[region] * (spring * deviatoric(elastic, rate) +
+                                                      soft_spring * deviatoric(relaxing, rate));
     const double expected_viscous = volumes[region] * viscosity * deviatoric(rate, rate);
     const double expected_compressive = -volumes[region] * pressure_value * dilatation;
     check::relative(of_region + "kinetic", power.kinetic, expected_kinetic, 1e-12);
     check::relative(of_region + "strain", power.strain, expected_strain, 1e-12);
     check::relative(of_region + "viscous", power.viscous, expected_viscous, 1e-12);
     check::relative(of_region + "compressive", power.compressive, expected_compressive, 1e-12);
-    check::relative(of_region + "relaxation", power.relaxation,
-                    volumes[region] * soft_spring / relaxation_time * deviatoric(relaxing, relaxing),
-                    1e-12);
+    check::relative(
+        of_region + "relaxation", power.relaxation,
+        volumes[region] * soft_spring / relaxation_time * deviatoric(relaxing, relaxing), 1e-12);
     kinetic += expected_kinetic;
     others += expected_strain + expected_viscous + expected_compressive;
   }
@@ -172,10 +173,11 @@ void test(const Model model, const std::string &power_operator)
   const State state{end, balanced.pressure, history};
   const Energy energy = ledger.energy(state, bulk_history);
   check::relative(name + "kinetic energy", energy.kinetic, 0.5 * density * 4. * volume, 1e-12);
-  check::relative(name + "energy of springs", energy.strain,
-                  0.5 * volume * (spring * deviatoric(elastic, elastic) +
-                                  soft_spring * deviatoric(relaxing, relaxing)),
-                  1e-12);
+  check::relative(
+      name + "energy of springs", energy.strain,
+      0.5 * volume *
+          (spring * deviatoric(elastic, elastic) + soft_spring * deviatoric(relaxing, relaxing)),
+      1e-12);
   check::relative(name + "energy of the pressure", energy.compressive,
                   0.5 * inverse_bulk_modulus * pressure_value * pressure_value * volume, 1e-12);
   check::relative(name + "of the second material", energy.compressive_of_materials[1],

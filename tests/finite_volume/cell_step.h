@@ -23,9 +23,8 @@ void make_uniform_box(Triangulation<dim> &mesh, const unsigned int n)
 /// Two squares of width 1/2, the left one solid, the right one fluid.
 inline void make_two_squares(Triangulation<2> &mesh)
 {
-  dealii::GridGenerator::subdivided_hyper_rectangle(mesh, std::vector<unsigned int>{2, 1},
-                                                    dealii::Point<2>(), dealii::Point<2>(1., 0.5),
-                                                    true);
+  dealii::GridGenerator::subdivided_hyper_rectangle(
+      mesh, std::vector<unsigned int>{2, 1}, dealii::Point<2>(), dealii::Point<2>(1., 0.5), true);
   for (const auto &cell : mesh.active_cell_iterators())
     cell->set_material_id(cell->center()[0] < 0.5 ? 0 : 1);
 }
@@ -102,8 +101,7 @@ public:
 /// Numbers between -1 and 1 in the owned entries.
 inline void fill_at_random(DistributedVector &vector, const unsigned int seed)
 {
-  std::mt19937 generator(seed +
-                         100 * dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
+  std::mt19937 generator(seed + 100 * dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
   std::uniform_real_distribution<double> distribution(-1., 1.);
   for (double &value : vector)
     value = distribution(generator);

@@ -14,7 +14,9 @@ using namespace cell_meshes;
 
 std::string kind_of(const Model model)
 {
-  return model == Model::axisymmetric ? "axisymmetric: " : model == Model::plane_strain ? "2-D: " : "3-D: ";
+  return model == Model::axisymmetric   ? "axisymmetric: "
+         : model == Model::plane_strain ? "2-D: "
+                                        : "3-D: ";
 }
 
 /// U = (2 x, 3 y, -z), in axisymmetry (2 x, 3 r), and p = 1 + 2 x + 3 y + 4 z.
@@ -29,27 +31,28 @@ dealii::Tensor<1, dim> linear_velocity(const dealii::Point<dim> &p)
   return u;
 }
 
-/// mass V U + V grad p in a cell, and V (p/(K b) + div U): stresses are constant, and the correction
-/// of the fluxes does nothing to a linear pressure. (In axisymmetry on meshes whose faces are along
-/// the coordinates and do not hang.)
+/// mass V U + V grad p in a cell, and V (p/(K b) + div U): stresses are constant, and the
+/// correction of the fluxes does nothing to a linear pressure. (In axisymmetry on meshes whose
+/// faces are along the coordinates and do not hang.)
 template <int dim>
 void check_linear_fields(const Model model)
 {
   const bool axisymmetric = model == Model::axisymmetric;
-  const CellStep<dim> step([axisymmetric](Triangulation<dim> &mesh)
-                           {
-                             make_box(mesh, 4);
-                             if (axisymmetric)
-                             {
-                               grade(mesh);
-                               return;
-                             }
-                             refine_corner(mesh);
-                             if (dim == 2)
-                               project(mesh);
-                           },
-                           model, make_coefficients(),
-                           [](Problem &problem) { problem.materials[1] = problem.materials[0]; });
+  const CellStep<dim> step(
+      [axisymmetric](Triangulation<dim> &mesh)
+      {
+        make_box(mesh, 4);
+        if (axisymmetric)
+        {
+          grade(mesh);
+          return;
+        }
+        refine_corner(mesh);
+        if (dim == 2)
+          project(mesh);
+      },
+      model, make_coefficients(),
+      [](Problem &problem) { problem.materials[1] = problem.materials[0]; });
   const CellSpace<dim> &space = step.space;
   const DistributedVector velocity = velocity_field<dim>(space, linear_velocity<dim>);
   const DistributedVector pressure = pressure_field<dim>(
@@ -65,16 +68,14 @@ void check_linear_fields(const Model model)
     const dealii::Tensor<1, dim> u = linear_velocity<dim>(volume.centre);
     for (unsigned int c = 0; c < dim; ++c)
       momentum_error = std::max(
-          momentum_error,
-          std::abs(momentum.begin()[step.cell_row(cell) + c] -
-                   volume.volume *
-                       (coefficients.mass[volume.material_id] * u[c] + slope<dim>()[c])));
+          momentum_error, std::abs(momentum.begin()[step.cell_row(cell) + c] -
+                                   volume.volume * (coefficients.mass[volume.material_id] * u[c] +
+                                                    slope<dim>()[c])));
     mass_error = std::max(
-        mass_error,
-        std::abs(mass.begin()[step.cell_pressure_row(cell)] -
-                 volume.volume * (coefficients.compressibility[volume.material_id] *
-                                      linear<dim>(volume.centre) +
-                                  divergence)));
+        mass_error, std::abs(mass.begin()[step.cell_pressure_row(cell)] -
+                             volume.volume * (coefficients.compressibility[volume.material_id] *
+                                                  linear<dim>(volume.centre) +
+                                              divergence)));
   }
   check::absolute(kind_of(model) + "momentum", largest(momentum_error), 0., 1e-12);
   check::absolute(kind_of(model) + "mass", largest(mass_error), 0., 1e-12);
@@ -97,17 +98,18 @@ void check_linear_fields(const Model model)
 template <int dim>
 void check_entries(const Model model)
 {
-  const CellStep<dim> step([](Triangulation<dim> &mesh)
-                           {
-                             make_box(mesh, 4);
-                             shear(mesh);
-                           },
-                           model, make_coefficients(),
-                           [](Problem &problem)
-                           {
-                             set_roller(problem.conditions[0]);
-                             set_free(problem.conditions[1]);
-                           });
+  const CellStep<dim> step(
+      [](Triangulation<dim> &mesh)
+      {
+        make_box(mesh, 4);
+        shear(mesh);
+      },
+      model, make_coefficients(),
+      [](Problem &problem)
+      {
+        set_roller(problem.conditions[0]);
+        set_free(problem.conditions[1]);
+      });
   const CellSpace<dim> &space = step.space;
   DistributedVector velocity = space.velocity_vector(), pressure = space.pressure_vector(),
                     momentum = velocity, mass = pressure;
@@ -137,10 +139,9 @@ void check_entries(const Model model)
   {
     const auto &surface = space.mesh.faces()[face.face];
     const auto &cell = space.mesh.cells()[surface.owner];
-    const double scale =
-        coefficients.mass[cell.material_id] * cell.volume +
-        coefficients.stiffness[cell.material_id] * face.weight /
-            ((surface.centre - cell.centre) * surface.normal);
+    const double scale = coefficients.mass[cell.material_id] * cell.volume +
+                         coefficients.stiffness[cell.material_id] * face.weight /
+                             ((surface.centre - cell.centre) * surface.normal);
     scale_error = std::max(scale_error, std::abs(step.system.scale(face) / scale - 1.));
     dealii::Tensor<1, dim> row, u;
     for (unsigned int c = 0; c < dim; ++c)
@@ -154,8 +155,8 @@ void check_entries(const Model model)
   check::absolute(kind_of(model) + "prescribed rows", largest(row_error) / size, 0., 1e-13);
 }
 
-/// One region in cells of h = 1/8 or, in 3-D, 1/6. A checkerboard of pressures makes compact normal gradients of
-/// -2 p/h and no gradients of cells.
+/// One region in cells of h = 1/8 or, in 3-D, 1/6. A checkerboard of pressures makes compact normal
+/// gradients of -2 p/h and no gradients of cells.
 template <int dim>
 void check_numbers(const double mobility)
 {
@@ -196,19 +197,17 @@ void check_numbers(const double mobility)
     const double expected = -4. * dim * std::pow(h, dim - 2.) * tau * sign(volume.centre);
     const unsigned int row = step.cell_pressure_row(cell);
     correction = std::max(
-        correction,
-        std::abs((mobility > 0. ? of_increment : of_pressure).begin()[row] - expected));
+        correction, std::abs((mobility > 0. ? of_increment : of_pressure).begin()[row] - expected));
     other = std::max(other, std::abs((mobility > 0. ? of_pressure : of_increment).begin()[row]));
   }
-  const std::string kind =
-      std::string(dim == 2 ? "squares, " : "cubes, ") + (mobility > 0. ? "increment: " : "pressure: ");
+  const std::string kind = std::string(dim == 2 ? "squares, " : "cubes, ") +
+                           (mobility > 0. ? "increment: " : "pressure: ");
   check::absolute(kind + "diagonal", largest(diagonal), 0., 1e-9);
   check::absolute(kind + "checkerboard", largest(correction), 0., 1e-14);
   check::absolute(kind + "nothing else", largest(other), 0., 0.);
-  check::is_true(kind + "one matrix", (step.system.pressure_correction() == nullptr) ==
-                                              (mobility > 0.) &&
-                                          (step.system.increment_correction() == nullptr) ==
-                                              (mobility == 0.));
+  check::is_true(kind + "one matrix",
+                 (step.system.pressure_correction() == nullptr) == (mobility > 0.) &&
+                     (step.system.increment_correction() == nullptr) == (mobility == 0.));
   check::is_true(kind + "the same again", !step.system.prepare(coefficients));
   coefficients.mass[0] *= 1.001;
   check::is_true(kind + "a new one", step.system.prepare(coefficients));

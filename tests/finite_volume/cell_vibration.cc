@@ -14,12 +14,15 @@ namespace
 using namespace cell_meshes;
 constexpr double density = 2.;
 
-/// mu = 3 Pa, K = 2 Pa; rollers all around but on x = 1. Of u = sin(k x) the deviatoric stress makes
+/// mu = 3 Pa, K = 2 Pa; rollers all around but on x = 1. Of u = sin(k x) the deviatoric stress
+/// makes
 /// -(4/3) mu (2 - 2 cos(k h))/h^2 u and the pressure, that of twice the step, -K (sin(k h)/h)^2 u.
 template <int dim>
 void test(const Model model)
 {
-  const std::string name = model == Model::axisymmetric ? "axisymmetric: " : dim == 2 ? "2-D: " : "3-D: ";
+  const std::string name = model == Model::axisymmetric ? "axisymmetric: "
+                           : dim == 2                   ? "2-D: "
+                                                        : "3-D: ";
   CellCoefficients at_rest = make_coefficients();
   at_rest.correct_fluxes = false;
   constexpr unsigned int n = 8;
@@ -60,9 +63,9 @@ void test(const Model model)
     wave[dim * cell] = std::sin(wave_number * space.mesh.cells()[cell].centre[0]);
   vibration.accelerate(wave, acceleration);
   const double phase = wave_number * h;
-  const double eigenvalue = (4. / 3. * 3. * (2. - 2. * std::cos(phase)) +
-                             2. * std::sin(phase) * std::sin(phase)) /
-                            (h * h * density);
+  const double eigenvalue =
+      (4. / 3. * 3. * (2. - 2. * std::cos(phase)) + 2. * std::sin(phase) * std::sin(phase)) /
+      (h * h * density);
   double error = 0., across = 0.;
   for (unsigned int cell = 0; cell < space.mesh.n_owned_cells(); ++cell)
   {
@@ -83,9 +86,9 @@ void test(const Model model)
     const double x = space.mesh.cells()[cell].centre[0];
     cells = std::max(cells, std::abs(displacement.begin()[body.cell_row(cell)] - wave[dim * cell]));
     if (x > 1.2 * h && x < 1. - 1.2 * h)
-      pressures = std::max(
-          pressures, std::abs(pressure.begin()[body.cell_pressure_row(cell)] +
-                              2. * std::cos(wave_number * x) * std::sin(phase) / h));
+      pressures =
+          std::max(pressures, std::abs(pressure.begin()[body.cell_pressure_row(cell)] +
+                                       2. * std::cos(wave_number * x) * std::sin(phase) / h));
   }
   check::absolute(name + "shape: displacement", largest(cells), 0., 0.);
   check::absolute(name + "shape: velocity", velocity.linfty_norm(), 0., 0.);
@@ -94,8 +97,8 @@ void test(const Model model)
   // Mass and momentum: rho V.
   std::vector<double> mass(n_unknowns), ones(n_unknowns, 1.);
   vibration.multiply_mass(ones, mass);
-  const std::vector<double> momentum =
-      vibration.momentum([](const dealii::Point<dim> &p) { return 3. * dealii::Tensor<1, dim>(p); });
+  const std::vector<double> momentum = vibration.momentum(
+      [](const dealii::Point<dim> &p) { return 3. * dealii::Tensor<1, dim>(p); });
   const std::vector<unsigned int> directions = vibration.directions();
   double masses = 0.;
   for (unsigned int i = 0; i < n_unknowns; ++i)

@@ -1,6 +1,6 @@
 // All equations at once: a random velocity and pressure are found from what the equations make of
-// them, with or without a pressure; a body under tension stretches as the theory of elasticity says;
-// one that nothing holds is refused.
+// them, with or without a pressure; a body under tension stretches as the theory of elasticity
+// says; one that nothing holds is refused.
 
 #include <continua/finite_volume/coupled_solve.h>
 
@@ -24,18 +24,19 @@ void check_random(const std::string &name,
   parameters.formulation = formulation;
   CellCoefficients coefficients = given;
   coefficients.with_pressure = parameters.has_pressure();
-  const CellStep<dim> step([](Triangulation<dim> &mesh)
-                           {
-                             make_box(mesh, 4);
-                             shear(mesh);
-                           },
-                           model, coefficients,
-                           [](Problem &problem)
-                           {
-                             set_roller(problem.conditions[0]);
-                             set_free(problem.conditions[1]);
-                           },
-                           parameters);
+  const CellStep<dim> step(
+      [](Triangulation<dim> &mesh)
+      {
+        make_box(mesh, 4);
+        shear(mesh);
+      },
+      model, coefficients,
+      [](Problem &problem)
+      {
+        set_roller(problem.conditions[0]);
+        set_free(problem.conditions[1]);
+      },
+      parameters);
   DistributedVector velocity = step.space.velocity_vector(),
                     pressure = step.space.pressure_vector(), momentum = velocity, mass = pressure;
   fill_at_random(velocity, 1);
@@ -59,8 +60,8 @@ void check_random(const std::string &name,
   check::absolute(name + ": pressure", found_pressure.linfty_norm(), 0., 1e-9);
 }
 
-/// mu = 3 Pa and K = 4 Pa: E = 9 K mu/(3 K + mu) = 7.2 Pa, nu = E/(2 mu) - 1 = 0.2. A tension of 0.6
-/// Pa along x, rollers on x = 0 and y = 0 (z = 0), elsewhere free: strains of sigma/E and -nu
+/// mu = 3 Pa and K = 4 Pa: E = 9 K mu/(3 K + mu) = 7.2 Pa, nu = E/(2 mu) - 1 = 0.2. A tension of
+/// 0.6 Pa along x, rollers on x = 0 and y = 0 (z = 0), elsewhere free: strains of sigma/E and -nu
 /// sigma/E; of a fixed thickness sigma (1 - nu^2)/E and -nu (1 + nu) sigma/E.
 template <int dim>
 void check_tension(const Model model)
@@ -109,8 +110,8 @@ void check_tension(const Model model)
   displacement.add(-1., velocity_field<dim>(space,
                                             [&](const dealii::Point<dim> &p)
                                             {
-                                              dealii::Tensor<1, dim> u = across *
-                                                                         dealii::Tensor<1, dim>(p);
+                                              dealii::Tensor<1, dim> u =
+                                                  across * dealii::Tensor<1, dim>(p);
                                               u[0] = along * p[0];
                                               return u;
                                             }));

@@ -16,21 +16,22 @@ using namespace cell_meshes;
 template <int dim>
 void test(const std::string &name, const Model model, const bool with_fluid)
 {
-  const CellStep<dim> step([with_fluid](Triangulation<dim> &mesh)
-                           {
-                             make_box(mesh, dim == 2 ? 4 : 3);
-                             grade(mesh);
-                             if (!with_fluid)
-                               for (const auto &cell : mesh.active_cell_iterators())
-                                 cell->set_material_id(0);
-                           },
-                           model, make_coefficients(),
-                           [](Problem &problem)
-                           {
-                             set_roller(problem.conditions[0]);
-                             set_free(problem.conditions[1]);
-                             set_free(problem.conditions[3]);
-                           });
+  const CellStep<dim> step(
+      [with_fluid](Triangulation<dim> &mesh)
+      {
+        make_box(mesh, dim == 2 ? 4 : 3);
+        grade(mesh);
+        if (!with_fluid)
+          for (const auto &cell : mesh.active_cell_iterators())
+            cell->set_material_id(0);
+      },
+      model, make_coefficients(),
+      [](Problem &problem)
+      {
+        set_roller(problem.conditions[0]);
+        set_free(problem.conditions[1]);
+        set_free(problem.conditions[3]);
+      });
   const CellSpace<dim> &space = step.space;
   SplitEquations<dim> equations(step.system);
   equations.reinit();
@@ -50,8 +51,8 @@ void test(const std::string &name, const Model model, const bool with_fluid)
   equations.pack(velocity, pressure, exact);
 
   // Distance of the faces' values from the exact ones.
-  const auto error = [&](const typename SplitEquations<dim>::Vector &unknowns,
-                         const bool of_velocities)
+  const auto error =
+      [&](const typename SplitEquations<dim>::Vector &unknowns, const bool of_velocities)
   {
     const auto rows = of_velocities ? equations.face_momentum() : equations.face_pressure();
     double result = 0.;
@@ -95,8 +96,8 @@ void test(const std::string &name, const Model model, const bool with_fluid)
     if (face.from_definition)
     {
       ++n_from_definition;
-      at_once = std::max(at_once, std::abs(unknowns.begin()[face.pressure] -
-                                           exact.begin()[face.pressure]));
+      at_once = std::max(at_once,
+                         std::abs(unknowns.begin()[face.pressure] - exact.begin()[face.pressure]));
     }
   }
   check::absolute(name + ": from the definition", largest(at_once), 0., 1e-12);

@@ -103,16 +103,16 @@ void check_parts()
     dealii::Tensor<2, dim> expected;
     switch (surface.boundary_id)
     {
-      case 0:
-        expected = of_region_1 ? identity : along;
-        break;
-      case 1:
-        expected = identity - along;
-        break;
-      case 2:
-        break;
-      default:
-        expected = identity;
+    case 0:
+      expected = of_region_1 ? identity : along;
+      break;
+    case 1:
+      expected = identity - along;
+      break;
+    case 2:
+      break;
+    default:
+      expected = identity;
     }
     projector = std::max(projector, (face.prescribed - expected).norm());
     const dealii::Tensor<1, dim> at_centre = given<dim>(surface.centre, time);
@@ -121,7 +121,8 @@ void check_parts()
                          ? 5. * surface.centre[0] * time
                          : 0.) *
                         n;
-    traction = std::max(traction, (conditions.traction(face, time) - (loads - expected * loads)).norm());
+    traction =
+        std::max(traction, (conditions.traction(face, time) - (loads - expected * loads)).norm());
     dealii::Tensor<1, dim> at_face, kept, taken, all;
     for (unsigned int c = 0; c < dim; ++c)
     {
@@ -138,8 +139,9 @@ void check_parts()
   double elsewhere = 0.;
   for (unsigned int i = 0; i < is_prescribed.size(); ++i)
     if (!is_prescribed[i])
-      elsewhere = std::max({elsewhere, std::abs(velocity.begin()[i] - 7.), std::abs(part.begin()[i]),
-                            std::abs(cleared.begin()[i] - random.begin()[i])});
+      elsewhere =
+          std::max({elsewhere, std::abs(velocity.begin()[i] - 7.), std::abs(part.begin()[i]),
+                    std::abs(cleared.begin()[i] - random.begin()[i])});
   check::is_true(kind + "one for each boundary face",
                  largest(conditions.faces().size() == n_boundary_faces && numbers ? 0. : 1.) == 0.);
   check::is_true(kind + "normals are oblique", largest(oblique) > 0.3);
@@ -170,9 +172,8 @@ void check_flow_rate()
     const auto &surface = space.mesh.faces()[face.face];
     const double r = surface.centre[1];
     // On the axis, where a face has no area, its length.
-    weights = std::max(weights, std::abs(face.weight - (surface.boundary_id == 2
-                                                            ? 0.25
-                                                            : 2. * pi * r * 0.25)));
+    weights = std::max(
+        weights, std::abs(face.weight - (surface.boundary_id == 2 ? 0.25 : 2. * pi * r * 0.25)));
     if (surface.boundary_id != 0)
       continue;
     const double speed = velocity.begin()[face.index];

@@ -14,7 +14,8 @@ namespace
 {
 using namespace cell_meshes;
 
-/// Moduli 3 (4/3) = 4 Pa s and 2 Pa s, faces of length 1/2 at 1/4 from the centres: springs of 8 and
+/// Moduli 3 (4/3) = 4 Pa s and 2 Pa s, faces of length 1/2 at 1/4 from the centres: springs of 8
+/// and
 /// 4. x = 0 is held, x = 1 a roller, the rest free.
 void check_two_squares()
 {
@@ -101,18 +102,18 @@ template <int dim>
 void check_oblique()
 {
   const std::string name = dim == 2 ? "2-D: " : "3-D: ";
-  const CellStep<dim> step([](Triangulation<dim> &mesh)
-                           {
-                             make_uniform_box(mesh, 3);
-                             shear(mesh);
-                           },
-                           dim == 2 ? Model::plane_strain : Model::three_dimensional,
-                           make_coefficients(),
-                           [](Problem &problem)
-                           {
-                             for (BoundaryCondition &condition : problem.conditions)
-                               set_roller(condition);
-                           });
+  const CellStep<dim> step(
+      [](Triangulation<dim> &mesh)
+      {
+        make_uniform_box(mesh, 3);
+        shear(mesh);
+      },
+      dim == 2 ? Model::plane_strain : Model::three_dimensional, make_coefficients(),
+      [](Problem &problem)
+      {
+        for (BoundaryCondition &condition : problem.conditions)
+          set_roller(condition);
+      });
   SplitEquations<dim> equations(step.system);
   equations.reinit();
   FaceLinks<dim> links(step.system, equations);

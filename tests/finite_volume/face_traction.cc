@@ -17,9 +17,9 @@ using Components = std::vector<std::vector<double>>;
 
 /// The values of a vector field by component.
 template <int dim>
-Components components_of(
-    const CellSpace<dim> &space,
-    const std::function<dealii::Tensor<1, dim>(const dealii::Point<dim> &)> &function)
+Components
+components_of(const CellSpace<dim> &space,
+              const std::function<dealii::Tensor<1, dim>(const dealii::Point<dim> &)> &function)
 {
   Components result;
   for (unsigned int c = 0; c < dim; ++c)
@@ -81,15 +81,14 @@ void check_meshes(const Model model, const std::vector<Coefficients> &list)
                                                   u[1] = axisymmetric ? 0. : p[0];
                                                   return u;
                                                 });
-    const Components rough =
-        components_of<dim>(space,
-                           [](const dealii::Point<dim> &p)
-                           {
-                             dealii::Tensor<1, dim> u;
-                             for (unsigned int c = 0; c < dim; ++c)
-                               u[c] = std::sin(1e3 * p.norm() + 1e2 * c);
-                             return u;
-                           });
+    const Components rough = components_of<dim>(space,
+                                                [](const dealii::Point<dim> &p)
+                                                {
+                                                  dealii::Tensor<1, dim> u;
+                                                  for (unsigned int c = 0; c < dim; ++c)
+                                                    u[c] = std::sin(1e3 * p.norm() + 1e2 * c);
+                                                  return u;
+                                                });
     double linear_error = 0., wide_error = 0., rigid_error = 0., difference = 0., hoop_error = 0.;
     for (const Coefficients &coefficients : list)
     {
@@ -120,10 +119,10 @@ void check_meshes(const Model model, const std::vector<Coefficients> &list)
         for (const auto &[value, vector] : traction.hoop(cell))
           for (unsigned int c = 0; c < dim; ++c)
             stress += vector[c] * linear_field[c][value];
-        hoop_error =
-            std::max(hoop_error, std::abs(stress - (axisymmetric ? 2. * gradient[1][1] +
-                                                                       coefficients.trace * trace
-                                                                 : 0.)));
+        hoop_error = std::max(
+            hoop_error,
+            std::abs(stress -
+                     (axisymmetric ? 2. * gradient[1][1] + coefficients.trace * trace : 0.)));
       }
     }
     check::absolute(kind + named.name + ": linear fields", largest(linear_error), 0., 1e-11);
@@ -148,8 +147,10 @@ void check_checkerboard()
   space.distribute();
   const auto sign = [](const dealii::Point<2> &p)
   { return (int(std::floor(8. * p[0])) + int(std::floor(8. * p[1]))) % 2 == 0 ? 1. : -1.; };
-  const Components field = components_of<2>(
-      space, [&](const dealii::Point<2> &p) { return dealii::Tensor<1, 2>({sign(p), 0.}); });
+  const Components field = components_of<2>(space,
+                                            [&](const dealii::Point<2> &p) {
+                                              return dealii::Tensor<1, 2>({sign(p), 0.});
+                                            });
   const FaceTraction<2> traction(space, 4. / 3., -2. / 3., true);
   double compact = 0., wide = 0.;
   unsigned int n_faces = 0;

@@ -33,25 +33,26 @@ void check_linear(const Model model)
   const std::string name = model == Model::axisymmetric ? "axisymmetric" : dim == 2 ? "2-D" : "3-D";
   CellCoefficients coefficients = make_coefficients();
   coefficients.mass = {0., 0.};
-  const CellStep<dim> step([](Triangulation<dim> &mesh)
-                           {
-                             make_uniform_box(mesh, 3);
-                             grade(mesh);
-                           },
-                           model, coefficients,
-                           [](Problem &problem)
-                           {
-                             for (unsigned int b = 0; b < 2 * dim; ++b)
-                             {
-                               set_roller(problem.conditions[b]);
-                               if (b == 1 || b == 3)
-                                 set_free(problem.conditions[b]);
-                             }
-                           });
+  const CellStep<dim> step(
+      [](Triangulation<dim> &mesh)
+      {
+        make_uniform_box(mesh, 3);
+        grade(mesh);
+      },
+      model, coefficients,
+      [](Problem &problem)
+      {
+        for (unsigned int b = 0; b < 2 * dim; ++b)
+        {
+          set_roller(problem.conditions[b]);
+          if (b == 1 || b == 3)
+            set_free(problem.conditions[b]);
+        }
+      });
   const CellSpace<dim> &space = step.space;
   const DistributedVector exact = velocity_field<dim>(space, stretch<dim>);
-  const double trace = 0.01 - 0.02 + (model == Model::axisymmetric ? -0.02 : 0.) +
-                       (dim == 3 ? 0.03 : 0.);
+  const double trace =
+      0.01 - 0.02 + (model == Model::axisymmetric ? -0.02 : 0.) + (dim == 3 ? 0.03 : 0.);
   DistributedVector momentum = space.velocity_vector(), mass = space.pressure_vector();
   for (const auto &face : step.conditions.faces())
   {

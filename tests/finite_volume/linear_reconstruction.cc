@@ -1,5 +1,6 @@
 // Between the places of its values a linear field is exact: in the corners of every cell and on the
-// faces with values of their own, with the values of the other ranks; gradients and the hoop strain.
+// faces with values of their own, with the values of the other ranks; gradients and the hoop
+// strain.
 
 #include <continua/finite_volume/linear_reconstruction.h>
 
@@ -22,7 +23,8 @@ void test(const Model model)
   for (unsigned int a = 0; a < dim; ++a)
     for (unsigned int b = 0; b < dim; ++b)
       slopes[a][b] = axisymmetric && a == 1 ? (b == 1 ? 0.4 : 0.) : 1. + a - 0.3 * b;
-  const auto field = [&](const dealii::Point<dim> &p) { return slopes * dealii::Tensor<1, dim>(p); };
+  const auto field = [&](const dealii::Point<dim> &p)
+  { return slopes * dealii::Tensor<1, dim>(p); };
   for (const auto &named : flat_faced<dim>())
   {
     Triangulation<dim> triangulation(MPI_COMM_WORLD);
@@ -47,11 +49,10 @@ void test(const Model model)
                .norm(),
            std::abs(Reconstruction::value(reconstruction.pressure(place, point), pressure) -
                     linear<dim>(point))});
-      gradients = std::max(
-          gradients, (Reconstruction::vector_gradient(reconstruction.velocity_gradient(place),
-                                                      velocity) -
-                      slopes)
-                         .norm());
+      gradients = std::max(gradients, (Reconstruction::vector_gradient(
+                                           reconstruction.velocity_gradient(place), velocity) -
+                                       slopes)
+                                          .norm());
       double hoop = 0.;
       for (const auto &[value, factor] : reconstruction.hoop(place))
         hoop += factor * velocity(dim * value + 1);
@@ -73,7 +74,10 @@ void test(const Model model)
           look({c, f}, face.centre + along);
         }
     }
-    const std::string name = (axisymmetric ? "axisymmetric, " : dim == 2 ? "2-D, " : "3-D, ") + named.name;
+    const std::string name = (axisymmetric ? "axisymmetric, "
+                              : dim == 2   ? "2-D, "
+                                           : "3-D, ") +
+                             named.name;
     check::absolute(name + ": values", largest(values), 0., 1e-12);
     check::absolute(name + ": gradients", largest(gradients), 0., 1e-11);
     check::absolute(name + ": round the axis", largest(hoops), 0., 1e-12);

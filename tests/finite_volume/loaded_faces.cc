@@ -77,8 +77,9 @@ void check_shear()
   const CellStep<2> step(
       [](Triangulation<2> &mesh)
       {
-        dealii::GridGenerator::subdivided_hyper_rectangle(
-            mesh, std::vector<unsigned int>{4, 1}, dealii::Point<2>(), dealii::Point<2>(1., 1.), true);
+        dealii::GridGenerator::subdivided_hyper_rectangle(mesh, std::vector<unsigned int>{4, 1},
+                                                          dealii::Point<2>(),
+                                                          dealii::Point<2>(1., 1.), true);
       },
       Model::plane_strain, make_coefficients(),
       [](Problem &problem)

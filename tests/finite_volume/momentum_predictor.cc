@@ -91,13 +91,13 @@ void check_one_material(const Model model)
       constant = std::max(constant, std::abs(ones.begin()[row] - expected));
     else
       // K = 2 and 4/3 mu = 4.
-      constant = std::max(constant, std::abs(ones.begin()[row] - 10. * cell.volume -
-                                             (4. + 2.) * area / (0.5 * h)));
+      constant = std::max(
+          constant, std::abs(ones.begin()[row] - 10. * cell.volume - (4. + 2.) * area / (0.5 * h)));
     sums = std::max(sums, std::abs(ones.begin()[row] - body.predictor.row_sums()[row]));
     if (cell.centre[0] > h && cell.centre[0] < 1. - h && !has_hoop_term)
-      quadratic = std::max(quadratic,
-                           std::abs(squares.begin()[row] -
-                                    cell.volume * (10. * cell.centre[0] * cell.centre[0] - 4. * 2.)));
+      quadratic = std::max(
+          quadratic, std::abs(squares.begin()[row] -
+                              cell.volume * (10. * cell.centre[0] * cell.centre[0] - 4. * 2.)));
   }
   check::absolute(name + "uniform motion", largest(constant), 0., 1e-11);
   check::absolute(name + "row sums", largest(sums), 0., 1e-13);
@@ -132,15 +132,14 @@ void check_one_material(const Model model)
 /// centre, so that the links are 4 (1/2)/(1/4) = 8 and 4, in series 8/3.
 void check_two_materials()
 {
-  Predictor<2> body(
-      make_two_squares, Model::plane_strain,
-      [](Problem &problem)
-      {
-        for (BoundaryCondition &condition : problem.conditions)
-          set_free(condition);
-      });
-  const auto product =
-      body.product(body.cell_values([](const dealii::Point<2> &p) { return p[0] < 0.5 ? 0. : 1.; }));
+  Predictor<2> body(make_two_squares, Model::plane_strain,
+                    [](Problem &problem)
+                    {
+                      for (BoundaryCondition &condition : problem.conditions)
+                        set_free(condition);
+                    });
+  const auto product = body.product(
+      body.cell_values([](const dealii::Point<2> &p) { return p[0] < 0.5 ? 0. : 1.; }));
   double left = 0., right = 0.;
   for (unsigned int cell = 0; cell < body.space.mesh.n_owned_cells(); ++cell)
     (body.space.mesh.cells()[cell].material_id == 0 ? left : right) = product.begin()[2 * cell];

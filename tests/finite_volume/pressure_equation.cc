@@ -1,6 +1,7 @@
 // The pressure equation's matrix by hand: compressibility alone between walls, the Laplacian of a
-// quadratic function with the inverse of the momentum equations' diagonal or of the correction, free
-// boundaries, two materials; its factor is the inverse, and the faces' pressures follow or stay.
+// quadratic function with the inverse of the momentum equations' diagonal or of the correction,
+// free boundaries, two materials; its factor is the inverse, and the faces' pressures follow or
+// stay.
 
 #include <continua/finite_volume/pressure_equation.h>
 
@@ -26,10 +27,11 @@ struct Pressures : public CellStep<dim>
 {
   using Vector = typename SplitEquations<dim>::Vector;
 
-  Pressures(const std::function<void(Triangulation<dim> &)> &make_mesh,
-            const Model model,
-            const double mobility,
-            const std::function<void(Problem &)> &change = [](Problem &) {})
+  Pressures(
+      const std::function<void(Triangulation<dim> &)> &make_mesh,
+      const Model model,
+      const double mobility,
+      const std::function<void(Problem &)> &change = [](Problem &) {})
       : CellStep<dim>(make_mesh, model, with_mobility(mobility), change),
         equations(this->system),
         links(this->system, equations),
@@ -94,26 +96,25 @@ void check_one_material(const Model model, const double mobility)
       // Faces outside and inside are larger and smaller by h/(2 r); there is none on the axis.
       const double r = volume.centre[1];
       const bool at_rim = r > 1. - h, at_end = volume.centre[0] < h || volume.centre[0] > 1. - h;
-      diagonal = 10. + 4. * (2. + (at_end ? 1. : 0.) + (1. + 0.5 * h / r) * (at_rim ? 2. : 1.) +
-                             (1. - 0.5 * h / r)) /
+      diagonal = 10. + 4. *
+                           (2. + (at_end ? 1. : 0.) + (1. + 0.5 * h / r) * (at_rim ? 2. : 1.) +
+                            (1. - 0.5 * h / r)) /
                            (h * h);
     }
-    inverse = std::max(inverse, std::abs(body.equation.inverse_momentum()[cell] * diagonal *
-                                             volume.volume -
-                                         1.));
+    inverse = std::max(
+        inverse, std::abs(body.equation.inverse_momentum()[cell] * diagonal * volume.volume - 1.));
     // A free face is h/2 away.
     const double at_free =
         std::max(1. / diagonal, 0.25 * 0.25 * h * h * mobility) * free_area / (0.5 * h);
-    constant = std::max(constant, std::abs(ones.begin()[body.first + cell] - 0.5 * volume.volume -
-                                           at_free) /
-                                      volume.volume);
+    constant = std::max(constant,
+                        std::abs(ones.begin()[body.first + cell] - 0.5 * volume.volume - at_free) /
+                            volume.volume);
     if (!is_deep_inside<dim>(volume.centre, 2. * h) || model == Model::axisymmetric)
       continue;
     ++n_deep;
     const double tau = std::max(1. / diagonal, 0.25 * h * h * mobility);
-    quadratic = std::max(
-        quadratic, std::abs(squares.begin()[body.first + cell] / volume.volume -
-                            0.5 * volume.centre[0] * volume.centre[0] + 2. * tau));
+    quadratic = std::max(quadratic, std::abs(squares.begin()[body.first + cell] / volume.volume -
+                                             0.5 * volume.centre[0] * volume.centre[0] + 2. * tau));
   }
   check::absolute(name + "a constant", largest(constant), 0., 1e-11);
   check::absolute(name + "1/a_P", largest(inverse), 0., 1e-12);
@@ -134,8 +135,7 @@ void check_one_material(const Model model, const double mobility)
   body.equation.solve(y, z);
   double error = 0., faces = 0.;
   for (unsigned int cell = 0; cell < mesh.n_owned_cells(); ++cell)
-    error = std::max(error,
-                     std::abs(z.begin()[body.first + cell] - x.begin()[body.first + cell]));
+    error = std::max(error, std::abs(z.begin()[body.first + cell] - x.begin()[body.first + cell]));
   for (unsigned int f = 0; f < mesh.faces().size(); ++f)
     if (mesh.faces()[f].at_boundary())
     {
@@ -143,8 +143,8 @@ void check_one_material(const Model model, const double mobility)
           z.begin()[body.equations.pressure_index(body.space.pressures.of_face(f, 0))];
       const double of_cell = z.begin()[body.equations.pressure_index(
           body.space.pressures.of_cell(mesh.faces()[f].owner))];
-      faces = std::max(faces,
-                       std::abs(of_face - (mesh.faces()[f].boundary_id == 3 ? 0. : of_cell)));
+      faces =
+          std::max(faces, std::abs(of_face - (mesh.faces()[f].boundary_id == 3 ? 0. : of_cell)));
     }
   check::absolute(name + "the factor is the inverse", largest(error), 0., 1e-12);
   check::absolute(name + "faces follow, or stay where they are free", largest(faces), 0., 0.);

@@ -42,7 +42,8 @@ UNIT_TEST(sparse_rows)
   {
     const double j = i / 2;
     // Where both are the same column, they add.
-    const double expected = (i + 10. * j) * (1. + j * j) + (i + 10. * last) * (1. + 1. * last * last);
+    const double expected =
+        (i + 10. * j) * (1. + j * j) + (i + 10. * last) * (1. + 1. * last * last);
     error = std::max(error, std::abs(y(i) - expected));
   }
   check::absolute("product", dealii::Utilities::MPI::max(error, MPI_COMM_WORLD), 0., 1e-11);

@@ -20,18 +20,19 @@ void test(const std::string &name, const Model model, const std::string &formula
   parameters.formulation = formulation;
   CellCoefficients coefficients = make_coefficients();
   coefficients.with_pressure = parameters.has_pressure();
-  const CellStep<dim> step([](Triangulation<dim> &mesh)
-                           {
-                             make_box(mesh, 4);
-                             shear(mesh);
-                           },
-                           model, coefficients,
-                           [](Problem &problem)
-                           {
-                             set_roller(problem.conditions[0]);
-                             set_free(problem.conditions[1]);
-                           },
-                           parameters);
+  const CellStep<dim> step(
+      [](Triangulation<dim> &mesh)
+      {
+        make_box(mesh, 4);
+        shear(mesh);
+      },
+      model, coefficients,
+      [](Problem &problem)
+      {
+        set_roller(problem.conditions[0]);
+        set_free(problem.conditions[1]);
+      },
+      parameters);
   const CellSpace<dim> &space = step.space;
   SplitEquations<dim> equations(step.system);
   equations.reinit();
@@ -111,8 +112,8 @@ void test(const std::string &name, const Model model, const std::string &formula
       own = 1.;
   }
   check::is_true(name + ": places and diagonals", largest(own) == 0.);
-  check::absolute(name + ": no entry",
-                  equations.entry(0, space.velocities.n_owned() * dim - 1), 0., 0.);
+  check::absolute(name + ": no entry", equations.entry(0, space.velocities.n_owned() * dim - 1), 0.,
+                  0.);
 }
 } // namespace
 

@@ -111,7 +111,8 @@ void check_system(const std::string &name,
   check::is_true(name + ": iterations", report.iterations > 0 && report.iterations <= n_iterations);
 
   List guess = exact;
-  check::is_true(name + ": a guess that is right", system.solve(momentum, mass, guess).iterations == 0);
+  check::is_true(name + ": a guess that is right",
+                 system.solve(momentum, mass, guess).iterations == 0);
   guess *= -1e6;
   check::is_true(name + ": one that is worse than nothing",
                  system.solve(momentum, mass, guess).iterations == report.iterations);
@@ -140,7 +141,8 @@ UNIT_TEST(saddle_point_solver)
 
   System system(springs, 0.3, 0.);
   List found(n_unknowns);
-  const KrylovReport report = system.solve(numbers(n_velocities), numbers(n_pressures, 2), found, 2);
+  const KrylovReport report =
+      system.solve(numbers(n_velocities), numbers(n_pressures, 2), found, 2);
   check::is_true("too few iterations",
                  !report.converged && report.iterations == 2 && report.residual > 1e-13);
 }

@@ -63,7 +63,8 @@ UNIT_TEST(schur_complement)
   const DistributedVector mobility = distributed(d);
 
   const List right_hand_side = numbers(n_pressures);
-  const List of_inertia = solve(laplacian(b), right_hand_side), of_stiffness = solve(m, right_hand_side);
+  const List of_inertia = solve(laplacian(b), right_hand_side),
+             of_stiffness = solve(m, right_hand_side);
   List of_both(of_inertia);
   of_both += of_stiffness;
   const auto apply = [&](SchurComplement &inverse)

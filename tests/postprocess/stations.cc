@@ -14,14 +14,11 @@ namespace
 {
 using namespace Continua;
 
-const std::string all_fields = "pressure, axis pressure, flow rate, wall distension, pressure gradient, "
-                               "wall shear stress, hoop stress";
-
 template <int dim>
 using Column = typename Stations<dim>::Column;
 
-/// A box along x, 1 m long, from y = `begin` to y = 1 (and from z = `begin_z`); beyond y = 1/2 it is
-/// wall.
+/// A box along x, 1 m long, from y = `begin` to y = 1 (and from z = `begin_z`); beyond y = 1/2 it
+/// is wall.
 template <int dim>
 void make_tube(dealii::Triangulation<dim> &mesh, const double begin, const double begin_z)
 {
@@ -80,19 +77,19 @@ void refuses(const std::string &name,
 UNIT_TEST(stations)
 {
   using Kind = ProbeRequest<2>::Kind;
-  const std::vector<std::string> fields = {"pressure",          "axis  pressure",
-                                           "flow rate",         "wall distension",
-                                           "pressure gradient", "wall shear stress",
-                                           "hoop stress"};
+  const std::vector<std::string> fields = {
+      "pressure",          "axis  pressure",    "flow rate",  "wall distension",
+      "pressure gradient", "wall shear stress", "hoop stress"};
   const std::string entries =
       "set Stations = 0.1 m, 25 cm\nset Fluid = water\nset Pair distance = 5 cm\n";
   const Stations<2> stations = make<2>(entries, fields);
-  check::is_true("positions", stations.given() && stations.positions() == std::vector<double>{0.1, 0.25});
+  check::is_true("positions",
+                 stations.given() && stations.positions() == std::vector<double>{0.1, 0.25});
   check::absolute("pair distance", stations.pair_distance(), 0.05, 1e-17);
   check::equal("label", stations.label(1), "0.25 m");
   const std::vector<Column<2>> columns = stations.columns();
-  check::is_true("one for each station and field", columns.size() == 14 && columns[6].station == 0 &&
-                                                       columns[7].station == 1);
+  check::is_true("one for each station and field",
+                 columns.size() == 14 && columns[6].station == 0 && columns[7].station == 1);
   const auto names = [&]()
   {
     std::string text;
@@ -104,12 +101,8 @@ UNIT_TEST(stations)
                "pressure Pa, axis pressure Pa, flow rate m^3/s, wall distension m, "
                "pressure gradient Pa/m, wall shear stress Pa, hoop stress Pa");
   // Of the second station; region 1 is the water.
-  const auto asks = [&](const unsigned int column,
-                        const unsigned int term,
-                        const Kind kind,
-                        const std::string &field,
-                        const unsigned int region,
-                        const double position,
+  const auto asks = [&](const unsigned int column, const unsigned int term, const Kind kind,
+                        const std::string &field, const unsigned int region, const double position,
                         const double factor)
   {
     const auto &[request, present_factor] = columns[7 + column].terms.at(term);
@@ -138,12 +131,14 @@ UNIT_TEST(stations)
   check::absolute("half a tube", copies(0., -1.), 2., 0.);
   check::absolute("a quarter", copies(0., 0.), 4., 0.);
 
-  refuses("outside", "set Stations = 1.5 m\n", flow, "1.5 m is outside the tube.*between 0 m and 1 m");
+  refuses("outside", "set Stations = 1.5 m\n", flow,
+          "1.5 m is outside the tube.*between 0 m and 1 m");
   refuses("the other one of a pair", "set Stations = 0.99 m\n", {"pressure gradient"},
           "needs the section at 1.007 m, which is outside");
   refuses("twice", "set Stations = 0.5, 0.5\n", flow, "0.5 m is given twice");
   refuses("behind", "set Stations = 0.5, 0.2\n", flow, "0.2 m stands behind 0.5 m");
   refuses("unknown field", "set Stations = 0.5\n", {"presure"}, "no field 'presure'.*pressure");
   refuses("field twice", "set Stations = 0.5\n", {"flow rate", "flow rate"}, "recorded twice");
-  refuses("beside the axis", "set Stations = 0.5\n", {"axis pressure"}, "x axis is not in the fluid", 0.1);
+  refuses("beside the axis", "set Stations = 0.5\n", {"axis pressure"},
+          "x axis is not in the fluid", 0.1);
 }
