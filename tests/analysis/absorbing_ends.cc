@@ -1,5 +1,5 @@
-// Ends that absorb: the plane wave's impedance of a channel and of a round pipe, and that of a tube,
-// with the band it is for; what a checkpoint has of them comes back number by number.
+// Ends that absorb: the plane wave's impedance of a channel and of a round pipe, and that of a
+// tube, with the band it is for; what a checkpoint has of them comes back number by number.
 
 #include "../parameter_text.h"
 #include "../postprocess/text_file.h"
@@ -53,7 +53,8 @@ UNIT_TEST(absorbing_ends)
     const Outlet &outlet = input.problem.outlets.at(0);
     check::equal(name + "its name", outlet.name, "right");
     const double area = axisymmetric ? pi * 0.02 * 0.02 : 0.02;
-    check::relative(name + "rho c over the area", outlet.impedance.direct(0, 0), 1.5e6 / area, 1e-12);
+    check::relative(name + "rho c over the area", outlet.impedance.direct(0, 0), 1.5e6 / area,
+                    1e-12);
     check::is_true(name + "a number at all frequencies",
                    outlet.impedance.n_ports() == 1 && outlet.impedance.terms.empty());
     check::is_true(name + "its condition",
@@ -79,16 +80,19 @@ UNIT_TEST(absorbing_ends)
     check::relative("tube: impedance at 20 Hz",
                     std::abs(outlet.impedance.value({0., 2. * pi * 20.})(0, 0)),
                     1000. * speed / (pi * 25e-6), 0.05);
-    check::is_true("tube: one port", outlet.impedance.n_ports() == 1 && outlet.conditions.size() == 1);
+    check::is_true("tube: one port",
+                   outlet.impedance.n_ports() == 1 && outlet.conditions.size() == 1);
   }
   {
     // A run that goes on: the impedance of liquid and wall is what its checkpoint has.
     ParameterFile file = parameters_of(tube_text::tube(tube_text::pulse(), absorbing, absorbing));
     Case<2> input(file, MPI_COMM_WORLD, true);
     Outlet &outlet = input.problem.outlets.at(0);
-    check::is_true("goes on: two ports", outlet.impedance.n_ports() == 2 && outlet.conditions.size() == 2);
+    check::is_true("goes on: two ports",
+                   outlet.impedance.n_ports() == 2 && outlet.conditions.size() == 2);
     check::absolute("goes on: nothing is fitted", outlet.impedance.direct.frobenius_norm(), 0., 0.);
-    const std::vector<double> numbers = {1., 2., 2., 3., 40., 5., 6., 6., 7., 80., 9., 10., 10., 11.};
+    const std::vector<double> numbers = {1., 2., 2.,  3., 40., 5.,  6.,
+                                         6., 7., 80., 9., 10., 10., 11.};
     const std::string record = "impedance of the absorbing end outlet",
                       band = "band and error of the absorbing end outlet";
     ArchiveWriter writer;
@@ -106,14 +110,15 @@ UNIT_TEST(absorbing_ends)
     Log log(MPI_COMM_WORLD, false);
     Summary summary;
     input.absorbing_ends.report(log, summary);
-    check::absolute("loaded: error", quantity(summary, "absorbing end fit error", "outlet"), 0.004, 0.);
+    check::absolute("loaded: error", quantity(summary, "absorbing end fit error", "outlet"), 0.004,
+                    0.);
     ArchiveWriter again;
     input.absorbing_ends.save(again, input.problem);
     again.write("absorbing-ends-test.bin");
     const ArchiveReader reader("absorbing-ends-test.bin");
-    check::is_true("saved again", reader.values(record) == numbers &&
-                                      reader.values(band) ==
-                                          std::vector<double>{0.5, 90., 0.004, 12., 3e7});
+    check::is_true("saved again",
+                   reader.values(record) == numbers &&
+                       reader.values(band) == std::vector<double>{0.5, 90., 0.004, 12., 3e7});
     std::filesystem::remove("absorbing-ends-test.bin");
   }
 }

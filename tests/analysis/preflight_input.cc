@@ -58,21 +58,19 @@ UNIT_TEST(preflight_input)
   }
 
   // The load at the far end: that one comes first. Its jump.
-  const PreflightInput turned =
-      input_of(tube_text::tube("set Type = fixed\n",
-                               "set Type = pressure\nset Pressure = if(t < 0.1, 1, 0)\n"));
-  check::equal("turned: the load's end first", turned.ends[0].boundary + ", " + turned.ends[1].boundary,
-               "outlet, inlet");
+  const PreflightInput turned = input_of(tube_text::tube(
+      "set Type = fixed\n", "set Type = pressure\nset Pressure = if(t < 0.1, 1, 0)\n"));
+  check::equal("turned: the load's end first",
+               turned.ends[0].boundary + ", " + turned.ends[1].boundary, "outlet, inlet");
   check::is_true("turned: jumps", turned.load_jumps);
   // Held axially along the outside.
-  const PreflightInput tethered =
-      input_of(tube_text::tube(tube_text::pulse(), "set Type = resistance\nset Resistance = 5 MPa s/m^3\n",
-                               "set Type = free\n",
-                               "set Type = pressure\nset Pressure = 0\nset Tangential = fixed\n"));
+  const PreflightInput tethered = input_of(tube_text::tube(
+      tube_text::pulse(), "set Type = resistance\nset Resistance = 5 MPa s/m^3\n",
+      "set Type = free\n", "set Type = pressure\nset Pressure = 0\nset Tangential = fixed\n"));
   check::is_true("tethered", tethered.is_tube && tethered.ends[0].section.tethered);
-  check::is_true("its free end with an outlet",
-                 !tethered.ends[1].wall_is_clamped && tethered.ends[1].outlet &&
-                     !tethered.ends[1].flow_is_given);
+  check::is_true("its free end with an outlet", !tethered.ends[1].wall_is_clamped &&
+                                                    tethered.ends[1].outlet &&
+                                                    !tethered.ends[1].flow_is_given);
   check::is_true("a rigid wall is none",
                  !input_of(tube_text::tube(tube_text::pulse(), "set Type = fixed\n",
                                            "set Type = fixed\n", "set Type = fixed\n"))
@@ -92,7 +90,8 @@ UNIT_TEST(preflight_input)
                           "set End time = 1\nend\n";
   const PreflightInput solid = input_of(box);
   check::is_true("a box is no tube", !solid.is_tube && solid.load.empty() && solid.frequency == 0.);
-  check::relative("its cells", solid.regions[0].largest_cell + solid.regions[0].smallest_cell, 3., 1e-12);
+  check::relative("its cells", solid.regions[0].largest_cell + solid.regions[0].smallest_cell, 3.,
+                  1e-12);
   ParameterFile of_tube = parameters_of(tube_text::tube(tube_text::pulse()));
   check::is_true("fluid and solid", has_fluid_and_solid(Case<2>(of_tube, MPI_COMM_WORLD, false)));
   ParameterFile of_box = parameters_of(box);

@@ -21,7 +21,8 @@ UNIT_TEST(run_series)
   CommandLine command_line;
   command_line.parameter_file = "tube.prm";
   command_line.text = "continua tube.prm";
-  command_line.overrides = {"Mesh/Axial  cells=10", "Time/Time step=1 ms", " Mesh / Axial cells = 20"};
+  command_line.overrides = {"Mesh/Axial  cells=10", "Time/Time step=1 ms",
+                            " Mesh / Axial cells = 20"};
   set_entry(command_line, "Mesh/Axial cells", "40");
   check::is_true("an entry over all of the same name",
                  command_line.overrides ==
@@ -37,10 +38,11 @@ UNIT_TEST(run_series)
   third.failure = "no memory";
   Summary good;
   check::equal("none failed",
-               begin_summary(good, "Title", "comparison", command_line, MPI_COMM_WORLD, {first}), "");
+               begin_summary(good, "Title", "comparison", command_line, MPI_COMM_WORLD, {first}),
+               "");
   good.write("run-series-test.json");
-  check::is_true("its summary", read_text("run-series-test.json").find("\"finished\"") !=
-                                    std::string::npos);
+  check::is_true("its summary",
+                 read_text("run-series-test.json").find("\"finished\"") != std::string::npos);
   Summary bad;
   check::equal("two failed",
                begin_summary(bad, "Title", "comparison", command_line, MPI_COMM_WORLD,
