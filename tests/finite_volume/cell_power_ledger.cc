@@ -101,7 +101,7 @@ void test(const Model model, const std::string &power_operator)
   BranchHistory history(body.problem.materials);
   history.reinit(space.velocity_vector(), nodes_of_regions(space));
   BulkHistory bulk_history(body.problem.materials);
-  bulk_history.reinit(space.pressure_vector(), {{}, {}});
+  bulk_history.reinit(space.pressure_vector(), std::vector<std::vector<unsigned int>>(2));
   history.displacement() = velocity_field<dim>(space, field<dim>(stretch));
   BalancedCells balanced;
   balanced.step = euler_step(0., 0.1, Update::implicit);

@@ -64,12 +64,13 @@ UNIT_TEST(cell_wise_parameters)
                          "\nset Velocity at boundaries as = value\n")
                         .faces_balance());
   }
-  check::is_true("pressures of faces",
-                 read("set Pressure at boundaries = momentum\n").boundary_pressure_type() ==
-                         BoundaryPressure::momentum &&
-                     read("set Pressure at boundaries = zero gradient\n").boundary_pressure_type() ==
-                         BoundaryPressure::zero_gradient &&
-                     right.boundary_pressure_type() == BoundaryPressure::definition);
+  check::is_true(
+      "pressures of faces",
+      read("set Pressure at boundaries = momentum\n").boundary_pressure_type() ==
+              BoundaryPressure::momentum &&
+          read("set Pressure at boundaries = zero gradient\n").boundary_pressure_type() ==
+              BoundaryPressure::zero_gradient &&
+          right.boundary_pressure_type() == BoundaryPressure::definition);
   check::is_true("segregated", read("set Solution = segregated\n").is_segregated());
   check::throws<InputError>(
       "no corrections", []() { read("set Maximum corrections = 0\n"); }, "Maximum corrections");

@@ -2,6 +2,7 @@
 // them, with or without a pressure; a body under tension stretches as the theory of elasticity
 // says; one that nothing holds is refused.
 
+#include <continua/base/input_error.h>
 #include <continua/finite_volume/coupled_solve.h>
 
 #include "cell_step.h"

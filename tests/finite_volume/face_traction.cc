@@ -29,8 +29,8 @@ components_of(const CellSpace<dim> &space,
 }
 
 template <int dim>
-dealii::Tensor<1, dim> apply(const Stencil<dealii::Tensor<2, dim>> &stencil,
-                             const Components &field)
+dealii::Tensor<1, dim> traction_of(const Stencil<dealii::Tensor<2, dim>> &stencil,
+                                   const Components &field)
 {
   dealii::Tensor<1, dim> result;
   for (const auto &[value, matrix] : stencil)
@@ -104,11 +104,12 @@ void check_meshes(const Model model, const std::vector<Coefficients> &list)
           const dealii::Tensor<1, dim> exact =
               gradient * n + dealii::transpose(gradient) * n + coefficients.trace * trace * n;
           const auto stencil = traction(f, side);
-          linear_error = std::max(linear_error, (apply(stencil, linear_field) - exact).norm());
-          wide_error =
-              std::max(wide_error, (apply(traction.wide(f, side), linear_field) - exact).norm());
-          rigid_error = std::max(rigid_error, apply(stencil, rigid).norm());
-          sum += apply(stencil, rough);
+          linear_error =
+              std::max(linear_error, (traction_of(stencil, linear_field) - exact).norm());
+          wide_error = std::max(wide_error,
+                                (traction_of(traction.wide(f, side), linear_field) - exact).norm());
+          rigid_error = std::max(rigid_error, traction_of(stencil, rigid).norm());
+          sum += traction_of(stencil, rough);
         }
         if (!face.has_value())
           difference = std::max(difference, sum.norm());
@@ -163,8 +164,8 @@ void check_checkerboard()
     ++n_faces;
     const dealii::Tensor<1, 2> exact(
         {-16. * 4. / 3. * sign(space.mesh.cells()[face.owner].centre), 0.});
-    compact = std::max(compact, (apply(traction(f, 0), field) - exact).norm());
-    wide = std::max(wide, apply(traction.wide(f, 0), field).norm());
+    compact = std::max(compact, (traction_of(traction(f, 0), field) - exact).norm());
+    wide = std::max(wide, traction_of(traction.wide(f, 0), field).norm());
   }
   check::is_true("checkerboard: faces", n_faces > 20);
   check::absolute("checkerboard, compact", compact, 0., 1e-12);

@@ -72,7 +72,8 @@ inline List gathered(const DistributedVector &vector)
   unsigned int k = 0;
   for (const auto i : owned(vector.size()))
     result[i] = vector.begin()[k++];
-  dealii::Utilities::MPI::sum(result, MPI_COMM_WORLD, result);
+  MPI_Allreduce(MPI_IN_PLACE, result.begin(), static_cast<int>(result.size()), MPI_DOUBLE, MPI_SUM,
+                MPI_COMM_WORLD);
   return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include "../unit_test.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
