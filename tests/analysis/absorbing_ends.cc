@@ -18,7 +18,6 @@
 namespace
 {
 using namespace Continua;
-const double pi = dealii::numbers::PI;
 
 /// K = 2.25 GPa and 1000 kg/m^3: rho c = sqrt(rho K) = 1.5e6 Pa s/m. The end is 2 cm high.
 std::string channel(const bool axisymmetric)
@@ -52,7 +51,7 @@ UNIT_TEST(absorbing_ends)
     check::is_true(name + "one outlet", input.problem.outlets.size() == 1);
     const Outlet &outlet = input.problem.outlets.at(0);
     check::equal(name + "its name", outlet.name, "right");
-    const double area = axisymmetric ? pi * 0.02 * 0.02 : 0.02;
+    const double area = axisymmetric ? dealii::numbers::PI * 0.02 * 0.02 : 0.02;
     check::relative(name + "rho c over the area", outlet.impedance.direct(0, 0), 1.5e6 / area,
                     1e-12);
     check::is_true(name + "a number at all frequencies",
@@ -78,8 +77,8 @@ UNIT_TEST(absorbing_ends)
     check::is_true("tube: the fit's error", error > 0. && error <= 0.01);
     // Viscosity and the wall's inertia change the impedance by a few per cent.
     check::relative("tube: impedance at 20 Hz",
-                    std::abs(outlet.impedance.value({0., 2. * pi * 20.})(0, 0)),
-                    1000. * speed / (pi * 25e-6), 0.05);
+                    std::abs(outlet.impedance.value({0., 2. * dealii::numbers::PI * 20.})(0, 0)),
+                    1000. * speed / (dealii::numbers::PI * 25e-6), 0.05);
     check::is_true("tube: one port",
                    outlet.impedance.n_ports() == 1 && outlet.conditions.size() == 1);
   }
