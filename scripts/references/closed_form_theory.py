@@ -5,11 +5,11 @@
 
 Everything is computed with mpmath (60 digits) from the equations and not from the formulas that the program uses: the flow
 in a rigid tube by quadrature of its profile, psi by solving Lame's cylinder for its two constants, the membrane's wave
-number by a root search in the dispersion equation, the waves between two ends by adding up reflections one by one.
+number by a root search in the dispersion equation.
 Needs python3-mpmath.
 """
 
-from mpmath import besseli, besselj, bessely, besselk, diff, exp, findroot, lu_solve, matrix, mp, mpc, mpf, nstr, pi, quad, sqrt
+from mpmath import besseli, besselj, bessely, besselk, diff, findroot, lu_solve, matrix, mp, mpc, mpf, nstr, pi, quad, sqrt
 
 mp.dps = 60
 I = mpc(0, 1)
@@ -116,25 +116,8 @@ def membranes():
     membrane(mpf("5e-3"), mpf("1e-3"), mpf(1200), mpf("0.3"), 2 * pi * 167, mpf("3e5"))
 
 
-def reflections():
-    k, impedance, length, near, far = mpc(40, -2), mpc(5e6, 1e5), mpf("0.446"), mpf("0.9"), mpf("-0.7")
-    z = mpf("0.1")
-    pressure = flow = mpc(0)
-    wave = mpc(1, "0.5")  # the pressure at z = 0 of the wave that runs forward, reflection by reflection
-    for _ in range(400):
-        pressure += wave * exp(-I * k * z)
-        flow += wave * exp(-I * k * z) / impedance
-        wave *= exp(-I * k * length) * far
-        pressure += wave * exp(-I * k * (length - z))
-        flow -= wave * exp(-I * k * (length - z)) / impedance
-        wave *= exp(-I * k * length) * near
-    show("pressure in the resonator", pressure)
-    show("flow rate in the resonator", flow)
-
-
 if __name__ == "__main__":
     bessel_functions()
     womersley()
     korteweg()
     membranes()
-    reflections()

@@ -7,7 +7,6 @@
 #include <continua/postprocess/writing_rank.h>
 #include <continua/signal/energy_frequency.h>
 #include <continua/theory/korteweg.h>
-#include <continua/theory/reflection.h>
 #include <continua/vessel/tube_law.h>
 
 #include <algorithm>

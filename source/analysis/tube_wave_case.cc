@@ -1,7 +1,6 @@
 #include <continua/analysis/tube_wave_case.h>
 
 #include <continua/theory/korteweg.h>
-#include <continua/theory/reflection.h>
 #include <continua/vessel/tube_law.h>
 
 #include <algorithm>

@@ -384,11 +384,6 @@ void ParameterSection::add_input_file(const std::string &key,
                    });
 }
 
-void ParameterSection::note_input_file(const std::string &path)
-{
-  store->add_input_file(path);
-}
-
 void ParameterSection::renamed(const std::string &old_key, const std::string &new_key)
 {
   const ParameterText::Section *const section = store->text.find(names);

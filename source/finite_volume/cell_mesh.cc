@@ -249,7 +249,6 @@ void CellMesh<dim>::build()
     volume.volume = volume.plane_volume * (axisymmetric ? 2. * pi * volume.radius : 1.);
   }
 
-  std::array<double, 2> largest = {{0., 0.}};
   for (VolumeFace<dim> &face : surfaces)
   {
     const dealii::Point<dim> &centre = volumes[face.owner].centre;
@@ -261,17 +260,7 @@ void CellMesh<dim>::build()
       face.owner_weight = (volumes[face.neighbour].centre - face.centre) * face.normal /
                           (face.distance * face.normal);
     }
-    const double along = face.distance * face.normal;
-    largest[0] =
-        std::max(largest[0], (face.distance - along * face.normal).norm() / std::abs(along));
-    const dealii::Tensor<1, dim> to_face = face.centre - centre;
-    largest[1] = std::max(
-        largest[1],
-        (to_face - to_face * face.distance / face.distance.norm_square() * face.distance).norm() /
-            face.distance.norm());
   }
-  largest_non_orthogonality = dealii::Utilities::MPI::max(largest[0], communicator());
-  largest_skewness = dealii::Utilities::MPI::max(largest[1], communicator());
 }
 
 template <int dim>

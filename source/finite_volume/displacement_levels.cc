@@ -34,7 +34,6 @@ DisplacementLevels::Derivatives DisplacementLevels::derivatives(const Step &step
   const bool equal = std::abs(size - size_old) < 1e-9 * size;
   if (second_order && equal && n_equal >= 2)
   {
-    result.four_levels = true;
     const double scale = 1. / (size * size);
     result.second_own = 2. * scale;
     result.second_known = {{-5. * scale, 4. * scale, -scale}};

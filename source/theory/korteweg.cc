@@ -4,12 +4,6 @@
 
 namespace Continua
 {
-const std::vector<std::string> &anchoring_names()
-{
-  static const std::vector<std::string> names = {"upstream", "throughout", "expansion joints"};
-  return names;
-}
-
 double anchoring_coefficient(const Anchoring anchoring,
                              const WallTheory wall,
                              const double inner_radius,
@@ -46,5 +40,10 @@ Complex korteweg_speed(const LongWaveTube &tube,
   const Complex distensibility =
       psi * 2. * tube.inner_radius / (youngs_modulus * tube.wall_thickness);
   return 1. / std::sqrt(tube.density * (tube.inverse_bulk_modulus + distensibility));
+}
+
+Complex characteristic_impedance(const double density, const Complex speed, const double area)
+{
+  return density * speed / area;
 }
 } // namespace Continua

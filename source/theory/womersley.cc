@@ -107,9 +107,4 @@ double attenuation(const Complex wave_number)
 {
   return -wave_number.imag();
 }
-
-double attenuation_per_wavelength(const Complex wave_number)
-{
-  return -2. * pi * wave_number.imag() / wave_number.real();
-}
 } // namespace Continua

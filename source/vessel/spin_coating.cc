@@ -43,13 +43,6 @@ SpinCoating SpinCoating::read(ParameterSection section)
   return coating;
 }
 
-double SpinCoating::straight_volume(const double diameter,
-                                    const double length,
-                                    const double thickness) const
-{
-  return PI * diameter * length * thickness / concentration;
-}
-
 double SpinCoating::tapered_volume(const double first_diameter,
                                    const double last_diameter,
                                    const double first_thickness,
@@ -60,27 +53,6 @@ double SpinCoating::tapered_volume(const double first_diameter,
                       length) -
           cone_volume(first_diameter, last_diameter, length)) /
          concentration;
-}
-
-double SpinCoating::volume(const TubeLaw &law, const double z) const
-{
-  const unsigned int n_increments =
-      std::max(1u, static_cast<unsigned int>(std::ceil(z / increment * (1. - 1e-12))));
-  double sum = 0.;
-  for (unsigned int i = 0; i < n_increments; ++i)
-  {
-    const double begin = z * i / n_increments;
-    const double end = z * (i + 1) / n_increments;
-    sum += tapered_volume(law.inner_diameter(begin), law.inner_diameter(end),
-                          law.wall_thickness(begin), law.wall_thickness(end), end - begin);
-  }
-  return sum;
-}
-
-double
-SpinCoating::slope(const double first_diameter, const double last_diameter, const double length)
-{
-  return (last_diameter - first_diameter) / (2. * length);
 }
 
 double SpinCoating::duration(const double volume) const
@@ -101,11 +73,6 @@ double SpinCoating::trolley_speed(const double diameter, const double thickness)
 double SpinCoating::rod_speed(const double diameter, const double thickness) const
 {
   return trolley_velocity(diameter, thickness) * rod_counts / stripe_distance;
-}
-
-double SpinCoating::rod_speed(const double trolley_speed) const
-{
-  return trolley_speed * rod_counts / trolley_counts * screw_pitch / stripe_distance;
 }
 
 std::vector<SpinCoating::Row> SpinCoating::table(const TubeLaw &law) const

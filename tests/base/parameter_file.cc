@@ -396,8 +396,6 @@ void test_rest()
   check::equal("name", expected.name(), "Expected");
   check::is_true("has subsection", parameters.root().has_subsection("Expected") &&
                                        !parameters.root().has_subsection("Probe"));
-  expected.note_input_file("mesh.msh");
-  check::equal("noted file", parameters.input_files().back(), "mesh.msh");
 
   const auto identity = [](const std::string &text, const Words &left_out)
   {

@@ -5,8 +5,7 @@
 
 #include "../check.h"
 
-#include <continua/finite_volume/cell_divergence.h>
-#include <continua/finite_volume/cell_laplacian.h>
+#include <continua/finite_volume/surface_normal_gradient.h>
 #include <continua/mesh/distortion.h>
 
 #include <deal.II/base/mpi.h>
@@ -209,6 +208,25 @@ std::vector<NamedMesh<dim>> flat_faced()
   return list;
 }
 
+/// A function's values at the centres of cells and faces, by global number, on every rank.
+template <int dim>
+std::vector<double>
+replicated_field(const CellMesh<dim> &mesh,
+                 const ValueSpace<dim> &space,
+                 const std::function<double(const dealii::Point<dim> &)> &function)
+{
+  std::vector<double> values(space.n_values(), 0.);
+  for (unsigned int c = 0; c < mesh.n_owned_cells(); ++c)
+    values[space.of_cell(c)] = function(mesh.cells()[c].centre);
+  for (unsigned int f = 0; f < mesh.faces().size(); ++f)
+    if (mesh.faces()[f].has_value())
+      for (unsigned int side = 0; side < mesh.faces()[f].n_sides(); ++side)
+        if (space.owns_face(f, side))
+          values[space.of_face(f, side)] = function(mesh.faces()[f].centre);
+  dealii::Utilities::MPI::sum(values, mesh.communicator(), values);
+  return values;
+}
+
 /// All operators on one mesh, and fields of replicated values.
 template <int dim>
 class Operators
@@ -218,9 +236,7 @@ public:
       : mesh(mesh),
         space(mesh, interface_value),
         gradient(mesh, space),
-        normal_gradient(mesh, space, gradient),
-        divergence(mesh, gradient),
-        laplacian(mesh, gradient, normal_gradient)
+        normal_gradient(mesh, space, gradient)
   {
     space.distribute();
     gradient.build();
@@ -229,24 +245,47 @@ public:
   /// A function's values at centres of cells and faces.
   std::vector<double> field(const std::function<double(const dealii::Point<dim> &)> &function) const
   {
-    std::vector<double> values(space.n_values(), 0.);
-    for (unsigned int c = 0; c < mesh.n_owned_cells(); ++c)
-      values[space.of_cell(c)] = function(mesh.cells()[c].centre);
-    for (unsigned int f = 0; f < mesh.faces().size(); ++f)
-      if (mesh.faces()[f].has_value())
-        for (unsigned int side = 0; side < mesh.faces()[f].n_sides(); ++side)
-          if (space.owns_face(f, side))
-            values[space.of_face(f, side)] = function(mesh.faces()[f].centre);
-    dealii::Utilities::MPI::sum(values, mesh.communicator(), values);
-    return values;
+    return replicated_field<dim>(mesh, space, function);
+  }
+
+  /// The divergence of a vector field over a cell as the equations have it, by what its faces'
+  /// values let through; the coefficient of a value is the vector that multiplies it [m^2].
+  Stencil<dealii::Tensor<1, dim>> divergence(const unsigned int cell) const
+  {
+    Stencil<dealii::Tensor<1, dim>> result;
+    for (const unsigned int f : mesh.cells()[cell].faces)
+    {
+      const unsigned int side = mesh.side(f, cell);
+      const dealii::Tensor<1, dim> area = mesh.faces()[f].area * mesh.faces()[f].outward(side);
+      result.add(area, gradient.face_value(f, side));
+    }
+    return result;
+  }
+  /// div grad over a cell by the normal gradients on its faces [m].
+  Stencil<double> compact_laplacian(const unsigned int cell) const
+  {
+    Stencil<double> result;
+    for (const unsigned int f : mesh.cells()[cell].faces)
+      result.add(mesh.faces()[f].area, normal_gradient(f, mesh.side(f, cell)));
+    return result;
+  }
+  /// The same by the cells' gradients interpolated to the faces: it does not see a checkerboard.
+  Stencil<double> wide_laplacian(const unsigned int cell) const
+  {
+    Stencil<double> result;
+    for (const unsigned int f : mesh.cells()[cell].faces)
+    {
+      const unsigned int side = mesh.side(f, cell);
+      const dealii::Tensor<1, dim> area = mesh.faces()[f].area * mesh.faces()[f].outward(side);
+      result.add(area, gradient.on_face(f, side));
+    }
+    return result;
   }
 
   const CellMesh<dim> &mesh;
   ValueSpace<dim> space;
   GaussGradient<dim> gradient;
   SurfaceNormalGradient<dim> normal_gradient;
-  CellDivergence<dim> divergence;
-  CellLaplacian<dim> laplacian;
 };
 
 /// Does something with the operators on each mesh, plane or axisymmetric, and with either kind of

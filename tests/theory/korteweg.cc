@@ -11,6 +11,7 @@ UNIT_TEST(korteweg)
 {
   const Anchoring anchorings[] = {Anchoring::upstream, Anchoring::throughout,
                                   Anchoring::expansion_joints};
+  const std::string names[] = {"upstream", "throughout", "expansion joints"};
   const double thick_tube[] = {1.0327272727272727, 1.0872727272727273, 1.1690909090909091};
   const double tube_a[] = {0.76391203187250996, 0.76879250996015936, 1.0079359362549801};
   const double steel_pipe[] = {1203.8244165007765, 1191.6186304746828, 1173.986669640456};
@@ -23,7 +24,7 @@ UNIT_TEST(korteweg)
   pipe.inverse_bulk_modulus = 1. / 2.1e9;
   for (unsigned int i = 0; i < 3; ++i)
   {
-    const std::string name = anchoring_names()[i];
+    const std::string name = names[i];
     const Anchoring anchoring = anchorings[i];
     check::relative(name + ", Lame",
                     anchoring_coefficient(anchoring, WallTheory::thick, 5e-3, 1e-3, 0.3),
@@ -61,4 +62,8 @@ UNIT_TEST(korteweg)
   // sqrt(3 + 4i) = 2 + i.
   const Complex complex = moens_korteweg_speed(tube, {3e7, 4e7}) / 6.330889378329184;
   check::absolute("viscoelastic", std::abs(complex - Complex(2., 1.)), 0., 1e-13);
+  check::absolute(
+      "impedance",
+      std::abs(characteristic_impedance(1000., {5., 1.}, 0.001) / 1e6 - Complex(5., 1.)), 0.,
+      1e-14);
 }

@@ -31,8 +31,6 @@ public:
   double operator()(double x) const;
   double first_point() const { return points.front(); }
   double last_point() const { return points.back(); }
-  double first_value() const { return values.front(); }
-  double last_value() const { return values.back(); }
 
 private:
   std::vector<double> points = {0., 1.};

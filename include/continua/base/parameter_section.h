@@ -83,8 +83,6 @@ public:
   /// or cannot be read. The file is copied to the output's `input/`. A default is taken as it is
   /// and not looked for.
   void add_input_file(const std::string &key, std::string &path, const std::string &text);
-  /// One more file that the case depends on and that no entry of this kind names.
-  void note_input_file(const std::string &path);
   /// Refuses `old_key` with the name that it has now.
   void renamed(const std::string &old_key, const std::string &new_key);
 

@@ -32,7 +32,6 @@ public:
   void forget();
   void keep();
   void give_back();
-  bool is_in_use() const { return in_use; }
 
   /// To be called before a step: moves the older level to where the step wants it.
   void move_older_level(const Step &step);

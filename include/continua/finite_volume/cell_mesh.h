@@ -96,10 +96,6 @@ public:
   /// centre if it has a value of its own, else the other cell's [m].
   dealii::Tensor<1, dim> distance(unsigned int face, unsigned int side) const;
   MPI_Comm communicator() const { return triangulation.get_communicator(); }
-  /// Largest angle between a face's normal and the line of centres [1, its tangent], and largest
-  /// distance of a face's centre from that line over the length of the line: 0 on Cartesian meshes.
-  double non_orthogonality() const { return largest_non_orthogonality; }
-  double skewness() const { return largest_skewness; }
 
   dealii::parallel::TriangulationBase<dim> &triangulation;
   dealii::FE_DGQ<dim> element;       ///< of degree 0
@@ -111,7 +107,6 @@ private:
   std::vector<FiniteVolume<dim>> volumes;
   std::vector<VolumeFace<dim>> surfaces;
   std::vector<unsigned int> local_numbers; ///< by active cell index
-  double largest_non_orthogonality = 0., largest_skewness = 0.;
 };
 } // namespace Continua
 

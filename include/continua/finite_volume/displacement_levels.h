@@ -28,7 +28,6 @@ public:
     std::array<double, 3> second_known{};
     double first_own = 0.; ///< [1/s]
     std::array<double, 3> first_known{};
-    bool four_levels = false;
   };
 
   /// All levels of that size; what distance they have stays, since a change of the mesh carries

@@ -3,9 +3,6 @@
 
 #include <continua/theory/complex_bessel.h>
 
-#include <string>
-#include <vector>
-
 namespace Continua
 {
 /// How a tube is held axially (table 6.1 of the thesis).
@@ -15,9 +12,6 @@ enum class Anchoring
   throughout,      ///< everywhere: no axial strain
   expansion_joints ///< nowhere: no axial stress. So also the early pulse between two clamped ends.
 };
-
-/// "upstream", "throughout", "expansion joints".
-const std::vector<std::string> &anchoring_names();
 
 /// How the wall's stress is taken to vary over its thickness.
 enum class WallTheory
@@ -68,6 +62,10 @@ Complex korteweg_speed(const LongWaveTube &tube,
                        Complex youngs_modulus,
                        Anchoring anchoring,
                        WallTheory wall);
+
+/// Characteristic impedance rho c / A (6.19) [Pa s/m^3] of an inviscid wave; `speed` [m/s] may be
+/// complex. With viscosity see Womersley::characteristic_impedance.
+Complex characteristic_impedance(double density, Complex speed, double area);
 } // namespace Continua
 
 #endif

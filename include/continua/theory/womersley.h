@@ -60,8 +60,6 @@ private:
 double phase_speed(double omega, Complex wave_number);
 /// Attenuation -Im k [1/m]: the amplitude falls as its exponential.
 double attenuation(Complex wave_number);
-/// Attenuation over one wavelength -2 pi Im k / Re k [1] (6.13).
-double attenuation_per_wavelength(Complex wave_number);
 } // namespace Continua
 
 #endif

@@ -39,19 +39,13 @@ struct SpinCoating
   static SpinCoating read(ParameterSection section);
 
   // Volumes of solution [m^3], lengths in m.
-  /// A.1: for a thin wall h on a rod of diameter D and length X.
-  double straight_volume(double diameter, double length, double thickness) const;
   /// A.2 to A.4: for any wall h on a tapered rod; exact where h is linear, too.
   double tapered_volume(double first_diameter,
                         double last_diameter,
                         double first_thickness,
                         double last_thickness,
                         double length) const;
-  /// A.17 to A.20: for a tube as made, up to z from the inlet, by increments.
-  double volume(const TubeLaw &law, double z) const;
 
-  /// A.5: of the rod's surface against its axis, positive if the diameter grows [1].
-  static double slope(double first_diameter, double last_diameter, double length);
   /// A.6: how long the pump takes [s] for a volume [m^3].
   double duration(double volume) const;
   /// How fast the trolley moves where diameter and thickness are such [m/s].
@@ -60,8 +54,6 @@ struct SpinCoating
   double trolley_speed(double diameter, double thickness) const;
   /// A.9, A.24 [counts/s].
   double rod_speed(double diameter, double thickness) const;
-  /// A.11: the rod's speed that goes with a trolley's [counts/s].
-  double rod_speed(double trolley_speed) const;
 
   /// What is to be done at a position of the tube.
   struct Row
@@ -71,7 +63,7 @@ struct SpinCoating
     double thickness;     ///< [m]
     double trolley_speed; ///< [counts/s]
     double rod_speed;     ///< [counts/s]
-    double volume;        ///< of solution so far [m^3]
+    double volume;        ///< of solution so far [m^3], A.17 to A.20
     double time;          ///< so far [s]
   };
   /// The positions from the inlet to the outlet, equally far apart; of the tube as made, that is,

@@ -1,4 +1,5 @@
-// div grad by both stencils: linear and quadratic functions, a checkerboard, and what is conserved.
+// div grad by the normal gradients on faces and by the cells' gradients there: linear and quadratic
+// functions, a checkerboard, and what is conserved.
 
 #include "cell_meshes.h"
 
@@ -27,10 +28,10 @@ void check_linear(const bool axisymmetric)
                    const double exact = axisymmetric ? slope<dim>()[1] * 2. * dealii::numbers::PI *
                                                            mesh.cells()[c].plane_volume
                                                      : 0.;
-                   const auto compact = operators.laplacian.compact(c);
+                   const auto compact = operators.compact_laplacian(c);
                    error =
                        std::max({error, std::abs(evaluate(compact, values) - exact),
-                                 std::abs(evaluate(operators.laplacian.wide(c), values) - exact)});
+                                 std::abs(evaluate(operators.wide_laplacian(c), values) - exact)});
                    total += evaluate(compact, rough);
                  }
                  // On interfaces the fluxes of the two sides are equal only for the right values;
@@ -79,16 +80,16 @@ UNIT_TEST(cell_laplacian)
     if (!is_inside(mesh, c))
       continue;
     compact =
-        std::max(compact, std::abs(evaluate(operators.laplacian.compact(c), quadratic) + 6. / 64.));
-    entries += operators.laplacian.compact(c).size() != 5;
+        std::max(compact, std::abs(evaluate(operators.compact_laplacian(c), quadratic) + 6. / 64.));
+    entries += operators.compact_laplacian(c).size() != 5;
     // -8 / h^2 times the value, over a cell of h^2.
-    seen = std::max(seen, std::abs(evaluate(operators.laplacian.compact(c), checkerboard) +
+    seen = std::max(seen, std::abs(evaluate(operators.compact_laplacian(c), checkerboard) +
                                    8. * checkerboard[operators.space.of_cell(c)]));
     if (cell.centre[0] > 0.25 && cell.centre[0] < 0.75 && cell.centre[1] > 0.25 &&
         cell.centre[1] < 0.75)
     {
-      wide = std::max(wide, std::abs(evaluate(operators.laplacian.wide(c), quadratic) + 6. / 64.));
-      unseen = std::max(unseen, std::abs(evaluate(operators.laplacian.wide(c), checkerboard)));
+      wide = std::max(wide, std::abs(evaluate(operators.wide_laplacian(c), quadratic) + 6. / 64.));
+      unseen = std::max(unseen, std::abs(evaluate(operators.wide_laplacian(c), checkerboard)));
     }
   }
   check::absolute("Cartesian, compact: quadratic functions", largest(compact), 0., 1e-13);

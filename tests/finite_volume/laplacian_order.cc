@@ -29,7 +29,7 @@ double poisson_error(const Sequence &sequence, const unsigned int n, const bool 
   for (unsigned int c = 0; c < mesh.n_owned_cells(); ++c)
   {
     const auto &cell = mesh.cells()[c];
-    rows[space.of_cell(c)] = operators.laplacian.compact(c);
+    rows[space.of_cell(c)] = operators.compact_laplacian(c);
     double density = Waves<2>::laplacian(cell.centre);
     if (axisymmetric)
       density += Waves<2>::gradient(cell.centre)[1] / cell.radius;

@@ -1,4 +1,5 @@
-// The divergence of linear fields, what is conserved, the hoop term, and observed orders.
+// The divergence by the values on faces: linear fields, what is conserved, the hoop term, and
+// observed orders.
 
 #include "cell_meshes.h"
 

@@ -1,0 +1,80 @@
+// The section Cell-wise: what the two variants are by default, what is given over them, and which
+// unknowns the words mean.
+
+#include "../parameter_text.h"
+
+#include <continua/finite_volume/cell_wise_parameters.h>
+
+#include "../unit_test.h"
+
+namespace
+{
+using namespace Continua;
+
+CellWiseParameters read(const std::string &entries)
+{
+  ParameterFile file = parameters_of("subsection Cell-wise\n" + entries + "end\n");
+  CellWiseParameters parameters;
+  parameters.read(file.root().subsection("Cell-wise"));
+  file.refuse_unknown();
+  return parameters;
+}
+
+/// The entries that the variants differ by.
+std::string scheme(const CellWiseParameters &p)
+{
+  return p.rhie_chow + ", " + p.stencil_coefficient + ", " + p.pressure_update + ", " +
+         p.boundary_pressure + ", " + p.boundary_velocity_as;
+}
+} // namespace
+
+UNIT_TEST(cell_wise_parameters)
+{
+  const CellWiseParameters right = read("");
+  check::equal("by default", scheme(right),
+               "increment, automatic, as the displacement, definition, automatic");
+  check::is_true("coupled", !right.is_segregated());
+  check::equal("thesis", scheme(read("set Variant = thesis\n")),
+               "pressure, longitudinal, trapezoidal, momentum, gradient");
+  check::equal("thesis but for one", scheme(read("set Rhie-Chow = none\nset Variant = thesis\n")),
+               "none, longitudinal, trapezoidal, momentum, gradient");
+
+  struct Words
+  {
+    std::string formulation;
+    Formulation type;
+    bool has_pressure, faces_balance;
+  };
+  for (const Words &words :
+       {Words{"displacement", Formulation::displacement, false, false},
+        Words{"velocity", Formulation::velocity, false, false},
+        Words{"velocity explicit pressure", Formulation::velocity_explicit_pressure, true, false},
+        Words{"velocity-pressure", Formulation::velocity_pressure, true, true}})
+  {
+    const CellWiseParameters p = read("set Formulation = " + words.formulation + "\n");
+    check::is_true(words.formulation, p.formulation_type() == words.type &&
+                                          p.has_pressure() == words.has_pressure &&
+                                          p.faces_balance() == words.faces_balance);
+    check::is_true(words.formulation + ", faces by balance",
+                   read("set Formulation = " + words.formulation +
+                        "\nset Velocity at boundaries as = balance\n")
+                       .faces_balance());
+    check::is_true(words.formulation + ", faces by value",
+                   !read("set Formulation = " + words.formulation +
+                         "\nset Velocity at boundaries as = value\n")
+                        .faces_balance());
+  }
+  check::is_true(
+      "pressures of faces",
+      read("set Pressure at boundaries = momentum\n").boundary_pressure_type() ==
+              BoundaryPressure::momentum &&
+          read("set Pressure at boundaries = zero gradient\n").boundary_pressure_type() ==
+              BoundaryPressure::zero_gradient &&
+          right.boundary_pressure_type() == BoundaryPressure::definition);
+  check::is_true("segregated", read("set Solution = segregated\n").is_segregated());
+  check::throws<InputError>(
+      "no corrections", []() { read("set Maximum corrections = 0\n"); }, "Maximum corrections");
+  check::throws<InputError>(
+      "no such formulation", []() { read("set Formulation = pressure\n"); },
+      "Formulation.*velocity-pressure");
+}
