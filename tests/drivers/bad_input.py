@@ -117,7 +117,7 @@ def case(program, parameter_file, folder):
         raise driver.TestFailure("'# no line: REASON' needs status 2 and a reason")
     check_patterns(patterns, [parameter_file, *arguments, output])
 
-    done = driver.run(program, arguments, int(driver.single(entries, "ranks", "1")), folder, time_limit=60)
+    done = driver.run(program, arguments, int(driver.single(entries, "ranks", "1")), folder, time_limit=180)
     text = done.stdout + done.stderr
     print(text)
     if done.returncode != status:
