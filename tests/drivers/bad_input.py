@@ -14,12 +14,12 @@ Header comments of the case:
     # left: probes.csv                  none or more; tables of a run that failed, which must have rows
     # failed: REGEX                     summary.json says that the run failed, for a reason that matches
 
-The output folder is WORKING_FOLDER/run. With status 2 nothing may have been made there, and one of the patterns must match
-the place of the error, `FILE:LINE: `, unless `no line` gives the reason why there is none. Where the program says
+The output folder is WORKING_FOLDER/run. With status 2 nothing may have been made there, and one of the patterns must
+match the place of the error, `FILE:LINE: `, unless `no line` gives the reason why there is none. Where the program says
 `FILE:LINE: 'SECTION/KEY'`, this line of the file must begin the section or set the key.
 
-A pattern that the names of the files match already would show nothing: it is refused. So is one with alternatives outside
-of brackets: `'Density'.*negative|positive` asks for 'positive' anywhere.
+A pattern that the names of the files match already would show nothing: it is refused. So is one with alternatives
+outside of brackets: `'Density'.*negative|positive` asks for 'positive' anywhere.
 """
 
 import json
@@ -71,8 +71,8 @@ def check_place(text, patterns, no_line):
         return
     matches = [re.search(pattern, text, re.MULTILINE).group(0) for pattern in patterns]
     if not any(re.search(r"\.(prm|csv|geo|msh):\d+: ", match) for match in matches):
-        raise driver.TestFailure("no '# expect:' asks for the file and the line (NAME\\.prm:LINE: ); where there is none, "
-                                 "'# no line: REASON' says why")
+        raise driver.TestFailure("no '# expect:' asks for the file and the line (NAME\\.prm:LINE: ); where there is "
+                                 "none, '# no line: REASON' says why")
     for found in PLACE.finditer(text):
         key = (found["key"] or "").split("/")[-1]
         if not found["file"].endswith(".prm") or not key:
@@ -117,7 +117,7 @@ def case(program, parameter_file, folder):
         raise driver.TestFailure("'# no line: REASON' needs status 2 and a reason")
     check_patterns(patterns, [parameter_file, *arguments, output])
 
-    done = driver.run(program, arguments, int(driver.single(entries, "ranks", "1")), folder, time_limit=60)
+    done = driver.run(program, arguments, int(driver.single(entries, "ranks", "1")), folder, time_limit=180)
     text = done.stdout + done.stderr
     print(text)
     if done.returncode != status:

@@ -10,11 +10,11 @@ Header comments of the case:
     # order: tip: frequency = 1.9 .. 2.1, reference 3.3624 the error is the distance from a reference, in SI
     # order: tip: frequency = 1.9 .. 2.1, differences      from successive differences (three levels or more)
     # earlier pairs: 0.5                                   how far outside of it earlier orders may lie (default 0.5)
-    # wider because: REASON                                needed where an interval is wider than 0.2, or `earlier pairs` is
+    # wider because: REASON                              where an interval is wider than 0.2, or `earlier pairs` than 0.5
     # bound: velocity error <= 1e-4                        on the finest level
 
 A case of bounds alone may have one level; it suits runs whose screen output differs from machine to machine.
-`PROBE: NAME` names the quantity of one probe. The order between the two finest levels must lie in the interval: an order
+`PROBE: NAME` names the quantity of one probe. The order between the two finest levels must lie in the interval: one
 that is too high shows an error, too, such as a reference that a coarse mesh happens to meet. The theoretical order must
 lie in it. An error below 1e-13 is round-off and has no order.
 """
@@ -100,7 +100,8 @@ def case(program, parameter_file, folder):
         if not 0 < highest - lowest <= 1:
             raise driver.TestFailure(f"'{order['lowest']} .. {order['highest']}' is empty, or wider than one order")
         if highest - lowest > 0.2 + 1e-9 and not entries.get("wider because"):
-            raise driver.TestFailure(f"'{order['lowest']} .. {order['highest']}' is wider than 0.2: '# wider because: REASON'")
+            raise driver.TestFailure(f"'{order['lowest']} .. {order['highest']}' is wider than 0.2: it needs "
+                                     "'# wider because: REASON'")
         failures += outside(label, observed, lowest, highest, margin)
     for bound in bounds:
         value = driver.quantity(summaries[-1], bound["name"], bound["probe"])

@@ -1,7 +1,8 @@
 """Reads the states of fields that runs write (fields.pvd, *.pvtu, *.vtu) and compares those of two runs.
 
-A cell is its points and its values at them. In one order: the n-th cells of two files are compared. In any order: cells are
-sorted by their centres first, so that files whose cells stand in another order, or in several pieces, are compared as sets.
+A cell is its points and its values at them. In one order: the n-th cells of two files are compared. In any order: cells
+are sorted by their centres first, so that files whose cells stand in another order, or in several pieces, are compared
+as sets.
 """
 
 import base64
@@ -100,13 +101,14 @@ def sorted_by_place(cells):
     size = max(max(values) - min(values) for values in corners)
 
     def key(cell):
-        return tuple(math.floor(sum(point[i] for point, _ in cell) / len(cell) / (1e-5 * size) + 0.3183) for i in range(3))
+        centre = [sum(point[i] for point, _ in cell) / len(cell) for i in range(3)]
+        return tuple(math.floor(x / (1e-5 * size) + 0.3183) for x in centre)
 
     return sorted(cells, key=key)
 
 
 def compare_states(first, second, tolerance=0.0, floor=0.0, any_order=False):
-    """Each field of the second within `tolerance` of the largest magnitude of that field in the first, or of `floor`."""
+    """Each field of the second within `tolerance` of that field's largest magnitude in the first, or of `floor`."""
     names, single, cells = read_state(first)
     other_names, _, other_cells = read_state(second)
     if names != other_names:
@@ -118,11 +120,13 @@ def compare_states(first, second, tolerance=0.0, floor=0.0, any_order=False):
     # Two numbers of double precision that hardly differ may be rounded to neighbours of single precision.
     share = max(tolerance, 2.4e-7 if single else 0.0) if tolerance > 0 else 0.0
     places = [abs(coordinate) for cell in cells for point, _ in cell for coordinate in point]
-    largest = [max(abs(x) for cell in cells for _, values in cell for x in values[field]) for field in range(len(names))]
+    largest = [max(abs(x) for cell in cells for _, values in cell for x in values[field])
+               for field in range(len(names))]
     for cell, other in zip(cells, other_cells):
         if len(cell) != len(other) or any(abs(a - b) > share * max(places) for (point, _), (other_point, _)
                                           in zip(cell, other) for a, b in zip(point, other_point)):
-            raise driver.TestFailure(f"the cell at {cell[0][0]} in {first} is another one, at {other[0][0]}, in {second}")
+            raise driver.TestFailure(f"the cell at {cell[0][0]} in {first} is another one, at {other[0][0]}, in "
+                                     f"{second}")
         for (point, values), (_, other_values) in zip(cell, other):
             for name, size, value, other_value in zip(names, largest, values, other_values):
                 deviation = max(abs(a - b) for a, b in zip(value, other_value))

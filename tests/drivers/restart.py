@@ -14,8 +14,8 @@ Header comments of the case:
     # refused: Mesh/Axial cells = 7 -> PATTERN   none or more; a restart with this override is refused for this reason
     # refused without: checkpoint/*/rank-0 -> PATTERN   none or more; so is one without this file
     # refused with a bit changed in: FILE -> PATTERN    or with a damaged one
-    # tolerance: 0                   0 (default): tables, fields, fields.pvd and quantities agree to the last bit; otherwise
-                                     tables as in ranks.py, and each field within this part of its largest magnitude
+    # tolerance: 0                   0 (default): tables, fields, fields.pvd and quantities agree to the last bit;
+                                     otherwise tables as in ranks.py, and fields relative to their largest magnitude
     # floor: 0                       as in ranks.py
     # cells: in another order        the mesh changes: the fields are those of the same cells, whose order may differ
 
