@@ -178,7 +178,7 @@ double StepSystem<dim>::residual(const DistributedVector &momentum,
                                  const DistributedVector &pressure)
 {
   // velocity is zero at constrained dofs; T u puts the masters' share there.
-  velocity_correction = velocity;
+  velocity_correction.equ(1., velocity);
   pressure_correction = 0.;
   DistributedVector zero(velocity);
   zero = 0.;

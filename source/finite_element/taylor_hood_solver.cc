@@ -49,9 +49,9 @@ void TaylorHoodSolver<dim>::initialise()
   present_time = pressure_known_time = 0.;
   set_initial_state(space, problem, operators, log, velocity, history.displacement(), pressure);
   bulk_history.start(pressure);
-  velocity_older = velocity;
-  pressure_older = pressure;
-  pressure_known = pressure;
+  velocity_older.equ(1., velocity);
+  pressure_older.equ(1., pressure);
+  pressure_known.equ(1., pressure);
 }
 
 template <int dim>
@@ -139,6 +139,9 @@ void TaylorHoodSolver<dim>::report_linear_solver()
   else
     log.line(text);
   log.detail(system.name());
+  if (system.library_depends_on_ranks())
+    log.detail("The library of a factor depends on the number of ranks: CHOLMOD works on one rank "
+               "only");
 }
 
 template <int dim>
@@ -328,7 +331,7 @@ void TaylorHoodSolver<dim>::solve_steady(const double time)
   if (!solid && !constraints.is_homogeneous())
   {
     constraints.evaluate(time, prescribed);
-    balanced.prescribed = prescribed;
+    balanced.prescribed.equ(1., prescribed);
     balanced.velocity = 0.;
     system.add_velocity_product(balanced.prescribed, balanced.velocity);
     momentum.add(-1., balanced.velocity);
@@ -345,7 +348,7 @@ void TaylorHoodSolver<dim>::solve_steady(const double time)
     outlets.couple_steady(time, velocity_work, pressure);
   if (!std::isfinite(velocity_work.linfty_norm()))
     throw RunError("the steady solution is not finite");
-  (solid ? history.displacement() : velocity) = velocity_work;
+  (solid ? history.displacement() : velocity).equ(1., velocity_work);
   present_time = time;
 }
 

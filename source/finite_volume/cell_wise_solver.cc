@@ -103,9 +103,9 @@ void CellWiseSolver<dim>::initialise()
   set_initial_state();
   bulk_history.start(pressure);
   balance_faces(0.);
-  velocity_older = velocity;
-  pressure_older = pressure;
-  pressure_known = pressure;
+  velocity_older.equ(1., velocity);
+  pressure_older.equ(1., pressure);
+  pressure_known.equ(1., pressure);
   set_dilatation_rate();
 }
 
@@ -615,7 +615,7 @@ void CellWiseSolver<dim>::solve_steady(const double time)
   }
   if (!std::isfinite(velocity_work.linfty_norm()))
     throw RunError("the steady solution is not finite");
-  (solid ? history.displacement() : velocity) = velocity_work;
+  (solid ? history.displacement() : velocity).equ(1., velocity_work);
   pressure_is_current = parameters.has_pressure();
   present_time = time;
 }

@@ -39,7 +39,7 @@ SchurComplement::SchurComplement(const TrilinosWrappers::SparseMatrix &divergenc
     : has_mass(mass_form != nullptr), has_laplacian(mobility != nullptr)
 {
   work.reinit(divergence.locally_owned_range_indices(), divergence.get_mpi_communicator());
-  diagonal_entries = work;
+  diagonal_entries.reinit(work);
   if (has_mass)
   {
     mass.copy_from(*mass_form);

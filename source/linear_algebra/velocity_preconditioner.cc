@@ -53,7 +53,7 @@ VelocityPreconditioner::VelocityPreconditioner(const TrilinosWrappers::SparseMat
 {
   const IndexSet owned = matrix.locally_owned_range_indices();
   residual.reinit(owned, matrix.get_mpi_communicator());
-  correction = residual;
+  correction.reinit(residual);
   if (has_stiff)
   {
     stiff = std::make_unique<SubMatrix>(matrix.trilinos_matrix(), blocks.stiff);
