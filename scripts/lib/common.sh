@@ -68,7 +68,18 @@ n_jobs() {
   if [ "$memory" -lt "$cores" ]; then echo "$memory"; else echo "$cores"; fi
 }
 
-# configure_build release|debug [CMAKE OPTION...]: build/NAME, which is kept; only the first call picks a generator.
+# Says what is done now, and how long what came before it took. Without a text: only the latter.
+announce() {
+  if [ -n "${announced:-}" ]; then
+    say "-- $announced: done in $((SECONDS - announced_at)) s"
+  fi
+  announced=${1:-}
+  announced_at=$SECONDS
+  [ -z "$announced" ] || say "-- $announced"
+}
+
+# configure_build release|debug [CMAKE OPTION...]: build/NAME, which is kept; only the first call picks a generator, ninja
+# where it is installed.
 configure_build() {
   local name=$1 directory type
   shift
@@ -85,8 +96,8 @@ configure_build() {
     say "$directory was configured for another checkout: starting it afresh"
     rm -rf "$directory"
   fi
-  if [ ! -f "$directory/CMakeCache.txt" ] && [ -n "${CONTINUA_GENERATOR:-}" ]; then
-    generator=(-G "$CONTINUA_GENERATOR")
+  if [ ! -f "$directory/CMakeCache.txt" ] && command -v ninja >/dev/null 2>&1; then
+    generator=(-G Ninja)
   fi
   mkdir -p "$directory"
   if ! cmake -S "$root" -B "$directory" "${generator[@]}" -D CMAKE_BUILD_TYPE="$type" "$@" \
@@ -100,16 +111,12 @@ configure_build() {
 build_targets() {
   local name=$1
   shift
-  say "Building ${*} in $build_root/$name with $(n_jobs) jobs"
-  cmake --build "$build_root/$name" --target "$@" --parallel "$(n_jobs)" </dev/null
+  say "Building ${*} in $build_root/$name with $(n_jobs) jobs; one step is several files and takes up to a minute"
+  NINJA_STATUS='[%f of %t, %e s] ' cmake --build "$build_root/$name" --target "$@" --parallel "$(n_jobs)" </dev/null
 }
 
 # The Release program, built when it is out of date.
 build_program() {
-  if [ -z "${CONTINUA_GENERATOR:-}" ] && command -v ninja >/dev/null 2>&1; then
-    CONTINUA_GENERATOR=Ninja configure_build release
-  else
-    configure_build release
-  fi
+  configure_build release
   build_targets release continua
 }

@@ -5,6 +5,7 @@
 #include <continua/analysis/tube_wave_case.h>
 #include <continua/base/input_error.h>
 #include <continua/mesh/round_section.h>
+#include <continua/theory/constants.h>
 #include <continua/theory/impedance_fit.h>
 #include <continua/theory/korteweg.h>
 #include <continua/theory/matched_impedance.h>
@@ -19,7 +20,6 @@ namespace Continua
 {
 namespace
 {
-constexpr double pi = dealii::numbers::PI;
 /// What the impedance of a tube's end is asked for with.
 constexpr const char *fit_keys[] = {"Lowest frequency", "Highest frequency", "Fit tolerance"};
 /// Samples of the impedance over the band: so many a decade, and at least so many.

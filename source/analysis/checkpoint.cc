@@ -1,6 +1,7 @@
 #include <continua/analysis/checkpoint.h>
 
 #include <continua/base/atomic_file.h>
+#include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/base/version.h>
 
@@ -41,7 +42,7 @@ std::string first_problem(const MPI_Comm communicator, const std::string &proble
 {
   if (Utilities::MPI::max(problem.empty() ? 0 : 1, communicator) == 0)
     return "";
-  for (const std::string &one : Utilities::MPI::all_gather(communicator, problem))
+  for (const std::string &one : all_gather(communicator, problem))
     if (!one.empty())
       return one;
   return "";
@@ -149,7 +150,7 @@ std::string Checkpoint::current() const
   std::string step;
   if (Utilities::MPI::this_mpi_process(communicator) == 0)
     std::ifstream(folder + "/current") >> step;
-  return Utilities::MPI::broadcast(communicator, step);
+  return broadcast(communicator, step);
 }
 
 void Checkpoint::remove_all_but(const std::string &step) const
@@ -200,7 +201,7 @@ void Checkpoint::write(const unsigned int step,
   stop_at(problem_in([&]() { checksum = archive.piece().write(piece_file(name, rank)); }));
   if (save_mesh)
     stop_at(problem_in([&]() { save_mesh(path + "/mesh"); }));
-  const std::vector<unsigned long> checksums = Utilities::MPI::gather(communicator, checksum);
+  const std::vector<unsigned long> checksums = all_gather(communicator, checksum);
   stop_at(problem_in(
       [&]()
       {

@@ -3,6 +3,7 @@
 #include <continua/analysis/chosen_quantities.h>
 #include <continua/base/atomic_file.h>
 #include <continua/base/text_table.h>
+#include <continua/base/undefined.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +15,6 @@ namespace Continua
 namespace
 {
 using Verdict = ComparisonReport::Verdict;
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-/// Of the largest value of its unit: what solvers and sums leave in digits.
-constexpr double round_off_share = 1e-10;
-
-std::string with_unit(const ComparisonReport::Row &row)
-{
-  return row.label + (row.unit.empty() || row.unit == "1" ? "" : " [" + row.unit + "]");
-}
 
 const char *verdict_name(const Verdict verdict)
 {
@@ -131,7 +124,7 @@ std::vector<std::string> ComparisonReport::lines() const
     table = {header};
     for (const Row &row : all_rows)
     {
-      std::vector<std::string> line = {with_unit(row)};
+      std::vector<std::string> line = {with_unit(row.label, row.unit)};
       // Round-off is not the same on every machine.
       const auto rounded = [&row](const double value, const int n_digits)
       {
@@ -216,7 +209,7 @@ void ComparisonReport::write_quantities(const std::string &file) const
   text += ",\"difference\",\"difference over errors [1]\",\"verdict\"\n";
   for (const Row &row : all_rows)
   {
-    text += csv_cell(with_unit(row));
+    text += csv_cell(with_unit(row.label, row.unit));
     for (unsigned int way = 0; way < 2; ++way)
     {
       const GridConvergence &convergence = row.convergence[way];

@@ -1,5 +1,6 @@
 #include <continua/analysis/modal.h>
 
+#include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/base/table_writer.h>
 #include <continua/postprocess/field_writer.h>
@@ -37,12 +38,17 @@ void normalise(Eigenpair &pair, const MPI_Comm communicator)
   }
   std::complex<double> chosen;
   double chosen_size = 0.;
-  for (const std::complex<double> &of_rank : Utilities::MPI::all_gather(communicator, value))
+  const std::vector<double> real_parts = all_gather(communicator, value.real());
+  const std::vector<double> imaginary_parts = all_gather(communicator, value.imag());
+  for (std::size_t rank = 0; rank < real_parts.size(); ++rank)
+  {
+    const std::complex<double> of_rank(real_parts[rank], imaginary_parts[rank]);
     if (std::abs(of_rank) > (1. + 1e-6) * chosen_size)
     {
       chosen = of_rank;
       chosen_size = std::abs(of_rank);
     }
+  }
   for (std::size_t i = 0; i < pair.real.size(); ++i)
   {
     const std::complex<double> x = std::complex<double>(pair.real[i], pair.imaginary[i]) / chosen;

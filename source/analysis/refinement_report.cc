@@ -4,6 +4,7 @@
 #include <continua/base/atomic_file.h>
 #include <continua/base/input_error.h>
 #include <continua/base/text_table.h>
+#include <continua/base/undefined.h>
 #include <continua/base/units.h>
 
 #include <algorithm>
@@ -15,9 +16,6 @@ namespace Continua
 {
 namespace
 {
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-/// Of the largest value of its unit: what solvers and sums leave in digits.
-constexpr double round_off_share = 1e-10;
 
 double quantity_or(const RunResult &run, const std::string &name, const double otherwise)
 {
@@ -25,13 +23,8 @@ double quantity_or(const RunResult &run, const std::string &name, const double o
   return quantity == nullptr ? otherwise : quantity->value;
 }
 
-std::string with_unit(const std::string &name, const std::string &unit)
-{
-  return name + (unit.empty() || unit == "1" ? "" : " [" + unit + "]");
-}
-
 /// "1 %", of a relative error.
-std::string percent(const double level)
+std::string percent_text(const double level)
 {
   return number_text(100. * level, 6) + " %";
 }
@@ -259,13 +252,13 @@ void RefinementReport::add_quantities(Summary &summary) const
       add(name + " error", curve.last_error() / row.scale());
       add(name + " order", curve.last_order());
       for (const double level : parameters.error_levels)
-        add(name + " unknowns at " + percent(level) + " error",
+        add(name + " unknowns at " + percent_text(level) + " error",
             curve.unknowns_at(level * row.scale()));
       // Not std::max: NaN stays.
       equal_error = curve.last_error() <= equal_error ? equal_error : curve.last_error();
     }
     for (const double level : parameters.error_levels)
-      add("adaptive over uniform unknowns at " + percent(level) + " error",
+      add("adaptive over uniform unknowns at " + percent_text(level) + " error",
           ratio(row, level * row.scale()));
     if (row.curves.size() > 1 && std::isfinite(ratio(row, equal_error)))
     {

@@ -2,6 +2,7 @@
 
 #include <continua/analysis/case_run.h>
 #include <continua/base/atomic_file.h>
+#include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
 #include <continua/base/parameter_text.h>
@@ -64,7 +65,7 @@ std::string program_identity(const MPI_Comm communicator)
        << std::filesystem::last_write_time(file).time_since_epoch().count() << ", "
        << std::filesystem::file_size(file) << " bytes";
   // Nodes may have copies of other times.
-  return Utilities::MPI::broadcast(communicator, text.str());
+  return broadcast(communicator, text.str());
 }
 
 /// Whether every rank comes here within a minute: an exception that all threw, not one alone while
@@ -95,7 +96,7 @@ std::string content_of(const std::string &file, const MPI_Comm communicator)
     text << std::ifstream(file, std::ios::binary).rdbuf();
     content = text.str();
   }
-  return Utilities::MPI::broadcast(communicator, content);
+  return broadcast(communicator, content);
 }
 } // namespace
 

@@ -1,6 +1,7 @@
 #include <continua/analysis/wave_report.h>
 
 #include <continua/base/table_writer.h>
+#include <continua/base/undefined.h>
 #include <continua/base/units.h>
 #include <continua/signal/first_pulse.h>
 #include <continua/signal/wave_analysis.h>
@@ -13,7 +14,6 @@ namespace Continua
 {
 namespace
 {
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// A backward wave counts as a pulse from this part of the first pulse's height on.
 constexpr double smallest_reflection = 0.1;
 const char *const source_names[3] = {"simulated", "theory", "measured"};
@@ -130,7 +130,8 @@ std::vector<WaveReport::Pulse> WaveReport::analyse(const Source source, Summary 
         record.characteristic_impedance.push_back(stations.impedances[s]);
       }
     }
-  std::vector<Pulse> pulses(stations.positions.size(), {nan, nan, nan, nan, nan, nan, nan});
+  std::vector<Pulse> pulses(stations.positions.size(), {undefined, undefined, undefined, undefined,
+                                                        undefined, undefined, undefined});
   if (used.empty())
     return pulses;
   const WaveAnalysis wave = analyse_wave(record);
@@ -154,9 +155,9 @@ std::vector<WaveReport::Pulse> WaveReport::analyse(const Source source, Summary 
              station.amplitude,
              station.arrival.half,
              station.arrival.tangent_foot,
-             nan,
-             nan,
-             nan};
+             undefined,
+             undefined,
+             undefined};
     const std::string name = station_name(used[i]);
     add("first pulse time", pulse.time, "s", name);
     add("first pulse height", pulse.height, "Pa", name);
@@ -211,7 +212,7 @@ void WaveReport::compare(const Source a,
     return;
   const auto largest_of = [&](const std::string &name, double Pulse::*what)
   {
-    double largest = nan;
+    double largest = undefined;
     unsigned int n_compared = 0;
     for (unsigned int s = 0; s < stations.positions.size(); ++s)
     {

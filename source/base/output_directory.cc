@@ -1,3 +1,4 @@
+#include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/base/output_directory.h>
 
@@ -156,8 +157,8 @@ OutputDirectory::OutputDirectory(const std::string &path,
                      error.path1().string() + "')",
                  "Choose another folder with --output"};
     }
-  const auto all = dealii::Utilities::MPI::broadcast(
-      communicator, std::vector<std::string>{refusal.problem, refusal.remedy});
+  const auto all =
+      broadcast(communicator, std::vector<std::string>{refusal.problem, refusal.remedy});
   if (!all[0].empty())
     throw InputError({directory, 0}, "", all[0], all[1]);
 }
@@ -185,7 +186,7 @@ void OutputDirectory::copy_inputs(const std::vector<std::string> &files) const
       problem = "cannot copy '" + error.path1().string() + "' to '" + file("input") +
                 "': " + error.code().message();
     }
-  problem = dealii::Utilities::MPI::broadcast(communicator, problem);
+  problem = broadcast(communicator, problem);
   if (!problem.empty())
     throw RunError(problem);
 }

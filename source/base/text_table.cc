@@ -40,6 +40,11 @@ std::string number_text(const double value, const int n_digits)
   return text.str();
 }
 
+std::string with_unit(const std::string &name, const std::string &unit)
+{
+  return name + (unit.empty() || unit == "1" ? "" : " [" + unit + "]");
+}
+
 std::string csv_cell(const std::string &text)
 {
   std::string result = "\"";

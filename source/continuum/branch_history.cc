@@ -109,7 +109,7 @@ void BranchHistory::reinit(const DistributedVector &prototype,
   for (Branch &branch : branches)
   {
     branch.present.reinit(prototype);
-    branch.older = branch.present;
+    branch.older.reinit(prototype);
   }
   vectors_are_current = nodes_are_current = true;
 }

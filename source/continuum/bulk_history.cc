@@ -20,7 +20,9 @@ void BulkHistory::reinit(const DistributedVector &prototype,
       Region &region = of_region[r];
       region.nodes = nodes_of_regions[r];
       region.rate.reinit(prototype);
-      region.balanced_rate = region.rate;
+      region.balanced_rate.reinit(prototype);
+      // Cleared first: an assignment to the old ones would keep their layout.
+      region.dilatations.clear();
       region.dilatations.assign(materials[r].bulk_branches.size(), {region.rate, region.rate});
     }
 }

@@ -1,3 +1,4 @@
+#include <continua/base/collective.h>
 #include <continua/finite_element/boundary_constraints.h>
 #include <continua/finite_element/flow_shapes.h>
 #include <continua/mesh/cells_in_tree_order.h>
@@ -350,11 +351,12 @@ void BoundaryConstraints<dim>::build()
           indices[i * indices.size() / std::min<std::size_t>(n_watched, indices.size())]);
 
   homogeneous = Utilities::MPI::min(homogeneous ? 1 : 0, space.communicator) == 1;
-  const auto all_conflicts = Utilities::MPI::all_gather(
-      space.communicator,
-      std::vector<std::pair<unsigned int, unsigned int>>(conflicts.begin(), conflicts.end()));
-  for (const auto &of_rank : all_conflicts)
-    conflicts.insert(of_rank.begin(), of_rank.end());
+  std::vector<unsigned int> own_conflicts;
+  for (const auto &[first, second] : conflicts)
+    own_conflicts.insert(own_conflicts.end(), {first, second});
+  for (const auto &of_rank : all_gather(space.communicator, own_conflicts))
+    for (std::size_t i = 0; i < of_rank.size(); i += 2)
+      conflicts.emplace(of_rank[i], of_rank[i + 1]);
   for (const auto &pair : conflicts)
     conflict_texts.push_back("the boundaries '" + conditions[pair.first].name + "' and '" +
                              conditions[pair.second].name + "' meet with different velocities; '" +

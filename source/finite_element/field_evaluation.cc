@@ -1,3 +1,4 @@
+#include <continua/base/collective.h>
 #include <continua/finite_element/field_evaluation.h>
 
 #include <continua/mesh/cell_point.h>
@@ -56,10 +57,11 @@ double FieldEvaluation<dim>::add_point(const ProbeRequest<dim> &request,
         unit_point = candidate;
       }
     }
-  const std::string first = Utilities::MPI::all_reduce<std::string>(
-      found ? chosen_id.to_string() : std::string(), space.communicator,
-      [](const std::string &a, const std::string &b)
-      { return b.empty() || (!a.empty() && CellId(a) < CellId(b)) ? a : b; });
+  std::string first;
+  for (const std::string &of_rank :
+       all_gather(space.communicator, found ? chosen_id.to_string() : std::string()))
+    if (!of_rank.empty() && (first.empty() || CellId(of_rank) < CellId(first)))
+      first = of_rank;
   if (found && CellId(first) == chosen_id)
     add_values(field, chosen, Quadrature<dim>(unit_point), {1.}, collector);
   return first.empty() ? 0. : 1.;

@@ -157,7 +157,7 @@ VelocityBlocks IterativeStepSolver<dim>::velocity_blocks(const std::vector<bool>
     const bool is_hanging = space.velocity_hanging.is_constrained(global);
     if (!is_hanging)
       for (unsigned int region = 0; region < operators.size(); ++region)
-        if (operators[region].stiffness.trilinos_matrix().NumMyEntries(static_cast<int>(i)) > 0)
+        if (is_of_region[region][i])
         {
           inertia += coefficients.mass[region] * operators[region].mass.diag_element(global);
           stiffness +=
@@ -186,13 +186,17 @@ void IterativeStepSolver<dim>::make_preconditioner()
 
   // Which regions are stiff.
   const unsigned int n_regions = operators.size();
+  is_of_region.assign(n_regions, std::vector<bool>(space.velocity_owned.n_elements(), false));
+  const std::vector<std::vector<unsigned int>> nodes = velocity_nodes(operators);
+  for (unsigned int region = 0; region < n_regions; ++region)
+    for (const unsigned int i : nodes[region])
+      is_of_region[region][i] = true;
   std::vector<double> ratios(n_regions, 0.);
   for (unsigned int region = 0; region < n_regions; ++region)
     for (unsigned int i = 0; i < space.velocity_owned.n_elements(); ++i)
     {
       const auto global = space.velocity_owned.nth_index_in_set(i);
-      if (space.velocity_hanging.is_constrained(global) ||
-          operators[region].stiffness.trilinos_matrix().NumMyEntries(static_cast<int>(i)) == 0)
+      if (space.velocity_hanging.is_constrained(global) || !is_of_region[region][i])
         continue;
       const double inertia =
           coefficients.mass[region] * operators[region].mass.diag_element(global);

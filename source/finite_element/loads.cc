@@ -1,5 +1,6 @@
 #include <continua/finite_element/loads.h>
 #include <continua/mesh/cells_in_tree_order.h>
+#include <continua/mesh/coordinates.h>
 #include <continua/signal/jump.h>
 
 #include <deal.II/base/mpi.h>
@@ -24,14 +25,6 @@ own_part(const Tensor<1, dim> &vector, const Tensor<1, dim> &normal, const bool 
   return normal_part ? along : vector - along;
 }
 
-template <int dim>
-std::array<double, 3> coordinates(const Point<dim> &point)
-{
-  std::array<double, 3> result = {{0., 0., 0.}};
-  for (unsigned int c = 0; c < dim; ++c)
-    result[c] = point[c];
-  return result;
-}
 template <typename Cell>
 bool has_condition(const Cell &cell, const unsigned int face, const BoundaryCondition &condition)
 {

@@ -38,12 +38,11 @@ template <int dim>
 void PowerLedger<dim>::reinit()
 {
   nodal_forces = space.velocity_vector();
-  velocity_work = nodal_forces;
-  mixture = nodal_forces;
-  forgotten = nodal_forces;
+  for (DistributedVector *vector : {&velocity_work, &mixture, &forgotten})
+    vector->reinit(nodal_forces);
   pressure_work = space.pressure_vector();
-  dilatation = pressure_work;
-  forgotten_rate = pressure_work;
+  for (DistributedVector *vector : {&dilatation, &forgotten_rate})
+    vector->reinit(pressure_work);
 }
 
 template <int dim>

@@ -190,7 +190,7 @@ std::vector<std::vector<unsigned int>> velocity_nodes(const std::vector<RegionOp
 {
   std::vector<std::vector<unsigned int>> nodes;
   for (const RegionOperators &region : operators)
-    nodes.push_back(rows_with_entries(region.stiffness));
+    nodes.push_back(rows_with_values(region.stiffness));
   return nodes;
 }
 
@@ -198,7 +198,7 @@ std::vector<std::vector<unsigned int>> pressure_nodes(const std::vector<RegionOp
 {
   std::vector<std::vector<unsigned int>> nodes;
   for (const RegionOperators &region : operators)
-    nodes.push_back(rows_with_entries(region.pressure_mass));
+    nodes.push_back(rows_with_values(region.pressure_mass));
   return nodes;
 }
 

@@ -28,12 +28,10 @@ void StepSystem<dim>::reinit()
   is_prepared = false;
   kept_factors.clear();
   iterative_solver = nullptr;
-  velocity_product = space.velocity_vector();
-  velocity_residual = velocity_product;
-  velocity_correction = velocity_product;
-  pressure_product = space.pressure_vector();
-  pressure_residual = pressure_product;
-  pressure_correction = pressure_product;
+  for (DistributedVector *vector : {&velocity_product, &velocity_residual, &velocity_correction})
+    *vector = space.velocity_vector();
+  for (DistributedVector *vector : {&pressure_product, &pressure_residual, &pressure_correction})
+    *vector = space.pressure_vector();
   pressure_hanging.clear();
   for (const auto index : space.pressure_owned)
     if (space.pressure_hanging.is_constrained(index))

@@ -1,5 +1,6 @@
 #include <continua/finite_volume/cell_loads.h>
 
+#include <continua/mesh/coordinates.h>
 #include <continua/signal/jump.h>
 
 #include <deal.II/base/mpi.h>
@@ -12,14 +13,6 @@ using namespace dealii;
 
 namespace
 {
-template <int dim>
-std::array<double, 3> coordinates(const Point<dim> &point)
-{
-  std::array<double, 3> result = {{0., 0., 0.}};
-  for (unsigned int c = 0; c < dim; ++c)
-    result[c] = point[c];
-  return result;
-}
 } // namespace
 
 template <int dim>

@@ -1,8 +1,8 @@
 #include <continua/finite_volume/cell_mesh.h>
+#include <continua/mesh/ghost_exchange.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_renumbering.h>
-#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <array>
@@ -225,19 +225,18 @@ void CellMesh<dim>::build()
   for (unsigned int number = 0; number < n_owned; ++number)
     volumes[number].centre =
         volumes[number].iterator->center() + moments[number] / volumes[number].plane_volume;
-  using Measures = std::array<double, dim + 1>;
-  dealii::GridTools::exchange_cell_data_to_ghosts<Measures, dealii::DoFHandler<dim>>(
-      cell_dofs,
+  exchange_with_ghosts<dim>(
+      triangulation,
       [&](const auto &cell)
       {
         const FiniteVolume<dim> &volume = volumes[cell_number(cell)];
-        Measures measures;
+        std::vector<double> measures(dim + 1);
         for (unsigned int c = 0; c < dim; ++c)
           measures[c] = volume.centre[c];
         measures[dim] = volume.plane_volume;
         return measures;
       },
-      [&](const auto &cell, const Measures &measures)
+      [&](const auto &cell, const std::vector<double> &measures)
       {
         FiniteVolume<dim> &volume = volumes[cell_number(cell)];
         for (unsigned int c = 0; c < dim; ++c)

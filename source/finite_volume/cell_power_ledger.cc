@@ -51,11 +51,10 @@ template <int dim>
 void CellPowerLedger<dim>::reinit()
 {
   forces = space.velocity_vector();
-  velocity_work = forces;
-  mixture = forces;
-  other = forces;
+  for (DistributedVector *vector : {&velocity_work, &mixture, &other})
+    vector->reinit(forces);
   pressure_work = space.pressure_vector();
-  dilatation = pressure_work;
+  dilatation.reinit(pressure_work);
 }
 
 template <int dim>

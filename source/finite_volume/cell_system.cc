@@ -2,8 +2,7 @@
 
 #include <continua/finite_volume/sparse_rows.h>
 #include <continua/linear_algebra/matrix_product.h>
-
-#include <deal.II/grid/grid_tools.h>
+#include <continua/mesh/ghost_exchange.h>
 
 #include <Epetra_CrsMatrix.h>
 
@@ -94,11 +93,11 @@ void CellSystem<dim>::measure_diffusion()
   for (unsigned int cell = 0; cell < diffusion.size(); ++cell)
     diffusion[cell] /= mesh.cells()[cell].volume;
   // A ghost has only the faces that it shares with this rank's cells.
-  GridTools::exchange_cell_data_to_ghosts<double, Triangulation<dim>>(
+  exchange_with_ghosts<dim>(
       mesh.triangulation,
-      [&](const auto &cell)
-      { return std_cxx17::optional<double>(diffusion[mesh.cell_number(cell)]); },
-      [&](const auto &cell, const double value) { diffusion[mesh.cell_number(cell)] = value; });
+      [&](const auto &cell) { return std::vector<double>{diffusion[mesh.cell_number(cell)]}; },
+      [&](const auto &cell, const std::vector<double> &numbers)
+      { diffusion[mesh.cell_number(cell)] = numbers[0]; });
 }
 
 template <int dim>

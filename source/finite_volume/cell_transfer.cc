@@ -1,9 +1,10 @@
 #include <continua/finite_volume/cell_transfer.h>
 
-#include <deal.II/base/utilities.h>
 #include <deal.II/distributed/tria_base.h>
 
 #include <boost/range/iterator_range.hpp>
+
+#include <cstring>
 
 namespace Continua
 {
@@ -15,6 +16,16 @@ template <int dim>
 parallel::DistributedTriangulationBase<dim> &distributed(parallel::TriangulationBase<dim> &mesh)
 {
   return dynamic_cast<parallel::DistributedTriangulationBase<dim> &>(mesh);
+}
+
+/// The numbers whose bytes these are.
+std::vector<double> numbers_in(const std::vector<char>::const_iterator begin,
+                               const std::vector<char>::const_iterator end)
+{
+  std::vector<double> numbers(static_cast<std::size_t>(end - begin) / sizeof(double));
+  if (!numbers.empty())
+    std::memcpy(numbers.data(), &*begin, numbers.size() * sizeof(double));
+  return numbers;
 }
 } // namespace
 
@@ -51,8 +62,7 @@ void CellTransfer<dim>::finish(const std::vector<DistributedVector *> &velocitie
           [&](const CellIterator &cell, const Status status,
               const boost::iterator_range<std::vector<char>::const_iterator> &bytes)
           {
-            const CellData data =
-                unpack(Utilities::unpack<std::vector<double>>(bytes.begin(), bytes.end(), false));
+            const CellData data = unpack(numbers_in(bytes.begin(), bytes.end()));
             if (status == Status::CELL_REFINE)
               for (unsigned int child = 0; child < cell->n_children(); ++child)
                 set(space.mesh.cell_number(cell->child(child)), data, true, velocities, pressures);
@@ -173,7 +183,9 @@ std::vector<char> CellTransfer<dim>::pack(const CellData &data) const
     add(component.gradient);
     values.insert(values.end(), component.on_faces.begin(), component.on_faces.end());
   }
-  return Utilities::pack(values, false);
+  std::vector<char> bytes(values.size() * sizeof(double));
+  std::memcpy(bytes.data(), values.data(), bytes.size());
+  return bytes;
 }
 
 template <int dim>

@@ -10,7 +10,7 @@ namespace Continua
 void DisplacementLevels::reinit(const DistributedVector &displacement)
 {
   for (DistributedVector &level : levels)
-    level = displacement;
+    level.reinit(displacement);
 }
 
 void DisplacementLevels::start(const DistributedVector &displacement,

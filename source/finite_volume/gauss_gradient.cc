@@ -1,9 +1,5 @@
 #include <continua/finite_volume/gauss_gradient.h>
-
-#include <deal.II/grid/grid_tools.h>
-
-#include <boost/serialization/utility.hpp>
-#include <boost/serialization/vector.hpp>
+#include <continua/mesh/ghost_exchange.h>
 
 #include <algorithm>
 
@@ -91,18 +87,29 @@ Stencil<dealii::Tensor<1, dim>> GaussGradient<dim>::between(const unsigned int f
 template <int dim>
 void GaussGradient<dim>::exchange(Gradients &gradients) const
 {
-  using Entries = std::vector<std::pair<unsigned int, dealii::Tensor<1, dim>>>;
-  dealii::GridTools::exchange_cell_data_to_ghosts<Entries, dealii::DoFHandler<dim>>(
-      mesh.cell_dofs,
+  // An entry's number, then its vector.
+  exchange_with_ghosts<dim>(
+      mesh.triangulation,
       [&](const auto &cell)
       {
-        const auto &stencil = gradients[mesh.cell_number(cell)];
-        return Entries(stencil.begin(), stencil.end());
+        std::vector<double> numbers;
+        for (const auto &entry : gradients[mesh.cell_number(cell)])
+        {
+          numbers.push_back(entry.first);
+          for (unsigned int c = 0; c < dim; ++c)
+            numbers.push_back(entry.second[c]);
+        }
+        return numbers;
       },
-      [&](const auto &cell, const Entries &entries)
+      [&](const auto &cell, const std::vector<double> &numbers)
       {
-        for (const auto &entry : entries)
-          gradients[mesh.cell_number(cell)].add(entry.first, entry.second);
+        for (std::size_t i = 0; i < numbers.size(); i += 1 + dim)
+        {
+          dealii::Tensor<1, dim> vector;
+          for (unsigned int c = 0; c < dim; ++c)
+            vector[c] = numbers[i + 1 + c];
+          gradients[mesh.cell_number(cell)].add(static_cast<unsigned int>(numbers[i]), vector);
+        }
       });
 }
 

@@ -1,3 +1,4 @@
+#include <continua/base/collective.h>
 #include <continua/finite_volume/split_equations.h>
 
 #include <deal.II/base/mpi.h>
@@ -35,13 +36,12 @@ void SplitEquations<dim>::reinit()
   n_cells = space.mesh.n_owned_cells();
   first_pressure = dim * space.velocities.n_owned();
   n_rows = first_pressure + (with_pressure ? space.pressures.n_owned() : 0);
-  first_velocities =
-      Utilities::MPI::all_gather(space.communicator, dim * space.velocities.first_owned());
+  first_velocities = all_gather(space.communicator, dim * space.velocities.first_owned());
   first_velocities.push_back(system.n_velocities());
   first_pressures.assign(first_velocities.size(), 0);
   if (with_pressure)
   {
-    first_pressures = Utilities::MPI::all_gather(space.communicator, space.pressures.first_owned());
+    first_pressures = all_gather(space.communicator, space.pressures.first_owned());
     first_pressures.push_back(space.pressures.n_values());
   }
 

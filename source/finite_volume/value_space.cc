@@ -1,9 +1,9 @@
 #include <continua/finite_volume/value_space.h>
+#include <continua/mesh/ghost_exchange.h>
 #include <continua/mesh/tree_places.h>
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
-#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <map>
@@ -51,14 +51,13 @@ void ValueSpace<dim>::distribute()
         value += first;
 
   // Each cell tells other ranks its own number and those of its faces, by the cell beyond them.
-  using Numbers = std::vector<unsigned int>;
   std::map<std::array<unsigned int, 2>, unsigned int> of_ghost;
-  dealii::GridTools::exchange_cell_data_to_ghosts<Numbers, dealii::DoFHandler<dim>>(
-      mesh.cell_dofs,
+  exchange_with_ghosts<dim>(
+      mesh.triangulation,
       [&](const auto &cell)
       {
         const unsigned int c = mesh.cell_number(cell);
-        Numbers numbers = {cell_values[c]};
+        std::vector<double> numbers = {static_cast<double>(cell_values[c])};
         for (const unsigned int f : cells[c].faces)
         {
           const unsigned int side = mesh.side(f, c);
@@ -70,12 +69,13 @@ void ValueSpace<dim>::distribute()
         }
         return numbers;
       },
-      [&](const auto &cell, const Numbers &numbers)
+      [&](const auto &cell, const std::vector<double> &numbers)
       {
         const unsigned int c = mesh.cell_number(cell);
-        cell_values[c] = numbers[0];
+        cell_values[c] = static_cast<unsigned int>(numbers[0]);
         for (unsigned int i = 1; i < numbers.size(); i += 2)
-          of_ghost[{{cells[c].number, numbers[i]}}] = numbers[i + 1];
+          of_ghost[{{cells[c].number, static_cast<unsigned int>(numbers[i])}}] =
+              static_cast<unsigned int>(numbers[i + 1]);
       });
   for (unsigned int f = 0; f < faces.size(); ++f)
     for (unsigned int side = 0; side < n_face_values(faces[f]); ++side)

@@ -13,20 +13,20 @@ namespace Continua
 namespace
 {
 /// PETSc's objects do not throw: what a map throws waits here until SLEPc has returned.
-struct Map
+struct ShellMap
 {
   LinearMap function;
   std::vector<double> x, y;
   std::exception_ptr exception;
 };
 
-void check(const PetscErrorCode code, const std::string &what)
+void check_petsc(const PetscErrorCode code, const std::string &what)
 {
   if (code != 0)
     throw RunError("SLEPc, " + what + ": error " + std::to_string(code) + ".");
 }
 
-PetscErrorCode apply(Map &map, Vec in, Vec out)
+PetscErrorCode apply(ShellMap &map, Vec in, Vec out)
 {
   const PetscScalar *x = nullptr;
   PetscScalar *y = nullptr;
@@ -57,20 +57,20 @@ PetscErrorCode multiply(Mat matrix, Vec in, Vec out)
 {
   void *map = nullptr;
   const PetscErrorCode code = MatShellGetContext(matrix, &map);
-  return code != 0 ? code : apply(*static_cast<Map *>(map), in, out);
+  return code != 0 ? code : apply(*static_cast<ShellMap *>(map), in, out);
 }
 
 PetscErrorCode precondition(PC preconditioner, Vec in, Vec out)
 {
   void *map = nullptr;
   const PetscErrorCode code = PCShellGetContext(preconditioner, &map);
-  return code != 0 ? code : apply(*static_cast<Map *>(map), in, out);
+  return code != 0 ? code : apply(*static_cast<ShellMap *>(map), in, out);
 }
 
 /// A matrix of which only products are known, and the solver of its eigenvalues.
 struct Solver
 {
-  Map map;
+  ShellMap map;
   Mat matrix = nullptr;
   EPS eps = nullptr;
   Vec real = nullptr, imaginary = nullptr;
@@ -79,13 +79,14 @@ struct Solver
       : map{function, std::vector<double>(n_local), std::vector<double>(n_local), nullptr}
   {
     const auto n = static_cast<PetscInt>(n_local);
-    check(MatCreateShell(communicator, n, n, PETSC_DETERMINE, PETSC_DETERMINE, &map, &matrix),
-          "start");
+    check_petsc(MatCreateShell(communicator, n, n, PETSC_DETERMINE, PETSC_DETERMINE, &map, &matrix),
+                "start");
     // PETSc keeps functions of all kinds as this one.
     using Function = void (*)();
-    check(MatShellSetOperation(matrix, MATOP_MULT, reinterpret_cast<Function>(multiply)), "start");
-    check(MatCreateVecs(matrix, &real, &imaginary), "start");
-    check(EPSCreate(communicator, &eps), "start");
+    check_petsc(MatShellSetOperation(matrix, MATOP_MULT, reinterpret_cast<Function>(multiply)),
+                "start");
+    check_petsc(MatCreateVecs(matrix, &real, &imaginary), "start");
+    check_petsc(EPSCreate(communicator, &eps), "start");
   }
   Solver(const Solver &) = delete;
   Solver &operator=(const Solver &) = delete;
@@ -101,30 +102,31 @@ struct Solver
   }
 
   /// The number of values found.
-  PetscInt solve(const unsigned int n_wanted, const std::vector<const Map *> &maps)
+  PetscInt solve(const unsigned int n_wanted, const std::vector<const ShellMap *> &maps)
   {
     PetscInt n = 0;
-    check(MatGetSize(matrix, &n, nullptr), "start");
-    check(EPSSetDimensions(eps, std::min<PetscInt>(n_wanted, n), PETSC_DEFAULT, PETSC_DEFAULT),
-          "start");
-    check(EPSSetTolerances(eps, 1e-12, 1000), "start");
+    check_petsc(MatGetSize(matrix, &n, nullptr), "start");
+    check_petsc(
+        EPSSetDimensions(eps, std::min<PetscInt>(n_wanted, n), PETSC_DEFAULT, PETSC_DEFAULT),
+        "start");
+    check_petsc(EPSSetTolerances(eps, 1e-12, 1000), "start");
     // An error is thrown here; PETSc need not print it as well.
     PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);
     const PetscErrorCode code = EPSSolve(eps);
     PetscPopErrorHandler();
-    for (const Map *const used : maps)
+    for (const ShellMap *const used : maps)
       if (used->exception)
         std::rethrow_exception(used->exception);
-    check(code, "eigenvalues");
+    check_petsc(code, "eigenvalues");
     PetscInt n_converged = 0;
-    check(EPSGetConverged(eps, &n_converged), "eigenvalues");
+    check_petsc(EPSGetConverged(eps, &n_converged), "eigenvalues");
     return n_converged;
   }
 
   Eigenpair pair(const PetscInt i)
   {
     PetscScalar a = 0., b = 0.;
-    check(EPSGetEigenpair(eps, i, &a, &b, real, imaginary), "eigenvectors");
+    check_petsc(EPSGetEigenpair(eps, i, &a, &b, real, imaginary), "eigenvectors");
     return {{a, b}, values_of(real), values_of(imaginary), 0.};
   }
 
@@ -132,9 +134,9 @@ private:
   std::vector<double> values_of(Vec vector) const
   {
     const PetscScalar *x = nullptr;
-    check(VecGetArrayRead(vector, &x), "reading a vector");
+    check_petsc(VecGetArrayRead(vector, &x), "reading a vector");
     std::vector<double> result(x, x + map.x.size());
-    check(VecRestoreArrayRead(vector, &x), "reading a vector");
+    check_petsc(VecRestoreArrayRead(vector, &x), "reading a vector");
     return result;
   }
 };
@@ -186,9 +188,9 @@ std::vector<Eigenpair> dominant_eigenpairs(const LinearMap &map,
                                            const MPI_Comm communicator)
 {
   Solver solver(map, n_local, communicator);
-  check(EPSSetOperators(solver.eps, solver.matrix, nullptr), "start");
-  check(EPSSetProblemType(solver.eps, EPS_NHEP), "start");
-  check(EPSSetWhichEigenpairs(solver.eps, EPS_LARGEST_MAGNITUDE), "start");
+  check_petsc(EPSSetOperators(solver.eps, solver.matrix, nullptr), "start");
+  check_petsc(EPSSetProblemType(solver.eps, EPS_NHEP), "start");
+  check_petsc(EPSSetWhichEigenpairs(solver.eps, EPS_LARGEST_MAGNITUDE), "start");
   // Both of a conjugate pair count there.
   const PetscInt n_converged = solver.solve(2 * n_wanted, {&solver.map});
   std::vector<Eigenpair> pairs;
@@ -210,23 +212,23 @@ std::vector<Eigenpair> dominant_eigenpairs(const LinearMap &symmetric_map,
   // To SLEPc the problem is S^-1 x = M x / value, of which it inverts the left side: by the
   // preconditioner S alone. S^-1 itself plays no part, so that M may stand in its place.
   Solver solver(inner_product, n_local, communicator);
-  check(EPSSetOperators(solver.eps, solver.matrix, solver.matrix), "start");
-  check(EPSSetProblemType(solver.eps, EPS_GHEP), "start");
-  check(EPSSetTarget(solver.eps, 0.), "start");
-  check(EPSSetWhichEigenpairs(solver.eps, EPS_TARGET_MAGNITUDE), "start");
-  Map inverse{symmetric_map, solver.map.x, solver.map.y, nullptr};
+  check_petsc(EPSSetOperators(solver.eps, solver.matrix, solver.matrix), "start");
+  check_petsc(EPSSetProblemType(solver.eps, EPS_GHEP), "start");
+  check_petsc(EPSSetTarget(solver.eps, 0.), "start");
+  check_petsc(EPSSetWhichEigenpairs(solver.eps, EPS_TARGET_MAGNITUDE), "start");
+  ShellMap inverse{symmetric_map, solver.map.x, solver.map.y, nullptr};
   ST transformation = nullptr;
-  check(EPSGetST(solver.eps, &transformation), "start");
-  check(STSetType(transformation, STSINVERT), "start");
-  check(STSetMatMode(transformation, ST_MATMODE_SHELL), "start");
+  check_petsc(EPSGetST(solver.eps, &transformation), "start");
+  check_petsc(STSetType(transformation, STSINVERT), "start");
+  check_petsc(STSetMatMode(transformation, ST_MATMODE_SHELL), "start");
   KSP krylov = nullptr;
-  check(STGetKSP(transformation, &krylov), "start");
-  check(KSPSetType(krylov, KSPPREONLY), "start");
+  check_petsc(STGetKSP(transformation, &krylov), "start");
+  check_petsc(KSPSetType(krylov, KSPPREONLY), "start");
   PC preconditioner = nullptr;
-  check(KSPGetPC(krylov, &preconditioner), "start");
-  check(PCSetType(preconditioner, PCSHELL), "start");
-  check(PCShellSetContext(preconditioner, &inverse), "start");
-  check(PCShellSetApply(preconditioner, precondition), "start");
+  check_petsc(KSPGetPC(krylov, &preconditioner), "start");
+  check_petsc(PCSetType(preconditioner, PCSHELL), "start");
+  check_petsc(PCShellSetContext(preconditioner, &inverse), "start");
+  check_petsc(PCShellSetApply(preconditioner, precondition), "start");
 
   const PetscInt n_converged = solver.solve(n_wanted, {&solver.map, &inverse});
   std::vector<double> work(n_local);

@@ -18,7 +18,7 @@ namespace
 {
 /// What deal.II's solvers ask of a matrix or preconditioner, of a function.
 template <typename Function>
-struct Map
+struct FunctionAsMatrix
 {
   const Function &function;
   void vmult(SaddlePointSolver::BlockVector &target,
@@ -39,13 +39,14 @@ void SaddlePointSolver::reinit(const Blocks &blocks)
   const MPI_Comm communicator = blocks.velocity.get_mpi_communicator();
   velocity_work.reinit(blocks.velocity.locally_owned_range_indices(), communicator);
   pressure_work.reinit(blocks.compression.locally_owned_range_indices(), communicator);
-  augmented = pressure_work;
-  scale.reinit(2);
-  scale.block(0) = velocity_work;
-  scale.block(1) = pressure_work;
-  scale.collect_sizes();
-  for (BlockVector *vector : {&inverse_scale, &right_hand_side, &solution, &product})
-    *vector = scale;
+  augmented.reinit(pressure_work);
+  for (BlockVector *vector : {&scale, &inverse_scale, &right_hand_side, &solution, &product})
+  {
+    vector->reinit(2);
+    vector->block(0).reinit(velocity_work);
+    vector->block(1).reinit(pressure_work);
+    vector->collect_sizes();
+  }
 }
 
 void SaddlePointSolver::multiply_blocks(const Blocks &blocks,
@@ -137,8 +138,8 @@ KrylovReport SaddlePointSolver::solve(const Blocks &blocks,
                                      SolverFGMRES<BlockVector>::AdditionalData(restart_length));
     try
     {
-      solver.solve(Map<decltype(multiply_scaled)>{multiply_scaled}, solution, right_hand_side,
-                   Map<decltype(precondition)>{precondition});
+      solver.solve(FunctionAsMatrix<decltype(multiply_scaled)>{multiply_scaled}, solution,
+                   right_hand_side, FunctionAsMatrix<decltype(precondition)>{precondition});
     }
     catch (const SolverControl::NoConvergence &)
     {

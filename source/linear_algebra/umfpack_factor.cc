@@ -14,7 +14,7 @@ namespace
 // Long, since the factor of a large matrix has more entries than an int counts.
 using Index = SuiteSparse_long;
 
-void check(const Index status, const std::string &phase)
+void check_umfpack(const Index status, const std::string &phase)
 {
   if (status == UMFPACK_OK)
     return;
@@ -43,10 +43,11 @@ Columns sorted_by_columns(const Triplets &matrix)
   result.starts.resize(matrix.n + 1);
   result.rows.resize(rows.size());
   result.values.resize(rows.size());
-  check(umfpack_dl_triplet_to_col(matrix.n, matrix.n, static_cast<Index>(rows.size()), rows.data(),
-                                  columns.data(), matrix.values.data(), result.starts.data(),
-                                  result.rows.data(), result.values.data(), nullptr),
-        "sorting the entries");
+  check_umfpack(umfpack_dl_triplet_to_col(matrix.n, matrix.n, static_cast<Index>(rows.size()),
+                                          rows.data(), columns.data(), matrix.values.data(),
+                                          result.starts.data(), result.rows.data(),
+                                          result.values.data(), nullptr),
+                "sorting the entries");
   return result;
 }
 
@@ -65,14 +66,14 @@ void make_numeric(const Columns &matrix, Numeric &numeric)
   std::array<double, UMFPACK_INFO> info{};
   const auto n = static_cast<Index>(matrix.starts.size() - 1);
   void *symbolic = nullptr;
-  check(umfpack_dl_symbolic(n, n, matrix.starts.data(), matrix.rows.data(), matrix.values.data(),
-                            &symbolic, control.data(), info.data()),
-        "analysis");
+  check_umfpack(umfpack_dl_symbolic(n, n, matrix.starts.data(), matrix.rows.data(),
+                                    matrix.values.data(), &symbolic, control.data(), info.data()),
+                "analysis");
   const Index status =
       umfpack_dl_numeric(matrix.starts.data(), matrix.rows.data(), matrix.values.data(), symbolic,
                          &numeric.handle, control.data(), info.data());
   umfpack_dl_free_symbolic(&symbolic);
-  check(status, "factorisation");
+  check_umfpack(status, "factorisation");
 }
 } // namespace
 
@@ -91,8 +92,9 @@ struct UmfpackFactor::Data
 void UmfpackFactor::Data::take(const Numeric &numeric, const Index n, const std::vector<int> &owned)
 {
   Index n_lower = 0, n_upper = 0, n_rows = 0, n_columns = 0, n_diagonal = 0;
-  check(umfpack_dl_get_lunz(&n_lower, &n_upper, &n_rows, &n_columns, &n_diagonal, numeric.handle),
-        "size of the factor");
+  check_umfpack(
+      umfpack_dl_get_lunz(&n_lower, &n_upper, &n_rows, &n_columns, &n_diagonal, numeric.handle),
+      "size of the factor");
   n_entries = static_cast<double>(n_lower) + static_cast<double>(n_upper);
 
   // L comes by rows, U by columns.
@@ -100,10 +102,11 @@ void UmfpackFactor::Data::take(const Numeric &numeric, const Index n, const std:
   std::vector<double> l_values(n_lower), u_values(n_upper), scales(n);
   std::vector<Index> p(n), q(n);
   Index scales_are_reciprocal = 0;
-  check(umfpack_dl_get_numeric(l_starts.data(), l_columns.data(), l_values.data(), u_starts.data(),
-                               u_rows.data(), u_values.data(), p.data(), q.data(), nullptr,
-                               &scales_are_reciprocal, scales.data(), numeric.handle),
-        "reading the factor");
+  check_umfpack(umfpack_dl_get_numeric(l_starts.data(), l_columns.data(), l_values.data(),
+                                       u_starts.data(), u_rows.data(), u_values.data(), p.data(),
+                                       q.data(), nullptr, &scales_are_reciprocal, scales.data(),
+                                       numeric.handle),
+                "reading the factor");
 
   lower.reinit(true, {l_starts.begin(), l_starts.end()}, {l_columns.begin(), l_columns.end()},
                l_values);

@@ -10,14 +10,14 @@ using namespace dealii;
 namespace
 {
 template <typename MeshType>
-void visit(const typename MeshType::cell_iterator &cell,
-           std::vector<typename MeshType::active_cell_iterator> &cells)
+void collect_active_cells(const typename MeshType::cell_iterator &cell,
+                          std::vector<typename MeshType::active_cell_iterator> &cells)
 {
   if (cell->is_active())
     cells.push_back(cell);
   else
     for (unsigned int child = 0; child < cell->n_children(); ++child)
-      visit<MeshType>(cell->child(child), cells);
+      collect_active_cells<MeshType>(cell->child(child), cells);
 }
 } // namespace
 
@@ -26,7 +26,7 @@ std::vector<typename MeshType::active_cell_iterator> cells_in_tree_order(const M
 {
   std::vector<typename MeshType::active_cell_iterator> cells;
   for (const auto &cell : mesh.cell_iterators_on_level(0))
-    visit<MeshType>(cell, cells);
+    collect_active_cells<MeshType>(cell, cells);
   return cells;
 }
 

@@ -1,3 +1,4 @@
+#include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/mesh/gmsh_mesher.h>
 
@@ -96,8 +97,8 @@ std::string mesh_with_gmsh(const std::string &geo_file, const unsigned int dimen
   }
   if (parallel)
   {
-    text = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, text, 0);
-    error = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, error, 0);
+    text = broadcast(MPI_COMM_WORLD, text);
+    error = broadcast(MPI_COMM_WORLD, error);
   }
   if (!error.empty())
     throw InputError({geo_file, 0}, "Geometry/File", "gmsh cannot mesh the file: " + error,

@@ -9,15 +9,15 @@ using namespace dealii;
 namespace
 {
 template <int dim>
-void visit(const typename Triangulation<dim>::cell_iterator &cell,
-           unsigned long &next,
-           std::vector<unsigned long> &places)
+void number_active_cells(const typename Triangulation<dim>::cell_iterator &cell,
+                         unsigned long &next,
+                         std::vector<unsigned long> &places)
 {
   if (cell->is_active())
     places[cell->active_cell_index()] = next++;
   else
     for (unsigned int child = 0; child < cell->n_children(); ++child)
-      visit<dim>(cell->child(child), next, places);
+      number_active_cells<dim>(cell->child(child), next, places);
 }
 } // namespace
 
@@ -29,7 +29,7 @@ std::vector<unsigned long> tree_places(const parallel::TriangulationBase<dim> &t
   std::vector<unsigned long> places(triangulation.n_active_cells());
   unsigned long next = 0;
   for (const auto &cell : triangulation.cell_iterators_on_level(0))
-    visit<dim>(cell, next, places);
+    number_active_cells<dim>(cell, next, places);
   return places;
 }
 

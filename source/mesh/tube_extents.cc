@@ -15,7 +15,7 @@ namespace
 constexpr double tolerance = 1e-6;
 constexpr double roundness = 0.01;
 
-struct Range
+struct AxialRange
 {
   double low = std::numeric_limits<double>::max();
   double high = std::numeric_limits<double>::lowest();
@@ -38,9 +38,9 @@ double radius_of(const Point<dim> &point)
 }
 
 template <typename Object>
-Range axial_range(const Object &object)
+AxialRange axial_range(const Object &object)
 {
-  Range range;
+  AxialRange range;
   for (unsigned int v = 0; v < object->n_vertices(); ++v)
     range.add(object->vertex(v)[0]);
   return range;
@@ -57,7 +57,7 @@ public:
   {
     for (const unsigned int f : cell->face_indices())
     {
-      const Range range = axial_range(cell->face(f));
+      const AxialRange range = axial_range(cell->face(f));
       if (!cell->at_boundary(f) || !is_here(range.low) || !is_here(range.high))
         continue;
       if (is_fluid)
@@ -70,7 +70,7 @@ public:
       else
       {
         end.wall_boundary = cell->face(f)->boundary_id();
-        const Range cell_range = axial_range(cell);
+        const AxialRange cell_range = axial_range(cell);
         end.wall_cell = std::max(end.wall_cell, cell_range.high - cell_range.low);
         for (unsigned int v = 0; v < cell->face(f)->n_vertices(); ++v)
           solids[cell->material_id()].add(radius_of(cell->face(f)->vertex(v)));
@@ -93,7 +93,7 @@ public:
     const double slack = roundness * end.inner_radius;
     bool is_round = fluid.low <= slack && std::abs(fluid.high - end.inner_radius) <= slack &&
                     interface.high - interface.low <= slack;
-    std::vector<std::pair<Range, unsigned int>> layers;
+    std::vector<std::pair<AxialRange, unsigned int>> layers;
     for (const auto &[region, range] : solids)
       layers.emplace_back(range, region);
     std::sort(layers.begin(), layers.end(),
@@ -112,8 +112,8 @@ public:
 
 private:
   const double length;
-  Range fluid, interface;
-  std::map<unsigned int, Range> solids;
+  AxialRange fluid, interface;
+  std::map<unsigned int, AxialRange> solids;
 
   bool is_here(const double x) const { return std::abs(x - end.x) <= tolerance * length; }
 };
@@ -124,10 +124,10 @@ bool find_tube(const Triangulation<dim> &triangulation,
                const std::set<unsigned int> &fluids,
                TubeExtents &extents)
 {
-  Range body;
+  AxialRange body;
   for (const auto &cell : triangulation.cell_iterators_on_level(0))
   {
-    const Range range = axial_range(cell);
+    const AxialRange range = axial_range(cell);
     body.add(range.low);
     body.add(range.high);
   }
@@ -156,7 +156,7 @@ bool find_tube(const Triangulation<dim> &triangulation,
       }
       continue;
     }
-    const Range range = axial_range(cell);
+    const AxialRange range = axial_range(cell);
     extents.axial_cell = std::max(extents.axial_cell, range.high - range.low);
     for (const unsigned int f : cell->face_indices())
     {

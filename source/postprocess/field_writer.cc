@@ -1,4 +1,5 @@
 #include <continua/base/atomic_file.h>
+#include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/base/units.h>
 #include <continua/postprocess/field_writer.h>
@@ -42,7 +43,7 @@ void agree(const MPI_Comm communicator, const std::string &problem)
 {
   if (dealii::Utilities::MPI::max(problem.empty() ? 0 : 1, communicator) == 0)
     return;
-  for (const std::string &one : dealii::Utilities::MPI::all_gather(communicator, problem))
+  for (const std::string &one : all_gather(communicator, problem))
     if (!one.empty())
       throw RunError(one);
 }
@@ -111,7 +112,18 @@ void FieldWriter<dim>::resume(const double restart_time)
                     write_list();
                     remove_later_states();
                   });
-  entries = dealii::Utilities::MPI::broadcast(communicator, entries);
+  std::vector<double> times;
+  std::vector<std::string> files;
+  for (const auto &[time, file] : entries)
+  {
+    times.push_back(time);
+    files.push_back(file);
+  }
+  times = broadcast(communicator, times);
+  files = broadcast(communicator, files);
+  entries.clear();
+  for (std::size_t i = 0; i < times.size(); ++i)
+    entries.emplace_back(times[i], files[i]);
 }
 
 template <int dim>

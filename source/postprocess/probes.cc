@@ -1,3 +1,4 @@
+#include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/base/parameter_text.h>
 #include <continua/mesh/cell_point.h>
@@ -351,9 +352,9 @@ void Probes<dim>::open(const std::string &file, const double restart_time)
                         std::make_unique<TableWriter>(file, header(column_names()), restart_time);
                     read_history(file);
                   });
-  record_times = dealii::Utilities::MPI::broadcast(communicator, record_times);
+  record_times = broadcast(communicator, record_times);
   for (Column &column : columns)
-    column.values = dealii::Utilities::MPI::broadcast(communicator, column.values);
+    column.values = broadcast(communicator, column.values);
 }
 
 template <int dim>

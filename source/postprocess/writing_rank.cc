@@ -1,3 +1,4 @@
+#include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/postprocess/writing_rank.h>
 
@@ -24,7 +25,7 @@ void on_writing_rank(const MPI_Comm communicator, const std::function<void()> &f
     {
       problem = error.what();
     }
-  problem = dealii::Utilities::MPI::broadcast(communicator, problem);
+  problem = broadcast(communicator, problem);
   if (!problem.empty())
     throw RunError(problem);
 }

@@ -1,6 +1,8 @@
 #include <continua/signal/damped_sine_fit.h>
 
 #include <continua/base/quiet_gsl.h>
+#include <continua/base/undefined.h>
+#include <continua/signal/gsl_release.h>
 
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_errno.h>
@@ -17,7 +19,6 @@ namespace Continua
 {
 namespace
 {
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 /// Scaled samples: time from 0 to 1 over the record, values about their average, over their range.
 struct Samples
@@ -34,22 +35,17 @@ struct Component
   double decay = 0.;
 };
 
-struct Model
+struct SineModel
 {
   double offset = 0.;
   std::vector<Component> components;
 };
 
-template <typename Object, void (*release)(Object *)>
-struct Release
-{
-  void operator()(Object *object) const { release(object); }
-};
-using Vector = std::unique_ptr<gsl_vector, Release<gsl_vector, gsl_vector_free>>;
-using Matrix = std::unique_ptr<gsl_matrix, Release<gsl_matrix, gsl_matrix_free>>;
-using Workspace =
+using GslVector = std::unique_ptr<gsl_vector, GslRelease<gsl_vector, gsl_vector_free>>;
+using GslMatrix = std::unique_ptr<gsl_matrix, GslRelease<gsl_matrix, gsl_matrix_free>>;
+using FitWorkspace =
     std::unique_ptr<gsl_multifit_nlinear_workspace,
-                    Release<gsl_multifit_nlinear_workspace, gsl_multifit_nlinear_free>>;
+                    GslRelease<gsl_multifit_nlinear_workspace, gsl_multifit_nlinear_free>>;
 
 /// Every so many-th sample, to leave about `n_wanted` but no less than `per_period` of `n_periods`
 /// periods.
@@ -73,11 +69,11 @@ Samples thin_out(const Samples &samples,
 /// The best offset, cosines and sines of `model` for its frequencies and decays, by the normal
 /// equations: the sum of the squares that are left, or infinity where the components cannot be told
 /// apart.
-double solve_linear(const Samples &samples, Model &model)
+double solve_linear(const Samples &samples, SineModel &model)
 {
   const std::size_t n_columns = 1 + 2 * model.components.size();
-  const Matrix normal(gsl_matrix_calloc(n_columns, n_columns));
-  const Vector solution(gsl_vector_calloc(n_columns));
+  const GslMatrix normal(gsl_matrix_calloc(n_columns, n_columns));
+  const GslVector solution(gsl_vector_calloc(n_columns));
   std::vector<double> row(n_columns, 1.);
   std::vector<double> right_side(n_columns, 0.);
   double sum = 0.;
@@ -117,9 +113,9 @@ double solve_linear(const Samples &samples, Model &model)
 
 /// Least squares have a local minimum about every 1/(record length) in frequency: looks for the
 /// lowest one near the start.
-void search_frequencies(const Samples &samples, Model &model)
+void search_frequencies(const Samples &samples, SineModel &model)
 {
-  const Model start = model;
+  const SineModel start = model;
   double lowest = solve_linear(samples, model);
   for (std::size_t j = 0; j < model.components.size(); ++j)
   {
@@ -198,7 +194,7 @@ int jacobian(const gsl_vector *parameters, void *data, gsl_matrix *result)
 
 /// Improves all parameters of `model`; `sum` is the sum of the squares that are left. False if it
 /// did not converge.
-bool solve_nonlinear(Samples &samples, Model &model, double &sum)
+bool solve_nonlinear(Samples &samples, SineModel &model, double &sum)
 {
   const std::size_t n_parameters = 1 + 4 * model.components.size();
   gsl_multifit_nlinear_fdf system{};
@@ -208,7 +204,7 @@ bool solve_nonlinear(Samples &samples, Model &model, double &sum)
   system.p = n_parameters;
   system.params = &samples;
 
-  const Vector start(gsl_vector_calloc(n_parameters));
+  const GslVector start(gsl_vector_calloc(n_parameters));
   double *const p = start->data;
   p[0] = model.offset;
   for (std::size_t j = 0; j < model.components.size(); ++j)
@@ -220,7 +216,7 @@ bool solve_nonlinear(Samples &samples, Model &model, double &sum)
   }
 
   const gsl_multifit_nlinear_parameters settings = gsl_multifit_nlinear_default_parameters();
-  const Workspace workspace(
+  const FitWorkspace workspace(
       gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &settings, system.n, n_parameters));
   if (!workspace || gsl_multifit_nlinear_init(start.get(), &system, workspace.get()) != GSL_SUCCESS)
     return false;
@@ -304,7 +300,7 @@ DampedSineFit fit_damped_sines(const std::vector<double> &times,
     samples.values.push_back((values[i] - average) / scale);
   }
 
-  Model model;
+  SineModel model;
   for (const double frequency : start_frequencies)
   {
     Component component;

@@ -1,5 +1,7 @@
 #include <continua/signal/first_pulse.h>
 
+#include <continua/base/undefined.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,7 +10,6 @@ namespace Continua
 {
 namespace
 {
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 /// A first pulse is higher than this part of all that comes; twice over a closed end with a margin.
 constexpr double least_height = 0.25;
 /// A maximum is followed by a fall of this part of itself.

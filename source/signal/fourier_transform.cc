@@ -1,5 +1,7 @@
 #include <continua/signal/fourier_transform.h>
 
+#include <continua/signal/gsl_release.h>
+
 #include <gsl/gsl_fft_halfcomplex.h>
 #include <gsl/gsl_fft_real.h>
 
@@ -11,18 +13,14 @@ namespace Continua
 {
 namespace
 {
-template <typename Object, void (*release)(Object *)>
-struct Release
-{
-  void operator()(Object *object) const { release(object); }
-};
-using Workspace = std::unique_ptr<gsl_fft_real_workspace,
-                                  Release<gsl_fft_real_workspace, gsl_fft_real_workspace_free>>;
+using FourierWorkspace =
+    std::unique_ptr<gsl_fft_real_workspace,
+                    GslRelease<gsl_fft_real_workspace, gsl_fft_real_workspace_free>>;
 using RealTable = std::unique_ptr<gsl_fft_real_wavetable,
-                                  Release<gsl_fft_real_wavetable, gsl_fft_real_wavetable_free>>;
+                                  GslRelease<gsl_fft_real_wavetable, gsl_fft_real_wavetable_free>>;
 using HalfComplexTable =
     std::unique_ptr<gsl_fft_halfcomplex_wavetable,
-                    Release<gsl_fft_halfcomplex_wavetable, gsl_fft_halfcomplex_wavetable_free>>;
+                    GslRelease<gsl_fft_halfcomplex_wavetable, gsl_fft_halfcomplex_wavetable_free>>;
 } // namespace
 
 std::vector<std::complex<double>> fourier_transform(const std::vector<double> &samples)
@@ -31,7 +29,7 @@ std::vector<std::complex<double>> fourier_transform(const std::vector<double> &s
   if (n == 0)
     throw std::invalid_argument("there is no sample to transform");
   std::vector<double> data = samples;
-  const Workspace workspace(gsl_fft_real_workspace_alloc(n));
+  const FourierWorkspace workspace(gsl_fft_real_workspace_alloc(n));
   const RealTable table(gsl_fft_real_wavetable_alloc(n));
   if (!workspace || !table)
     throw std::bad_alloc();
@@ -59,7 +57,7 @@ std::vector<double> inverse_fourier_transform(const std::vector<std::complex<dou
     if (2 * k < n)
       data[2 * k] = spectrum[k].imag();
   }
-  const Workspace workspace(gsl_fft_real_workspace_alloc(n));
+  const FourierWorkspace workspace(gsl_fft_real_workspace_alloc(n));
   const HalfComplexTable table(gsl_fft_halfcomplex_wavetable_alloc(n));
   if (!workspace || !table)
     throw std::bad_alloc();

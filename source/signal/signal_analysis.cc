@@ -1,5 +1,7 @@
 #include <continua/signal/signal_analysis.h>
 
+#include <continua/base/undefined.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,7 +11,6 @@ namespace Continua
 {
 namespace
 {
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 /// The part of the range that a change must have to be one of the signal, not noise or a higher
 /// mode.
 constexpr double significant = 0.05;

@@ -1,3 +1,4 @@
+#include <continua/base/undefined.h>
 #include <continua/signal/first_pulse.h>
 #include <continua/signal/fourier_transform.h>
 #include <continua/signal/wave_analysis.h>
@@ -12,7 +13,6 @@ namespace Continua
 {
 namespace
 {
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr ByArrival nothing = {undefined, undefined, undefined, undefined};
 /// From one station to the next a pulse grows and widens by less than these factors.
 constexpr double largest_growth = 1.25;

@@ -1,5 +1,7 @@
 #include <continua/theory/amplification.h>
 
+#include <continua/signal/gsl_release.h>
+
 #include <gsl/gsl_eigen.h>
 
 #include <algorithm>
@@ -17,11 +19,11 @@ struct Release
 {
   void operator()(Type *object) const { release(object); }
 };
-using Matrix = std::unique_ptr<gsl_matrix, Release<gsl_matrix, gsl_matrix_free>>;
+using GslMatrix = std::unique_ptr<gsl_matrix, GslRelease<gsl_matrix, gsl_matrix_free>>;
 using Vector =
-    std::unique_ptr<gsl_vector_complex, Release<gsl_vector_complex, gsl_vector_complex_free>>;
+    std::unique_ptr<gsl_vector_complex, GslRelease<gsl_vector_complex, gsl_vector_complex_free>>;
 using Workspace = std::unique_ptr<gsl_eigen_nonsymm_workspace,
-                                  Release<gsl_eigen_nonsymm_workspace, gsl_eigen_nonsymm_free>>;
+                                  GslRelease<gsl_eigen_nonsymm_workspace, gsl_eigen_nonsymm_free>>;
 
 /// A linear function of the state: U and omega D at the start of the step, and one step before.
 using Row = std::array<double, 4>;
@@ -36,7 +38,7 @@ Row combination(const double a, const Row &x, const double b, const Row &y)
 
 std::vector<Complex> eigenvalues_of(const std::array<Row, 4> &rows)
 {
-  const Matrix matrix(gsl_matrix_alloc(4, 4));
+  const GslMatrix matrix(gsl_matrix_alloc(4, 4));
   const Vector values(gsl_vector_complex_alloc(4));
   const Workspace workspace(gsl_eigen_nonsymm_alloc(4));
   for (unsigned int i = 0; i < 4; ++i)

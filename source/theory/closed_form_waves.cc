@@ -1,5 +1,6 @@
 #include <continua/theory/closed_form_waves.h>
 
+#include <continua/theory/constants.h>
 #include <continua/theory/tube_waves_closed_form.h>
 #include <continua/theory/womersley.h>
 
@@ -30,7 +31,6 @@ ClosedFormWaves::ClosedFormWaves(const TubeSection &section,
 
 void ClosedFormWaves::evaluate(const double frequency, std::vector<WaveMode> &modes) const
 {
-  constexpr double pi = 3.14159265358979323846;
   const Complex omega(2. * pi * frequency, -shift);
   const double radius = section.inner_radius, thickness = section.wall_thickness();
   const Material &fluid = section.fluid;

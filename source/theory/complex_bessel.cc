@@ -14,8 +14,8 @@ using Function = void (*)(acb_t, const acb_t, const acb_t, slong);
 
 /// Bits of relative accuracy that make the error less than 1e-14 (2^-47).
 constexpr slong required_bits = 49;
-constexpr slong first_precision = 64;
-constexpr slong largest_precision = 1 << 16;
+constexpr slong first_bessel_precision = 64;
+constexpr slong largest_bessel_precision = 1 << 16;
 
 /// A number of Arb that frees itself.
 class Number
@@ -63,7 +63,8 @@ bool is_certain(const Number &number)
 Complex certified(const Function function, const Call &above, const Call *below)
 {
   Number result, denominator;
-  for (slong precision = first_precision; precision <= largest_precision; precision *= 2)
+  for (slong precision = first_bessel_precision; precision <= largest_bessel_precision;
+       precision *= 2)
   {
     function(result.value, above.order.value, above.argument.value, precision);
     if (below != nullptr)

@@ -1,6 +1,7 @@
 #include <continua/theory/dispersion_curves.h>
 
 #include <continua/base/input_error.h>
+#include <continua/theory/constants.h>
 
 #include <gsl/gsl_spline.h>
 
@@ -13,7 +14,6 @@ namespace Continua
 namespace
 {
 using Complex = std::complex<double>;
-constexpr double pi = 3.14159265358979323846;
 /// Points of a curve that are also taken at negative frequencies.
 constexpr unsigned int n_mirrored = 6;
 

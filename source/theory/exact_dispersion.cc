@@ -1,5 +1,6 @@
 #include <continua/theory/exact_dispersion.h>
 
+#include <continua/theory/constants.h>
 #include <continua/theory/womersley.h>
 
 #include <acb_hypgeom.h>
@@ -14,7 +15,6 @@ namespace Continua
 namespace
 {
 using Complex = std::complex<double>;
-constexpr double pi = 3.14159265358979323846;
 
 Ball bessel_j(const unsigned int order, const Ball &argument)
 {
@@ -46,8 +46,6 @@ double size_of(const Ball &number)
 /// Gauss points and weights on (0, 1), enough for what varies smoothly through a layer.
 constexpr double gauss_points[3] = {0.1127016653792583, 0.5, 0.8872983346207417};
 constexpr double gauss_weights[3] = {5. / 18., 8. / 18., 5. / 18.};
-
-const Complex imaginary(0., 1.);
 
 /// Bits to begin with, and where certainty is not sought any more (it is not there at an exact
 /// zero).

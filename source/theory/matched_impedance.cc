@@ -1,5 +1,6 @@
 #include <continua/theory/matched_impedance.h>
 
+#include <continua/theory/constants.h>
 #include <continua/theory/dispersion_curves.h>
 #include <continua/theory/scaled_system.h>
 
@@ -8,7 +9,6 @@ namespace Continua
 namespace
 {
 using Complex = std::complex<double>;
-constexpr double pi = 3.14159265358979323846;
 } // namespace
 
 dealii::FullMatrix<Complex> matched_impedance(const std::vector<WaveMode> &modes,

@@ -1,4 +1,5 @@
 #include <continua/signal/fourier_transform.h>
+#include <continua/theory/constants.h>
 #include <continua/theory/dispersion_curves.h>
 #include <continua/theory/matched_impedance.h>
 #include <continua/theory/scaled_system.h>
@@ -16,9 +17,7 @@ namespace Continua
 namespace
 {
 using Complex = std::complex<double>;
-constexpr double pi = 3.14159265358979323846;
 constexpr unsigned int largest_n_samples = 1 << 18;
-const Complex imaginary(0., 1.);
 
 using Matrix = ComplexMatrix;
 

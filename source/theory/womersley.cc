@@ -1,5 +1,7 @@
 #include <continua/theory/womersley.h>
 
+#include <continua/theory/constants.h>
+
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -8,8 +10,6 @@ namespace Continua
 {
 namespace
 {
-constexpr double pi = M_PI;
-const Complex imaginary(0., 1.);
 } // namespace
 
 Womersley::Womersley(const double radius, const double density, const double viscosity)

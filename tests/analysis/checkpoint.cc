@@ -5,7 +5,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <filesystem>
 #include <fstream>
@@ -14,7 +14,7 @@
 using namespace Continua;
 namespace fs = std::filesystem;
 
-int main(int argc, char **argv)
+UNIT_TEST(checkpoint)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);

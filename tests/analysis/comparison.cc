@@ -10,7 +10,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 
@@ -107,7 +107,7 @@ CommandLine with(const std::string &override_text)
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(comparison)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   std::filesystem::remove_all(output);

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 using Verdict = ComparisonReport::Verdict;
@@ -73,7 +73,7 @@ std::string content(const std::string &file)
 }
 } // namespace
 
-int main()
+UNIT_TEST(comparison_report)
 {
   ComparisonParameters parameters;
   parameters.second_meshes = {1, 2, 3};

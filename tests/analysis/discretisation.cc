@@ -3,8 +3,8 @@
 #include <continua/analysis/discretisation.h>
 #include <continua/base/citations.h>
 
-#include "../check.h"
 #include "../parameter_text.h"
+#include "../unit_test.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -21,7 +21,7 @@ std::string joined(const std::vector<std::string> &words)
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(discretisation)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   {

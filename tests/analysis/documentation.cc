@@ -17,7 +17,7 @@
 #include <regex>
 #include <sstream>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 namespace
 {
@@ -112,7 +112,7 @@ std::string boundaries(const std::vector<std::string> &names)
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(documentation)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 

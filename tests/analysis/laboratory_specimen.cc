@@ -9,7 +9,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 
@@ -142,7 +142,7 @@ const char *name_of(const Test test)
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(laboratory_specimen)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   // The log lines of the exponential update are not what is tested.

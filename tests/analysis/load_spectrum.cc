@@ -2,13 +2,13 @@
 
 #include <continua/analysis/load_spectrum.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <cmath>
 
 using namespace Continua;
 
-int main()
+UNIT_TEST(load_spectrum)
 {
   constexpr double pi = 3.14159265358979323846, duration = 0.05;
   Problem problem;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 
@@ -22,7 +22,7 @@ MeasuredWaves read(const std::string &content)
 }
 } // namespace
 
-int main()
+UNIT_TEST(measured_waves)
 {
   const auto histories = read("# notebook p. 12\n"
                               "time [ms], 300 mm: pressure [mmHg], 0.1 m: wall distension [um]\n"

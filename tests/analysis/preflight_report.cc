@@ -3,7 +3,7 @@
 
 #include <continua/analysis/preflight_report.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <algorithm>
 
@@ -191,7 +191,7 @@ void others()
 }
 } // namespace
 
-int main()
+UNIT_TEST(preflight_report)
 {
   numbers();
   outlets();

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 
@@ -52,7 +52,7 @@ double quantity(const Summary &summary, const std::string &probe, const std::str
 }
 } // namespace
 
-int main()
+UNIT_TEST(refinement_report)
 {
   RefinementStudyParameters parameters;
   parameters.ways = {"uniform", "adaptive"};

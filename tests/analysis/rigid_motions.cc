@@ -2,7 +2,7 @@
 
 #include <continua/analysis/rigid_motions.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
@@ -35,7 +35,7 @@ std::vector<RigidMotion<dim>> motions_of_box(const Point<dim> &begin,
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(rigid_motions)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0)

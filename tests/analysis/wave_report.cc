@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 
@@ -30,7 +30,7 @@ double find(const Summary &summary, const std::string &name, const std::string &
 }
 } // namespace
 
-int main()
+UNIT_TEST(wave_report)
 {
   const WaveStations stations = {"tube",
                                  {0.1, 0.3, 0.5},

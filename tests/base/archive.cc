@@ -3,7 +3,7 @@
 #include <continua/base/archive.h>
 #include <continua/base/input_error.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -44,7 +44,7 @@ void unreadable(const std::string &name, const std::string &bytes, const std::st
 }
 } // namespace
 
-int main()
+UNIT_TEST(archive)
 {
   using Limits = std::numeric_limits<double>;
   const std::vector<double> numbers = {

@@ -3,7 +3,7 @@
 #include <continua/base/atomic_file.h>
 #include <continua/base/input_error.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <sys/resource.h>
 
@@ -24,7 +24,7 @@ std::string content(const std::string &file)
 }
 } // namespace
 
-int main()
+UNIT_TEST(atomic_file)
 {
   const std::string file = "atomic-file-test.txt";
   write_file_atomically(file, "old");

@@ -2,7 +2,7 @@
 
 #include <continua/base/citations.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -13,7 +13,7 @@
 
 using namespace Continua;
 
-int main()
+UNIT_TEST(citations)
 {
   Citations citations;
   const std::string always = citations.bibtex();

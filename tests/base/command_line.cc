@@ -3,7 +3,7 @@
 #include <continua/base/command_line.h>
 #include <continua/base/input_error.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <vector>
 
@@ -26,7 +26,7 @@ void refused(const std::string &name,
 }
 } // namespace
 
-int main()
+UNIT_TEST(command_line)
 {
   const CommandLine plain = parse({"cases/beam 1.prm"});
   check::equal("file", plain.parameter_file, "cases/beam 1.prm");

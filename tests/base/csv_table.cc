@@ -1,6 +1,6 @@
 #include <continua/base/csv_table.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <filesystem>
 #include <fstream>
@@ -25,7 +25,7 @@ void refused(const std::string &name,
 }
 } // namespace
 
-int main()
+UNIT_TEST(csv_table)
 {
   const CsvTable tube = table("# measured\nx [cm]; \"wall, outer [mm]\"; ratio; note\n\n"
                               "0; 1.5; 0.5; a\n# between\n2; -2e-1; 1; b\n");

@@ -3,7 +3,7 @@
 #include <continua/base/expected_value.h>
 #include <continua/base/parameter_file.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <filesystem>
 #include <fstream>
@@ -23,7 +23,7 @@ void refused(const std::string &name,
 }
 } // namespace
 
-int main()
+UNIT_TEST(expected_value)
 {
   const ExpectedValue frequency = parse_expected_value("frequency", "3.3624 Hz +- 0.2 %");
   check::equal("name", frequency.name, "frequency");

@@ -1,10 +1,10 @@
 #include <continua/base/interpolant.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 
-int main()
+UNIT_TEST(interpolant)
 {
   const Interpolant nothing;
   check::absolute("zero", nothing(0.3) + nothing(-7.) + nothing(7.), 0., 0.);

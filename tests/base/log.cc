@@ -3,7 +3,7 @@
 #include <continua/base/input_error.h>
 #include <continua/base/log.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -54,7 +54,7 @@ std::string screen_of_terminal(const std::function<void()> &function)
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(log)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
@@ -75,7 +75,7 @@ int main(int argc, char **argv)
         });
     if (!printed.empty() || std::filesystem::exists("log-test-of-another-rank.txt"))
       std::cout << "rank " << rank << " writes" << std::endl;
-    return 0;
+    return;
   }
 
   const std::string file = "log-test.txt";

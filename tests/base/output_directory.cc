@@ -3,7 +3,7 @@
 #include <continua/base/input_error.h>
 #include <continua/base/output_directory.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -49,7 +49,7 @@ void refused(const std::string &name,
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(output_directory)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);

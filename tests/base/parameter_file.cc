@@ -1,6 +1,6 @@
 #include <continua/base/parameter_file.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <filesystem>
 #include <fstream>
@@ -420,7 +420,7 @@ void test_rest()
 }
 } // namespace
 
-int main()
+UNIT_TEST(parameter_file)
 {
   std::filesystem::remove_all(directory);
   std::filesystem::create_directory(directory);

@@ -3,7 +3,7 @@
 #include <continua/base/input_error.h>
 #include <continua/base/summary.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <filesystem>
 #include <fstream>
@@ -51,7 +51,7 @@ void fails(Summary &summary,
 }
 } // namespace
 
-int main()
+UNIT_TEST(summary)
 {
   Summary summary;
   bool passed = true;

@@ -3,7 +3,7 @@
 #include <continua/base/input_error.h>
 #include <continua/base/table_writer.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -34,7 +34,7 @@ void write_raw(const std::string &text)
 }
 } // namespace
 
-int main()
+UNIT_TEST(table_writer)
 {
   {
     TableWriter table(file, header);

@@ -1,6 +1,6 @@
 #include <continua/base/units.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <stdexcept>
 
@@ -20,7 +20,7 @@ void refused(const std::string &text, const Dimension &dimension, const std::str
 }
 } // namespace
 
-int main()
+UNIT_TEST(units)
 {
   using namespace Dimensions;
   quantity("0.35", length, 0.35);

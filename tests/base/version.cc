@@ -2,13 +2,13 @@
 
 #include <continua/base/version.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <deal.II/base/mpi.h>
 
 using namespace Continua;
 
-int main(int argc, char **argv)
+UNIT_TEST(version)
 {
   // deal.II brings the BLAS along.
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);

@@ -2,8 +2,8 @@
 
 #include <continua/boundary/boundary_condition.h>
 
-#include "../check.h"
 #include "../parameter_text.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 
@@ -36,7 +36,7 @@ void refused(const std::string &name, const std::string &text, const std::string
 }
 } // namespace
 
-int main()
+UNIT_TEST(boundary_condition)
 {
   const BoundaryCondition fixed = inlet("set Type = fixed");
   check::is_true("fixed", fixed.normal.kind == Kind::velocity && fixed.normal.is_zero() &&

@@ -1,7 +1,7 @@
 // Profiles of a flow rate: their means, and the womersley one against Womersley's solution and
 // against Szymanski's start of a constant flow.
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <continua/boundary/flow_profile.h>
 
@@ -45,7 +45,7 @@ Waveform formula(const std::string &text)
 }
 } // namespace
 
-int main()
+UNIT_TEST(flow_profile)
 {
   const FlowProfile flat("flat", formula("3*t"), 2., 0.25);
   check::relative("flat: inside", relative_velocity(flat, 0.99, 5.), 15., 1e-14);

@@ -3,8 +3,8 @@
 #include <continua/boundary/flow_rates.h>
 #include <continua/boundary/outlets.h>
 
-#include "../check.h"
 #include "../parameter_text.h"
+#include "../unit_test.h"
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
@@ -49,7 +49,7 @@ void check_fraction(const std::string &name, const Outlet &outlet, const double 
 }
 } // namespace
 
-int main()
+UNIT_TEST(outlets)
 {
   Material liquid;
   liquid.viscosity = 1.;

@@ -3,7 +3,7 @@
 
 #include <continua/continuum/branch_history.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/base/mpi.h>
@@ -15,7 +15,7 @@
 using namespace Continua;
 using namespace dealii;
 
-int main(int argc, char **argv)
+UNIT_TEST(branch_history)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   // Three squares in a row, seven columns of three nodes: two solids with a branch of 0.5 s in

@@ -2,7 +2,7 @@
 
 #include <continua/continuum/bulk_history.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/base/mpi.h>
@@ -12,7 +12,7 @@
 using namespace Continua;
 using namespace dealii;
 
-int main(int argc, char **argv)
+UNIT_TEST(bulk_history)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   // Two regions with four nodes each.

@@ -7,7 +7,7 @@
 #include <continua/continuum/kept_state.h>
 #include <continua/time_integration/time_control.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <algorithm>
 #include <functional>
@@ -146,7 +146,7 @@ Run run(const std::string &scheme, const double tolerance)
 }
 } // namespace
 
-int main()
+UNIT_TEST(kept_state)
 {
   {
     Oscillators body;

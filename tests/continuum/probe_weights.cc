@@ -2,7 +2,7 @@
 
 #include <continua/continuum/probe_weights.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/base/mpi.h>
@@ -12,7 +12,7 @@
 using namespace Continua;
 using namespace dealii;
 
-int main(int argc, char **argv)
+UNIT_TEST(probe_weights)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);

@@ -6,7 +6,7 @@
 #include <continua/continuum/step_error_estimate.h>
 #include <continua/time_integration/time_control.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <limits>
 #include <string>
@@ -137,7 +137,7 @@ void scheme_test(const std::string &name, const Scheme scheme, const Update upda
 }
 } // namespace
 
-int main()
+UNIT_TEST(step_error_estimate)
 {
   scheme_test("euler, trapezoidal", Scheme::euler_implicit, Update::trapezoidal, 2);
   scheme_test("euler, implicit", Scheme::euler_implicit, Update::implicit, 2);

@@ -2,14 +2,14 @@
 
 #include <continua/continuum/stress_and_strain.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <limits>
 
 using namespace Continua;
 using namespace dealii;
 
-int main()
+UNIT_TEST(stress_and_strain)
 {
   // w = (x + 2 y, 4 y), hoop 3: the trace is 5 without and 8 with it.
   Tensor<2, 2> gradient;

@@ -12,7 +12,7 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/grid/grid_generator.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <array>
 #include <functional>
@@ -235,7 +235,7 @@ void test(const std::string &dimension)
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(vector_numbering)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)

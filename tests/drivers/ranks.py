@@ -12,12 +12,15 @@ Header comments of the case, all optional:
                             magnitude of its unit in the table: an iterative solver's tolerance is one of the whole
                             balance, not of its smallest part (default 0)
 
+Without `others` the runs must have chosen the same, too, by log.txt and summary.json: meshes, linear solver, its blocks.
+
 The power's residual and its share are nothing but round-off where the balance closes, and so is the energy that changes of
 the mesh bring where cells are only divided; they are not compared.
 """
 
 import os
 
+import choices
 import driver
 
 
@@ -45,6 +48,8 @@ def case(program, parameter_file, folder):
             driver.compare_tables(os.path.join(outputs[0], "power.csv"), os.path.join(output, "power.csv"),
                                   power_tolerance, floor, floor_share=power_floor_share,
                                   left_out=("residual [W]", "share [1]", "energy change by transfer [J]"))
+        if not others:
+            choices.compare_choices(outputs[0], output)
         if screen != screens[0]:
             raise driver.TestFailure(f"the screen output differs.\non {ranks[0]}:\n{screens[0]}\non {n}:\n{screen}")
 

@@ -2,8 +2,8 @@
 
 #include <continua/finite_element/boundary_constraints.h>
 
-#include "../check.h"
 #include "../parameter_text.h"
+#include "../unit_test.h"
 #include "small_problem.h"
 
 using namespace Continua;
@@ -105,7 +105,7 @@ struct Case
 };
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(boundary_constraints)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const std::string free_sides =

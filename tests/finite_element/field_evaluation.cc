@@ -5,7 +5,7 @@
 #include <continua/finite_element/region_operators.h>
 #include <continua/finite_element/traction_jump.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 #include "small_problem.h"
 
 using namespace Continua;
@@ -169,7 +169,7 @@ void test_three_dimensions()
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(field_evaluation)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   small_problem::quiet_other_ranks();

@@ -5,8 +5,8 @@
 #include <continua/finite_element/boundary_constraints.h>
 #include <continua/finite_element/flow_shapes.h>
 
-#include "../check.h"
 #include "../parameter_text.h"
+#include "../unit_test.h"
 #include "small_problem.h"
 
 using namespace Continua;
@@ -81,7 +81,7 @@ struct Case
 };
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(flow_shapes)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   small_problem::quiet_other_ranks();

@@ -2,13 +2,13 @@
 
 #include <continua/finite_element/initial_state.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 #include "small_problem.h"
 
 using namespace Continua;
 using namespace dealii;
 
-int main(int argc, char **argv)
+UNIT_TEST(initial_state)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   small_problem::Mesh<2> mesh(MPI_COMM_WORLD);

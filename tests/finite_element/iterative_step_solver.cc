@@ -5,8 +5,8 @@
 #include <continua/finite_element/iterative_step_solver.h>
 #include <continua/finite_element/step_system.h>
 
-#include "../check.h"
 #include "../parameter_text.h"
+#include "../unit_test.h"
 #include "small_problem.h"
 
 #include <algorithm>
@@ -106,7 +106,7 @@ void solve(const std::string &name,
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(iterative_step_solver)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   small_problem::quiet_other_ranks();

@@ -6,7 +6,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/numerics/error_estimator.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 #include "small_problem.h"
 
 using namespace Continua;
@@ -106,7 +106,7 @@ void kinks()
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(kelly_indicator)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   small_problem::quiet_other_ranks();

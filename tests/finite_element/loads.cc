@@ -2,8 +2,8 @@
 
 #include <continua/finite_element/loads.h>
 
-#include "../check.h"
 #include "../parameter_text.h"
+#include "../unit_test.h"
 #include "small_problem.h"
 
 using namespace Continua;
@@ -82,7 +82,7 @@ std::string body_force(const std::string &components)
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(loads)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const double angle = 0.4;

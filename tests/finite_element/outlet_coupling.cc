@@ -6,8 +6,8 @@
 #include <continua/boundary/outlets.h>
 #include <continua/finite_element/outlet_coupling.h>
 
-#include "../check.h"
 #include "../parameter_text.h"
+#include "../unit_test.h"
 #include "small_problem.h"
 
 #include <algorithm>
@@ -369,7 +369,7 @@ void two_ports()
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(outlet_coupling)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   small_problem::quiet_other_ranks();

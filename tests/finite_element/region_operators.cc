@@ -3,7 +3,7 @@
 
 #include <continua/finite_element/region_operators.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 #include "small_problem.h"
 
 using namespace Continua;
@@ -53,7 +53,7 @@ struct Operators
 };
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(region_operators)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   small_problem::quiet_other_ranks();

@@ -7,7 +7,7 @@
 
 #include <deal.II/hp/fe_values.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 #include "small_problem.h"
 
 using namespace Continua;
@@ -52,7 +52,7 @@ bool pinned(const Space<2> &space)
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(space)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   small_problem::quiet_other_ranks();

@@ -3,14 +3,14 @@
 
 #include <continua/finite_element/step_system.h>
 
-#include "../check.h"
 #include "../parameter_text.h"
+#include "../unit_test.h"
 #include "small_problem.h"
 
 using namespace Continua;
 using namespace dealii;
 
-int main(int argc, char **argv)
+UNIT_TEST(step_system)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   small_problem::Mesh<2> mesh(MPI_COMM_WORLD);

@@ -4,8 +4,8 @@
 #include <continua/finite_element/taylor_hood_vibration.h>
 #include <continua/linear_algebra/eigenpairs.h>
 
-#include "../check.h"
 #include "../parameter_text.h"
+#include "../unit_test.h"
 #include "small_problem.h"
 
 using namespace Continua;
@@ -22,7 +22,7 @@ double product(const std::vector<double> &a, const std::vector<double> &b)
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(taylor_hood_vibration)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   small_problem::quiet_other_ranks();

@@ -2,7 +2,7 @@
 // stresses and strains at centres and corners of cells, on boundaries and on either side of an
 // interface; means and integrals; and of quadratic fields with second order.
 
-#include "../check.h"
+#include "../unit_test.h"
 #include "cell_body.h"
 
 #include <algorithm>
@@ -292,7 +292,7 @@ void test_order(const bool axisymmetric)
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(cell_evaluation)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();

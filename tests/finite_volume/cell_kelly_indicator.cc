@@ -3,7 +3,7 @@
 
 #include <continua/finite_volume/cell_kelly_indicator.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 #include "cell_body.h"
 
 #include <algorithm>
@@ -78,7 +78,7 @@ void test()
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(cell_kelly_indicator)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();

@@ -3,11 +3,15 @@
 
 #include "cell_meshes.h"
 
+#include "../unit_test.h"
+
 #include <algorithm>
 #include <map>
 #include <optional>
 
 using namespace cell_meshes;
+namespace
+{
 const double pi = dealii::numbers::PI;
 
 /// What must hold on every mesh; `volume` [m^3, m^2], of bodies with a simple one.
@@ -120,7 +124,9 @@ double largest_skewness(const CellMesh<2> &mesh)
   return largest(skewness);
 }
 
-int main(int argc, char **argv)
+} // namespace
+
+UNIT_TEST(cell_mesh)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();

@@ -7,10 +7,14 @@
 
 #include "cell_body.h"
 
+#include "../unit_test.h"
+
 #include <algorithm>
 
 using namespace cell_meshes;
 
+namespace
+{
 /// A field whose gradient is constant; in axisymmetry with u_r in proportion to r.
 template <int dim>
 dealii::Tensor<2, dim> slopes(const bool axisymmetric)
@@ -98,8 +102,9 @@ void check_meshes(const Model model)
     }
   }
 }
+} // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(cell_operators)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();

@@ -2,7 +2,7 @@
 
 #include <continua/finite_volume/cell_output.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 #include "cell_body.h"
 
 #include <algorithm>
@@ -95,7 +95,7 @@ void test(const Model model)
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(cell_output)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();

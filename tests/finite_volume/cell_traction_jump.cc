@@ -3,7 +3,7 @@
 
 #include <continua/finite_volume/cell_traction_jump.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 #include "cell_body.h"
 
 #include <algorithm>
@@ -111,7 +111,7 @@ void test()
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(cell_traction_jump)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();

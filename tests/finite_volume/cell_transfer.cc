@@ -4,7 +4,7 @@
 
 #include <continua/finite_volume/cell_transfer.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 #include "cell_body.h"
 
 #include <algorithm>
@@ -202,7 +202,7 @@ void test_held()
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(cell_transfer)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();

@@ -3,18 +3,21 @@
 
 #include <continua/finite_volume/displacement_levels.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <deal.II/base/mpi.h>
 
 using namespace Continua;
 
+namespace
+{
 double cubic(const double t)
 {
   return 2. + 3. * t - t * t + 0.5 * t * t * t;
 }
+} // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(displacement_levels)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   DistributedVector value(dealii::complete_index_set(1), MPI_COMM_WORLD), speed = value,

@@ -3,10 +3,14 @@
 
 #include "cell_meshes.h"
 
+#include "../unit_test.h"
+
 #include <algorithm>
 
 using namespace cell_meshes;
 
+namespace
+{
 /// Sum over a vector field's components, each with values of its own.
 template <int dim>
 double evaluate_vector(const Stencil<dealii::Tensor<1, dim>> &stencil,
@@ -104,8 +108,9 @@ double plane_error(const Sequence &sequence, const unsigned int n)
   }
   return std::sqrt(sum(squares) / sum(volume));
 }
+} // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(divergence)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();

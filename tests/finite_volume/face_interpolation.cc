@@ -2,11 +2,13 @@
 
 #include "cell_meshes.h"
 
+#include "../unit_test.h"
+
 #include <algorithm>
 
 using namespace cell_meshes;
 
-int main(int argc, char **argv)
+UNIT_TEST(face_interpolation)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();

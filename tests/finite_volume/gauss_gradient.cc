@@ -3,11 +3,15 @@
 
 #include "cell_meshes.h"
 
+#include "../unit_test.h"
+
 #include <algorithm>
 #include <array>
 
 using namespace cell_meshes;
 
+namespace
+{
 template <int dim>
 void check_linear(const bool axisymmetric)
 {
@@ -59,8 +63,9 @@ std::array<double, 3> errors(const Sequence &sequence, const unsigned int n)
   return {{std::sqrt(sum(squares) / sum(volume)), largest(maximum),
            std::sqrt(sum(squares_inside) / sum(volume_inside))}};
 }
+} // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(gauss_gradient)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();

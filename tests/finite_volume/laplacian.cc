@@ -3,10 +3,14 @@
 
 #include "cell_meshes.h"
 
+#include "../unit_test.h"
+
 #include <algorithm>
 
 using namespace cell_meshes;
 
+namespace
+{
 template <int dim>
 void check_linear(const bool axisymmetric)
 {
@@ -43,8 +47,9 @@ void check_linear(const bool axisymmetric)
                                  sum(total - through), 0., 1e-11);
                });
 }
+} // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(laplacian)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();

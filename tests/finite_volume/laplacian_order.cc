@@ -3,6 +3,8 @@
 
 #include "cell_meshes.h"
 
+#include "../unit_test.h"
+
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparse_direct.h>
 #include <deal.II/lac/sparse_matrix.h>
@@ -10,6 +12,8 @@
 
 using namespace cell_meshes;
 
+namespace
+{
 /// The root mean square error.
 double poisson_error(const Sequence &sequence, const unsigned int n, const bool axisymmetric)
 {
@@ -65,8 +69,9 @@ double poisson_error(const Sequence &sequence, const unsigned int n, const bool 
   }
   return std::sqrt(squares / volume);
 }
+} // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(laplacian_order)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const auto &sequence : sequences())

@@ -1,6 +1,6 @@
 // When the segregated loop ends: below its tolerance, at its cap, when it diverges.
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <continua/base/input_error.h>
 #include <continua/finite_volume/loop_monitor.h>
@@ -21,7 +21,7 @@ LoopCorrection correction(const double residual, const double magnitude)
 }
 } // namespace
 
-int main()
+UNIT_TEST(loop_monitor)
 {
   LoopMonitor monitor(1e-3, 20);
   monitor.start();

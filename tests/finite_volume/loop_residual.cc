@@ -1,6 +1,6 @@
 // The residual of the segregated loop: by hand, and of components that are next to nothing.
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <continua/finite_volume/loop_residual.h>
 
@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-int main(int argc, char **argv)
+UNIT_TEST(loop_residual)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   using namespace Continua;

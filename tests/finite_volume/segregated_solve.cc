@@ -6,6 +6,8 @@
 #include <continua/finite_volume/coupled_solve.h>
 #include <continua/finite_volume/segregated_solve.h>
 
+#include "../unit_test.h"
+
 #include <random>
 
 namespace
@@ -105,7 +107,7 @@ void test(const std::string &name,
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(segregated_solve)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();

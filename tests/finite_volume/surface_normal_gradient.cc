@@ -2,10 +2,14 @@
 
 #include "cell_meshes.h"
 
+#include "../unit_test.h"
+
 #include <algorithm>
 
 using namespace cell_meshes;
 
+namespace
+{
 template <int dim>
 void check_linear(const bool axisymmetric)
 {
@@ -23,8 +27,9 @@ void check_linear(const bool axisymmetric)
                  check::absolute(name + ": linear functions", largest(error), 0., 1e-12);
                });
 }
+} // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(surface_normal_gradient)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();

@@ -3,11 +3,15 @@
 
 #include "cell_meshes.h"
 
+#include "../unit_test.h"
+
 #include <algorithm>
 #include <map>
 
 using namespace cell_meshes;
 
+namespace
+{
 template <int dim>
 void check_space(const std::string &name,
                  const std::function<void(Triangulation<dim> &)> &make,
@@ -95,8 +99,9 @@ void check_space(const std::string &name,
   check::is_true(name + ": the entries of a vector field, rank by rank",
                  in_turn && next == dim * n_values && space.vector(dim).size() == next);
 }
+} // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(value_space)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();

@@ -1,4 +1,4 @@
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <continua/base/input_error.h>
 #include <continua/linear_algebra/eigenpairs.h>
@@ -38,7 +38,7 @@ LinearMap whole(const unsigned int n, const Function &function)
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(eigenpairs)
 {
   using namespace Continua;
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);

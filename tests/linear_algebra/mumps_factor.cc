@@ -1,4 +1,4 @@
-#include "../check.h"
+#include "../unit_test.h"
 #include "symmetric_problems.h"
 
 #include <continua/base/input_error.h>
@@ -6,7 +6,7 @@
 
 #include <deal.II/base/mpi.h>
 
-int main(int argc, char **argv)
+UNIT_TEST(mumps_factor)
 {
   using namespace Continua;
   namespace problems = symmetric_problems;

@@ -1,4 +1,4 @@
-#include "../check.h"
+#include "../unit_test.h"
 #include "unsymmetric_problems.h"
 
 #include <continua/base/input_error.h>
@@ -6,7 +6,7 @@
 #include <deal.II/base/mpi.h>
 
 // What make_unsymmetric_factor gives: every solver on one rank, MUMPS on several.
-int main(int argc, char **argv)
+UNIT_TEST(unsymmetric_factor)
 {
   using namespace Continua;
   namespace problems = unsymmetric_problems;

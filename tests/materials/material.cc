@@ -4,8 +4,8 @@
 #include <continua/materials/material.h>
 #include <continua/materials/mean_modulus.h>
 
-#include "../check.h"
 #include "../parameter_text.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 
@@ -49,7 +49,7 @@ void check_ratio(const std::string &name, const Material &material, const double
 const std::string water = "set Type = newtonian\nset Density = 998\nset Viscosity = 1 mPa s\n";
 } // namespace
 
-int main()
+UNIT_TEST(material)
 {
   // Y = 2.6 MPa, nu = 0.3: mu = 1 MPa, lambda = 1.5 MPa, K = lambda + 2 mu / 3.
   const Material hookean = read(solid("0.3"));

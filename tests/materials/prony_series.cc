@@ -6,7 +6,7 @@
 #include <continua/materials/power_law_fit.h>
 #include <continua/materials/prony_series.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <cmath>
 #include <complex>
@@ -47,7 +47,7 @@ double error(const PronySeries &series,
 }
 } // namespace
 
-int main()
+UNIT_TEST(prony_series)
 {
   const ComplexModulus law = power_law(1.3e6, 0.065);
   const PronySeries six = fit_prony_series(law, 0.5, 100., 6);

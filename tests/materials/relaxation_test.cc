@@ -4,8 +4,8 @@
 #include <continua/materials/material.h>
 #include <continua/materials/relaxation_test.h>
 
-#include "../check.h"
 #include "../parameter_text.h"
+#include "../unit_test.h"
 
 #include <cmath>
 #include <functional>
@@ -50,7 +50,7 @@ void refused(const std::string &name,
 }
 } // namespace
 
-int main()
+UNIT_TEST(relaxation_test)
 {
   // 37.3 mm x 0.14 mm at 3 % (section 5.3 of the thesis), force in mN, time in ms.
   const double area = 37.3e-3 * 0.14e-3;

@@ -5,12 +5,12 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_generator.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace dealii;
 using namespace Continua;
 
-int main(int argc, char **argv)
+UNIT_TEST(adaptation)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   parallel::distributed::Triangulation<2> mesh(MPI_COMM_WORLD);

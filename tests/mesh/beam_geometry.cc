@@ -1,11 +1,11 @@
 #include <continua/mesh/beam_geometry.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 #include "mesh_measures.h"
 
 using namespace Continua;
 
-int main()
+UNIT_TEST(beam_geometry)
 {
   BeamGeometry<2>::Parameters plane;
   plane.length = 4.;

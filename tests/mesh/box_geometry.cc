@@ -1,11 +1,11 @@
 #include <continua/mesh/box_geometry.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 #include "mesh_measures.h"
 
 using namespace Continua;
 
-int main()
+UNIT_TEST(box_geometry)
 {
   BoxGeometry<2>::Parameters plane;
   plane.size = {20., 5.};

@@ -6,11 +6,11 @@
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/grid_generator.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace dealii;
 
-int main(int argc, char **argv)
+UNIT_TEST(cell_point)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   Point<2> unit;

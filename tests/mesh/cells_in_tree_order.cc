@@ -2,7 +2,7 @@
 
 #include <continua/mesh/cells_in_tree_order.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/tria.h>
@@ -32,7 +32,7 @@ std::string order_after(const std::vector<unsigned int> &divided)
 }
 } // namespace
 
-int main()
+UNIT_TEST(cells_in_tree_order)
 {
   // The names of the cells: coarse cell, number of divisions, child.
   const std::string expected = "0_0: 1_1:0 1_1:1 1_1:2 1_1:3 2_0: 3_1:0 3_1:1 3_1:2 3_1:3 ";

@@ -1,11 +1,11 @@
 #include <continua/mesh/cook_membrane_geometry.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 #include "mesh_measures.h"
 
 using namespace Continua;
 
-int main()
+UNIT_TEST(cook_membrane_geometry)
 {
   CookMembraneGeometry::Parameters parameters;
   parameters.unit_length = 1e-3;

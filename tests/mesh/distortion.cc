@@ -2,7 +2,7 @@
 #include <continua/mesh/distortion.h>
 #include <continua/mesh/layered_channel_geometry.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 #include "mesh_measures.h"
 
 using namespace Continua;
@@ -69,7 +69,7 @@ void test(const std::string &name)
 }
 } // namespace
 
-int main()
+UNIT_TEST(distortion)
 {
   test<2>("plane");
   test<3>("space");

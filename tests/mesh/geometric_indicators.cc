@@ -6,7 +6,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_generator.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace dealii;
 using namespace Continua;
@@ -62,7 +62,7 @@ void test_band()
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(geometric_indicators)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_band<2>();

@@ -2,7 +2,7 @@
 #include <continua/mesh/geometry.h>
 #include <continua/vessel/tube_law.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 #include "mesh_measures.h"
 
 #include <fstream>
@@ -36,7 +36,7 @@ void refused(const std::string &name,
 }
 } // namespace
 
-int main()
+UNIT_TEST(geometry)
 {
   std::string types;
   for (const auto &type : geometry_types<2>())

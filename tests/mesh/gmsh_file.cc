@@ -1,7 +1,7 @@
 #include <continua/base/input_error.h>
 #include <continua/mesh/gmsh_file.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 #include "gmsh_meshes.h"
 
 #include <sstream>
@@ -24,7 +24,7 @@ void refused(const std::string &name, const std::string &text, const std::string
 }
 } // namespace
 
-int main()
+UNIT_TEST(gmsh_file)
 {
   const GmshFile file = read(squares);
   check::absolute("groups", file.groups.size(), 6., 0.);

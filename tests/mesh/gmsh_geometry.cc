@@ -1,6 +1,6 @@
 #include <continua/mesh/gmsh_geometry.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 #include "gmsh_meshes.h"
 #include "mesh_measures.h"
 
@@ -31,7 +31,7 @@ void refused(const std::string &name,
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(gmsh_geometry)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 

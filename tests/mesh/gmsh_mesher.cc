@@ -3,7 +3,7 @@
 #include <continua/mesh/gmsh_geometry.h>
 #include <continua/mesh/gmsh_mesher.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 #include "mesh_measures.h"
 
 #include <deal.II/base/mpi.h>
@@ -13,7 +13,7 @@
 
 using namespace Continua;
 
-int main(int argc, char **argv)
+UNIT_TEST(gmsh_mesher)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
@@ -51,7 +51,7 @@ int main(int argc, char **argv)
                          dealii::Utilities::MPI::max(double(file.points.size()), MPI_COMM_WORLD) &&
                      dealii::Utilities::MPI::min(why.size() > 0 ? 1. : 0., MPI_COMM_WORLD) == 1.;
   if (rank > 0)
-    return 0;
+    return;
   check::is_true("alike on all ranks", alike);
   check::absolute("cells", ring.mesh.n_cells(), 80., 0.);
   // The chords of an arc of angle a = pi/80 are shorter by a^2/24.

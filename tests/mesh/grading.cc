@@ -1,10 +1,10 @@
 #include <continua/mesh/grading.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 
-int main()
+UNIT_TEST(grading)
 {
   // Sizes 1, 2, 4 in 7.
   std::vector<double> points = {1.};

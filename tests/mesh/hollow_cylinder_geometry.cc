@@ -1,11 +1,11 @@
 #include <continua/mesh/hollow_cylinder_geometry.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 #include "mesh_measures.h"
 
 using namespace Continua;
 
-int main()
+UNIT_TEST(hollow_cylinder_geometry)
 {
   HollowCylinderGeometry::Parameters parameters;
   parameters.inner_radius = 1.;

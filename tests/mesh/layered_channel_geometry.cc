@@ -1,11 +1,11 @@
 #include <continua/mesh/layered_channel_geometry.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 #include "mesh_measures.h"
 
 using namespace Continua;
 
-int main()
+UNIT_TEST(layered_channel_geometry)
 {
   LayeredChannelGeometry<2>::Parameters plane;
   plane.length = 10.;

@@ -1,10 +1,10 @@
 #include <continua/mesh/layered_stack.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 
-int main()
+UNIT_TEST(layered_stack)
 {
   LayeredStack stack;
   stack.fluid_depth = 3.;

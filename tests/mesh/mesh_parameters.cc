@@ -1,7 +1,7 @@
 #include <continua/base/parameter_file.h>
 #include <continua/mesh/mesh_parameters.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <fstream>
 
@@ -17,7 +17,7 @@ MeshParameters read(const std::string &lines)
 }
 } // namespace
 
-int main()
+UNIT_TEST(mesh_parameters)
 {
   const MeshParameters none = read("");
   check::is_true("defaults", none.refinements == 0 && none.distortion == 0.);

@@ -2,7 +2,7 @@
 #include <continua/mesh/box_geometry.h>
 #include <continua/mesh/painted_geometry.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 #include "mesh_measures.h"
 
 #include <fstream>
@@ -24,7 +24,7 @@ PaintedGeometry<2> painted(const std::string &lines)
 }
 } // namespace
 
-int main()
+UNIT_TEST(painted_geometry)
 {
   const measures::Measures<2> square(painted("set core = 1.1 - sqrt((x-2)^2 + (y-2)^2) + 0*z\n"
                                              "set half = 2 - x\n"

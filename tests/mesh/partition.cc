@@ -6,7 +6,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_generator.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 using dealii::Point;
@@ -39,7 +39,7 @@ double owned_share(const dealii::parallel::TriangulationBase<2> &mesh, const uns
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(partition)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);

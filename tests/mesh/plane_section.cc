@@ -9,7 +9,7 @@
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <iostream>
 
@@ -170,7 +170,7 @@ void test_bar()
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(plane_section)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)

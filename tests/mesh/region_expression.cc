@@ -1,6 +1,6 @@
 #include <continua/mesh/region_expression.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <stdexcept>
 
@@ -15,7 +15,7 @@ void refused(const std::string &text, const std::string &pattern)
 }
 } // namespace
 
-int main()
+UNIT_TEST(region_expression)
 {
   check::relative("place", RegionExpression("x + 10*y + 100*z").value(1., 2., 3.), 321., 1e-15);
   check::relative("constants", RegionExpression("pi - e").value(0., 0., 0.), 0.42331082513, 1e-10);

@@ -4,11 +4,11 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/distributed/tria.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 
-int main(int argc, char **argv)
+UNIT_TEST(regions_of_boundary)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)

@@ -2,7 +2,7 @@
 
 #include <continua/mesh/round_section.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
@@ -26,7 +26,7 @@ void mark(Triangulation<dim> &mesh, const double place)
 }
 } // namespace
 
-int main()
+UNIT_TEST(round_section)
 {
   {
     Triangulation<2> mesh;

@@ -1,10 +1,10 @@
 #include <continua/mesh/structured_mesh.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 
-int main()
+UNIT_TEST(structured_mesh)
 {
   dealii::Triangulation<3> mesh;
   using Index = StructuredMesh<3>::CellIndex;

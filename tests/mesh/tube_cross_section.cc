@@ -1,6 +1,6 @@
 #include <continua/mesh/tube_cross_section.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <cmath>
 
@@ -42,7 +42,7 @@ double smallest_cell(const TubeCrossSection &section)
 }
 } // namespace
 
-int main()
+UNIT_TEST(tube_cross_section)
 {
   // The polygon between the circle of 2 n chords a quarter and the core, of which 2 (0.6^2 / 2) is
   // a quarter of the corners' square.

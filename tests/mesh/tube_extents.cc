@@ -2,7 +2,7 @@
 
 #include <continua/mesh/tube_extents.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
@@ -30,7 +30,7 @@ bool is_tube(const std::vector<unsigned int> &region_of_row, const std::set<unsi
 }
 } // namespace
 
-int main()
+UNIT_TEST(tube_extents)
 {
   {
     Triangulation<2> mesh;

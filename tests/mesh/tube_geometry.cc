@@ -1,6 +1,6 @@
 #include <continua/mesh/tube_geometry.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 #include "mesh_measures.h"
 
 #include <deal.II/base/quadrature_lib.h>
@@ -267,7 +267,7 @@ void test_distributed(const std::string &name, const typename TubeGeometry<dim>:
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(tube_geometry)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_section();

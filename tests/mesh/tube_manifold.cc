@@ -1,6 +1,6 @@
 #include <continua/mesh/tube_manifold.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 using dealii::Point;
@@ -26,7 +26,7 @@ Point<dim> middle(const dealii::Manifold<dim> &manifold, const Point<dim> &a, co
 }
 } // namespace
 
-int main()
+UNIT_TEST(tube_manifold)
 {
   // At x = 1 the inner radius is 0.75 and the wall 0.2 thick.
   check::relative("radius in the fluid", TubeManifold<2>::radius(law, 1., 0.4), 0.3, 1e-14);

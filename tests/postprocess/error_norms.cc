@@ -1,4 +1,4 @@
-#include "../check.h"
+#include "../unit_test.h"
 #include "fake_solver.h"
 #include "text_file.h"
 
@@ -26,7 +26,7 @@ Summary run(const std::string &entries, const Model model)
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(error_norms)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 

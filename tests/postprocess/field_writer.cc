@@ -1,4 +1,4 @@
-#include "../check.h"
+#include "../unit_test.h"
 #include "fake_solver.h"
 #include "text_file.h"
 
@@ -32,7 +32,7 @@ unsigned int number(const std::string &text, const std::string &attribute)
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(field_writer)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);

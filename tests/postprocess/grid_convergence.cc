@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 using Behaviour = GridConvergence::Behaviour;
@@ -138,7 +138,7 @@ void no_order()
 }
 } // namespace
 
-int main()
+UNIT_TEST(grid_convergence)
 {
   known_orders();
   published();

@@ -2,7 +2,7 @@
 
 #include <continua/postprocess/loop_record.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -19,7 +19,7 @@ double value(const Summary &summary, const std::string &name)
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(loop_record)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   Log log(MPI_COMM_WORLD, false);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 
@@ -28,7 +28,7 @@ double quantity(const Summary &summary, const std::string &name)
 }
 } // namespace
 
-int main()
+UNIT_TEST(mesh_record)
 {
   MeshRecord first;
   first.start(sizes(100), 0.);

@@ -1,4 +1,4 @@
-#include "../check.h"
+#include "../unit_test.h"
 #include "text_file.h"
 
 #include <continua/base/input_error.h>
@@ -20,7 +20,7 @@ OutputParameters read(const std::string &entries)
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(output_parameters)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 

@@ -1,4 +1,4 @@
-#include "../check.h"
+#include "../unit_test.h"
 #include "fake_solver.h"
 #include "text_file.h"
 
@@ -43,7 +43,7 @@ PowerRecord<2> new_record(FakeSolver<2> &solver)
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(power_record)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)

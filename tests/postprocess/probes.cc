@@ -1,4 +1,4 @@
-#include "../check.h"
+#include "../unit_test.h"
 #include "fake_solver.h"
 #include "text_file.h"
 
@@ -306,7 +306,7 @@ void test_short_histories()
 }
 } // namespace
 
-int main(int argc, char **argv)
+UNIT_TEST(probes)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)

@@ -1,4 +1,4 @@
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <continua/postprocess/schedule.h>
 
@@ -17,7 +17,7 @@ count(const Schedule &schedule, const double start, const double step_size, cons
 }
 } // namespace
 
-int main()
+UNIT_TEST(schedule)
 {
   using Zero = Schedule::ZeroInterval;
   const double step = 0.1; // not exact in binary

@@ -1,4 +1,4 @@
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <continua/signal/damped_sine_fit.h>
 
@@ -148,7 +148,7 @@ void test_failures()
 }
 } // namespace
 
-int main()
+UNIT_TEST(damped_sine_fit)
 {
   test_one_mode();
   test_modes_of_a_beam();

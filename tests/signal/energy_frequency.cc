@@ -3,7 +3,7 @@
 
 #include <continua/signal/energy_frequency.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <functional>
 
@@ -21,7 +21,7 @@ double of(const std::function<double(double)> &signal, const double end, const d
 }
 } // namespace
 
-int main()
+UNIT_TEST(energy_frequency)
 {
   check::relative("sine",
                   of([](const double t) { return 3. + std::sin(2. * M_PI * 20. * t); }, 20.), 20.,

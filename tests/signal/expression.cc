@@ -1,4 +1,4 @@
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <continua/base/parameter_file.h>
 #include <continua/signal/expression.h>
@@ -136,7 +136,7 @@ void test_sections()
 }
 } // namespace
 
-int main()
+UNIT_TEST(expression)
 {
   test_values();
   test_dependence();

@@ -1,6 +1,6 @@
 // Known transforms, there and back for even, odd and prime numbers of samples.
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <continua/signal/fourier_transform.h>
 
@@ -8,7 +8,7 @@
 
 using namespace Continua;
 
-int main()
+UNIT_TEST(fourier_transform)
 {
   // A cosine of 3 periods with phase 0.4, amplitude 2, on a constant 5: X_3 = n e^(0.4 i).
   for (const std::size_t n : {16u, 15u, 13u})

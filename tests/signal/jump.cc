@@ -1,6 +1,6 @@
 // What is a jump in an interval and what is merely steep.
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <continua/signal/jump.h>
 
@@ -8,7 +8,7 @@
 
 using namespace Continua;
 
-int main()
+UNIT_TEST(jump)
 {
   const auto step_at = [](const double place)
   { return [place](const double t) { return t < place ? 0. : 1.; }; };

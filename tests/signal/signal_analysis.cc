@@ -1,4 +1,4 @@
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <continua/signal/signal_analysis.h>
 
@@ -164,7 +164,7 @@ void test_no_oscillation()
 }
 } // namespace
 
-int main()
+UNIT_TEST(signal_analysis)
 {
   test_sine();
   test_step_load();

@@ -1,4 +1,4 @@
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <continua/base/input_error.h>
 #include <continua/signal/time_table.h>
@@ -170,7 +170,7 @@ void test_refusals()
 }
 } // namespace
 
-int main()
+UNIT_TEST(time_table)
 {
   test_formats();
   test_continuation();

@@ -1,7 +1,7 @@
 // Synthetic waves of known speed, attenuation and reflection: d'Alembert with damping between an
 // inlet that absorbs and a closed or open end, with and without the forerunner of a clamped wall.
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <continua/signal/wave_analysis.h>
 
@@ -76,7 +76,7 @@ void check_speeds(const std::string &name, const ByArrival &speeds, const double
 }
 } // namespace
 
-int main()
+UNIT_TEST(wave_analysis)
 {
   {
     const WaveRecord record = make(Case(), stations(7));

@@ -1,4 +1,4 @@
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <continua/base/parameter_file.h>
 #include <continua/signal/jump.h>
@@ -46,7 +46,7 @@ void refused(const std::string &name, const std::string &entries, const std::str
 }
 } // namespace
 
-int main()
+UNIT_TEST(waveform)
 {
   std::ofstream(csv) << "time [s], a [kPa], b [kPa]\n0, 1, 4\n1, 3, 0\n2, 1, 4\n";
 

@@ -2,11 +2,13 @@
 
 #include "waves.h"
 
+#include "../unit_test.h"
+
 using namespace waves;
 
 /// Behind an end that absorbs, nothing is different from a tube that goes on: as long as nothing
 /// has come back from the end of that one.
-int main()
+UNIT_TEST(absorbing_end)
 {
   const TubeSection free = tube(12.5e-3, 0.1e-3, 880., 1.72e6, 0.49, 998., 1e-3);
   TubeSection held = free;

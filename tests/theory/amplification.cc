@@ -3,7 +3,7 @@
 
 #include <continua/theory/amplification.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 
@@ -25,7 +25,7 @@ Step backward(const Update update)
 }
 } // namespace
 
-int main()
+UNIT_TEST(amplification)
 {
   for (const double theta : {1e-3, 0.1, 1., 3.9})
   {

@@ -4,7 +4,7 @@
 #include <continua/theory/exact_dispersion.h>
 #include <continua/theory/tube_waves_closed_form.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 
@@ -46,7 +46,7 @@ double attenuation_error(const Complex k, const Complex exact)
 }
 } // namespace
 
-int main()
+UNIT_TEST(closed_form_against_exact)
 {
   const std::vector<Tube> tubes = {{"h/R 0.008", 0.0125, 1e-4, 0.49, 1.72e6, 880., false},
                                    {"h/R 0.008, held", 0.0125, 1e-4, 0.49, 1.72e6, 880., true},

@@ -3,7 +3,7 @@
 
 #include <continua/theory/closed_form_waves.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 
@@ -37,7 +37,7 @@ WaveMode mode_of(const TubeSection &section, const WaveLevel level, const double
 }
 } // namespace
 
-int main()
+UNIT_TEST(closed_form_waves)
 {
   check::equal("first name", wave_level_names().at(0), "exact");
   check::is_true("level of a name", wave_level_of("closed formula") == WaveLevel::closed_formula);

@@ -4,7 +4,7 @@
 
 #include <continua/theory/complex_bessel.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <limits>
 
@@ -18,7 +18,7 @@ void close(const std::string &name, const Complex value, const Complex reference
 }
 } // namespace
 
-int main()
+UNIT_TEST(complex_bessel)
 {
   close("J0, small", bessel_j(0, {0.001, -0.002}),
         {1.0000007499998906249, 1.0000003750000191389e-6});

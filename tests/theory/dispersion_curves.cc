@@ -5,6 +5,8 @@
 
 #include "waves.h"
 
+#include "../unit_test.h"
+
 using namespace waves;
 
 namespace
@@ -54,7 +56,7 @@ void follow(const std::string &name,
 }
 } // namespace
 
-int main()
+UNIT_TEST(dispersion_curves)
 {
   // Bar speeds sqrt(Y/rho) of the wall; the pull of the liquid changes them little.
   follow("thick wall", tube(12.5e-3, 4e-3, 880., 1.72e6, 0.49, 998., 1e-3), 28., 300.,

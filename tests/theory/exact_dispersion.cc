@@ -5,7 +5,7 @@
 #include <continua/theory/complex_bessel.h>
 #include <continua/theory/exact_dispersion.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <limits>
 
@@ -590,7 +590,7 @@ void very_thin_wall()
 }
 } // namespace
 
-int main()
+UNIT_TEST(exact_dispersion)
 {
   references();
   korteweg();

@@ -6,6 +6,8 @@
 
 #include "waves.h"
 
+#include "../unit_test.h"
+
 #include <functional>
 
 using namespace waves;
@@ -157,7 +159,7 @@ void tube_a()
 }
 } // namespace
 
-int main()
+UNIT_TEST(impedance_fit)
 {
   windkessel();
   passivity();

@@ -3,11 +3,11 @@
 
 #include <continua/theory/korteweg.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 
-int main()
+UNIT_TEST(korteweg)
 {
   const Anchoring anchorings[] = {Anchoring::upstream, Anchoring::throughout,
                                   Anchoring::expansion_joints};

@@ -5,6 +5,8 @@
 
 #include "waves.h"
 
+#include "../unit_test.h"
+
 using namespace waves;
 
 namespace
@@ -100,7 +102,7 @@ void passive(const std::string &name, const TubeSection &section)
 }
 } // namespace
 
-int main()
+UNIT_TEST(matched_impedance)
 {
   held();
   membrane();

@@ -3,6 +3,8 @@
 
 #include "waves.h"
 
+#include "../unit_test.h"
+
 using namespace waves;
 
 namespace
@@ -43,7 +45,7 @@ void tube_a()
 
 } // namespace
 
-int main()
+UNIT_TEST(tube_a)
 {
   tube_a();
 }

@@ -3,9 +3,11 @@
 
 #include "waves.h"
 
+#include "../unit_test.h"
+
 using namespace waves;
 
-int main()
+UNIT_TEST(tube_a_ends)
 {
   TubeSection section = tube(12.5e-3, 0.1e-3, 880., 1.72e6, 0.49, 998., 1e-3);
   section.fluid.inverse_bulk_modulus = 1. / 2.2e9;

@@ -2,7 +2,7 @@
 
 #include <continua/theory/tube_section.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 
@@ -20,7 +20,7 @@ Material solid(const double density, const double youngs_modulus, const double p
 }
 } // namespace
 
-int main()
+UNIT_TEST(tube_section)
 {
   TubeSection section;
   section.layer_thicknesses = {1e-3, 3e-3};

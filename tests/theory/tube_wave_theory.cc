@@ -3,6 +3,8 @@
 
 #include "waves.h"
 
+#include "../unit_test.h"
+
 using namespace waves;
 
 namespace
@@ -144,7 +146,7 @@ void windkessel(const LongTube &tube)
 }
 } // namespace
 
-int main()
+UNIT_TEST(tube_wave_theory)
 {
   const LongTube tube;
   joints(tube, ends(tube));

@@ -3,7 +3,7 @@
 
 #include <continua/theory/tube_waves_closed_form.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <stdexcept>
 
@@ -46,7 +46,7 @@ void at(const std::string &name,
 }
 } // namespace
 
-int main()
+UNIT_TEST(tube_waves_closed_form)
 {
   const double two_pi = 6.28318530717958648;
   const ClosedFormTube a = make(0.0125, 1e-4, 880., 0.49);

@@ -7,7 +7,7 @@
 
 #include <functional>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 
@@ -78,7 +78,7 @@ void check_modulus(const std::string &name, const Material &law)
 }
 } // namespace
 
-int main()
+UNIT_TEST(uniaxial_response)
 {
   const double mu = 1000., tau = 0.1, eta = 100., k = 2000.;
   {

@@ -3,7 +3,7 @@
 
 #include <continua/theory/womersley.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <stdexcept>
 
@@ -37,7 +37,7 @@ void at(const std::string &name,
 }
 } // namespace
 
-int main()
+UNIT_TEST(womersley)
 {
   at("2/s", 2., {0.91988505602257364, 0.07684180135663925},
      {0.0014989523547305821, 0.0009990991343023645}, {6.4088341723927621e-7, 5.0914525803066897e-7},

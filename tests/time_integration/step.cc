@@ -3,7 +3,7 @@
 
 #include <continua/time_integration/step.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <complex>
 #include <limits>
@@ -64,7 +64,7 @@ double decay_of_backward_differencing(const double theta, const unsigned int n_s
 }
 } // namespace
 
-int main()
+UNIT_TEST(step)
 {
   {
     const Step step = euler_step(0.3, 0.1, Update::trapezoidal);

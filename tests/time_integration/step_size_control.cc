@@ -4,7 +4,7 @@
 #include <continua/base/archive.h>
 #include <continua/time_integration/time_control.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <functional>
 
@@ -52,7 +52,7 @@ TimeParameters adaptive(const std::string &scheme, const double step, const doub
 }
 } // namespace
 
-int main()
+UNIT_TEST(step_size_control)
 {
   const auto cubic = [](const double scale)
   { return [scale](unsigned int, const double size) { return scale * std::pow(size / 1e-3, 3); }; };

@@ -3,8 +3,8 @@
 #include <continua/base/archive.h>
 #include <continua/time_integration/time_control.h>
 
-#include "../check.h"
 #include "../parameter_text.h"
+#include "../unit_test.h"
 
 using namespace Continua;
 
@@ -44,7 +44,7 @@ void refused(const std::string &name, const std::string &text, const std::string
 }
 } // namespace
 
-int main()
+UNIT_TEST(time_control)
 {
   {
     TimeParameters changing = parameters("euler implicit", 2e-3, 1.);

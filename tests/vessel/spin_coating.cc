@@ -1,7 +1,7 @@
 #include <continua/base/parameter_file.h>
 #include <continua/vessel/spin_coating.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <filesystem>
 #include <fstream>
@@ -20,7 +20,7 @@ SpinCoating read(const std::string &entries)
 }
 } // namespace
 
-int main()
+UNIT_TEST(spin_coating)
 {
   const SpinCoating coating = read("set Concentration = 25 %\nset Flow rate = 6 ml/min\n");
   // Section A.2: 1600 counts of the trolley are 1 mm.

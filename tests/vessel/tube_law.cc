@@ -1,7 +1,7 @@
 #include <continua/base/parameter_file.h>
 #include <continua/vessel/tube_law.h>
 
-#include "../check.h"
+#include "../unit_test.h"
 
 #include <filesystem>
 #include <fstream>
@@ -186,7 +186,7 @@ void test_refusals()
 }
 } // namespace
 
-int main()
+UNIT_TEST(tube_law)
 {
   test_thesis();
   test_own();

@@ -14,6 +14,9 @@ std::string label_of(const Quantity &quantity);
 /// The quantity of a run with that label; null if it has none.
 const Quantity *find_quantity(const RunResult &run, const std::string &label);
 
+/// Of the largest value of its unit: what solvers and sums leave in digits [1].
+constexpr double round_off_share = 1e-10;
+
 /// Whether a quantity tells of the computation (an error, a count) rather than of the body.
 bool is_of_the_computation(const std::string &name);
 

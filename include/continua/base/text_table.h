@@ -12,6 +12,9 @@ std::vector<std::string> aligned_lines(const std::vector<std::vector<std::string
 /// A number with that many digits that count.
 std::string number_text(double value, int n_digits);
 
+/// "pressure [Pa]"; the name alone for a quantity without a unit.
+std::string with_unit(const std::string &name, const std::string &unit);
+
 /// A text in a csv file (RFC 4180).
 std::string csv_cell(const std::string &text);
 /// A number in a csv file; nothing where there is none.

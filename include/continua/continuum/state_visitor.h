@@ -21,6 +21,8 @@ public:
   /// The owned entries of vectors.
   void levels(DistributedVector &present, DistributedVector &older)
   {
+    Assert(have_same_layout(present, older),
+           dealii::ExcMessage("Two levels of a vector have different layouts."));
     levels(present.begin(), older.begin(), present.locally_owned_size());
   }
   void values(DistributedVector &vector) { values(vector.begin(), vector.locally_owned_size()); }

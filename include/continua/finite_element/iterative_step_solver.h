@@ -86,6 +86,7 @@ private:
   std::unique_ptr<Preconditioner> preconditioner;
   SaddlePointSolver solver;
   DistributedVector last_velocity, last_pressure;
+  std::vector<std::vector<bool>> is_of_region; ///< of each region and owned velocity
 
   bool is_near(const SystemCoefficients &others) const;
   void make_preconditioner();

@@ -1,0 +1,39 @@
+// The main function of a folder's unit tests: the first argument is the name of the test, without
+// one it lists the tests.
+
+#include "unit_test.h"
+
+#include <iostream>
+#include <map>
+
+namespace unit_test
+{
+namespace
+{
+/// A function's own variable, so that it is there when the first test enters itself.
+std::map<std::string, Function> &table()
+{
+  static std::map<std::string, Function> functions;
+  return functions;
+}
+} // namespace
+
+Registration::Registration(const std::string &name, const Function function)
+{
+  table()[name] = function;
+}
+} // namespace unit_test
+
+int main(int argc, char **argv)
+{
+  const auto &tests = unit_test::table();
+  const auto chosen = argc > 1 ? tests.find(argv[1]) : tests.end();
+  if (chosen == tests.end())
+  {
+    for (const auto &[name, function] : tests)
+      std::cerr << name << std::endl;
+    return 2;
+  }
+  chosen->second(argc - 1, argv + 1);
+  return 0;
+}
