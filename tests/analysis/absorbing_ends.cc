@@ -31,10 +31,10 @@ std::string channel(const bool axisymmetric)
          "subsection Boundaries\n"
          "subsection left\nset Type = pressure\nset Pressure = sin(t)\nend\n"
          "subsection right\nset Type = absorbing\nend\n"
-         "subsection bottom\nset Type = " +
-         (axisymmetric ? "axis" : "roller") +
-         "\nend\n"
-         "subsection top\nset Type = roller\nend\nend\n"
+         "subsection " +
+         (axisymmetric ? "axis\nset Type = axis" : "bottom\nset Type = roller") +
+         "\nend\nsubsection " + (axisymmetric ? "outside" : "top") +
+         "\nset Type = roller\nend\nend\n"
          "subsection Time\nset Scheme = crank nicolson\nset Time step = 1 us\n"
          "set End time = 1 ms\nend\n";
 }
