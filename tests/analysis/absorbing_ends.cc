@@ -31,10 +31,10 @@ std::string channel(const bool axisymmetric)
          "subsection Boundaries\n"
          "subsection left\nset Type = pressure\nset Pressure = sin(t)\nend\n"
          "subsection right\nset Type = absorbing\nend\n"
-         "subsection bottom\nset Type = " +
-         (axisymmetric ? "axis" : "roller") +
-         "\nend\n"
-         "subsection top\nset Type = roller\nend\nend\n"
+         "subsection " +
+         (axisymmetric ? "axis\nset Type = axis" : "bottom\nset Type = roller") +
+         "\nend\nsubsection " + (axisymmetric ? "outside" : "top") +
+         "\nset Type = roller\nend\nend\n"
          "subsection Time\nset Scheme = crank nicolson\nset Time step = 1 us\n"
          "set End time = 1 ms\nend\n";
 }
@@ -63,22 +63,22 @@ UNIT_TEST(absorbing_ends)
 
   const std::string absorbing = "set Type = absorbing\n";
   {
-    // Beside a clamped wall. Korteweg's speed without viscosity: 1/c^2 = rho (1/K + 2 R psi/(Y h)),
-    // psi = (h/R)(1 + nu) + 2 R/(2 R + h).
+    // Beside a clamped wall.
     ParameterFile file = parameters_of(tube_text::tube(tube_text::pulse(), absorbing));
     const Case<2> input(file, MPI_COMM_WORLD, false);
-    const double psi = 0.2 * 1.49 + 10. / 11.;
-    const double speed = 1. / std::sqrt(1000. * (1. / 2.2e9 + 0.01 * psi / (1.2e6 * 1e-3)));
     const Outlet &outlet = input.problem.outlets.at(0);
     Log log(MPI_COMM_WORLD, false);
     Summary summary;
     input.absorbing_ends.report(log, summary);
     const double error = quantity(summary, "absorbing end fit error", "outlet");
     check::is_true("tube: the fit's error", error > 0. && error <= 0.01);
-    // Viscosity and the wall's inertia change the impedance by a few per cent.
-    check::relative("tube: impedance at 20 Hz",
-                    std::abs(outlet.impedance.value({0., 2. * dealii::numbers::PI * 20.})(0, 0)),
-                    1000. * speed / (dealii::numbers::PI * 25e-6), 0.05);
+    // A wave that goes on takes power along at every frequency of the band.
+    bool is_passive = true;
+    for (const double frequency : {1., 5., 20., 50.})
+      is_passive =
+          is_passive &&
+          outlet.impedance.value({0., 2. * dealii::numbers::PI * frequency})(0, 0).real() > 0.;
+    check::is_true("tube: takes power", is_passive);
     check::is_true("tube: one port",
                    outlet.impedance.n_ports() == 1 && outlet.conditions.size() == 1);
   }

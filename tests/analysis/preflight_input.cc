@@ -86,7 +86,7 @@ UNIT_TEST(preflight_input)
                           "subsection right\nset Type = free\nend\n"
                           "subsection bottom\nset Type = free\nend\n"
                           "subsection top\nset Type = free\nend\nend\n"
-                          "subsection Time\nset Scheme = euler\nset Time step = 0.1\n"
+                          "subsection Time\nset Scheme = euler implicit\nset Time step = 0.1\n"
                           "set End time = 1\nend\n";
   const PreflightInput solid = input_of(box);
   check::is_true("a box is no tube", !solid.is_tube && solid.load.empty() && solid.frequency == 0.);

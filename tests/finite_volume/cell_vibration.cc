@@ -38,6 +38,8 @@ void test(const Model model)
           corner[c] = 2. / n;
         dealii::GridGenerator::subdivided_hyper_rectangle(mesh, cells, dealii::Point<dim>(), corner,
                                                           true);
+        for (const auto &cell : mesh.active_cell_iterators())
+          cell->set_material_id(0);
       },
       model, at_rest,
       [](Problem &problem)

@@ -110,7 +110,7 @@ double plane_error(const Sequence &sequence, const unsigned int n)
 }
 } // namespace
 
-UNIT_TEST(cell_divergence)
+UNIT_TEST(divergence)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();

@@ -49,7 +49,7 @@ void check_linear(const bool axisymmetric)
 }
 } // namespace
 
-UNIT_TEST(cell_laplacian)
+UNIT_TEST(laplacian)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();

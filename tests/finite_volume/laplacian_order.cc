@@ -71,7 +71,7 @@ double poisson_error(const Sequence &sequence, const unsigned int n, const bool 
 }
 } // namespace
 
-UNIT_TEST(cell_laplacian_order)
+UNIT_TEST(laplacian_order)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const auto &sequence : sequences())

@@ -80,6 +80,8 @@ void check_shear()
         dealii::GridGenerator::subdivided_hyper_rectangle(mesh, std::vector<unsigned int>{4, 1},
                                                           dealii::Point<2>(),
                                                           dealii::Point<2>(1., 1.), true);
+        for (const auto &cell : mesh.active_cell_iterators())
+          cell->set_material_id(0);
       },
       Model::plane_strain, make_coefficients(),
       [](Problem &problem)
