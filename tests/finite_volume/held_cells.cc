@@ -104,6 +104,9 @@ void check_random()
   for (unsigned int i = 0; i < momentum.locally_owned_size(); ++i)
     if (velocity_is_held[i / 2])
       momentum.begin()[i] = 99.;
+  for (unsigned int i = 0; i < pressure_is_held.size(); ++i)
+    if (pressure_is_held[i])
+      mass.begin()[i] = 99.;
   HeldCells<2> held(step.system);
   held.reinit(velocity_is_held, pressure_is_held);
   held.solve(momentum, mass, found, found_pressure);
