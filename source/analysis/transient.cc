@@ -2,6 +2,7 @@
 
 #include <continua/analysis/linear_wave_theory.h>
 #include <continua/analysis/preflight_report.h>
+#include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
 
@@ -385,6 +386,15 @@ void Transient<dim>::adapt()
   detail << "the transfer changed the energy by " << (before > 0. ? (after - before) / before : 0.)
          << " of itself";
   run.log.detail(detail.str());
+  double n_unknowns = 0.;
+  for (const auto &field : run.solver->sizes().n_dofs)
+    n_unknowns += field.second;
+  std::ostringstream partition;
+  partition << n_unknowns << " unknowns; cells of each rank:";
+  for (const unsigned int n_cells : all_gather(
+           run.input.problem.communicator, run.input.triangulation->n_locally_owned_active_cells()))
+    partition << ' ' << n_cells;
+  run.log.detail(partition.str());
 }
 
 template <int dim>

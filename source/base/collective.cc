@@ -3,6 +3,7 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
+#include <limits>
 #include <numeric>
 
 namespace Continua
@@ -40,10 +41,12 @@ Container broadcast_container(const MPI_Comm communicator, const Container &valu
     return value;
   const bool is_root = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   unsigned long size = value.size();
+  AssertThrow(size <= std::numeric_limits<int>::max(), dealii::ExcMessage("too large a message"));
   int error = MPI_Bcast(&size, 1, MPI_UNSIGNED_LONG, 0, communicator);
   AssertThrowMPI(error);
   Container result = is_root ? value : Container(size, typename Container::value_type());
-  error = MPI_Bcast(&result[0], static_cast<int>(size), mpi_type(&result[0]), 0, communicator);
+  error =
+      MPI_Bcast(result.data(), static_cast<int>(size), mpi_type(result.data()), 0, communicator);
   AssertThrowMPI(error);
   return result;
 }
@@ -72,8 +75,10 @@ std::vector<Container> all_gather_container(const MPI_Comm communicator, const C
   int error = MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, communicator);
   AssertThrowMPI(error);
   std::partial_sum(sizes.begin(), sizes.end() - 1, begins.begin() + 1);
+  AssertThrow(std::accumulate(sizes.begin(), sizes.end(), 0L) <= std::numeric_limits<int>::max(),
+              dealii::ExcMessage("too large a message"));
   Container all(begins.back() + sizes.back(), typename Container::value_type());
-  error = MPI_Allgatherv(value.data(), size, mpi_type(value.data()), &all[0], sizes.data(),
+  error = MPI_Allgatherv(value.data(), size, mpi_type(value.data()), all.data(), sizes.data(),
                          begins.data(), mpi_type(value.data()), communicator);
   AssertThrowMPI(error);
   std::vector<Container> result;

@@ -510,6 +510,10 @@ void TaylorHoodSolver<dim>::transfer()
 {
   setup();
   mesh_transfer.finish(velocity_vectors(), pressure_vectors());
+  for ([[maybe_unused]] const DistributedVector *vector : velocity_vectors())
+    Assert(have_same_layout(*vector, space.velocity_vector()), ExcInternalError());
+  for ([[maybe_unused]] const DistributedVector *vector : pressure_vectors())
+    Assert(have_same_layout(*vector, space.pressure_vector()), ExcInternalError());
 }
 
 template <int dim>

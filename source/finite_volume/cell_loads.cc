@@ -11,10 +11,6 @@ namespace Continua
 {
 using namespace dealii;
 
-namespace
-{
-} // namespace
-
 template <int dim>
 CellLoads<dim>::CellLoads(const CellSpace<dim> &space,
                           const Problem &problem,

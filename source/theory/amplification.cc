@@ -14,11 +14,6 @@ namespace Continua
 {
 namespace
 {
-template <typename Type, void (*release)(Type *)>
-struct Release
-{
-  void operator()(Type *object) const { release(object); }
-};
 using GslMatrix = std::unique_ptr<gsl_matrix, GslRelease<gsl_matrix, gsl_matrix_free>>;
 using Vector =
     std::unique_ptr<gsl_vector_complex, GslRelease<gsl_vector_complex, gsl_vector_complex_free>>;

@@ -8,10 +8,6 @@
 
 namespace Continua
 {
-namespace
-{
-} // namespace
-
 Womersley::Womersley(const double radius, const double density, const double viscosity)
     : radius(radius), density(density), viscosity(viscosity)
 {

@@ -119,18 +119,19 @@ def compare_states(first, second, tolerance=0.0, floor=0.0, any_order=False):
         cells, other_cells = sorted_by_place(cells), sorted_by_place(other_cells)
     # Two numbers of double precision that hardly differ may be rounded to neighbours of single precision.
     share = max(tolerance, 2.4e-7 if single else 0.0) if tolerance > 0 else 0.0
-    places = [abs(coordinate) for cell in cells for point, _ in cell for coordinate in point]
+    way = share * max(abs(coordinate) for cell in cells for point, _ in cell for coordinate in point)
     largest = [max(abs(x) for cell in cells for _, values in cell for x in values[field])
                for field in range(len(names))]
     for cell, other in zip(cells, other_cells):
-        if len(cell) != len(other) or any(abs(a - b) > share * max(places) for (point, _), (other_point, _)
-                                          in zip(cell, other) for a, b in zip(point, other_point)):
+        if len(cell) != len(other) or any(not abs(a - b) <= way for (point, _), (other_point, _) in zip(cell, other)
+                                      for a, b in zip(point, other_point)):
             raise driver.TestFailure(f"the cell at {cell[0][0]} in {first} is another one, at {other[0][0]}, in "
                                      f"{second}")
         for (point, values), (_, other_values) in zip(cell, other):
             for name, size, value, other_value in zip(names, largest, values, other_values):
-                deviation = max(abs(a - b) for a, b in zip(value, other_value))
-                if not deviation <= share * max(size, floor):
+                allowed = share * max(size, floor)
+                # A number that is not finite differs from everything.
+                if not all(abs(a - b) <= allowed for a, b in zip(value, other_value)):
                     raise driver.TestFailure(
                         f"field '{name}' at {point}: {value} in {first}, {other_value} in {second}; the largest "
                         f"magnitude is {size:.6g}, the tolerance {share:g} of it")
