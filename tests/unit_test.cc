@@ -5,6 +5,7 @@
 
 #include <iostream>
 #include <map>
+#include <regex>
 
 namespace unit_test
 {
@@ -23,6 +24,14 @@ Registration::Registration(const std::string &name, const Function function)
   table()[name] = function;
 }
 } // namespace unit_test
+
+namespace check
+{
+bool matches(const std::string &text, const std::string &pattern)
+{
+  return std::regex_search(text, std::regex(pattern));
+}
+} // namespace check
 
 int main(int argc, char **argv)
 {
