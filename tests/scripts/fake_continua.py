@@ -50,6 +50,19 @@ def write_fields(output, n, value, reverse, ascii_text):
                      "</Collection></VTKFile>")
 
 
+def write_log(output, ranks, misbehave):
+    """What it chose, and a partition that moves while the number of unknowns stays."""
+    library = "CHOLMOD, simplicial" if ranks == 1 else "MUMPS, with pivoting"
+    block = "; fluid block: relaxation" if misbehave == "choices" and ranks > 1 else ""
+    with open(os.path.join(output, "log.txt"), "w", encoding="utf-8") as stream:
+        stream.write(f"ranks: {ranks}\nLinear solver: iterative, as it is\nFGMRES; stiff block: {library}{block}\n")
+        for i in range(1, 5):
+            first = 6 if misbehave == "still" else i
+            cells = "12" if ranks == 1 else f"{first} {12 - first}"
+            stream.write(f"t = {i} s: mesh of 12 cells\n100 unknowns; cells of each rank: {cells}\n")
+        stream.write(f"Wall time by section:\n  total {ranks} s\n")
+
+
 def main():
     arguments = sys.argv[1:]
     file, output, overrides, flags = None, None, [], set()
@@ -122,6 +135,7 @@ def main():
         stream.write(str(n))
     write_fields(output, n, math.sin(n) * (1 + (1e-6 if misbehave == "field" and first else 0)),
                  misbehave == "order of cells" and first > 0, misbehave == "ascii")
+    write_log(output, ranks, misbehave)
     error = float(keys["Cells"])**(-1 if misbehave == "order" else -2)
     passed = misbehave != "value"
     summary = {

@@ -16,6 +16,8 @@ CONVERGENCE = ("# level: Mesh/Cells = 4\n# level: Mesh/Cells = 8\n# level: Mesh/
                "# order: velocity error = 1.99 .. 2.01\n# order: tip: frequency = 1.9 .. 2.1, reference 3\n"
                "# order: tip: frequency = 1.9 .. 2.1, differences\n# bound: velocity error <= 0.0040\nset Cells = 1\n")
 RANKS = "# ranks: 1, 2, 3\nset Cells = 4\n"
+MESH_CHANGES = ("# changes: 4\n# of equal size: 6\n# ranks: 2, 3\n# pieces: 2, 1\n# stops: 5\nset Cells = 4\nset Relaxation = 1\n"
+                "set End time = 10\n")
 RINGING = "# run: Amplitude = 0.01\n# rings: tip: displacement y <= 0.02\nset Cells = 4\nset End time = 20\n"
 LEDGER = "# relaxes: wall >= 0.3\nset Cells = 4\nset Relaxation = 1\n"
 RESTART = "# stop: Time/End time = 5\nset Cells = 4\nset End time = 10\n"
@@ -86,6 +88,18 @@ class Drivers(unittest.TestCase):
         self.assert_passes("ranks", RANKS)
         self.assert_fails("ranks", RANKS + "set Misbehave = ranks\n", "'tip: displacement y \\[m\\]': off by")
         self.assert_passes("ranks", RANKS + "# tolerance: 3e-6\nset Misbehave = ranks\n")
+
+        self.assert_fails("ranks", RANKS + "set Misbehave = choices\n", "chose otherwise:.*fluid block: relaxation")
+        self.assert_passes("ranks", RANKS + "# others: Cells = 4\nset Misbehave = choices\n")
+
+    def test_mesh_changes(self):
+        self.assert_passes("mesh_changes", MESH_CHANGES)
+        self.assert_fails("mesh_changes", MESH_CHANGES.replace("changes: 4", "changes: 5"), "changes too seldom")
+        self.assert_fails("mesh_changes", MESH_CHANGES + "set Misbehave = still\n", "too few changes keep the number")
+        self.assert_fails("mesh_changes", MESH_CHANGES + "set Misbehave = choices\n", "chose otherwise")
+        self.assert_fails("mesh_changes", MESH_CHANGES + "set Misbehave = ranks\n", "'tip: displacement y .*off by")
+        self.assert_fails("mesh_changes", MESH_CHANGES + "set Misbehave = restart\n", "rows in")
+        self.assert_fails("mesh_changes", MESH_CHANGES.replace("# stops: 5\n", ""), "one stop between each piece")
 
     def test_restart(self):
         self.assert_passes("restart", RESTART)
