@@ -6,12 +6,13 @@
 #include <fstream>
 #include <string>
 
+constexpr const char *parameter_file_of_the_test = "parameters_of_the_test.prm";
+
 /// A parameter file with that text, in the folder of the test.
 inline Continua::ParameterFile parameters_of(const std::string &text)
 {
-  const std::string name = "parameters_of_the_test.prm";
-  std::ofstream(name) << text;
-  return Continua::ParameterFile(name);
+  std::ofstream(parameter_file_of_the_test) << text;
+  return Continua::ParameterFile(parameter_file_of_the_test);
 }
 
 #endif

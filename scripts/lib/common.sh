@@ -132,7 +132,7 @@ configure_build() {
 build_targets() {
   local name=$1
   shift
-  say "Building ${*} in $build_root/$name with $(n_jobs) jobs; one step is several files and takes up to a minute"
+  say "Building ${*} in $build_root/$name with $(n_jobs) jobs; one step is several files and takes up to a minute and a half"
   NINJA_STATUS='[%f of %t, %e s] ' cmake --build "$build_root/$name" --target "$@" --parallel "$(n_jobs)" </dev/null
 }
 

@@ -3,6 +3,7 @@
 
 #include <continua/analysis/analyses.h>
 #include <continua/analysis/comparison_parameters.h>
+#include <continua/analysis/possible_quantities.h>
 #include <continua/analysis/preflight_input.h>
 #include <continua/analysis/refinement_study_parameters.h>
 #include <continua/boundary/flow_rates.h>
@@ -172,6 +173,8 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator, const bool res
                                  problem.materials);
   absorbing_ends.add(*this, root.subsection("Boundaries"), restart);
   probes.check(*triangulation, field_names<dim>(problem.model), pairs);
+  quantities = possible_quantities(*this);
+  quantities.refuse_others(root.subsection("Expected"), expected);
 }
 
 template struct Case<2>;

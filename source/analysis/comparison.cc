@@ -64,6 +64,13 @@ void Comparison::read_ways(ParameterFile &file)
   if (folder_name(parameters.name(0)) == folder_name(parameters.name(1)))
     section.refuse("Values", "the folders of the two would have the same name",
                    "Write the values otherwise");
+  for (const Way &way : ways)
+    way.quantities.refuse_others(section, "Quantities", parameters.quantities);
+  QuantityNames of_runs = ways[0].quantities;
+  of_runs.add(ways[1].quantities);
+  ComparisonReport::name_quantities(parameters, of_runs, quantities);
+  quantities.refuse_others(file.root().subsection("Comparison").subsection("Expected"),
+                           parameters.expected);
 }
 
 template <int dim>
@@ -77,6 +84,7 @@ Comparison::Way Comparison::read_way(const unsigned int way) const
   ParameterFile file(command_line.parameter_file, result.command_line.overrides);
   const Case<dim> input(file, communicator, false);
   result.identity = file.identity({"Comparison"});
+  result.quantities = input.quantities;
   result.refinements = input.mesh.refinements;
   if (parameters.analysis == "transient")
     result.time = input.time;
@@ -132,6 +140,7 @@ void Comparison::perform(const OutputDirectory &directory, Log &log) const
 {
   const std::vector<Plan> all = plans(directory.path());
   std::vector<PlannedRun> planned;
+  planned.reserve(all.size());
   for (const Plan &plan : all)
     planned.push_back(plan.run);
   bool asked_known[2] = {false, false};
@@ -165,6 +174,7 @@ void Comparison::report(const std::vector<ComparedRun> &runs,
   for (const std::string &line : comparison.lines())
     log.line(line);
   Summary summary;
+  summary.set_possible(quantities);
   const std::string failed =
       begin_summary(summary, general.title, "comparison", command_line, communicator, results);
   summary.set("analysis of the runs", parameters.analysis);

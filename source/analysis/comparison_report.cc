@@ -194,6 +194,24 @@ void ComparisonReport::add_quantities(Summary &summary) const
        "1", ""});
 }
 
+void ComparisonReport::name_quantities(const ComparisonParameters &parameters,
+                                       const QuantityNames &of_runs,
+                                       QuantityNames &names)
+{
+  for (const std::string &label : of_runs.labels())
+  {
+    for (unsigned int way = 0; way < 2; ++way)
+      for (const char *const name : {" finest", " extrapolated", " estimated error", " order"})
+        names.add(parameters.name(way) + name, label);
+    for (const char *const name :
+         {"difference", "relative difference", "difference over errors", "agree"})
+      names.add(name, label);
+  }
+  for (const char *const name : {"quantities compared", "quantities that agree",
+                                 "quantities that differ", "quantities not judged", "failed runs"})
+    names.add(name);
+}
+
 void ComparisonReport::write_quantities(const std::string &file) const
 {
   std::string text = csv_cell("quantity [unit]");

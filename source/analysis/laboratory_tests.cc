@@ -16,6 +16,13 @@ using dealii::numbers::PI;
 
 namespace
 {
+std::string harmonic_name(const double frequency)
+{
+  std::ostringstream name;
+  name << "harmonic at " << frequency << " Hz";
+  return name.str();
+}
+
 /// How far simulated and exact values are apart: the largest difference over the largest exact
 /// value.
 class Difference
@@ -282,9 +289,7 @@ void LaboratoryTests<dim>::harmonic_test(const double frequency,
   if (rows)
     rows->flush();
 
-  std::ostringstream name;
-  name << "harmonic at " << frequency << " Hz";
-  const std::string test = name.str();
+  const std::string test = harmonic_name(frequency);
   if (change > periodic)
   {
     std::ostringstream text;
@@ -315,6 +320,42 @@ void LaboratoryTests<dim>::harmonic_test(const double frequency,
          exact.imag() / exact.real(),
          difference,
          static_cast<double>(n_periods)};
+}
+
+template <int dim>
+void LaboratoryTests<dim>::name_quantities(const LaboratoryParameters &parameters,
+                                           const bool is_power_law,
+                                           QuantityNames &names)
+{
+  const std::string from_solution = "largest difference from the closed solution",
+                    from_law = "largest difference from the power law";
+  const auto add = [&names](const std::string &test, const std::vector<std::string> &quantities)
+  {
+    for (const std::string &name : quantities)
+      names.add(name, test);
+  };
+  if (parameters.has("relaxation"))
+  {
+    add("relaxation", {"largest stress", "final stress", from_solution});
+    if (is_power_law)
+      add("relaxation", {from_law, "c", "n"});
+  }
+  if (parameters.has("creep"))
+  {
+    add("creep", {"final strain", from_solution});
+    if (is_power_law)
+      add("creep", {from_law});
+  }
+  if (parameters.has("harmonic"))
+    for (const double frequency : parameters.frequencies)
+    {
+      const std::string test = harmonic_name(frequency);
+      add(test, {"storage modulus", "loss modulus", "tan delta", "storage modulus of the law",
+                 "loss modulus of the law", "tan delta of the law",
+                 "difference of the modulus from the closed solution", from_solution, "periods"});
+      if (is_power_law)
+        add(test, {"difference of the modulus from the power law"});
+    }
 }
 
 template class LaboratoryTests<2>;

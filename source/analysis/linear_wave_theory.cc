@@ -72,11 +72,10 @@ Histories theoretical_histories(const StationsProbe &probe,
 double load_frequency(const std::function<double(double)> &inlet, const double end_time)
 {
   constexpr unsigned int n_samples = 4096;
-  std::vector<double> samples(n_samples, 0.);
-  if (inlet)
-    for (unsigned int i = 0; i < n_samples; ++i)
-      samples[i] = inlet(i * end_time / n_samples);
-  const double frequency = energy_frequency(samples, end_time / n_samples);
+  const double frequency =
+      inlet ? energy_frequency(samples_of_whole_pulse(inlet, end_time, n_samples),
+                               end_time / n_samples)
+            : 0.;
   return frequency > 0. ? frequency : 1.;
 }
 

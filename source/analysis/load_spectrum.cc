@@ -52,14 +52,19 @@ LoadSpectrum::LoadSpectrum(const Problem &problem, const double end_time, const 
 {
   // What a load still says at the end is faded out, since its cut would be a jump.
   const std::size_t n = std::max<std::size_t>(64, std::lround(end_time / time_step)),
-                    n_fade = n / 2, n_padded = next_power_of_two(2 * n);
+                    // Enough for 90 % of the energy, which a long run has at low frequencies.
+      n_of_reference = std::min<std::size_t>(n, 1 << 16), n_fade = n / 2,
+                    n_padded = next_power_of_two(2 * n);
   spacing = n / (end_time * n_padded);
   for (const TimeFunction &load : loads_of(problem))
   {
     std::vector<double> samples;
     for (std::size_t i = 0; i < n; ++i)
       samples.push_back(load(i * end_time / n));
-    reference = std::max(reference, Continua::energy_frequency(samples, end_time / n));
+    reference =
+        std::max(reference,
+                 Continua::energy_frequency(samples_of_whole_pulse(load, end_time, n_of_reference),
+                                            end_time / n_of_reference));
     const double at_end = samples.back();
     samples.resize(n_padded, 0.);
     for (std::size_t i = 0; i < n_fade; ++i)

@@ -42,6 +42,8 @@ MaterialLaboratory::MaterialLaboratory(ParameterFile &file)
   expected = read_expected(root.subsection("Expected"));
   // Before the checks across entries: a misspelt key is the likelier reason for them to fail.
   file.refuse_unknown();
+  name_quantities();
+  quantities.refuse_others(root.subsection("Expected"), expected);
   if (laboratory.has("relaxation"))
     check_loading_time(section);
   if (is_power_law())
@@ -110,6 +112,19 @@ void MaterialLaboratory::fit(const ParameterSection &section)
   series = PowerLaws::fit(material, lowest, highest, section);
 }
 
+void MaterialLaboratory::name_quantities()
+{
+  for (const char *const quantity :
+       {"storage modulus", "loss modulus", "tan delta", "mean modulus"})
+    quantities.add(quantity, name);
+  if (is_power_law())
+    for (const char *const quantity : {"c", "n", "Prony fit error", "branches"})
+      quantities.add(quantity, name);
+  if (!table.file.empty())
+    quantities.add("misfit of the relaxation table", name);
+  LaboratoryTests<2>::name_quantities(laboratory, is_power_law(), quantities);
+}
+
 void MaterialLaboratory::perform(const CommandLine &command_line,
                                  const MPI_Comm communicator,
                                  const OutputDirectory &directory,
@@ -117,6 +132,7 @@ void MaterialLaboratory::perform(const CommandLine &command_line,
 {
   const bool is_writer = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   Summary summary;
+  summary.set_possible(quantities);
   summary.set("title", general.title);
   summary.set("status", "finished");
   summary.set("version", version());

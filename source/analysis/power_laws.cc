@@ -30,6 +30,13 @@ void PowerLaws::report_tables(Log &log, Summary &summary) const
   }
 }
 
+void PowerLaws::name_quantities(QuantityNames &names) const
+{
+  for (const auto &[region, fit] : tables)
+    for (const char *const name : {"c", "n", "misfit of the relaxation table"})
+      names.add(name, region);
+}
+
 void PowerLaws::fit(Problem &problem, const TimeParameters &time, ParameterSection materials)
 {
   smallest_step = time.smallest_step();

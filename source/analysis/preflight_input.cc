@@ -129,9 +129,9 @@ void sample_load(const BoundaryCondition &load,
   {
     if (!component.depends_on_time())
       continue;
-    std::vector<double> values(static_cast<std::size_t>(n));
-    for (std::size_t i = 0; i < values.size(); ++i)
-      values[i] = component(point.data(), i * interval);
+    const std::vector<double> values =
+        samples_of_whole_pulse([&](const double time) { return component(point.data(), time); },
+                               preflight.end_time, static_cast<std::size_t>(n));
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     if (*high - *low > range)
     {

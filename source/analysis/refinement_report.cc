@@ -272,6 +272,30 @@ void RefinementReport::add_quantities(Summary &summary) const
        "1", ""});
 }
 
+void RefinementReport::name_quantities(const RefinementStudyParameters &parameters,
+                                       const QuantityNames &of_runs,
+                                       QuantityNames &names)
+{
+  const std::string ratio = "adaptive over uniform unknowns at ";
+  for (const std::string &label : of_runs.labels())
+  {
+    for (const std::string &way : parameters.ways)
+    {
+      names.add(way + " error", label);
+      names.add(way + " order", label);
+      for (const double level : parameters.error_levels)
+        names.add(way + " unknowns at " + percent_text(level) + " error", label);
+    }
+    if (parameters.ways.size() < 2)
+      continue;
+    for (const double level : parameters.error_levels)
+      names.add(ratio + percent_text(level) + " error", label);
+    names.add("equal error", label);
+    names.add(ratio + "equal error", label);
+  }
+  names.add("failed runs");
+}
+
 void RefinementReport::write(const std::string &file) const
 {
   std::string text =

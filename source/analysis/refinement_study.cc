@@ -41,6 +41,14 @@ void RefinementStudy::read_ways(ParameterFile &file)
     ways.push_back(read_way<dim>(name));
     check(ways.back(), name, section);
   }
+  QuantityNames of_runs;
+  for (const Way &way : ways)
+    of_runs.add(way.quantities);
+  RefinementReport::name_quantities(parameters, of_runs, quantities);
+  of_runs.refuse_others(section, "Quantities", parameters.quantities);
+  ParameterSection study = file.root().subsection("Refinement study");
+  of_runs.refuse_others(study.subsection("Reference"), parameters.references);
+  quantities.refuse_others(study.subsection("Expected"), parameters.expected);
 }
 
 template <int dim>
@@ -53,6 +61,7 @@ RefinementStudy::Way RefinementStudy::read_way(const std::string &name) const
   ParameterFile file(command_line.parameter_file, result.command_line.overrides);
   const Case<dim> input(file, communicator, false);
   result.identity = name + " " + file.identity({"Refinement study"});
+  result.quantities = input.quantities;
   result.refinements = input.mesh.refinements;
   result.adaptation = input.adaptation;
   if (parameters.analysis == "transient")
@@ -181,6 +190,7 @@ void RefinementStudy::perform(const OutputDirectory &directory, Log &log) const
   for (const std::string &line : study.lines())
     log.line(line);
   Summary summary;
+  summary.set_possible(quantities);
   const std::string failed = begin_summary(summary, general.title, "refinement study", command_line,
                                            communicator, results);
   summary.set("analysis of the runs", parameters.analysis);

@@ -28,6 +28,7 @@ Run<dim>::Run(Case<dim> &input,
       log(log),
       is_writer(Utilities::MPI::this_mpi_process(input.communicator) == 0)
 {
+  summary.set_possible(input.quantities);
   describe_run();
 }
 

@@ -19,6 +19,14 @@ SpinCoatingAnalysis::SpinCoatingAnalysis(ParameterFile &file)
   coating = SpinCoating::read(root.subsection("Spin coating"));
   expected = read_expected(root.subsection("Expected"));
   file.refuse_unknown();
+  for (const std::string name : {"diameter", "wall thickness", "trolley speed", "rod speed"})
+  {
+    quantities.add("smallest " + name);
+    quantities.add("largest " + name);
+  }
+  quantities.add("volume of solution");
+  quantities.add("duration");
+  quantities.refuse_others(root.subsection("Expected"), expected);
 }
 
 void SpinCoatingAnalysis::perform(const CommandLine &command_line,
@@ -27,6 +35,7 @@ void SpinCoatingAnalysis::perform(const CommandLine &command_line,
 {
   const std::vector<SpinCoating::Row> rows = coating.table(law);
   Summary summary;
+  summary.set_possible(quantities);
   summary.set("title", general.title);
   summary.set("status", "finished");
   summary.set("version", version());

@@ -235,6 +235,55 @@ void WaveReport::compare(const Source a,
   largest_of("reflected pulse height", &Pulse::reflected_height);
 }
 
+void WaveReport::name_quantities(const WaveStations &stations,
+                                 const std::set<Source> &sources,
+                                 QuantityNames &names)
+{
+  const auto has_field = [&](const char *const name)
+  {
+    return std::find(stations.fields.begin(), stations.fields.end(), name) != stations.fields.end();
+  };
+  const bool pressure = has_field("pressure"),
+             flow_rate = has_field("flow rate") && !stations.impedances.empty();
+  const auto station_label = [&](const double position)
+  { return stations.name + " " + shortest_number(position) + " m"; };
+  for (const Source source : sources)
+  {
+    const std::string prefix = prefixes[static_cast<int>(source)];
+    if (!pressure)
+      continue;
+    for (const char *const name : {"wave speed", "wave speed at half height",
+                                   "wave speed of the foot", "wave speed by phase", "attenuation"})
+      names.add(prefix + name, stations.name);
+    for (const double position : stations.positions)
+    {
+      for (const char *const name :
+           {"first pulse time", "first pulse height", "half height time", "foot time"})
+        names.add(prefix + name, station_label(position));
+      if (flow_rate && source != Source::measured)
+        for (const char *const name :
+             {"reflection coefficient", "reflected pulse time", "reflected pulse height"})
+          names.add(prefix + name, station_label(position));
+    }
+  }
+  const auto compare = [&](const std::string &suffix)
+  {
+    for (const std::string &field : stations.fields)
+      names.add(std::string("largest difference of ").append(field).append(suffix), stations.name);
+    if (pressure)
+      for (const std::string name : {"first pulse time", "first pulse height",
+                                     "reflected pulse time", "reflected pulse height"})
+      {
+        names.add(std::string("largest difference of ").append(name).append(suffix), stations.name);
+        names.add(std::string("stations compared by ").append(name).append(suffix), stations.name);
+      }
+  };
+  if (sources.count(Source::simulated) > 0 && sources.count(Source::theory) > 0)
+    compare("");
+  if (sources.count(Source::measured) > 0)
+    compare(" from measurement");
+}
+
 void WaveReport::add_quantities(Summary &summary) const
 {
   std::vector<std::vector<Pulse>> pulses(3);

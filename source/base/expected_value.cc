@@ -66,6 +66,7 @@ double tolerance_in_unit_of_value(const NumberWithUnit &tolerance, const Expecte
 ExpectedValue parse_expected_value(const std::string &key, const std::string &text)
 {
   ExpectedValue result;
+  result.key = key;
   // The last colon: a probe of several fields is called "PROBE: FIELD" itself.
   const std::size_t colon = key.rfind(':');
   if (colon != std::string::npos)

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -18,6 +19,7 @@ struct Summary::Implementation
 {
   Json entries = Json::object();
   std::vector<Quantity> quantities;
+  std::optional<QuantityNames> possible;
   Json checks = Json::array();
 };
 
@@ -255,6 +257,11 @@ const std::vector<Quantity> &Summary::quantities() const
   return implementation->quantities;
 }
 
+void Summary::set_possible(const QuantityNames &names)
+{
+  implementation->possible = names;
+}
+
 std::vector<std::string> Summary::check(const std::vector<ExpectedValue> &expected,
                                         bool &all_passed)
 {
@@ -289,6 +296,12 @@ std::vector<std::string> Summary::check(const std::vector<ExpectedValue> &expect
     entry["passed"] = verdict.passed;
     implementation->checks.push_back(entry);
   }
+  if (implementation->possible)
+    for (const Quantity &quantity : implementation->quantities)
+      if (!implementation->possible->has(quantity.name, quantity.probe))
+        lines.push_back("mistake of the program, please report: no one announced the quantity " +
+                        label(quantity.name, quantity.probe) +
+                        ", so that Expected cannot ask for it");
   return lines;
 }
 

@@ -197,10 +197,11 @@ bool flag_cells(parallel::distributed::Triangulation<dim> &triangulation,
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned())
       {
-        const double indicator = indicators[cell->active_cell_index()];
-        if (indicator > parameters.refine_above)
+        // As floats: 0.1 of the parameter file is not above 0.1 of an indicator.
+        const float indicator = indicators[cell->active_cell_index()];
+        if (indicator > static_cast<float>(parameters.refine_above))
           cell->set_refine_flag();
-        else if (indicator <= parameters.coarsen_below)
+        else if (indicator <= static_cast<float>(parameters.coarsen_below))
           cell->set_coarsen_flag();
       }
   for (const auto &cell : triangulation.active_cell_iterators())

@@ -77,6 +77,16 @@ void ErrorNorms<dim>::finish(ContinuumSolver<dim> &solver,
   }
 }
 
+template <int dim>
+void ErrorNorms<dim>::name_quantities(QuantityNames &names) const
+{
+  for (const Field &field : fields)
+  {
+    names.add("L2 error of " + field.name);
+    names.add("relative L2 error of " + field.name);
+  }
+}
+
 template class ErrorNorms<2>;
 template class ErrorNorms<3>;
 } // namespace Continua

@@ -44,6 +44,13 @@ void LoopRecord::finish(Summary &summary) const
   summary.add({"steps that reached the cap", static_cast<double>(n_capped), "1", ""});
 }
 
+void LoopRecord::name_quantities(QuantityNames &names)
+{
+  for (const char *const name : {"corrections a step (mean)", "corrections a step (maximum)",
+                                 "largest residual", "steps that reached the cap"})
+    names.add(name);
+}
+
 void LoopRecord::save(ArchiveWriter &archive) const
 {
   archive.add("loop: steps", n_steps);

@@ -53,6 +53,17 @@ void MeshRecord::finish(const double time, Summary &summary) const
   add("unknowns", unknowns);
 }
 
+void MeshRecord::name_quantities(QuantityNames &names)
+{
+  names.add("mesh changes");
+  names.add("largest relative energy change by transfer");
+  for (const std::string name : {"cells", "unknowns"})
+  {
+    names.add(name + " (mean)");
+    names.add(name + " (largest)");
+  }
+}
+
 void MeshRecord::save(ArchiveWriter &archive) const
 {
   archive.add("mesh record",

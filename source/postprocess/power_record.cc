@@ -7,6 +7,14 @@
 
 namespace Continua
 {
+namespace
+{
+bool has_stores(const Outlet &outlet)
+{
+  return outlet.impedance.terms_store_energy && !outlet.impedance.terms.empty();
+}
+} // namespace
+
 template <int dim>
 PowerRecord<dim>::PowerRecord(const MPI_Comm communicator,
                               const std::vector<std::string> &regions,
@@ -26,7 +34,7 @@ PowerRecord<dim>::PowerRecord(const MPI_Comm communicator,
   for (const Outlet &outlet : outlets)
   {
     outlet_names.push_back(outlet.name);
-    outlet_stores.push_back(outlet.impedance.terms_store_energy && !outlet.impedance.terms.empty());
+    outlet_stores.push_back(has_stores(outlet));
   }
 }
 
@@ -238,6 +246,34 @@ void PowerRecord<dim>::finish(ContinuumSolver<dim> &solver, Summary &summary)
 }
 
 template <int dim>
+void PowerRecord<dim>::name_quantities(const std::vector<std::string> &regions,
+                                       const std::vector<bool> &relaxes,
+                                       const std::vector<Outlet> &outlets,
+                                       const bool mesh_changes,
+                                       QuantityNames &names)
+{
+  for (const char *const name :
+       {"power residual", "energy residual", "total energy change", "work of the loads"})
+    names.add(name);
+  if (mesh_changes)
+    names.add("energy change by transfer");
+  for (unsigned int region = 0; region < regions.size(); ++region)
+  {
+    for (const char *const name : {"kinetic energy taken", "strain energy taken",
+                                   "compressive energy taken", "energy dissipated"})
+      names.add(name, regions[region]);
+    if (region < relaxes.size() && relaxes[region])
+      names.add("energy relaxed", regions[region]);
+  }
+  for (const Outlet &outlet : outlets)
+  {
+    names.add("energy left", outlet.name);
+    if (has_stores(outlet))
+      names.add("energy dissipated", outlet.name);
+  }
+}
+
+template <int dim>
 void PowerRecord<dim>::save(ArchiveWriter &archive) const
 {
   std::vector<double> values = {totals.largest_residual,      totals.largest_exchanged,
@@ -272,7 +308,8 @@ void PowerRecord<dim>::load(const ArchiveReader &archive)
   }
   for (unsigned int outlet = 0; outlet < given.size(); ++outlet)
   {
-    const double *const value = &values[8 + 4 * taken.size() + 2 * outlet];
+    const double *const value =
+        &values[8 + 4 * taken.size() + 2 * static_cast<std::size_t>(outlet)];
     given[outlet] = {value[0], value[1]};
   }
   initial_strain = archive.values("initial strain energies");

@@ -504,6 +504,51 @@ std::vector<std::string> Probes<dim>::finish(Summary &summary)
   return warnings;
 }
 
+template <int dim>
+void Probes<dim>::name_quantities(const std::vector<FieldComponent> &fields,
+                                  const bool at_rest,
+                                  QuantityNames &names) const
+{
+  for (const Probe &probe : probes)
+  {
+    if (!probe.signal_analysis)
+      continue;
+    // As attach() makes them: the name of the probe or station, and the field.
+    std::vector<std::pair<std::string, std::string>> recorded;
+    if (probe.stations.given())
+      for (const typename Stations<dim>::Column &column : probe.stations.columns())
+        recorded.emplace_back(probe.section.name() + " " + probe.stations.label(column.station),
+                              column.field.name);
+    else
+      for (const std::string &word : probe.fields)
+        for (const FieldComponent &field : expand(probe.section, collapse_blanks(word), fields))
+          recorded.emplace_back(probe.section.name(), field.name);
+    const bool alone =
+        probe.stations.given() ? probe.stations.fields().size() == 1 : recorded.size() == 1;
+    for (const auto &[name, field] : recorded)
+    {
+      const std::string label = name + (alone ? std::string() : ": " + field);
+      names.add("final " + field, label);
+      if (at_rest)
+        continue;
+      for (const char *const what : {"maximum ", "time of maximum ", "minimum ", "time of minimum ",
+                                     "first maximum ", "time of first maximum ", "mean "})
+        names.add(what + field, label);
+      for (const char *const what :
+           {"frequency", "frequency of the fit", "decay per oscillation", "fit residual"})
+        names.add(what, label);
+      for (std::size_t m = 1; m <= probe.modes.size(); ++m)
+        for (const char *const what : {" frequency", " decay per oscillation", " amplitude"})
+          names.add("mode " + std::to_string(m) + what, label);
+      if (!probe.modes.empty())
+      {
+        names.add("modes offset", label);
+        names.add("modes residual", label);
+      }
+    }
+  }
+}
+
 template class Probes<2>;
 template class Probes<3>;
 } // namespace Continua

@@ -43,6 +43,13 @@ void StepRecord::finish(const TimeControl &control, Summary &summary, Log &log) 
                 " steps of the smallest size have a larger local error than Time/Error tolerance");
 }
 
+void StepRecord::name_quantities(QuantityNames &names)
+{
+  for (const char *const name : {"steps rejected", "steps above the tolerance",
+                                 "smallest time step", "largest time step", "mean time step"})
+    names.add(name);
+}
+
 void StepRecord::save(ArchiveWriter &archive) const
 {
   archive.add("step record", std::vector<double>{double(n_factored), smallest, largest});

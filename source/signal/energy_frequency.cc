@@ -38,4 +38,31 @@ energy_frequency(const std::vector<double> &samples, const double interval, cons
   const double share = (part * total - before) / (sum - before);
   return std::max(0., k - 0.5 + share) / (padded.size() * interval);
 }
+
+std::vector<double> samples_of_whole_pulse(const std::function<double(double)> &signal,
+                                           const double end_time,
+                                           const std::size_t n)
+{
+  std::vector<double> samples;
+  const auto sample_until = [&](const std::size_t n_samples)
+  {
+    while (samples.size() < n_samples)
+      samples.push_back(signal(samples.size() * end_time / n));
+  };
+  constexpr std::size_t longest = 8;
+  for (std::size_t times = 1; times <= longest; times *= 2)
+  {
+    sample_until(2 * times * n);
+    const auto middle = samples.begin() + times * n;
+    const auto all = std::minmax_element(samples.begin(), middle),
+               after = std::minmax_element(middle, samples.end());
+    if (*after.second - *after.first <= 0.01 * (*all.second - *all.first))
+    {
+      samples.resize(times * n);
+      return samples;
+    }
+  }
+  samples.resize(n);
+  return samples;
+}
 } // namespace Continua

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "../parameter_text.h"
 #include "../unit_test.h"
 
 using namespace Continua;
@@ -101,8 +102,12 @@ UNIT_TEST(comparison_report)
       "agree within a larger tolerance",
       row(ComparisonReport(generous, orders, runs), "tip: mean displacement y").verdict ==
           Verdict::agree);
+  ParameterFile file = parameters_of("subsection Comparison\nset Relative floor = 0.05\nend\n");
+  ComparisonParameters read;
+  read.read(file.root());
+  file.refuse_unknown();
   generous = parameters;
-  generous.floor = 0.05;
+  generous.floor = read.floor;
   check::is_true(
       "agree within a larger floor",
       row(ComparisonReport(generous, orders, runs), "tip: mean displacement y").verdict ==

@@ -181,7 +181,7 @@ UNIT_TEST(documentation)
       "subsection Time\nset Time step = 1\nset End time = 1\nend\n"
       "subsection Probes\nsubsection tip\nset Point = 0.05, 0\n"
       "set Fields = pressure\nend\nend\n"
-      "subsection Expected\nset mean = < 1\nend\n" +
+      "subsection Expected\nset mean pressure = < 1\nend\n" +
           boundaries({"axis", "inlet", "outlet", "wall inlet end", "wall outlet end", "outside"}));
   check_complete<3>("steady run",
                     "set Model = three-dimensional\nset Analysis = steady\n"

@@ -1,11 +1,14 @@
 // Names of folders, entries that are set over others, and a summary of runs of which some failed.
 
+#include "../parameter_text.h"
 #include "../postprocess/text_file.h"
+#include "column_text.h"
 
 #include <continua/analysis/run_series.h>
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "../unit_test.h"
@@ -53,4 +56,61 @@ UNIT_TEST(run_series)
   check::is_true("why", text.find("two: it diverges; three: no memory") != std::string::npos &&
                             text.find("\"failed\"") != std::string::npos);
   std::filesystem::remove("run-series-test.json");
+
+  // One run that fails between two that do not; the series goes on, and a restart takes what is
+  // finished as it is.
+  {
+    parameters_of(column_text::column(
+        "transient", "subsection Time\nset Time step = 20 us\nset End time = 80 us\nend\n"
+                     "subsection Initial state\nset Velocity = sin(pi * x / 2), 0\nend\n"));
+  }
+  CommandLine series;
+  series.parameter_file = parameter_file_of_the_test;
+  series.overwrite = true;
+  std::vector<PlannedRun> plans;
+  for (const std::string limit : {"3 m/s", "0.5 m/s", "2 m/s"})
+  {
+    PlannedRun plan;
+    plan.name = folder_name("limit " + limit);
+    plan.command_line = series;
+    plan.command_line.output_directory = "run_series/" + plan.name;
+    set_entry(plan.command_line, "Time/Velocity limit", limit);
+    plan.identity = limit;
+    plans.push_back(plan);
+  }
+  Log log(MPI_COMM_WORLD, false);
+  std::string finished;
+  const auto perform = [&]()
+  {
+    finished = "";
+    const OutputDirectory directory("run_series",
+                                    series.restart ? OutputDirectory::Mode::restart
+                                                   : OutputDirectory::Mode::overwrite,
+                                    MPI_COMM_WORLD);
+    return RunSeries(MPI_COMM_WORLD, 2, series, {series.parameter_file}, 0.1)
+        .perform(plans, directory, log,
+                 [&finished](const RunResult &run, const unsigned int number)
+                 { finished += std::to_string(number) + " " + run.name + "; "; });
+  };
+  const std::vector<RunResult> runs = perform();
+  check::equal("runs that finished", finished, "0 limit-3-m-s; 2 limit-2-m-s; ");
+  check::is_true("the other failed, with a reason",
+                 runs.size() == 3 && runs[0].failure.empty() &&
+                     check::matches(runs[1].failure, "0.5 m/s") && runs[2].failure.empty());
+  check::absolute("cells", runs[0].n_cells, 10., 0.);
+  check::relative("their size", runs[0].cell_size, 0.1, 1e-12);
+  check::absolute("steps", runs[0].n_steps, 4., 0.);
+  check::is_true("quantities", std::any_of(runs[2].quantities.begin(), runs[2].quantities.end(),
+                                           [](const Quantity &entry)
+                                           { return entry.name == "total energy change"; }));
+  const auto written = std::filesystem::last_write_time("run_series/limit-3-m-s/summary.json");
+  series.restart = true;
+  plans[1].identity = "4 m/s";
+  set_entry(plans[1].command_line, "Time/Velocity limit", "4 m/s");
+  const std::vector<RunResult> again = perform();
+  check::equal("all finish", finished, "0 limit-3-m-s; 1 limit-0-5-m-s; 2 limit-2-m-s; ");
+  check::is_true("what was finished is taken as it was",
+                 std::filesystem::last_write_time("run_series/limit-3-m-s/summary.json") ==
+                         written &&
+                     again[0].n_steps == 4.);
 }

@@ -22,6 +22,13 @@ namespace cell_meshes
 {
 using namespace Continua;
 
+/// Whether a factor says how much memory it takes; on several ranks it is MUMPS, which counts whole
+/// megabytes.
+inline bool states_memory(const double memory)
+{
+  return memory > 0. || dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1;
+}
+
 /// Only rank 0 prints.
 inline void quiet_other_ranks()
 {

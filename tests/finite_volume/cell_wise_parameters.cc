@@ -39,6 +39,11 @@ UNIT_TEST(cell_wise_parameters)
   check::equal("thesis but for one", scheme(read("set Rhie-Chow = none\nset Variant = thesis\n")),
                "none, longitudinal, trapezoidal, momentum, gradient");
 
+  check::equal("pressure by Euler", read("set Pressure update = euler\n").pressure_update, "euler");
+  check::equal("the cell's gradient", read("set Boundary gradient = cell\n").boundary_gradient,
+               "cell");
+  check::equal("by default the face's", right.boundary_gradient, "replaced");
+
   struct Words
   {
     std::string formulation;

@@ -125,7 +125,8 @@ void check_one_material(const Model model)
   // Along the wall and across it a cell is held by different springs; two components share one.
   check::is_true(name + "a factor",
                  body.predictor.factor_entries() >= 2. * body.space.mesh.cell_dofs.n_dofs() &&
-                     body.predictor.factor_memory() > 0. && !body.predictor.name().empty());
+                     states_memory(body.predictor.factor_memory()) &&
+                     !body.predictor.name().empty());
 }
 
 /// Two squares of width 1/2, moduli of 4 and 2: the face between them is half-way, 1/4 from either

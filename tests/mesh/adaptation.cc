@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_generator.h>
 
+#include "../parameter_text.h"
 #include "../unit_test.h"
 
 using namespace dealii;
@@ -46,4 +47,49 @@ UNIT_TEST(adaptation)
   for (const auto &cell : mesh.active_cell_iterators())
     beyond = beyond || (cell->level() == 1 && cell->refine_flag_set());
   check::is_true("not beyond the maximum level", !beyond);
+
+  // Thresholds, with a level below which no cell falls. A larger indicator than 0.7 refines, none
+  // above 0.1 coarsens.
+  ParameterFile file = parameters_of("subsection Adaptivity\nset Every n steps = 1\n"
+                                     "set Indicator = kelly\nset Indicator field = pressure\n"
+                                     "set Strategy = threshold\nset Refine above = 0.7\n"
+                                     "set Coarsen below = 0.1\nset Minimum level = 1\n"
+                                     "set Maximum level = 4\nend\n");
+  AdaptationParameters threshold;
+  threshold.read(file.root().subsection("Adaptivity"), true);
+  file.refuse_unknown();
+  check::equal("field of the indicator", threshold.kelly_field, "pressure");
+  parallel::distributed::Triangulation<2> square(MPI_COMM_WORLD);
+  GridGenerator::subdivided_hyper_cube(square, 2);
+  square.refine_global(2); // four coarse cells, each of 16 on level 2
+  const auto divide = [&square, &threshold]()
+  {
+    Vector<float> values(square.n_active_cells());
+    for (const auto &cell : square.active_cell_iterators())
+      values[cell->active_cell_index()] = cell->center()[0] < 0.5   ? 0.1f
+                                          : cell->center()[1] < 0.5 ? 0.7f
+                                                                    : 0.71f;
+    const bool flagged = flag_cells(square, values, threshold);
+    square.execute_coarsening_and_refinement();
+    return flagged;
+  };
+  check::is_true("thresholds flag", divide());
+  // At the top right 64 cells of level 3. Cells differ by one level at most, across corners, too:
+  // of the four cells of level 1 at the bottom left the one beside those 64 stays divided.
+  const auto count = [&square](const bool left, const bool top, const int level)
+  {
+    unsigned int n = 0;
+    for (const auto &cell : square.active_cell_iterators())
+      n += (cell->center()[0] < 0.5) == left && (cell->center()[1] > 0.5) == top &&
+                   cell->level() == level
+               ? 1
+               : 0;
+    return n;
+  };
+  check::absolute("coarsened at the threshold", count(true, false, 1), 3., 0.);
+  check::absolute("kept at the threshold", count(false, false, 2), 16., 0.);
+  check::absolute("refined above the threshold", count(false, true, 3), 64., 0.);
+  divide();
+  check::is_true("not below the minimum level",
+                 count(true, false, 0) == 0 && count(true, true, 0) == 0);
 }

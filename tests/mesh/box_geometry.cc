@@ -1,5 +1,6 @@
 #include <continua/mesh/box_geometry.h>
 
+#include "../parameter_text.h"
 #include "../unit_test.h"
 #include "mesh_measures.h"
 
@@ -29,6 +30,13 @@ UNIT_TEST(box_geometry)
       last = cell->extent_in_direction(1);
   }
   check::relative("grading", last / first, 4., 1e-13);
+  ParameterFile file = parameters_of("subsection Geometry\nset Size = 2 m, 3 m\nend\n"
+                                     "subsection Mesh\nset Cells = 2, 5\nset Grading x = 0.5\n"
+                                     "set Grading y = 3\nend\n");
+  const BoxGeometry<2>::Parameters given = BoxGeometry<2>::Parameters::read(
+      file.root().subsection("Geometry"), file.root().subsection("Mesh"), false);
+  file.refuse_unknown();
+  check::is_true("grading by its entries", given.grading == std::vector<double>({0.5, 3.}));
   check::is_true("origin", (box.mesh.get_vertices()[0] - dealii::Point<2>(-1., 2.)).norm() < 1e-14);
 
   plane.rotation = 30.;

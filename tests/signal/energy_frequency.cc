@@ -42,6 +42,27 @@ UNIT_TEST(energy_frequency)
                      { return t < 0.05 ? std::pow(std::sin(M_PI * t / 0.05), 2) : 0.; },
                      20.),
                   0.9499 / 0.05, 5e-3);
+  // A pulse that the end of the time cuts off keeps its frequency; what goes on for ever keeps its
+  // samples.
+  const auto pulse = [](const double t)
+  { return t < 0.05 ? std::pow(std::sin(M_PI * t / 0.05), 2) : 0.; };
+  const std::vector<double> whole = samples_of_whole_pulse(pulse, 0.02, 1000);
+  check::absolute("samples of a pulse cut off at 0.4 of it", whole.size(), 4000., 0.);
+  const std::vector<double> cut(whole.begin(), whole.begin() + 1000);
+  check::is_true("cut off it would seem shorter",
+                 energy_frequency(cut, 2e-5) > 1.2 * energy_frequency(whole, 2e-5));
+  check::absolute("samples of a pulse that is over",
+                  samples_of_whole_pulse(pulse, 0.1, 1000).size(), 1000., 0.);
+  check::absolute(
+      "samples of an oscillation",
+      samples_of_whole_pulse([](const double t) { return std::sin(t); }, 1.7, 1000).size(), 1000.,
+      0.);
+  check::absolute("samples of a ramp",
+                  samples_of_whole_pulse([](const double t) { return 3. * t; }, 1.7, 1000).size(),
+                  1000., 0.);
+  check::absolute("samples of a constant",
+                  samples_of_whole_pulse([](const double) { return 2.; }, 1.7, 1000).size(), 1000.,
+                  0.);
   check::absolute("constant", of([](const double) { return 0.1; }, 1.), 0., 0.);
   check::absolute("nothing", energy_frequency({}, 1.), 0., 0.);
 }

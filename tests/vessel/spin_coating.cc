@@ -67,6 +67,13 @@ UNIT_TEST(spin_coating)
   check::relative("time so far", rows.back().time, rows.back().volume / (5e-6 / 60.), 1e-14);
   check::absolute("nothing yet", rows.front().volume, 0., 0.);
 
+  // 446 mm are 44 increments of at most 10 mm and a rest; the volume is that of finer rows.
+  const std::vector<SpinCoating::Row> coarse =
+      read("set Position increment = 10 mm\n").table(TubeLaw::thesis('C').stretched(0.03));
+  check::is_true("rows of a larger increment", coarse.size() == 46);
+  check::relative("their distance", coarse[1].position, 0.446 / 45., 1e-14);
+  check::relative("their volume", coarse.back().volume, c_wall / 0.2, 1e-3);
+
   check::throws<InputError>(
       "concentration", [] { read("set Concentration = 25\n"); },
       "spin-coating.prm:2: 'Spin coating/Concentration'");

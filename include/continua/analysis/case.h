@@ -10,6 +10,7 @@
 #include <continua/base/command_line.h>
 #include <continua/base/expected_value.h>
 #include <continua/base/parameter_file.h>
+#include <continua/base/quantity_names.h>
 #include <continua/continuum/problem.h>
 #include <continua/mesh/adaptation.h>
 #include <continua/mesh/geometry.h>
@@ -72,6 +73,7 @@ struct Case
   WaveTheoryParameters wave_theory;
   OutputParameters output;
   std::vector<ExpectedValue> expected;
+  QuantityNames quantities; ///< that a run can state
   ErrorNorms<dim> error_norms;
   Probes<dim> probes;
   std::map<std::string, MeasuredWaves> measured_waves; ///< by the probe whose stations they are at

@@ -37,6 +37,7 @@ private:
   {
     CommandLine command_line; ///< with its entries set, on the file's own mesh
     std::string identity;     ///< of the case, on the file's own mesh
+    QuantityNames quantities; ///< that a run of it can state
     ConvergenceOrders orders;
     unsigned int refinements; ///< of the file's own mesh
     TimeParameters time;
@@ -58,6 +59,7 @@ private:
   unsigned int dimension;
   double volume = 0.; ///< [m^dim] of the mesh
   std::vector<Way> ways;
+  QuantityNames quantities; ///< that the comparison can state
 
   template <int dim>
   void read_ways(ParameterFile &file);

@@ -59,6 +59,10 @@ public:
   /// the whole `quantities compared`, `quantities that agree`, `... differ`, `... not judged`,
   /// `failed runs`. What does not exist is not added.
   void add_quantities(Summary &summary) const;
+  /// The names of what add_quantities() adds when the runs can state `of_runs`.
+  static void name_quantities(const ComparisonParameters &parameters,
+                              const QuantityNames &of_runs,
+                              QuantityNames &names);
   /// A row for each quantity: its label with unit, of each way the values on the meshes, limit,
   /// estimated error, observed order and what the sequence does, then difference and verdict.
   void write_quantities(const std::string &file) const;

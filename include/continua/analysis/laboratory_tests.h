@@ -39,6 +39,9 @@ public:
   void relaxation();
   /// creep.csv
   void creep();
+  /// The names of what the tests that `parameters` ask for add to the summary.
+  static void
+  name_quantities(const LaboratoryParameters &parameters, bool is_power_law, QuantityNames &names);
   /// harmonic.csv with a row for each frequency, and harmonic-1.csv, ... with the loops.
   void harmonic();
 

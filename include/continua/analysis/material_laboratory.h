@@ -42,11 +42,14 @@ private:
   LaboratoryParameters laboratory;
   TimeParameters time;
   std::vector<ExpectedValue> expected;
+  QuantityNames quantities; ///< that the laboratory can state
 
   bool is_power_law() const { return material.power_law_modulus > 0.; }
   void read_material_of(ParameterSection materials);
   void check_loading_time(const ParameterSection &section) const;
   void fit(const ParameterSection &section);
+  /// The names of what report() and the tests add.
+  void name_quantities();
   void report(Log &log, Summary &summary) const;
   void write_modulus(const OutputDirectory &directory) const;
   void write_branches(const OutputDirectory &directory) const;

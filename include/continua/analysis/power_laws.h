@@ -28,6 +28,8 @@ public:
   void note_table(const std::string &region, const ParameterSection &section);
   /// A line and the quantities "c", "n" and "misfit of the relaxation table" for each table.
   void report_tables(Log &log, Summary &summary) const;
+  /// The names of what report_tables() adds.
+  void name_quantities(QuantityNames &names) const;
 
   /// Gives the regions with a power law their branches; not in a run that goes on, whose band may
   /// be another one by its end time: it loads them. `materials`: the section of that name.

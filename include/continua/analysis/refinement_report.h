@@ -71,6 +71,10 @@ public:
    * unknowns at equal error`. Of the whole `failed runs`. What does not exist is not added.
    */
   void add_quantities(Summary &summary) const;
+  /// The names of what add_quantities() adds when the runs can state `of_runs`.
+  static void name_quantities(const RefinementStudyParameters &parameters,
+                              const QuantityNames &of_runs,
+                              QuantityNames &names);
   /// A row for each quantity of each run, and for runs that failed.
   void write(const std::string &file) const;
 

@@ -32,6 +32,7 @@ private:
   {
     CommandLine command_line; ///< of cycle 0
     std::string identity;     ///< of the case of cycle 0
+    QuantityNames quantities; ///< that a run of it can state
     unsigned int refinements;
     AdaptationParameters adaptation;
     TimeParameters time;
@@ -45,6 +46,7 @@ private:
   unsigned int dimension;
   double volume = 0.; ///< [m^dim] of the mesh
   std::vector<Way> ways;
+  QuantityNames quantities; ///< that the study can state
 
   template <int dim>
   void read_ways(ParameterFile &file);

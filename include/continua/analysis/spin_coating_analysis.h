@@ -29,6 +29,7 @@ private:
   TubeLaw law;
   SpinCoating coating;
   std::vector<ExpectedValue> expected;
+  QuantityNames quantities; ///< that the analysis can state
 };
 } // namespace Continua
 

@@ -3,6 +3,7 @@
 
 #include <continua/base/summary.h>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,10 @@ public:
    * latter.
    */
   void add_quantities(Summary &summary) const;
+  /// The names of what add_quantities() adds when the `sources` are there.
+  static void name_quantities(const WaveStations &stations,
+                              const std::set<Source> &sources,
+                              QuantityNames &names);
 
 private:
   /// What one source says at one station.

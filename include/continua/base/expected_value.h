@@ -16,6 +16,7 @@ namespace Continua
  */
 struct ExpectedValue
 {
+  std::string key; ///< left of the equals sign, as written
   std::string name;
   std::string probe;          ///< empty: any probe that has this quantity
   double value = 0.;          ///< in the unit written

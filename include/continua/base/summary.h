@@ -2,6 +2,7 @@
 #define continua_base_summary_h
 
 #include <continua/base/expected_value.h>
+#include <continua/base/quantity_names.h>
 
 #include <map>
 #include <memory>
@@ -51,6 +52,8 @@ public:
   /// A quantity of the same name and probe replaces the earlier one.
   void add(const Quantity &quantity);
   const std::vector<Quantity> &quantities() const;
+  /// The names that Expected was checked with before the run.
+  void set_possible(const QuantityNames &names);
 
   /**
    * One verdict line per expected value, without digits of the result when it passed, so that it is
@@ -59,6 +62,9 @@ public:
    * the run has no such quantity (it has ...)"; also recorded under `checks` (name, probe,
    * criterion as written; expected, tolerance and value in `unit`, the unit written; passed).
    * `all_passed` tells whether all held. A value that is not finite never passes.
+   *
+   * A quantity that is not among the possible ones, where these were set, is a mistake of the
+   * program: one more line says so.
    */
   std::vector<std::string> check(const std::vector<ExpectedValue> &expected, bool &all_passed);
 

@@ -29,6 +29,9 @@ public:
    */
   void finish(ContinuumSolver<dim> &solver, double time, Model model, Summary &summary) const;
 
+  /// The names of what finish() adds.
+  void name_quantities(QuantityNames &names) const;
+
   bool empty() const { return fields.empty(); }
 
 private:

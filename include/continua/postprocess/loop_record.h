@@ -20,6 +20,8 @@ public:
   /// ended) and `steps that reached the cap`; of a linear solver `linear iterations a step (mean)`
   /// and `(maximum)`.
   void finish(Summary &summary) const;
+  /// The names of what finish() adds.
+  static void name_quantities(QuantityNames &names);
 
   /// The numbers so far, for a restart.
   void save(ArchiveWriter &archive) const;

@@ -22,6 +22,8 @@ public:
    * the time until `time` [s].
    */
   void finish(double time, Summary &summary) const;
+  /// The names of what finish() adds.
+  static void name_quantities(QuantityNames &names);
 
   /// The numbers so far, for a restart.
   void save(ArchiveWriter &archive) const;

@@ -65,6 +65,12 @@ public:
    * ranks.
    */
   void finish(ContinuumSolver<dim> &solver, Summary &summary);
+  /// The names of what finish() adds, with the arguments of the constructor.
+  static void name_quantities(const std::vector<std::string> &regions,
+                              const std::vector<bool> &relaxes,
+                              const std::vector<Outlet> &outlets,
+                              bool mesh_changes,
+                              QuantityNames &names);
 
   /// Writes what is buffered of the file. Throws RunError on all ranks.
   void flush();

@@ -26,6 +26,8 @@ public:
    * them in one line, and warns of steps that stand with a larger error than the tolerance.
    */
   void finish(const TimeControl &control, Summary &summary, Log &log) const;
+  /// The names of what finish() adds.
+  static void name_quantities(QuantityNames &names);
 
   /// The numbers so far, for a restart.
   void save(ArchiveWriter &archive) const;

@@ -1,6 +1,8 @@
 #ifndef continua_signal_energy_frequency_h
 #define continua_signal_energy_frequency_h
 
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace Continua
@@ -15,6 +17,16 @@ namespace Continua
  * fluctuate.
  */
 double energy_frequency(const std::vector<double> &samples, double interval, double part = 0.9);
+
+/**
+ * Samples of a signal of time [s] at an interval of end_time/n: n of them from 0 on, or 2 n, 4 n or
+ * 8 n if the end of the time cuts off a pulse that is over by then. A pulse that is cut off is a
+ * jump, and would seem much shorter than it is. What is not over in eight times the time, as an
+ * oscillation or a ramp, remains as it is. Over: from then on, for as long as it took until
+ * then, the signal changes by no more than a hundredth of its range.
+ */
+std::vector<double>
+samples_of_whole_pulse(const std::function<double(double)> &signal, double end_time, std::size_t n);
 } // namespace Continua
 
 #endif

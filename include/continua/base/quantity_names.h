@@ -1,0 +1,51 @@
+#ifndef continua_base_quantity_names_h
+#define continua_base_quantity_names_h
+
+#include <continua/base/expected_value.h>
+#include <continua/base/parameter_section.h>
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * The quantities that a run can state in its summary, known before the run: by them a misspelt name
+ * in the section Expected is found before any work is done. Whoever adds a quantity to a Summary
+ * adds its name here, too. A run need not state all of them: an oscillation that is too short has
+ * no frequency.
+ */
+class QuantityNames
+{
+public:
+  /// `probe`: the probe, section or region the quantity comes from; empty: the run as a whole.
+  void add(const std::string &name, const std::string &probe = "");
+  /// Takes over another's names.
+  void add(const QuantityNames &other);
+
+  bool has(const std::string &name, const std::string &probe) const;
+  /// Whether any probe, or the run as a whole, has the quantity.
+  bool any_has(const std::string &name) const;
+  /// "PROBE: NAME", or "NAME" of the run as a whole; sorted.
+  std::vector<std::string> labels() const;
+
+  /// Throws InputError, as said of the entry `key` of `section`, for the first of `asked` ("PROBE:
+  /// NAME", or "NAME" of whatever probe) that has no name here.
+  void refuse_others(const ParameterSection &section,
+                     const std::string &key,
+                     const std::vector<std::string> &asked) const;
+  /// Throws InputError for the first of `expected`, the lines of `section`, that has no name here.
+  void refuse_others(const ParameterSection &section,
+                     const std::vector<ExpectedValue> &expected) const;
+
+private:
+  std::set<std::pair<std::string, std::string>> names; ///< probe, name
+
+  [[noreturn]] void
+  refuse(const ParameterSection &section, const std::string &key, const std::string &asked) const;
+};
+} // namespace Continua
+
+#endif
