@@ -5,6 +5,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_generator.h>
 
+#include <algorithm>
+
 #include "../parameter_text.h"
 #include "../unit_test.h"
 
@@ -89,7 +91,20 @@ UNIT_TEST(adaptation)
   check::absolute("coarsened at the threshold", count(true, false, 1), 3., 0.);
   check::absolute("kept at the threshold", count(false, false, 2), 16., 0.);
   check::absolute("refined above the threshold", count(false, true, 3), 64., 0.);
-  divide();
-  check::is_true("not below the minimum level",
-                 count(true, false, 0) == 0 && count(true, true, 0) == 0);
+
+  // Everything is below the threshold: cells of level 1 go back to level 0 unless 1 is the minimum.
+  for (const unsigned int minimum : {1u, 0u})
+  {
+    parallel::distributed::Triangulation<2> divided(MPI_COMM_WORLD);
+    GridGenerator::subdivided_hyper_cube(divided, 2);
+    divided.refine_global(1);
+    Vector<float> low(divided.n_active_cells());
+    low = 0.05f;
+    threshold.minimum_level = std::min(minimum, threshold.minimum_level);
+    const bool flagged = flag_cells(divided, low, threshold);
+    divided.execute_coarsening_and_refinement();
+    check::is_true(minimum == 1 ? "not below the minimum level" : "without one",
+                   flagged == (minimum == 0) &&
+                       divided.n_active_cells() == (minimum == 1 ? 16 : 4));
+  }
 }
