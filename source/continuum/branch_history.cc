@@ -1,5 +1,4 @@
 #include <continua/continuum/branch_history.h>
-#include <continua/continuum/vector_numbering.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -313,62 +312,24 @@ std::vector<double> BranchHistory::exponential_branches(const Step &step) const
   return times;
 }
 
-std::vector<DistributedVector *> BranchHistory::vectors()
-{
-  update_vectors();
-  nodes_are_current = false;
-  std::vector<DistributedVector *> all;
-  for (Branch &branch : branches)
-  {
-    all.push_back(&branch.present);
-    all.push_back(&branch.older);
-  }
-  return all;
-}
-
 void BranchHistory::visit(StateVisitor &visitor)
 {
+  if (visitor.takes_vectors())
+  {
+    update_vectors();
+    nodes_are_current = false;
+    for (unsigned int k = 0; k < branches.size(); ++k)
+      visitor.levels({"branch", k}, StateKind::velocity, branches[k].present, branches[k].older);
+    return;
+  }
   update_nodes();
-  visitor.levels(branches[0].present, branches[0].older);
+  visitor.levels({"branch", 0}, StateKind::velocity, branches[0].present, branches[0].older);
   for (Region &region : regions)
     for (NodalBranch &branch : region.branches)
     {
-      visitor.levels(branch.present.data(), branch.older.data(), branch.present.size());
+      visitor.levels({"branch", branch.branch}, branch.present.data(), branch.older.data(),
+                     branch.present.size());
       vectors_are_current = false;
     }
-}
-
-void BranchHistory::save(ArchiveWriter &archive, const VectorNumbering &numbering) const
-{
-  update_vectors();
-  for (unsigned int k = 0; k < branches.size(); ++k)
-    numbering.save(archive, "branch " + std::to_string(k), branches[k].present);
-  save_older(archive, numbering, "older");
-}
-
-void BranchHistory::save_older(ArchiveWriter &archive,
-                               const VectorNumbering &numbering,
-                               const std::string &name) const
-{
-  update_vectors();
-  for (unsigned int k = 0; k < branches.size(); ++k)
-    numbering.save(archive, "branch " + std::to_string(k) + " " + name, branches[k].older);
-}
-
-void BranchHistory::load(const ArchiveReader &archive, const VectorNumbering &numbering)
-{
-  for (unsigned int k = 0; k < branches.size(); ++k)
-    numbering.load(archive, "branch " + std::to_string(k), branches[k].present);
-  load_older(archive, numbering, "older");
-}
-
-void BranchHistory::load_older(const ArchiveReader &archive,
-                               const VectorNumbering &numbering,
-                               const std::string &name)
-{
-  for (unsigned int k = 0; k < branches.size(); ++k)
-    numbering.load(archive, "branch " + std::to_string(k) + " " + name, branches[k].older);
-  vectors_are_current = true;
-  nodes_are_current = false;
 }
 } // namespace Continua

@@ -1,5 +1,4 @@
 #include <continua/continuum/bulk_history.h>
-#include <continua/continuum/vector_numbering.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -144,75 +143,16 @@ void BulkHistory::forgotten_rate(const unsigned int r,
         (of_branch.present.begin()[i] - of_branch.older.begin()[i]) / (step.time - step.time_old);
 }
 
-template <typename Regions, typename Function>
-void BulkHistory::for_state(Regions &regions, const Function &function)
-{
-  for (unsigned int r = 0; r < regions.size(); ++r)
-    if (!regions[r].dilatations.empty())
-    {
-      const std::string name = "dilatation of region " + std::to_string(r);
-      function(name + ": rate", regions[r].rate);
-      for (unsigned int k = 0; k < regions[r].dilatations.size(); ++k)
-      {
-        function(name + ": " + std::to_string(k), regions[r].dilatations[k].present);
-        function(name + ": " + std::to_string(k) + " older", regions[r].dilatations[k].older);
-      }
-    }
-}
-
-template <typename Regions, typename Function>
-void BulkHistory::for_older(Regions &regions, const Function &function)
-{
-  for (unsigned int r = 0; r < regions.size(); ++r)
-    for (unsigned int k = 0; k < regions[r].dilatations.size(); ++k)
-      function("dilatation of region " + std::to_string(r) + ": " + std::to_string(k),
-               regions[r].dilatations[k].older);
-}
-
-std::vector<DistributedVector *> BulkHistory::vectors()
-{
-  std::vector<DistributedVector *> all;
-  for_state(of_region,
-            [&all](const std::string &, DistributedVector &vector) { all.push_back(&vector); });
-  return all;
-}
-
 void BulkHistory::visit(StateVisitor &visitor)
 {
-  for (Region &region : of_region)
+  for (unsigned int r = 0; r < of_region.size(); ++r)
+  {
+    Region &region = of_region[r];
+    for (unsigned int k = 0; k < region.dilatations.size(); ++k)
+      visitor.levels({"dilatation of region", r, k}, StateKind::pressure,
+                     region.dilatations[k].present, region.dilatations[k].older);
     if (!region.dilatations.empty())
-    {
-      for (Dilatation &dilatation : region.dilatations)
-        visitor.levels(dilatation.present, dilatation.older);
-      visitor.values(region.rate);
-    }
-}
-
-void BulkHistory::save(ArchiveWriter &archive, const VectorNumbering &numbering) const
-{
-  for_state(of_region, [&](const std::string &name, const DistributedVector &vector)
-            { numbering.save(archive, name, vector); });
-}
-
-void BulkHistory::load(const ArchiveReader &archive, const VectorNumbering &numbering)
-{
-  for_state(of_region, [&](const std::string &name, DistributedVector &vector)
-            { numbering.load(archive, name, vector); });
-}
-
-void BulkHistory::save_older(ArchiveWriter &archive,
-                             const VectorNumbering &numbering,
-                             const std::string &name) const
-{
-  for_older(of_region, [&](const std::string &dilatation, const DistributedVector &vector)
-            { numbering.save(archive, dilatation + " " + name, vector); });
-}
-
-void BulkHistory::load_older(const ArchiveReader &archive,
-                             const VectorNumbering &numbering,
-                             const std::string &name)
-{
-  for_older(of_region, [&](const std::string &dilatation, DistributedVector &vector)
-            { numbering.load(archive, dilatation + " " + name, vector); });
+      visitor.vector({"rate of dilatation of region", r}, StateKind::pressure, region.rate);
+  }
 }
 } // namespace Continua

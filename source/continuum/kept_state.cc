@@ -5,18 +5,17 @@
 namespace Continua
 {
 /// Copies the state; the copies grow to what is there.
-class KeptState::Copy : public StateVisitor
+class KeptState::Copy : public NumbersVisitor
 {
 public:
-  using StateVisitor::levels, StateVisitor::values;
   explicit Copy(KeptState &kept) : kept(kept) {}
-  void levels(double *const present, double *const older, const std::size_t n) override
+  void take_levels(double *const present, double *const older, const std::size_t n) override
   {
     copy(present, n, kept.present, n_levels);
     copy(older, n, kept.older, n_levels);
     n_levels += n;
   }
-  void values(double *const numbers, const std::size_t n) override
+  void take_values(double *const numbers, const std::size_t n) override
   {
     copy(numbers, n, kept.others, n_others);
     n_others += n;
@@ -35,18 +34,17 @@ private:
   }
 };
 
-class KeptState::Return : public StateVisitor
+class KeptState::Return : public NumbersVisitor
 {
 public:
-  using StateVisitor::levels, StateVisitor::values;
   explicit Return(const KeptState &kept) : kept(kept) {}
-  void levels(double *const present, double *const older, const std::size_t n) override
+  void take_levels(double *const present, double *const older, const std::size_t n) override
   {
     std::copy_n(kept.present.begin() + n_levels, n, present);
     std::copy_n(kept.older.begin() + n_levels, n, older);
     n_levels += n;
   }
-  void values(double *const numbers, const std::size_t n) override
+  void take_values(double *const numbers, const std::size_t n) override
   {
     std::copy_n(kept.others.begin() + n_others, n, numbers);
     n_others += n;
@@ -58,22 +56,21 @@ private:
 };
 
 /// older = the mean of the three levels by weights.
-class KeptState::Move : public StateVisitor
+class KeptState::Move : public NumbersVisitor
 {
 public:
-  using StateVisitor::levels, StateVisitor::values;
   Move(const KeptState &kept, const StepErrorEstimate::Weights &weights)
       : kept(kept), weights(weights)
   {
   }
-  void levels(double *const present, double *const older, const std::size_t n) override
+  void take_levels(double *const present, double *const older, const std::size_t n) override
   {
     const double *const eldest = kept.eldest.data() + n_levels;
     for (std::size_t i = 0; i < n; ++i)
       older[i] = weights[0] * present[i] + weights[1] * older[i] + weights[2] * eldest[i];
     n_levels += n;
   }
-  void values(double *, std::size_t) override {}
+  void take_values(double *, std::size_t) override {}
 
 private:
   const KeptState &kept;
@@ -82,17 +79,16 @@ private:
 };
 
 /// Exchanges the older level with other numbers.
-class KeptState::Exchange : public StateVisitor
+class KeptState::Exchange : public NumbersVisitor
 {
 public:
-  using StateVisitor::levels, StateVisitor::values;
   explicit Exchange(Numbers &numbers) : numbers(numbers) {}
-  void levels(double *, double *const older, const std::size_t n) override
+  void take_levels(double *, double *const older, const std::size_t n) override
   {
     std::swap_ranges(older, older + n, numbers.begin() + n_levels);
     n_levels += n;
   }
-  void values(double *, std::size_t) override {}
+  void take_values(double *, std::size_t) override {}
 
 private:
   Numbers &numbers;
@@ -149,7 +145,7 @@ void KeptState::velocity_error(const double *const velocity,
                          weights[2] * eldest[i]);
 }
 
-void KeptState::save(ArchiveWriter &archive, const std::function<void()> &save_older) const
+void KeptState::save(ArchiveWriter &archive, StateVisitor &save_older) const
 {
   if (!in_use || older.empty())
     return;
@@ -160,16 +156,16 @@ void KeptState::save(ArchiveWriter &archive, const std::function<void()> &save_o
     Exchange exchange(numbers);
     state(exchange);
     if (i == 0)
-      save_older();
+      state(save_older);
   }
   estimate.save(archive);
 }
 
-void KeptState::load(const ArchiveReader &archive, const std::function<void()> &load_older)
+void KeptState::load(const ArchiveReader &archive, StateVisitor &load_older)
 {
   if (!StepErrorEstimate::is_in(archive))
     return;
-  load_older();
+  state(load_older);
   keep();
   estimate.load(archive);
 }

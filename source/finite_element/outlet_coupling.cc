@@ -423,67 +423,13 @@ bool OutletCoupling<dim>::jumps(const double begin, const double end) const
 template <int dim>
 void OutletCoupling<dim>::visit(StateVisitor &visitor)
 {
-  for (std::vector<State> &of_outlet : states)
-    for (State &state : of_outlet)
-      visitor.levels(state.present.begin(), state.older.begin(), state.present.size());
-}
-
-template <int dim>
-void OutletCoupling<dim>::save(ArchiveWriter &archive) const
-{
-  save_numbers(archive, "outlets", {&State::present, &State::older});
-}
-
-template <int dim>
-void OutletCoupling<dim>::load(const ArchiveReader &archive)
-{
-  load_numbers(archive, "outlets", {&State::present, &State::older});
-}
-
-template <int dim>
-void OutletCoupling<dim>::save_older(ArchiveWriter &archive, const std::string &name) const
-{
-  save_numbers(archive, "outlets " + name, {&State::older});
-}
-
-template <int dim>
-void OutletCoupling<dim>::load_older(const ArchiveReader &archive, const std::string &name)
-{
-  load_numbers(archive, "outlets " + name, {&State::older});
-}
-
-template <int dim>
-void OutletCoupling<dim>::save_numbers(ArchiveWriter &archive,
-                                       const std::string &name,
-                                       const std::vector<Level> &levels) const
-{
-  std::vector<double> values;
-  for (const std::vector<State> &of_outlet : states)
-    for (const State &state : of_outlet)
-      for (const Level level : levels)
-        values.insert(values.end(), (state.*level).begin(), (state.*level).end());
-  if (!values.empty())
-    archive.add(name, values);
-}
-
-template <int dim>
-void OutletCoupling<dim>::load_numbers(const ArchiveReader &archive,
-                                       const std::string &name,
-                                       const std::vector<Level> &levels)
-{
-  std::vector<double *> entries;
-  for (std::vector<State> &of_outlet : states)
-    for (State &state : of_outlet)
-      for (const Level level : levels)
-        for (double &entry : state.*level)
-          entries.push_back(&entry);
-  if (entries.empty())
-    return;
-  const std::vector<double> values = archive.values(name);
-  if (values.size() != entries.size())
-    throw RunError("the checkpoint's outlets are those of another version of the program");
-  for (std::size_t i = 0; i < entries.size(); ++i)
-    *entries[i] = values[i];
+  for (unsigned int o = 0; o < states.size(); ++o)
+    for (unsigned int k = 0; k < states[o].size(); ++k)
+    {
+      State &state = states[o][k];
+      visitor.levels({"outlet", o, k}, state.present.begin(), state.older.begin(),
+                     state.present.size());
+    }
 }
 
 template class OutletCoupling<2>;

@@ -1,8 +1,8 @@
 #include <continua/finite_element/taylor_hood_solver.h>
 
 #include <continua/base/input_error.h>
+#include <continua/continuum/state_vectors.h>
 #include <continua/continuum/step_extremes.h>
-#include <continua/continuum/vector_numbering.h>
 #include <continua/finite_element/initial_state.h>
 #include <continua/finite_element/kelly_indicator.h>
 #include <continua/finite_element/taylor_hood_vibration.h>
@@ -69,13 +69,13 @@ void TaylorHoodSolver<dim>::setup()
   system.reinit();
   outlets.build();
   power_ledger.reinit();
-  for (DistributedVector *vector :
-       {&velocity, &velocity_older, &balanced.velocity, &balanced.acceleration, &prescribed,
-        &balanced.prescribed, &momentum, &velocity_work, &mixture})
+  for (DistributedVector *vector : {&balanced.velocity, &balanced.acceleration, &prescribed,
+                                    &balanced.prescribed, &momentum, &velocity_work, &mixture})
     *vector = space.velocity_vector();
-  for (DistributedVector *vector : {&pressure, &pressure_older, &balanced.pressure, &pressure_known,
-                                    &mass, &pressure_work, &mass_work})
+  for (DistributedVector *vector : {&balanced.pressure, &mass, &pressure_work, &mass_work})
     *vector = space.pressure_vector();
+  StateSizes sizes(velocity_work, pressure_work);
+  visit(sizes);
 
   // A pressure that no compressible material touches follows from the constraint alone.
   DistributedVector compressible = space.pressure_vector();
@@ -388,14 +388,14 @@ void TaylorHoodSolver<dim>::return_to_kept_state()
 template <int dim>
 void TaylorHoodSolver<dim>::visit(StateVisitor &visitor)
 {
-  visitor.levels(velocity, velocity_older);
-  visitor.levels(pressure, pressure_older);
+  visitor.levels("velocity", StateKind::velocity, velocity, velocity_older);
+  visitor.levels("pressure", StateKind::pressure, pressure, pressure_older);
   history.visit(visitor);
   bulk_history.visit(visitor);
   outlets.visit(visitor);
-  visitor.values(pressure_known);
-  visitor.value(pressure_known_time);
-  visitor.value(present_time);
+  visitor.vector("known pressure", StateKind::pressure, pressure_known);
+  visitor.value("time of the known pressure", pressure_known_time);
+  visitor.value("present time", present_time);
 }
 
 template <int dim>
@@ -483,95 +483,43 @@ void TaylorHoodSolver<dim>::indicators(const IndicatorRequest &request, Vector<f
 }
 
 template <int dim>
-std::vector<DistributedVector *> TaylorHoodSolver<dim>::velocity_vectors()
-{
-  std::vector<DistributedVector *> vectors = history.vectors();
-  vectors.push_back(&velocity);
-  vectors.push_back(&velocity_older);
-  return vectors;
-}
-
-template <int dim>
-std::vector<DistributedVector *> TaylorHoodSolver<dim>::pressure_vectors()
-{
-  std::vector<DistributedVector *> vectors = bulk_history.vectors();
-  vectors.insert(vectors.end(), {&pressure, &pressure_older, &pressure_known});
-  return vectors;
-}
-
-template <int dim>
 void TaylorHoodSolver<dim>::prepare_refinement()
 {
-  mesh_transfer.prepare(velocity_vectors(), pressure_vectors());
+  StateVectors vectors;
+  visit(vectors);
+  mesh_transfer.prepare(vectors.velocities, vectors.pressures);
 }
 
 template <int dim>
 void TaylorHoodSolver<dim>::transfer()
 {
   setup();
-  mesh_transfer.finish(velocity_vectors(), pressure_vectors());
-  for ([[maybe_unused]] const DistributedVector *vector : velocity_vectors())
+  StateVectors vectors;
+  visit(vectors);
+  mesh_transfer.finish(vectors.velocities, vectors.pressures);
+  for ([[maybe_unused]] const DistributedVector *vector : vectors.velocities)
     Assert(have_same_layout(*vector, space.velocity_vector()), ExcInternalError());
-  for ([[maybe_unused]] const DistributedVector *vector : pressure_vectors())
+  for ([[maybe_unused]] const DistributedVector *vector : vectors.pressures)
     Assert(have_same_layout(*vector, space.pressure_vector()), ExcInternalError());
+}
+
+template <int dim>
+StateNumbering TaylorHoodSolver<dim>::numbering() const
+{
+  return {VectorNumbering(space.communicator, "velocity", numbers_of_dofs(space.velocity_dofs)),
+          VectorNumbering(space.communicator, "pressure", numbers_of_dofs(space.pressure_dofs))};
 }
 
 template <int dim>
 void TaylorHoodSolver<dim>::save(ArchiveWriter &archive) const
 {
-  archive.add("present time", present_time);
-  archive.add("time of the known pressure", pressure_known_time);
-  const VectorNumbering velocities(space.communicator, "velocity",
-                                   numbers_of_dofs(space.velocity_dofs));
-  const VectorNumbering pressures(space.communicator, "pressure",
-                                  numbers_of_dofs(space.pressure_dofs));
-  velocities.save(archive);
-  pressures.save(archive);
-  velocities.save(archive, "velocity", velocity);
-  velocities.save(archive, "velocity older", velocity_older);
-  pressures.save(archive, "pressure", pressure);
-  pressures.save(archive, "pressure older", pressure_older);
-  pressures.save(archive, "pressure known", pressure_known);
-  history.save(archive, velocities);
-  bulk_history.save(archive, pressures);
-  outlets.save(archive);
-  kept.save(archive,
-            [&]
-            {
-              velocities.save(archive, "velocity eldest", velocity_older);
-              pressures.save(archive, "pressure eldest", pressure_older);
-              history.save_older(archive, velocities, "eldest");
-              bulk_history.save_older(archive, pressures, "eldest");
-              outlets.save_older(archive, "eldest");
-            });
+  save_state(archive, numbering(), kept);
 }
 
 template <int dim>
 void TaylorHoodSolver<dim>::load(const ArchiveReader &archive)
 {
-  present_time = archive.value("present time");
-  pressure_known_time = archive.value("time of the known pressure");
-  const VectorNumbering velocities(space.communicator, "velocity",
-                                   numbers_of_dofs(space.velocity_dofs));
-  const VectorNumbering pressures(space.communicator, "pressure",
-                                  numbers_of_dofs(space.pressure_dofs));
-  kept.load(archive,
-            [&]
-            {
-              velocities.load(archive, "velocity eldest", velocity_older);
-              pressures.load(archive, "pressure eldest", pressure_older);
-              history.load_older(archive, velocities, "eldest");
-              bulk_history.load_older(archive, pressures, "eldest");
-              outlets.load_older(archive, "eldest");
-            });
-  velocities.load(archive, "velocity", velocity);
-  velocities.load(archive, "velocity older", velocity_older);
-  pressures.load(archive, "pressure", pressure);
-  pressures.load(archive, "pressure older", pressure_older);
-  pressures.load(archive, "pressure known", pressure_known);
-  history.load(archive, velocities);
-  bulk_history.load(archive, pressures);
-  outlets.load(archive);
+  load_state(archive, numbering(), kept);
 }
 
 template <int dim>

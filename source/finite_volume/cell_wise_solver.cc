@@ -1,8 +1,8 @@
 #include <continua/finite_volume/cell_wise_solver.h>
 
 #include <continua/base/input_error.h>
+#include <continua/continuum/state_vectors.h>
 #include <continua/continuum/step_extremes.h>
-#include <continua/continuum/vector_numbering.h>
 #include <continua/finite_volume/cell_initial_state.h>
 #include <continua/finite_volume/cell_kelly_indicator.h>
 #include <continua/finite_volume/cell_traction_jump.h>
@@ -129,13 +129,13 @@ void CellWiseSolver<dim>::setup()
   loaded_faces.reinit();
   power_ledger.reinit();
   for (DistributedVector *vector :
-       {&velocity, &velocity_older, &balanced.velocity, &balanced.acceleration,
-        &balanced.prescribed, &prescribed, &momentum, &velocity_work, &mixture})
+       {&balanced.velocity, &balanced.acceleration, &balanced.prescribed, &prescribed, &momentum,
+        &velocity_work, &mixture})
     *vector = space.velocity_vector();
-  for (DistributedVector *vector : {&pressure, &pressure_older, &balanced.pressure, &pressure_known,
-                                    &dilatation_rate, &mass, &pressure_work, &mass_work})
+  for (DistributedVector *vector : {&balanced.pressure, &mass, &pressure_work, &mass_work})
     *vector = space.pressure_vector();
-  displacement_levels.reinit(velocity);
+  StateSizes sizes(velocity_work, pressure_work);
+  visit(sizes);
   smallest_distance = std::numeric_limits<double>::max();
   for (const VolumeFace<dim> &surface : space.mesh.faces())
     smallest_distance = std::min(smallest_distance, surface.distance * surface.normal);
@@ -575,7 +575,9 @@ void CellWiseSolver<dim>::yield_to_forces()
   if (momentum.linfty_norm() == 0.)
     return;
   loaded_faces.respond(momentum, velocity_work, pressure_work);
-  for (DistributedVector *const vector : history.vectors())
+  StateVectors displacements;
+  history.visit(displacements);
+  for (DistributedVector *const vector : displacements.velocities)
     vector->add(1., velocity_work);
   if (!parameters.has_pressure())
     return;
@@ -665,17 +667,18 @@ void CellWiseSolver<dim>::return_to_kept_state()
 template <int dim>
 void CellWiseSolver<dim>::visit(StateVisitor &visitor)
 {
-  visitor.levels(velocity, velocity_older);
-  visitor.levels(pressure, pressure_older);
+  visitor.levels("velocity", StateKind::velocity, velocity, velocity_older);
+  visitor.levels("pressure", StateKind::pressure, pressure, pressure_older);
   history.visit(visitor);
   bulk_history.visit(visitor);
-  displacement_levels.visit(visitor);
-  visitor.values(dilatation_rate);
-  visitor.value(dilatation_rate_is_current);
-  visitor.values(pressure_known);
-  visitor.value(pressure_known_time);
-  visitor.value(pressure_is_current);
-  visitor.value(present_time);
+  if (formulation == Formulation::displacement)
+    displacement_levels.visit(visitor);
+  visitor.vector("rate of dilatation", StateKind::pressure, dilatation_rate);
+  visitor.value("rate of dilatation is current", dilatation_rate_is_current);
+  visitor.vector("known pressure", StateKind::pressure, pressure_known);
+  visitor.value("time of the known pressure", pressure_known_time);
+  visitor.value("pressure is current", pressure_is_current);
+  visitor.value("present time", present_time);
 }
 
 template <int dim>
@@ -763,14 +766,18 @@ void CellWiseSolver<dim>::indicators(const IndicatorRequest &request, Vector<flo
 template <int dim>
 void CellWiseSolver<dim>::prepare_refinement()
 {
-  cell_transfer.prepare(velocity_vectors(), pressure_vectors());
+  StateVectors vectors;
+  visit(vectors);
+  cell_transfer.prepare(vectors.velocities, vectors.pressures);
 }
 
 template <int dim>
 void CellWiseSolver<dim>::transfer()
 {
   setup();
-  cell_transfer.finish(velocity_vectors(), pressure_vectors());
+  StateVectors vectors;
+  visit(vectors);
+  cell_transfer.finish(vectors.velocities, vectors.pressures);
   pressure_is_current = parameters.has_pressure();
   balance_faces(present_time);
   // The flux corrections of the new mesh belong to the next step's equations.
@@ -787,81 +794,22 @@ double CellWiseSolver<dim>::error_norm(const std::string &field,
 }
 
 template <int dim>
-std::vector<DistributedVector *> CellWiseSolver<dim>::velocity_vectors()
+StateNumbering CellWiseSolver<dim>::numbering() const
 {
-  std::vector<DistributedVector *> vectors = history.vectors();
-  vectors.push_back(&velocity);
-  vectors.push_back(&velocity_older);
-  if (formulation == Formulation::displacement)
-    for (DistributedVector *const level : displacement_levels.vectors())
-      vectors.push_back(level);
-  return vectors;
-}
-
-template <int dim>
-std::vector<DistributedVector *> CellWiseSolver<dim>::pressure_vectors()
-{
-  std::vector<DistributedVector *> vectors = bulk_history.vectors();
-  vectors.insert(vectors.end(), {&pressure, &pressure_older, &pressure_known});
-  return vectors;
+  return {VectorNumbering(space.communicator, "velocity", space.velocities.numbers(dim)),
+          VectorNumbering(space.communicator, "pressure", space.pressures.numbers(1))};
 }
 
 template <int dim>
 void CellWiseSolver<dim>::save(ArchiveWriter &archive) const
 {
-  archive.add("present time", present_time);
-  archive.add("time of the known pressure", pressure_known_time);
-  const VectorNumbering velocities(space.communicator, "velocity", space.velocities.numbers(dim));
-  const VectorNumbering pressures(space.communicator, "pressure", space.pressures.numbers(1));
-  velocities.save(archive);
-  pressures.save(archive);
-  velocities.save(archive, "velocity", velocity);
-  velocities.save(archive, "velocity older", velocity_older);
-  pressures.save(archive, "pressure", pressure);
-  pressures.save(archive, "pressure older", pressure_older);
-  pressures.save(archive, "pressure known", pressure_known);
-  pressures.save(archive, "dilatation rate", dilatation_rate);
-  archive.add("dilatation rate is current",
-              static_cast<unsigned long>(dilatation_rate_is_current ? 1 : 0));
-  history.save(archive, velocities);
-  bulk_history.save(archive, pressures);
-  displacement_levels.save(archive, velocities);
-  kept.save(archive,
-            [&]
-            {
-              velocities.save(archive, "velocity eldest", velocity_older);
-              pressures.save(archive, "pressure eldest", pressure_older);
-              history.save_older(archive, velocities, "eldest");
-              bulk_history.save_older(archive, pressures, "eldest");
-            });
+  save_state(archive, numbering(), kept);
 }
 
 template <int dim>
 void CellWiseSolver<dim>::load(const ArchiveReader &archive)
 {
-  present_time = archive.value("present time");
-  pressure_known_time = archive.value("time of the known pressure");
-  const VectorNumbering velocities(space.communicator, "velocity", space.velocities.numbers(dim));
-  const VectorNumbering pressures(space.communicator, "pressure", space.pressures.numbers(1));
-  kept.load(archive,
-            [&]
-            {
-              velocities.load(archive, "velocity eldest", velocity_older);
-              pressures.load(archive, "pressure eldest", pressure_older);
-              history.load_older(archive, velocities, "eldest");
-              bulk_history.load_older(archive, pressures, "eldest");
-            });
-  velocities.load(archive, "velocity", velocity);
-  velocities.load(archive, "velocity older", velocity_older);
-  pressures.load(archive, "pressure", pressure);
-  pressures.load(archive, "pressure older", pressure_older);
-  pressures.load(archive, "pressure known", pressure_known);
-  pressures.load(archive, "dilatation rate", dilatation_rate);
-  dilatation_rate_is_current = archive.integer("dilatation rate is current") == 1;
-  history.load(archive, velocities);
-  bulk_history.load(archive, pressures);
-  displacement_levels.load(archive, velocities);
-  pressure_is_current = parameters.has_pressure();
+  load_state(archive, numbering(), kept);
 }
 
 template <int dim>

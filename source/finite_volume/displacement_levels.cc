@@ -1,18 +1,9 @@
 #include <continua/finite_volume/displacement_levels.h>
 
-#include <continua/continuum/vector_numbering.h>
-
 #include <cmath>
-#include <string>
 
 namespace Continua
 {
-void DisplacementLevels::reinit(const DistributedVector &displacement)
-{
-  for (DistributedVector &level : levels)
-    level.reinit(displacement);
-}
-
 void DisplacementLevels::start(const DistributedVector &displacement,
                                const DistributedVector &velocity,
                                const double size)
@@ -69,32 +60,11 @@ void DisplacementLevels::advance(const Step &step, const DistributedVector &disp
   levels[0].equ(1., displacement);
 }
 
-std::vector<DistributedVector *> DisplacementLevels::vectors()
-{
-  return {&levels[0], &levels[1], &levels[2]};
-}
-
 void DisplacementLevels::visit(StateVisitor &visitor)
 {
-  for (DistributedVector &level : levels)
-    visitor.values(level);
-  visitor.value(size_old);
-  visitor.value(n_equal);
-}
-
-void DisplacementLevels::save(ArchiveWriter &archive, const VectorNumbering &numbering) const
-{
-  archive.add("displacement levels: distance", size_old);
-  archive.add("displacement levels: number", static_cast<unsigned long>(n_equal));
   for (unsigned int i = 0; i < levels.size(); ++i)
-    numbering.save(archive, "displacement level " + std::to_string(i), levels[i]);
-}
-
-void DisplacementLevels::load(const ArchiveReader &archive, const VectorNumbering &numbering)
-{
-  size_old = archive.value("displacement levels: distance");
-  n_equal = archive.integer("displacement levels: number");
-  for (unsigned int i = 0; i < levels.size(); ++i)
-    numbering.load(archive, "displacement level " + std::to_string(i), levels[i]);
+    visitor.vector({"displacement level", i}, StateKind::velocity, levels[i]);
+  visitor.value("distance of displacement levels", size_old);
+  visitor.value("number of displacement levels", n_equal);
 }
 } // namespace Continua

@@ -118,7 +118,7 @@ UNIT_TEST(archive)
              "not an archive of Continua");
   std::string newer = good;
   newer[16] = 3;
-  unreadable("newer format", newer, "format 3; this program reads format 2");
+  unreadable("newer format", newer, "format 4; this program reads format 3");
   check::throws<RunError>(
       "no file", []() { ArchiveReader missing("no-such-file"); }, "'no-such-file'.*No such file");
   check::throws<RunError>(

@@ -2,6 +2,7 @@
 // and where they live.
 
 #include <continua/continuum/branch_history.h>
+#include <continua/continuum/state_vectors.h>
 
 #include "../unit_test.h"
 
@@ -32,7 +33,10 @@ UNIT_TEST(branch_history)
   materials[2].viscosity = 1.;
   BranchHistory history(materials);
   history.reinit(prototype, nodes);
-  check::is_true("equal relaxation times share a vector", history.vectors().size() == 2 * 2);
+  StateVectors vectors;
+  history.visit(vectors);
+  check::is_true("equal relaxation times share a vector",
+                 vectors.velocities.size() == 2 * 2 && vectors.pressures.empty());
 
   DistributedVector velocity = prototype, mixture = velocity, work = velocity;
   velocity = 2.;
@@ -89,7 +93,9 @@ UNIT_TEST(branch_history)
   check::absolute("forgotten in it", work.linfty_norm(), 2. - (after - before) / 5., 1e-14);
 
   // What is set from outside, after a change of the mesh, is what the next step starts from.
-  *history.vectors()[2] = 0.25;
+  StateVectors carried;
+  history.visit(carried);
+  *carried.velocities[2] = 0.25;
   mixture = 0.;
   history.predict(1, euler_step(5.5, 0.5, Update::implicit), velocity, mixture);
   check::absolute("set from outside", mixture.linfty_norm(), 11. * 0.25 / 2., 1e-14);

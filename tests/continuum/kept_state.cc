@@ -5,9 +5,12 @@
 // and loaded goes on to the same numbers.
 
 #include <continua/continuum/kept_state.h>
+#include <continua/continuum/state_archive.h>
 #include <continua/time_integration/time_control.h>
 
 #include "../unit_test.h"
+
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <functional>
@@ -28,9 +31,9 @@ struct Oscillators
   std::vector<double> predicted_error = u;
   KeptState kept{[this](StateVisitor &visitor)
                  {
-                   visitor.levels(u.data(), u_older.data(), u.size());
-                   visitor.levels(d.data(), d_older.data(), d.size());
-                   visitor.value(time);
+                   visitor.levels("u", u.data(), u_older.data(), u.size());
+                   visitor.levels("d", d.data(), d_older.data(), d.size());
+                   visitor.value("now", time);
                  }};
   double angular(const unsigned int i) const { return i == 0 ? 3. : 50.; }
   double damping(const unsigned int i) const { return i == 0 ? 0. : 40.; }
@@ -69,34 +72,14 @@ struct Oscillators
         (predicted_error[0] * predicted_error[0] + predicted_error[1] * predicted_error[1]) /
         2509.);
   }
-  void save(ArchiveWriter &archive)
+  /// It has no vectors that ranks share.
+  static StateNumbering numbering()
   {
-    archive.add("u", u);
-    archive.add("u older", u_older);
-    archive.add("d", d);
-    archive.add("d older", d_older);
-    archive.add("now", time);
-    kept.save(archive,
-              [&]
-              {
-                archive.add("u eldest", u_older);
-                archive.add("d eldest", d_older);
-              });
+    return {VectorNumbering(MPI_COMM_WORLD, "velocity", {}),
+            VectorNumbering(MPI_COMM_WORLD, "pressure", {})};
   }
-  void load(const ArchiveReader &archive)
-  {
-    kept.load(archive,
-              [&]
-              {
-                u_older = archive.values("u eldest");
-                d_older = archive.values("d eldest");
-              });
-    u = archive.values("u");
-    u_older = archive.values("u older");
-    d = archive.values("d");
-    d_older = archive.values("d older");
-    time = archive.value("now");
-  }
+  void save(ArchiveWriter &archive) const { save_state(archive, numbering(), kept); }
+  void load(const ArchiveReader &archive) { load_state(archive, numbering(), kept); }
 };
 
 TimeParameters adaptive(const std::string &scheme, const double tolerance)
@@ -148,6 +131,7 @@ Run run(const std::string &scheme, const double tolerance)
 
 UNIT_TEST(kept_state)
 {
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   {
     Oscillators body;
     TimeControl control(adaptive("backward differencing", 1e-3));

@@ -1,6 +1,7 @@
 // Derivatives over the levels of the displacement: Euler's is exact for a parabola, the four levels
 // for a cubic, and a step of another size falls back to Euler until four levels are there again.
 
+#include <continua/continuum/state_vectors.h>
 #include <continua/finite_volume/displacement_levels.h>
 
 #include "../unit_test.h"
@@ -25,7 +26,8 @@ UNIT_TEST(displacement_levels)
   const auto set = [](DistributedVector &vector, const double number) { vector = number; };
 
   DisplacementLevels levels;
-  levels.reinit(value);
+  StateSizes sizes(value, value);
+  levels.visit(sizes);
   check::is_true("no levels at first", !levels.is_started());
   set(value, 1.);
   set(speed, 4.);
@@ -40,7 +42,7 @@ UNIT_TEST(displacement_levels)
   // Known levels of the cubic at 0, 0.1, 0.2, 0.3 s.
   double t = 0.;
   set(value, cubic(t));
-  levels.reinit(value);
+  levels.visit(sizes);
   set(speed, 0.);
   levels.start(value, speed, 0.1);
   for (unsigned int i = 0; i < 3; ++i)

@@ -1,14 +1,11 @@
 #ifndef continua_continuum_branch_history_h
 #define continua_continuum_branch_history_h
 
-#include <continua/base/archive.h>
 #include <continua/continuum/state_visitor.h>
-#include <continua/continuum/vector_numbering.h>
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/materials/material.h>
 #include <continua/time_integration/step.h>
 
-#include <string>
 #include <vector>
 
 namespace Continua
@@ -73,21 +70,9 @@ public:
   /// Relaxation times for which the step takes the exponential update.
   std::vector<double> exponential_branches(const Step &step) const;
 
-  /// All vectors that a change of the mesh must carry over. They may be set until the next call of
-  /// another function.
-  std::vector<DistributedVector *> vectors();
-  /// Hands over all that a step changes.
+  /// Hands over all that a step changes. What a visitor that takes vectors sets in them is what the
+  /// next step starts from.
   void visit(StateVisitor &visitor);
-  /// `numbering`: of the entries of its vectors.
-  void save(ArchiveWriter &archive, const VectorNumbering &numbering) const;
-  void load(const ArchiveReader &archive, const VectorNumbering &numbering);
-  /// What was one step before, alone and under this name.
-  void save_older(ArchiveWriter &archive,
-                  const VectorNumbering &numbering,
-                  const std::string &name) const;
-  void load_older(const ArchiveReader &archive,
-                  const VectorNumbering &numbering,
-                  const std::string &name);
 
 private:
   struct Branch

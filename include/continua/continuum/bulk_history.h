@@ -1,14 +1,11 @@
 #ifndef continua_continuum_bulk_history_h
 #define continua_continuum_bulk_history_h
 
-#include <continua/base/archive.h>
 #include <continua/continuum/state_visitor.h>
-#include <continua/continuum/vector_numbering.h>
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/materials/material.h>
 #include <continua/time_integration/step.h>
 
-#include <string>
 #include <vector>
 
 namespace Continua
@@ -63,20 +60,8 @@ public:
     return of_region[region].dilatations[branch].present;
   }
 
-  /// All vectors that a change of the mesh must carry over.
-  std::vector<DistributedVector *> vectors();
   /// Hands over all that a step changes.
   void visit(StateVisitor &visitor);
-  /// `numbering`: of the entries of its vectors.
-  void save(ArchiveWriter &archive, const VectorNumbering &numbering) const;
-  void load(const ArchiveReader &archive, const VectorNumbering &numbering);
-  /// What was one step before, alone and under this name.
-  void save_older(ArchiveWriter &archive,
-                  const VectorNumbering &numbering,
-                  const std::string &name) const;
-  void load_older(const ArchiveReader &archive,
-                  const VectorNumbering &numbering,
-                  const std::string &name);
 
 private:
   struct Dilatation
@@ -92,13 +77,6 @@ private:
   };
   const std::vector<Material> &materials;
   std::vector<Region> of_region;
-
-  /// Calls function(name, vector) for all that makes the state; `regions` is of_region.
-  template <typename Regions, typename Function>
-  static void for_state(Regions &regions, const Function &function);
-  /// The same for what was one step before, the names without " older".
-  template <typename Regions, typename Function>
-  static void for_older(Regions &regions, const Function &function);
 };
 } // namespace Continua
 

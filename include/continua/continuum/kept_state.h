@@ -42,11 +42,13 @@ public:
   /// state has them.
   void velocity_error(const double *velocity, double *error, std::size_t n) const;
 
-  /// What a step after a restart needs of it, bit by bit; nothing if it is not in use. The
-  /// functions save and load the older level of the state: it has the eldest one in its place for
-  /// as long. Load before the state itself.
-  void save(ArchiveWriter &archive, const std::function<void()> &save_older) const;
-  void load(const ArchiveReader &archive, const std::function<void()> &load_older);
+  /// Hands the state itself to a visitor.
+  void visit(StateVisitor &visitor) const { state(visitor); }
+  /// What a step after a restart needs of what is kept, bit by bit; nothing if it is not in use.
+  /// The visitors save and load the older level of the state: it has the eldest one in its place
+  /// for as long. Load before the state itself.
+  void save(ArchiveWriter &archive, StateVisitor &save_older) const;
+  void load(const ArchiveReader &archive, StateVisitor &load_older);
 
 private:
   /// The numbers of all levels, one after the other: at the present time when they were kept, one

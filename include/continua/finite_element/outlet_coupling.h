@@ -1,7 +1,6 @@
 #ifndef continua_finite_element_outlet_coupling_h
 #define continua_finite_element_outlet_coupling_h
 
-#include <continua/base/archive.h>
 #include <continua/continuum/continuum_solver.h>
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state_visitor.h>
@@ -90,11 +89,6 @@ public:
 
   /// Hands over all that a step changes.
   void visit(StateVisitor &visitor);
-  void save(ArchiveWriter &archive) const;
-  void load(const ArchiveReader &archive);
-  /// What was one step before, alone and under this name.
-  void save_older(ArchiveWriter &archive, const std::string &name) const;
-  void load_older(const ArchiveReader &archive, const std::string &name);
 
 private:
   /// The entries of an owned vector that are not zero, by local index.
@@ -105,7 +99,6 @@ private:
     dealii::Vector<double> present, older, balanced;
     dealii::Vector<double> rate; ///< dx_k/dt as the step has it [m^3/s]
   };
-  using Level = dealii::Vector<double> State::*;
   struct Port
   {
     unsigned int outlet;
@@ -133,13 +126,6 @@ private:
   // Work space of the step.
   std::vector<double> sums, coefficients; ///< of x_k, by outlet and term
   dealii::Vector<double> outputs, rhs, inputs, predicted;
-
-  void save_numbers(ArchiveWriter &archive,
-                    const std::string &name,
-                    const std::vector<Level> &levels) const;
-  void load_numbers(const ArchiveReader &archive,
-                    const std::string &name,
-                    const std::vector<Level> &levels);
   static Sparse sparse(const DistributedVector &vector);
   static double product(const Sparse &sparse, const DistributedVector &vector);
   /// This rank's part of what a port gives back.

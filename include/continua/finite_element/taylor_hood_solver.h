@@ -7,6 +7,7 @@
 #include <continua/continuum/continuum_solver.h>
 #include <continua/continuum/kept_state.h>
 #include <continua/continuum/problem.h>
+#include <continua/continuum/state_archive.h>
 #include <continua/finite_element/boundary_constraints.h>
 #include <continua/finite_element/field_evaluation.h>
 #include <continua/finite_element/field_output.h>
@@ -110,14 +111,14 @@ private:
   KeptState kept;
 
   void setup();
+  /// The list of the state: what is added here is saved, kept, given back and carried over.
   void visit(StateVisitor &visitor);
   void set_coefficients(const Step &step);
   void report_exponential_branches(const Step &step);
   void report_linear_solver();
   void extrapolate_pressure(const Step &step);
   State state() const;
-  std::vector<DistributedVector *> velocity_vectors();
-  std::vector<DistributedVector *> pressure_vectors();
+  StateNumbering numbering() const;
 };
 } // namespace Continua
 

@@ -8,6 +8,7 @@
 #include <continua/continuum/kept_state.h>
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state.h>
+#include <continua/continuum/state_archive.h>
 #include <continua/finite_volume/cell_evaluation.h>
 #include <continua/finite_volume/cell_loads.h>
 #include <continua/finite_volume/cell_output.h>
@@ -111,6 +112,7 @@ private:
   KeptState kept;
 
   void setup();
+  /// The list of the state: what is added here is saved, kept, given back and carried over.
   void visit(StateVisitor &visitor);
   /// The step with the pressure's own update, where one is asked for.
   Step with_pressure_update(const Step &step) const;
@@ -136,8 +138,7 @@ private:
   /// Of the forces in `momentum`.
   void yield_to_forces();
   State state() const;
-  std::vector<DistributedVector *> velocity_vectors();
-  std::vector<DistributedVector *> pressure_vectors();
+  StateNumbering numbering() const;
 };
 } // namespace Continua
 

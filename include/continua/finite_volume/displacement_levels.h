@@ -1,14 +1,11 @@
 #ifndef continua_finite_volume_displacement_levels_h
 #define continua_finite_volume_displacement_levels_h
 
-#include <continua/base/archive.h>
 #include <continua/continuum/state_visitor.h>
-#include <continua/continuum/vector_numbering.h>
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/time_integration/step.h>
 
 #include <array>
-#include <vector>
 
 namespace Continua
 {
@@ -30,9 +27,6 @@ public:
     std::array<double, 3> first_known{};
   };
 
-  /// All levels of that size; what distance they have stays, since a change of the mesh carries
-  /// them over.
-  void reinit(const DistributedVector &displacement);
   bool is_started() const { return size_old > 0.; }
   /// All levels from the present one and its velocity: the body moved uniformly before.
   void start(const DistributedVector &displacement, const DistributedVector &velocity, double size);
@@ -44,12 +38,8 @@ public:
   /// Takes the displacement of the end of the step as the newest level.
   void advance(const Step &step, const DistributedVector &displacement);
 
-  std::vector<DistributedVector *> vectors();
   /// Hands over all that a step changes.
   void visit(StateVisitor &visitor);
-  /// `numbering`: of the entries of its vectors.
-  void save(ArchiveWriter &archive, const VectorNumbering &numbering) const;
-  void load(const ArchiveReader &archive, const VectorNumbering &numbering);
 
 private:
   std::array<DistributedVector, 3> levels; ///< the newest first
