@@ -1,4 +1,5 @@
-// A state that is listed once: what its visitors size, carry over, save and load, by name and kind, and what an archive lacks.
+// A state that is listed once: what its visitors size, carry over, save and load, by name and kind,
+// and what an archive lacks.
 
 #include <continua/base/input_error.h>
 #include <continua/continuum/state_archive.h>
@@ -111,7 +112,8 @@ UNIT_TEST(state_archive)
   const std::string file = "state_archive.archive";
   ArchiveWriter writer;
   save_state(writer, numbering(), body.kept);
-  const std::string piece = file + "-" + std::to_string(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
+  const std::string piece =
+      file + "-" + std::to_string(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
   writer.piece().write(piece);
   if (is_first)
     writer.write(file);
@@ -129,8 +131,8 @@ UNIT_TEST(state_archive)
   other.visit(sizes);
   const ArchiveReader reader = open();
   load_state(reader, numbering(), other.kept);
-  check::is_true("vectors", is(other.velocity, 2.) && is(other.velocity_older, 3.) &&
-                                is(other.pressure, 5.));
+  check::is_true("vectors",
+                 is(other.velocity, 2.) && is(other.velocity_older, 3.) && is(other.pressure, 5.));
   check::is_true("numbers of an outlet",
                  other.outlet == body.outlet && other.outlet_older == body.outlet_older);
   check::is_true("a number and a flag", other.time == 0.1 && other.is_current);

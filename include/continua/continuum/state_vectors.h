@@ -7,8 +7,8 @@
 
 namespace Continua
 {
-/// Gives the vectors of the state the layout of the present mesh, and zeros. Histories must know the
-/// mesh already.
+/// Gives the vectors of the state the layout of the present mesh, and zeros. Histories must know
+/// the mesh already.
 class StateSizes : public StateVisitor
 {
 public:
