@@ -88,7 +88,7 @@ def compose(sheet, run, picture, folder, at):
     factor, unit = plot_style.readable(max(abs(low), abs(high)), unit)
     left, right, bottom, top = picture["extent"]
     shape = (top - bottom) * picture["stretch"] / (right - left)
-    figure, axes = plt.subplots(figsize=(sheet.width, 0.82 * sheet.width * shape + ROOM), constrained_layout=True)
+    figure, axes = plt.subplots(figsize=(sheet.width, 0.95 * sheet.width * shape + ROOM), constrained_layout=True)
     colours = matplotlib.colormaps["viridis"]
     scale = plt.Normalize(low * factor, high * factor if high > low else low * factor + 1)
     image = os.path.join(folder, "picture.png")
