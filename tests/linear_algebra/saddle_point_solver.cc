@@ -68,8 +68,11 @@ struct System
   }
 
   /// Starts from `guess` and leaves the solution there.
-  KrylovReport
-  solve(const List &momentum, const List &mass, List &guess, const unsigned int maximum = 50)
+  KrylovReport solve(const List &momentum,
+                     const List &mass,
+                     List &guess,
+                     const unsigned int maximum = 50,
+                     const double tolerance = 1e-13)
   {
     List of_velocity(n_velocities), of_pressure(n_pressures);
     std::copy_n(guess.begin(), n_velocities, of_velocity.begin());
@@ -80,7 +83,7 @@ struct System
     solver.reinit(blocks);
     const KrylovReport report =
         solver.solve(blocks, *velocity_inverse, *schur_complement, weights, distributed(momentum),
-                     distributed(mass), u, p, 1e-13, maximum);
+                     distributed(mass), u, p, tolerance, maximum);
     of_velocity = gathered(u);
     of_pressure = gathered(p);
     std::copy(of_velocity.begin(), of_velocity.end(), guess.begin());
@@ -135,6 +138,15 @@ UNIT_TEST(saddle_point_solver)
   for (unsigned int i = 0; i < n_velocities; ++i)
     inertia(i, i) = 1. + 0.5 * i;
   check_system("inertia", inertia, 0.3, 0., 3);
+  {
+    System exact_inverses(inertia, 0.3, 0.);
+    List found(n_velocities + n_pressures);
+    check::absolute(
+        "inertia: iterations to 1e-10",
+        exact_inverses.solve(numbers(n_velocities), numbers(n_pressures, 2), found, 50, 1e-10)
+            .iterations,
+        2., 0.);
+  }
   const Full springs = chain(n_velocities, 100., 1.);
   const unsigned int n_unknowns = n_velocities + n_pressures;
   check_system("springs", springs, 0.3, 0., n_unknowns);
