@@ -2,27 +2,9 @@
 
 namespace Continua
 {
-void StateSizes::levels(const StateName &name,
-                        const StateKind kind,
-                        DistributedVector &present,
-                        DistributedVector &older)
-{
-  vector(name, kind, present);
-  vector(name, kind, older);
-}
-
 void StateSizes::vector(const StateName &, const StateKind kind, DistributedVector &vector)
 {
   vector.reinit(kind == StateKind::velocity ? velocity : pressure);
-}
-
-void StateVectors::levels(const StateName &name,
-                          const StateKind kind,
-                          DistributedVector &present,
-                          DistributedVector &older)
-{
-  vector(name, kind, present);
-  vector(name, kind, older);
 }
 
 void StateVectors::vector(const StateName &, const StateKind kind, DistributedVector &vector)

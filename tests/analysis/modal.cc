@@ -15,20 +15,35 @@ using namespace Continua;
 
 namespace
 {
-/// The frequencies [Hz] that Modal finds, in its order.
+/// A parameter file's modal analysis, performed.
+struct Analysis
+{
+  explicit Analysis(const std::string &text)
+      : file(parameters_of(text)),
+        input(file, MPI_COMM_WORLD, false),
+        directory("modal", OutputDirectory::Mode::overwrite, MPI_COMM_WORLD),
+        log(MPI_COMM_WORLD, false),
+        run(input, file, command_line, directory, log)
+  {
+    Modal<2>(run).perform();
+  }
+
+  ParameterFile file;
+  Case<2> input;
+  CommandLine command_line;
+  OutputDirectory directory;
+  Log log;
+  Run<2> run;
+};
+
+/// The frequencies [Hz] that it finds, in its order.
 std::vector<double> frequencies(const std::string &text)
 {
-  ParameterFile file = parameters_of(text);
-  Case<2> input(file, MPI_COMM_WORLD, false);
-  const CommandLine command_line;
-  const OutputDirectory directory("modal", OutputDirectory::Mode::overwrite, MPI_COMM_WORLD);
-  Log log(MPI_COMM_WORLD, false);
-  Run<2> run(input, file, command_line, directory, log);
-  Modal<2>(run).perform();
+  const Analysis analysis(text);
   std::vector<double> result;
   for (unsigned int k = 1;; ++k)
   {
-    const double value = quantity(run.summary, "mode " + std::to_string(k) + " frequency");
+    const double value = quantity(analysis.run.summary, "mode " + std::to_string(k) + " frequency");
     if (std::isnan(value))
       return result;
     result.push_back(value);
@@ -39,16 +54,11 @@ std::vector<double> frequencies(const std::string &text)
 UNIT_TEST(modal)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  ParameterFile file = parameters_of(
+  const Analysis analysis(
       column_text::column("modal", "subsection Modal\nset Number of modes = 3\nend\n"
                                    "subsection Probes\nsubsection end\nset Point = 1 m, 0.05 m\n"
                                    "set Fields = displacement x\nend\nend\n"));
-  Case<2> input(file, MPI_COMM_WORLD, false);
-  const CommandLine command_line;
-  const OutputDirectory directory("modal", OutputDirectory::Mode::overwrite, MPI_COMM_WORLD);
-  Log log(MPI_COMM_WORLD, false);
-  Run<2> run(input, file, command_line, directory, log);
-  Modal<2>(run).perform();
+  const Run<2> &run = analysis.run;
 
   const double first = column_text::wave_speed / 4.;
   for (unsigned int k = 1; k <= 3; ++k)
@@ -73,7 +83,7 @@ UNIT_TEST(modal)
   check::is_true("residual", quantity(run.summary, "largest residual") < 1e-8);
 
   // In the first mode the end moves by 1 m, the largest displacement of a shape.
-  const std::string table = read_text(directory.file("modes.csv"));
+  const std::string table = read_text(analysis.directory.file("modes.csv"));
   check::absolute("rows of modes.csv", std::count(table.begin(), table.end(), '\n'), 4., 0.);
   const std::size_t begin = table.find('\n') + 1;
   const std::string row = table.substr(begin, table.find('\n', begin) - begin);

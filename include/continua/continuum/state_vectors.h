@@ -7,9 +7,27 @@
 
 namespace Continua
 {
+/// A visitor to whom the state is its vectors, all alike; numbers are left as they are.
+class VectorsVisitor : public StateVisitor
+{
+public:
+  bool takes_vectors() const final { return true; }
+  void levels(const StateName &name,
+              const StateKind kind,
+              DistributedVector &present,
+              DistributedVector &older) final
+  {
+    vector(name, kind, present);
+    vector(name, kind, older);
+  }
+  void levels(const StateName &, double *, double *, std::size_t) final {}
+  using StateVisitor::value;
+  void value(const StateName &, double &) final {}
+};
+
 /// Gives the vectors of the state the layout of the present mesh, and zeros. Histories must know
 /// the mesh already.
-class StateSizes : public StateVisitor
+class StateSizes : public VectorsVisitor
 {
 public:
   /// Vectors of either kind on the present mesh.
@@ -17,35 +35,19 @@ public:
       : velocity(velocity), pressure(pressure)
   {
   }
-  bool takes_vectors() const override { return true; }
-  void levels(const StateName &name,
-              StateKind kind,
-              DistributedVector &present,
-              DistributedVector &older) override;
   void vector(const StateName &name, StateKind kind, DistributedVector &vector) override;
-  void levels(const StateName &, double *, double *, std::size_t) override {}
-  using StateVisitor::value;
-  void value(const StateName &, double &) override {}
 
 private:
   const DistributedVector &velocity, &pressure;
 };
 
 /// The vectors of the state, which a change of the mesh carries over.
-class StateVectors : public StateVisitor
+class StateVectors : public VectorsVisitor
 {
 public:
   std::vector<DistributedVector *> velocities, pressures;
 
-  bool takes_vectors() const override { return true; }
-  void levels(const StateName &name,
-              StateKind kind,
-              DistributedVector &present,
-              DistributedVector &older) override;
   void vector(const StateName &name, StateKind kind, DistributedVector &vector) override;
-  void levels(const StateName &, double *, double *, std::size_t) override {}
-  using StateVisitor::value;
-  void value(const StateName &, double &) override {}
 };
 } // namespace Continua
 
