@@ -9,7 +9,8 @@
 
 #include <continua/analysis/case.h>
 #include <continua/base/log.h>
-#include <continua/finite_element/taylor_hood_solver.h>
+#include <continua/continuum/discrete_continuum.h>
+#include <continua/finite_element/taylor_hood.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -51,7 +52,7 @@ private:
   Log log;
   ParameterFile file;
   Case<2> input;
-  std::unique_ptr<TaylorHoodSolver<2>> body;
+  std::unique_ptr<DiscreteContinuum<2>> body;
   unsigned int n_steps = 0;
   std::map<std::string, std::vector<double>> times;
 
@@ -98,8 +99,10 @@ Tube::Tube(const std::string &parameter_file, const Wall &wall)
       file(parameter_file, overrides(wall)),
       input(file, MPI_COMM_WORLD, false)
 {
-  body = std::make_unique<TaylorHoodSolver<2>>(*input.triangulation, input.problem,
-                                               input.discretisation.taylor_hood, log);
+  body = std::make_unique<DiscreteContinuum<2>>(
+      std::make_unique<TaylorHood<2>>(*input.triangulation, input.problem,
+                                      input.discretisation.taylor_hood, log),
+      input.problem, log);
   body->initialise();
   step(); // factors
 }

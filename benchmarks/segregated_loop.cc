@@ -10,7 +10,8 @@
 
 #include <continua/analysis/case.h>
 #include <continua/base/log.h>
-#include <continua/finite_volume/cell_wise_solver.h>
+#include <continua/continuum/discrete_continuum.h>
+#include <continua/finite_volume/cell_wise.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -41,7 +42,9 @@ measure(const std::string &source_directory, const std::string &cells, const std
                       "Cell-wise/Solution=" + solution, "Cell-wise/Tolerance=1e-8"});
   Log log(MPI_COMM_WORLD);
   Case<2> input(file, MPI_COMM_WORLD, false);
-  CellWiseSolver<2> body(*input.triangulation, input.problem, input.discretisation.cell_wise, log);
+  DiscreteContinuum<2> body(std::make_unique<CellWise<2>>(*input.triangulation, input.problem,
+                                                          input.discretisation.cell_wise, log),
+                            input.problem, log);
   body.initialise();
   const double size = input.time.time_step;
   unsigned int n_steps = 0;

@@ -11,7 +11,8 @@
 
 #include <continua/analysis/case.h>
 #include <continua/base/log.h>
-#include <continua/finite_element/taylor_hood_solver.h>
+#include <continua/continuum/discrete_continuum.h>
+#include <continua/finite_element/taylor_hood.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -170,7 +171,9 @@ Row Bench<dim>::measure(const std::string &solver, Triad &triad)
   parameters.linear_solver.type = "direct";
   parameters.linear_solver.direct_solver = solver;
   Log times_of_run(MPI_COMM_WORLD);
-  TaylorHoodSolver<dim> body(*input.triangulation, input.problem, parameters, times_of_run);
+  DiscreteContinuum<dim> body(std::make_unique<TaylorHood<dim>>(*input.triangulation, input.problem,
+                                                                parameters, times_of_run),
+                              input.problem, times_of_run);
   body.initialise();
   unsigned int n_steps = 0;
   const double first = processor_time([&]() { body.advance(step(n_steps++)); });

@@ -1,6 +1,7 @@
 #include <continua/analysis/discretisation.h>
 
-#include <continua/finite_volume/cell_wise_solver.h>
+#include <continua/continuum/discrete_continuum.h>
+#include <continua/finite_volume/cell_wise.h>
 
 namespace Continua
 {
@@ -51,10 +52,14 @@ make_solver(dealii::parallel::TriangulationBase<dim> &triangulation,
             const DiscretisationParameters &parameters,
             Log &log)
 {
+  std::unique_ptr<Discretisation<dim>> discretisation;
   if (parameters.is_cell_wise())
-    return std::make_unique<CellWiseSolver<dim>>(triangulation, problem, parameters.cell_wise, log);
-  return std::make_unique<TaylorHoodSolver<dim>>(triangulation, problem, parameters.taylor_hood,
-                                                 log);
+    discretisation =
+        std::make_unique<CellWise<dim>>(triangulation, problem, parameters.cell_wise, log);
+  else
+    discretisation =
+        std::make_unique<TaylorHood<dim>>(triangulation, problem, parameters.taylor_hood, log);
+  return std::make_unique<DiscreteContinuum<dim>>(std::move(discretisation), problem, log);
 }
 
 template std::unique_ptr<ContinuumSolver<2>> make_solver(dealii::parallel::TriangulationBase<2> &,

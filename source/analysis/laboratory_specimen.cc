@@ -1,4 +1,5 @@
 #include <continua/analysis/laboratory_specimen.h>
+#include <continua/finite_element/taylor_hood.h>
 #include <continua/mesh/box_geometry.h>
 
 namespace Continua
@@ -71,7 +72,9 @@ LaboratorySpecimen<dim>::LaboratorySpecimen(const Material &material,
       time_control(time),
       triangulation(make_mesh<dim>()),
       problem(make_problem<dim>(material, control, load)),
-      solver(*triangulation, problem, pivoting_solver(), log)
+      solver(std::make_unique<TaylorHood<dim>>(*triangulation, problem, pivoting_solver(), log),
+             problem,
+             log)
 {
   solver.initialise();
   for (const char *field : {"strain xx", "stress xx"})

@@ -302,8 +302,8 @@ void Modal<dim>::perform()
     normalise(pairs[k], input.communicator);
     Mode mode = describe(pairs[k], vibration->is_symmetric());
     vibration->set_shape(pairs[k].real, mode.eigenvalue.real());
-    const Energy energy = run.solver->energy();
-    mode.energy = energy.strain + energy.compressive;
+    // A shape has no velocity: all of it is that of springs and pressure.
+    mode.energy = run.solver->energy().sum();
     texts.push_back(text_of(k + 1, mode));
     run.log.line(texts.back());
     add_quantities(k + 1, mode);

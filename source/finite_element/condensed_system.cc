@@ -21,16 +21,6 @@ using namespace dealii;
 
 namespace
 {
-bool nearly_equal(const std::vector<double> &a, const std::vector<double> &b)
-{
-  if (a.size() != b.size())
-    return false;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (std::abs(a[i] - b[i]) > 1e-12 * std::abs(a[i]))
-      return false;
-  return true;
-}
-
 /// One row of a Trilinos matrix: calls function(global column, value).
 template <typename Function>
 void for_row(const TrilinosWrappers::SparseMatrix &matrix,
@@ -194,12 +184,6 @@ void for_entries(const Space<dim> &space,
   }
 }
 } // namespace
-
-bool SystemCoefficients::operator==(const SystemCoefficients &other) const
-{
-  return nearly_equal(mass, other.mass) && nearly_equal(stiffness, other.stiffness) &&
-         nearly_equal(compressibility, other.compressibility);
-}
 
 namespace
 {

@@ -1,14 +1,9 @@
 #include <continua/finite_element/loads.h>
 #include <continua/mesh/cells_in_tree_order.h>
 #include <continua/mesh/coordinates.h>
-#include <continua/signal/jump.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace Continua
 {
@@ -35,73 +30,10 @@ bool has_condition(const Cell &cell, const unsigned int face, const BoundaryCond
 } // namespace
 
 template <int dim>
-Loads<dim>::Loads(const Space<dim> &space, const Problem &problem) : space(space), problem(problem)
-{
-}
-
-template <int dim>
-void Loads<dim>::build()
-{
-  items.clear();
-  std::vector<Item> all;
-  for (unsigned int c = 0; c < problem.interior.body_force.size(); ++c)
-    all.push_back(
-        {&problem.interior.body_force[c], -1, false, static_cast<int>(c), 1., false, {}, {}});
-  for (unsigned int c = 0; c < problem.interior.acceleration.size(); ++c)
-    all.push_back(
-        {&problem.interior.acceleration[c], -1, false, static_cast<int>(c), 1., true, {}, {}});
-  for (unsigned int i = 0; i < problem.conditions.size(); ++i)
-    for (const bool normal_part : {true, false})
-    {
-      const BoundaryPart &part =
-          normal_part ? problem.conditions[i].normal : problem.conditions[i].tangential;
-      if (part.kind != BoundaryPart::Kind::traction)
-        continue;
-      for (unsigned int c = 0; c < part.vector.size(); ++c)
-        all.push_back({&part.vector[c],
-                       static_cast<int>(i),
-                       normal_part,
-                       static_cast<int>(c),
-                       1.,
-                       false,
-                       {},
-                       {}});
-      if (normal_part)
-        all.push_back({&part.along_normal,
-                       static_cast<int>(i),
-                       true,
-                       -1,
-                       part.negative ? -1. : 1.,
-                       false,
-                       {},
-                       {}});
-    }
-
-  constant = space.velocity_vector();
-  for (Item &item : all)
-  {
-    if (item.waveform->is_zero())
-      continue;
-    if (!item.waveform->depends_on_time())
-      assemble(item, item.waveform, 0., constant);
-    else
-    {
-      if (!item.waveform->depends_on_space())
-      {
-        item.unit = space.velocity_vector();
-        assemble(item, nullptr, 0., item.unit);
-      }
-      watch_points(item);
-      items.push_back(item);
-    }
-  }
-}
-
-template <int dim>
-void Loads<dim>::assemble(const Item &item,
-                          const Waveform *waveform,
-                          const double time,
-                          DistributedVector &target) const
+void Loads<dim>::integrate(const Item &item,
+                           const Waveform *waveform,
+                           const double time,
+                           DistributedVector &forces) const
 {
   const unsigned int n_velocity = space.velocity_element.n_dofs_per_cell();
   // Loads are given functions, so one point more than the operators have.
@@ -115,7 +47,7 @@ void Loads<dim>::assemble(const Item &item,
   std::vector<types::global_dof_index> indices(n_velocity);
 
   // Adds the integral over what `values` is initialised to.
-  const auto integrate = [&](const FEValuesBase<dim> &values, const double density)
+  const auto add_integral = [&](const FEValuesBase<dim> &values, const double density)
   {
     for (const unsigned int q : values.quadrature_point_indices())
     {
@@ -143,8 +75,8 @@ void Loads<dim>::assemble(const Item &item,
       {
         local = 0.;
         cell_values.reinit(cell);
-        integrate(cell_values,
-                  item.times_density ? problem.materials[cell->material_id()].density : 1.);
+        add_integral(cell_values,
+                     item.times_density ? problem.materials[cell->material_id()].density : 1.);
         touched = true;
       }
       else if (cell->at_boundary())
@@ -155,60 +87,30 @@ void Loads<dim>::assemble(const Item &item,
           if (has_condition(cell, f, condition))
           {
             face_values.reinit(cell, f);
-            integrate(face_values, 1.);
+            add_integral(face_values, 1.);
             touched = true;
           }
       }
       if (touched)
       {
         cell->get_dof_indices(indices);
-        space.velocity_hanging.distribute_local_to_global(local, indices, target);
+        space.velocity_hanging.distribute_local_to_global(local, indices, forces);
       }
     }
-  target.compress(VectorOperation::add);
-}
-
-template <int dim>
-void Loads<dim>::add(const double time, DistributedVector &residual) const
-{
-  residual.add(1., constant);
-  const double origin[3] = {0., 0., 0.};
-  for (const Item &item : items)
-    if (item.waveform->depends_on_space())
-      assemble(item, item.waveform, time, residual);
-    else
-      residual.add((*item.waveform)(origin, time), item.unit);
+  forces.compress(VectorOperation::add);
 }
 
 template <int dim>
 DistributedVector Loads<dim>::flow_of_velocities(const unsigned int condition) const
 {
   DistributedVector flow = space.velocity_vector();
-  assemble({nullptr, static_cast<int>(condition), true, -1, 1., false, {}, {}}, nullptr, 0., flow);
+  integrate(LoadList::along_normal(condition), nullptr, 0., flow);
   return flow;
 }
 
 template <int dim>
-bool Loads<dim>::jumps(const double begin, const double end) const
+std::vector<std::array<double, 3>> Loads<dim>::places(const Item &item) const
 {
-  bool found = false;
-  for (const Item &item : items)
-    for (const std::array<double, 3> &point : item.watched_points)
-      found = found ||
-              jumps_within([&](const double time) { return (*item.waveform)(point.data(), time); },
-                           begin, end);
-  return Utilities::MPI::max(found ? 1 : 0, space.communicator) == 1;
-}
-
-template <int dim>
-void Loads<dim>::watch_points(Item &item) const
-{
-  if (!item.waveform->depends_on_space())
-  {
-    item.watched_points.push_back({{0., 0., 0.}});
-    return;
-  }
-  constexpr unsigned int n_watched = 8;
   std::vector<std::array<double, 3>> points;
   for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
     if (cell->is_locally_owned())
@@ -220,9 +122,7 @@ void Loads<dim>::watch_points(Item &item) const
           if (has_condition(cell, f, problem.conditions[item.condition]))
             points.push_back(coordinates(cell->face(f)->center()));
     }
-  const std::size_t n_points = std::min<std::size_t>(n_watched, points.size());
-  for (std::size_t i = 0; i < n_points; ++i)
-    item.watched_points.push_back(points[i * points.size() / n_points]);
+  return points;
 }
 
 template <int dim>

@@ -38,7 +38,7 @@ TaylorHoodVibration<dim>::TaylorHoodVibration(const Space<dim> &space,
                                               const std::vector<RegionOperators> &operators,
                                               const BoundaryConstraints<dim> &constraints,
                                               StepSystem<dim> &system,
-                                              const State &state)
+                                              const VibratingState &state)
     : space(space),
       problem(problem),
       operators(operators),

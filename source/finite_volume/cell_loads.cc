@@ -1,76 +1,18 @@
 #include <continua/finite_volume/cell_loads.h>
 
 #include <continua/mesh/coordinates.h>
-#include <continua/signal/jump.h>
-
-#include <deal.II/base/mpi.h>
-
-#include <algorithm>
 
 namespace Continua
 {
 using namespace dealii;
 
 template <int dim>
-CellLoads<dim>::CellLoads(const CellSpace<dim> &space,
-                          const Problem &problem,
-                          const FaceConditions<dim> &face_conditions)
-    : space(space), problem(problem), face_conditions(face_conditions)
-{
-}
-
-template <int dim>
-void CellLoads<dim>::build()
-{
-  items.clear();
-  std::vector<Item> all;
-  const auto item = [](const Waveform &waveform, const int condition, const bool normal_part,
-                       const int component, const double sign, const bool times_density)
-  { return Item{&waveform, condition, normal_part, component, sign, times_density, {}, {}}; };
-  for (unsigned int c = 0; c < problem.interior.body_force.size(); ++c)
-    all.push_back(item(problem.interior.body_force[c], -1, false, c, 1., false));
-  for (unsigned int c = 0; c < problem.interior.acceleration.size(); ++c)
-    all.push_back(item(problem.interior.acceleration[c], -1, false, c, 1., true));
-  for (unsigned int i = 0; i < problem.conditions.size(); ++i)
-    for (const bool normal_part : {true, false})
-    {
-      const BoundaryPart &part =
-          normal_part ? problem.conditions[i].normal : problem.conditions[i].tangential;
-      if (part.kind != BoundaryPart::Kind::traction)
-        continue;
-      for (unsigned int c = 0; c < part.vector.size(); ++c)
-        all.push_back(item(part.vector[c], i, normal_part, c, 1., false));
-      if (normal_part)
-        all.push_back(item(part.along_normal, i, true, -1, part.negative ? -1. : 1., false));
-    }
-
-  constant = space.velocity_vector();
-  for (Item &candidate : all)
-  {
-    if (candidate.waveform->is_zero())
-      continue;
-    if (!candidate.waveform->depends_on_time())
-    {
-      integrate(candidate, candidate.waveform, 0., constant);
-      continue;
-    }
-    if (!candidate.waveform->depends_on_space())
-    {
-      candidate.unit = space.velocity_vector();
-      integrate(candidate, nullptr, 0., candidate.unit);
-    }
-    watch_points(candidate);
-    items.push_back(candidate);
-  }
-}
-
-template <int dim>
 void CellLoads<dim>::integrate(const Item &item,
                                const Waveform *waveform,
                                const double time,
-                               DistributedVector &target) const
+                               DistributedVector &forces) const
 {
-  double *const values = target.begin();
+  double *const values = forces.begin();
   const auto amplitude = [&](const Point<dim> &point)
   { return item.sign * (waveform == nullptr ? 1. : (*waveform)(coordinates(point).data(), time)); };
   if (item.condition < 0)
@@ -104,38 +46,8 @@ void CellLoads<dim>::integrate(const Item &item,
 }
 
 template <int dim>
-void CellLoads<dim>::add(const double time, DistributedVector &momentum) const
+std::vector<std::array<double, 3>> CellLoads<dim>::places(const Item &item) const
 {
-  momentum.add(1., constant);
-  const double origin[3] = {0., 0., 0.};
-  for (const Item &item : items)
-    if (item.waveform->depends_on_space())
-      integrate(item, item.waveform, time, momentum);
-    else
-      momentum.add((*item.waveform)(origin, time), item.unit);
-}
-
-template <int dim>
-bool CellLoads<dim>::jumps(const double begin, const double end) const
-{
-  bool found = false;
-  for (const Item &item : items)
-    for (const std::array<double, 3> &point : item.watched_points)
-      found = found ||
-              jumps_within([&](const double time) { return (*item.waveform)(point.data(), time); },
-                           begin, end);
-  return Utilities::MPI::max(found ? 1 : 0, space.communicator) == 1;
-}
-
-template <int dim>
-void CellLoads<dim>::watch_points(Item &item) const
-{
-  if (!item.waveform->depends_on_space())
-  {
-    item.watched_points.push_back({{0., 0., 0.}});
-    return;
-  }
-  constexpr unsigned int n_watched = 8;
   std::vector<std::array<double, 3>> points;
   if (item.condition < 0)
     for (unsigned int cell = 0; cell < space.mesh.n_owned_cells(); ++cell)
@@ -144,9 +56,7 @@ void CellLoads<dim>::watch_points(Item &item) const
     for (const auto &face : face_conditions.faces())
       if (face.condition == static_cast<unsigned int>(item.condition))
         points.push_back(coordinates(space.mesh.faces()[face.face].centre));
-  const std::size_t n_points = std::min<std::size_t>(n_watched, points.size());
-  for (std::size_t i = 0; i < n_points; ++i)
-    item.watched_points.push_back(points[i * points.size() / n_points]);
+  return points;
 }
 
 template class CellLoads<2>;

@@ -17,16 +17,6 @@ namespace
 {
 using Matrix = TrilinosWrappers::SparseMatrix;
 
-bool nearly_equal(const std::vector<double> &a, const std::vector<double> &b)
-{
-  if (a.size() != b.size())
-    return false;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (std::abs(a[i] - b[i]) > 1e-12 * std::abs(a[i]))
-      return false;
-  return true;
-}
-
 /// One row of a Trilinos matrix: calls function(global column, value).
 template <typename Function>
 void for_row(const Matrix &matrix, const int local_row, const Function &function)

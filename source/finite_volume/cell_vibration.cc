@@ -9,7 +9,7 @@ using namespace dealii;
 template <int dim>
 CellVibration<dim>::CellVibration(CellSystem<dim> &system,
                                   const CellCoefficients &coefficients,
-                                  const State &state)
+                                  const VibratingState &state)
     : system(system),
       space(system.space),
       at_rest(coefficients),

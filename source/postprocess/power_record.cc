@@ -1,4 +1,5 @@
 #include <continua/base/input_error.h>
+#include <continua/continuum/equation_term.h>
 #include <continua/postprocess/power_record.h>
 #include <continua/postprocess/writing_rank.h>
 
@@ -26,9 +27,8 @@ PowerRecord<dim>::PowerRecord(const MPI_Comm communicator,
       relaxes(relaxes),
       any_relaxes(std::find(relaxes.begin(), relaxes.end(), true) != relaxes.end()),
       mesh_changes(mesh_changes),
-      transfer_strain(regions.size(), 0.),
-      transfer_compressive(regions.size(), 0.),
-      taken(regions.size()),
+      transferred(equation_terms().size(), std::vector<double>(regions.size(), 0.)),
+      taken(regions.size(), std::vector<double>(equation_terms().size(), 0.)),
       given(outlets.size())
 {
   for (const Outlet &outlet : outlets)
@@ -41,7 +41,7 @@ PowerRecord<dim>::PowerRecord(const MPI_Comm communicator,
 template <int dim>
 void PowerRecord<dim>::append(const Power &power, const bool with_relaxation)
 {
-  row.insert(row.end(), {power.kinetic, power.strain, power.viscous, power.compressive});
+  row.insert(row.end(), power.terms.begin(), power.terms.end());
   if (with_relaxation)
     row.push_back(power.relaxation);
 }
@@ -49,29 +49,29 @@ void PowerRecord<dim>::append(const Power &power, const bool with_relaxation)
 template <int dim>
 std::vector<std::string> PowerRecord<dim>::header() const
 {
-  std::vector<std::string> names = {"time [s]",       "balance time [s]", "external [W]",
-                                    "kinetic [W]",    "strain [W]",       "viscous [W]",
-                                    "compressive [W]"};
-  if (any_relaxes)
-    names.emplace_back("relaxation [W]");
+  std::vector<std::string> names = {"time [s]", "balance time [s]", "external [W]"};
+  const auto add_terms = [&](const std::string &prefix, const bool with_relaxation)
+  {
+    for (const EquationTermType &term : equation_terms())
+      names.push_back(prefix + term.name + " [W]");
+    if (with_relaxation)
+      names.push_back(prefix + "relaxation [W]");
+  };
+  add_terms("", any_relaxes);
   if (regions.size() > 1)
     for (unsigned int region = 0; region < regions.size(); ++region)
-    {
-      for (const char *const part : {"kinetic", "strain", "viscous", "compressive"})
-        names.push_back(regions[region] + ": " + part + " [W]");
-      if (region_relaxes(region))
-        names.push_back(regions[region] + ": relaxation [W]");
-    }
+      add_terms(regions[region] + ": ", region_relaxes(region));
   for (unsigned int outlet = 0; outlet < given.size(); ++outlet)
   {
     names.push_back("outlet " + outlet_names[outlet] + ": leaving [W]");
     if (outlet_stores[outlet])
       names.push_back("outlet " + outlet_names[outlet] + ": stored [W]");
   }
-  for (const char *const name :
-       {"residual [W]", "share [1]", "kinetic energy [J]", "strain energy [J]",
-        "compressive energy [J]", "work of loads [J]"})
-    names.emplace_back(name);
+  names.insert(names.end(), {"residual [W]", "share [1]"});
+  for (const EquationTermType &term : equation_terms())
+    if (term.stores)
+      names.push_back(term.name + " energy [J]");
+  names.emplace_back("work of loads [J]");
   if (mesh_changes)
     names.emplace_back("energy change by transfer [J]");
   return names;
@@ -95,8 +95,7 @@ void PowerRecord<dim>::start(ContinuumSolver<dim> &solver)
 {
   const Energy energy = solver.energy();
   totals.initial_energy = energy.sum();
-  initial_strain = energy.strain_of_materials;
-  initial_compressive = energy.compressive_of_materials;
+  initial = energy.terms;
   compare(totals.initial_energy);
 }
 
@@ -109,13 +108,8 @@ void PowerRecord<dim>::record(ContinuumSolver<dim> &solver, const Step &step, co
   totals.residual_energy += step.size() * balance.residual;
   totals.work += step.size() * balance.external;
   for (unsigned int region = 0; region < taken.size(); ++region)
-  {
-    const Power &power = balance.materials[region];
-    taken[region].kinetic += step.size() * power.kinetic;
-    taken[region].strain += step.size() * power.strain;
-    taken[region].viscous += step.size() * power.viscous;
-    taken[region].compressive += step.size() * power.compressive;
-  }
+    for (unsigned int term = 0; term < taken[region].size(); ++term)
+      taken[region][term] += step.size() * balance.materials[region].terms[term];
   for (unsigned int outlet = 0; outlet < given.size(); ++outlet)
   {
     given[outlet].leaving += step.size() * balance.outlets[outlet].leaving;
@@ -130,12 +124,11 @@ void PowerRecord<dim>::record(ContinuumSolver<dim> &solver, const Step &step, co
     return;
 
   Power whole;
+  whole.terms.assign(equation_terms().size(), 0.);
   for (const Power &power : balance.materials)
   {
-    whole.kinetic += power.kinetic;
-    whole.strain += power.strain;
-    whole.viscous += power.viscous;
-    whole.compressive += power.compressive;
+    for (unsigned int term = 0; term < power.terms.size(); ++term)
+      whole.terms[term] += power.terms[term];
     whole.relaxation += power.relaxation;
   }
   row.assign({step.time, balance.time, balance.external});
@@ -150,8 +143,11 @@ void PowerRecord<dim>::record(ContinuumSolver<dim> &solver, const Step &step, co
       row.push_back(balance.outlets[outlet].stored);
   }
   const double share = balance.exchanged > 0. ? balance.residual / balance.exchanged : 0.;
-  row.insert(row.end(), {balance.residual, share, energy.kinetic, energy.strain, energy.compressive,
-                         totals.work});
+  row.insert(row.end(), {balance.residual, share});
+  for (unsigned int term = 0; term < equation_terms().size(); ++term)
+    if (equation_terms()[term].stores)
+      row.push_back(energy.of_term(term));
+  row.push_back(totals.work);
   if (mesh_changes)
     row.push_back(totals.transfer);
   table->row(row);
@@ -161,13 +157,9 @@ template <int dim>
 void PowerRecord<dim>::record_transfer(const Energy &before, const Energy &after)
 {
   totals.transfer += after.sum() - before.sum();
-  for (unsigned int region = 0; region < regions.size(); ++region)
-  {
-    transfer_strain[region] +=
-        after.strain_of_materials[region] - before.strain_of_materials[region];
-    transfer_compressive[region] +=
-        after.compressive_of_materials[region] - before.compressive_of_materials[region];
-  }
+  for (unsigned int term = 0; term < transferred.size(); ++term)
+    for (unsigned int region = 0; region < regions.size(); ++region)
+      transferred[term][region] += after.terms[term][region] - before.terms[term][region];
 }
 
 template <int dim>
@@ -218,21 +210,21 @@ void PowerRecord<dim>::finish(ContinuumSolver<dim> &solver, Summary &summary)
     summary.add({"energy change by transfer", totals.transfer, "J", ""});
   for (unsigned int region = 0; region < taken.size() && totals.largest_exchanged > 0.; ++region)
   {
-    double strain = taken[region].strain, compressive = taken[region].compressive;
+    std::vector<double> held = taken[region];
+    double relaxed = 0.;
+    for (unsigned int term = 0; term < held.size() && region_relaxes(region); ++term)
+      if (equation_terms()[term].may_relax)
+      {
+        // What the springs hold; the rest of what they were given has relaxed.
+        held[term] = energy.terms[term][region] - initial[term][region] - transferred[term][region];
+        relaxed += taken[region][term] - held[term];
+      }
     if (region_relaxes(region))
-    {
-      strain =
-          energy.strain_of_materials[region] - initial_strain[region] - transfer_strain[region];
-      compressive = energy.compressive_of_materials[region] - initial_compressive[region] -
-                    transfer_compressive[region];
-      summary.add({"energy relaxed",
-                   taken[region].strain - strain + taken[region].compressive - compressive, "J",
-                   regions[region]});
-    }
-    summary.add({"kinetic energy taken", taken[region].kinetic, "J", regions[region]});
-    summary.add({"strain energy taken", strain, "J", regions[region]});
-    summary.add({"compressive energy taken", compressive, "J", regions[region]});
-    summary.add({"energy dissipated", taken[region].viscous, "J", regions[region]});
+      summary.add({"energy relaxed", relaxed, "J", regions[region]});
+    for (const bool stores : {true, false})
+      for (unsigned int term = 0; term < held.size(); ++term)
+        if (equation_terms()[term].stores == stores)
+          summary.add({equation_terms()[term].total, held[term], "J", regions[region]});
   }
   for (unsigned int outlet = 0; outlet < given.size() && totals.largest_exchanged > 0.; ++outlet)
   {
@@ -259,9 +251,8 @@ void PowerRecord<dim>::name_quantities(const std::vector<std::string> &regions,
     names.add("energy change by transfer");
   for (unsigned int region = 0; region < regions.size(); ++region)
   {
-    for (const char *const name : {"kinetic energy taken", "strain energy taken",
-                                   "compressive energy taken", "energy dissipated"})
-      names.add(name, regions[region]);
+    for (const EquationTermType &term : equation_terms())
+      names.add(term.total, regions[region]);
     if (region < relaxes.size() && relaxes[region])
       names.add("energy relaxed", regions[region]);
   }
@@ -280,42 +271,46 @@ void PowerRecord<dim>::save(ArchiveWriter &archive) const
                                 totals.residual_energy,       totals.work,
                                 totals.initial_energy,        totals.largest_energy,
                                 totals.largest_energy_change, totals.transfer};
-  for (const Power &power : taken)
-    values.insert(values.end(), {power.kinetic, power.strain, power.viscous, power.compressive});
+  for (const std::vector<double> &of_region : taken)
+    values.insert(values.end(), of_region.begin(), of_region.end());
   for (const OutletPower &power : given)
     values.insert(values.end(), {power.leaving, power.stored});
   archive.add("power record", values);
-  archive.add("initial strain energies", initial_strain);
-  archive.add("initial compressive energies", initial_compressive);
-  archive.add("strain energies by transfer", transfer_strain);
-  archive.add("compressive energies by transfer", transfer_compressive);
+  for (unsigned int term = 0; term < equation_terms().size(); ++term)
+  {
+    const std::string &name = equation_terms()[term].name;
+    archive.add("initial energies: " + name,
+                initial.empty() ? std::vector<double>() : initial[term]);
+    archive.add("energies by transfer: " + name, transferred[term]);
+  }
 }
 
 template <int dim>
 void PowerRecord<dim>::load(const ArchiveReader &archive)
 {
   const std::vector<double> values = archive.values("power record");
-  if (values.size() != 8 + 4 * taken.size() + 2 * given.size())
+  const std::size_t n_terms = equation_terms().size(), n_totals = 8;
+  if (values.size() != n_totals + n_terms * taken.size() + 2 * given.size())
     throw RunError("the checkpoint's power record is that of another version of the program");
   totals = {values[0], values[1], values[2], values[3], values[4], values[5], values[6], values[7]};
-  for (unsigned int region = 0; region < taken.size(); ++region)
+  auto value = values.begin() + n_totals;
+  for (std::vector<double> &of_region : taken)
   {
-    const double *const value = &values[8 + 4 * region];
-    taken[region].kinetic = value[0];
-    taken[region].strain = value[1];
-    taken[region].viscous = value[2];
-    taken[region].compressive = value[3];
+    of_region.assign(value, value + n_terms);
+    value += n_terms;
   }
-  for (unsigned int outlet = 0; outlet < given.size(); ++outlet)
+  for (OutletPower &of_outlet : given)
   {
-    const double *const value =
-        &values[8 + 4 * taken.size() + 2 * static_cast<std::size_t>(outlet)];
-    given[outlet] = {value[0], value[1]};
+    of_outlet = {value[0], value[1]};
+    value += 2;
   }
-  initial_strain = archive.values("initial strain energies");
-  initial_compressive = archive.values("initial compressive energies");
-  transfer_strain = archive.values("strain energies by transfer");
-  transfer_compressive = archive.values("compressive energies by transfer");
+  initial.clear();
+  for (unsigned int term = 0; term < n_terms; ++term)
+  {
+    const std::string &name = equation_terms()[term].name;
+    initial.push_back(archive.values("initial energies: " + name));
+    transferred[term] = archive.values("energies by transfer: " + name);
+  }
 }
 
 template class PowerRecord<2>;

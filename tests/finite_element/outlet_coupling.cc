@@ -4,7 +4,8 @@
 
 #include <continua/boundary/flow_rates.h>
 #include <continua/boundary/outlets.h>
-#include <continua/finite_element/outlet_coupling.h>
+#include <continua/continuum/outlet_coupling.h>
+#include <continua/finite_element/taylor_hood.h>
 
 #include "../parameter_text.h"
 #include "../unit_test.h"
@@ -36,7 +37,9 @@ const std::string by_flow = "set Coupling = flow\nset Profile = parabolic\n";
 struct Tube
 {
   Tube(const std::string &left, const std::string &right)
-      : mesh(MPI_COMM_WORLD), space(mesh, SpaceParameters(), Model::axisymmetric, 1), operators(1)
+      : mesh(MPI_COMM_WORLD),
+        log(MPI_COMM_WORLD),
+        space(mesh, SpaceParameters(), Model::axisymmetric, 1)
   {
     static std::vector<ParameterFile> files;
     // One rank after the other: they write a file of the same name.
@@ -67,15 +70,10 @@ struct Tube
         make_outlets(problem.conditions, files.back().root(), mesh, problem.materials);
     small_problem::refine<2>(mesh, [](const Point<2> &x) { return x[1] > 1. && x[1] < 2.; });
     space.distribute();
-    assemble_region_operators(space, operators);
-    constraints = std::make_unique<BoundaryConstraints<2>>(space, problem.conditions);
-    constraints->build();
     loads = std::make_unique<Loads<2>>(space, problem);
-    loads->build();
-    system =
-        std::make_unique<StepSystem<2>>(space, operators, *constraints, LinearSolverParameters());
-    system->reinit();
-    coupling = std::make_unique<OutletCoupling<2>>(space, problem, *loads, *constraints);
+    body = std::make_unique<TaylorHood<2>>(mesh, problem, TaylorHoodParameters(), log);
+    body->setup();
+    coupling = std::make_unique<OutletCoupling>(problem, *body);
     reset();
   }
   /// Begins anew; after a change of the outlets too.
@@ -114,10 +112,12 @@ struct Tube
   std::pair<double, double> advance(const Step &step)
   {
     const Material &liquid = problem.materials.front();
-    if (system->prepare({{step.a0 * liquid.density},
-                         {liquid.viscosity},
-                         {liquid.inverse_bulk_modulus / step.pressure_time}}))
-      coupling->respond(*system);
+    StepReport report;
+    if (body->prepare({{step.a0 * liquid.density},
+                       {liquid.viscosity},
+                       {liquid.inverse_bulk_modulus / step.pressure_time}},
+                      step.pressure_time) != SystemChange::none)
+      coupling->respond(report);
     const double time = step.balance_time;
     DistributedVector force = small_problem::interpolated<2>(
         space,
@@ -125,19 +125,15 @@ struct Tube
           return Tensor<1, 2>({std::sin(x[0] + 2. * time), std::cos(3. * x[1] * time)});
         });
     DistributedVector momentum = force, mass = space.pressure_vector();
-    DistributedVector prescribed = space.velocity_vector(), product = prescribed;
-    constraints->evaluate(time, prescribed);
+    DistributedVector prescribed = space.velocity_vector();
+    body->evaluate_prescribed(time, prescribed);
     coupling->leave_out_ports(prescribed);
     coupling->take_forces(momentum);
-    system->add_velocity_product(prescribed, product);
-    momentum.add(-1., product);
-    system->add_divergence(1., prescribed, mass);
-    constraints->restrict_to_free(momentum);
+    body->take_prescribed(prescribed, momentum, mass);
     const DistributedVector old = velocity;
     DistributedVector new_pressure = space.pressure_vector();
     DistributedVector new_velocity = space.velocity_vector();
-    system->solve(momentum, mass, new_velocity, new_pressure);
-    constraints->set_constrained(new_velocity, prescribed);
+    body->solve(prescribed, momentum, mass, new_velocity, new_pressure, report);
     coupling->couple(step, old, new_velocity, new_pressure);
     velocity = new_velocity;
     if (step.extrapolate)
@@ -148,10 +144,12 @@ struct Tube
     balanced = new_velocity;
     pressure = new_pressure;
 
-    // A U - B^T P - f + q p, at every node; B U + C P.
+    // A U + G P - f + q p, at every node; B U + C P.
     DistributedVector residual = space.velocity_vector();
-    system->add_velocity_product(balanced, residual);
-    system->add_gradient(-1., pressure, residual);
+    body->add_velocity_product(balanced, residual);
+    DistributedVector product = space.velocity_vector();
+    body->multiply_gradient(0, product, pressure);
+    residual.add(1., product);
     const double scale = residual.linfty_norm();
     residual.add(-1., force);
     double virtual_power = 0.;
@@ -179,21 +177,23 @@ struct Tube
           virtual_power = std::max(virtual_power, std::abs(parabola * residual) / scale);
         }
       }
-    constraints->restrict_to_free(residual);
-    DistributedVector mass_residual = space.pressure_vector();
-    system->add_divergence(1., balanced, mass_residual);
-    system->add_compression(pressure, mass_residual);
+    BoundaryConstraints<2> constraints(space, problem.conditions);
+    constraints.build();
+    constraints.restrict_to_free(residual);
+    DistributedVector mass_residual = space.pressure_vector(), compressed = mass_residual;
+    body->add_divergence(balanced, mass_residual);
+    body->multiply_pressure_mass(0, compressed, pressure);
+    mass_residual.add(liquid.inverse_bulk_modulus / step.pressure_time, compressed);
     return {(residual.linfty_norm() + mass_residual.linfty_norm()) / scale, virtual_power};
   }
 
   small_problem::Mesh<2> mesh;
+  Log log;
   Space<2> space;
   Problem problem;
-  std::vector<RegionOperators> operators;
-  std::unique_ptr<BoundaryConstraints<2>> constraints;
   std::unique_ptr<Loads<2>> loads;
-  std::unique_ptr<StepSystem<2>> system;
-  std::unique_ptr<OutletCoupling<2>> coupling;
+  std::unique_ptr<TaylorHood<2>> body;
+  std::unique_ptr<OutletCoupling> coupling;
   DistributedVector velocity, pressure, balanced;
 };
 

@@ -67,7 +67,7 @@ UNIT_TEST(taylor_hood_vibration)
   };
   DistributedVector velocity = space.velocity_vector(), displacement = velocity,
                     pressure = space.pressure_vector();
-  const TaylorHoodVibration<2>::State state{velocity, displacement, pressure};
+  const VibratingState state{velocity, displacement, pressure};
 
   {
     const std::vector<BoundaryCondition> free = conditions("free", "free");

@@ -20,24 +20,30 @@ Step step_from(const double time)
   return step;
 }
 
+/// Of two materials, the first of which is at rest but for its motion [J].
+Energy energy(const double kinetic, const double strain, const double compressive)
+{
+  return {{{kinetic, 0.}, {0., strain}, {0., 0.}, {0., compressive}}, 0.};
+}
+
 /// Sets what the solver says of the n-th step, n = 1, 2, 3, 4, and records it.
 void take_step(FakeSolver<2> &solver, PowerRecord<2> &record, const unsigned int n)
 {
   const double residuals[] = {0.25, -0.5, 0.25, 0.125};
   const Step step = step_from(0.5 * (n - 1));
   solver.balance = {
-      step.balance_time, 8., {{1., 2., 3., 0.5}, {0.25, 0.5, 0.125, 0.5}}, {}, 0., 0.};
+      step.balance_time, 8., {{{1., 2., 3., 0.5}}, {{0.25, 0.5, 0.125, 0.5}}}, {}, 0., 0.};
   solver.balance.residual = residuals[n - 1];
   solver.balance.exchanged = 4. * n;
   // The energy is 10 J at the start, then 11, 12, 13, 14 J.
-  solver.present_energy = {7. + n, 2., 1., 0., {}, {}};
+  solver.present_energy = energy(7. + n, 2., 1.);
   record.record(solver, step, n != 3);
 }
 
 PowerRecord<2> new_record(FakeSolver<2> &solver)
 {
   PowerRecord<2> record(MPI_COMM_WORLD, {"fluid", "wall"});
-  solver.present_energy = {7., 2., 1., 0., {}, {}};
+  solver.present_energy = energy(7., 2., 1.);
   record.start(solver);
   return record;
 }
@@ -119,7 +125,7 @@ UNIT_TEST(power_record)
   // hold 0.25 + 0.5 J at the end and 0.125 + 0.25 J at the start.
   {
     FakeSolver<2> solver;
-    solver.present_energy = {7., 0.125, 0.25, 0., {0., 0.125}, {0., 0.25}};
+    solver.present_energy = energy(7., 0.125, 0.25);
     PowerRecord<2> record(MPI_COMM_WORLD, {"fluid", "wall"}, {false, true});
     record.open("relaxing.csv");
     record.start(solver);
@@ -127,11 +133,11 @@ UNIT_TEST(power_record)
     {
       const Step step = step_from(0.5 * (n - 1));
       solver.balance = {
-          step.balance_time, 8., {{1., 2., 3., 0.5}, {0.25, 0.5, 0.125, 0.5}}, {}, 0., 8.};
+          step.balance_time, 8., {{{1., 2., 3., 0.5}}, {{0.25, 0.5, 0.125, 0.5}}}, {}, 0., 8.};
       solver.balance.materials[1].relaxation = 0.375;
       record.record(solver, step, n == 4);
     }
-    solver.present_energy = {7., 0.25, 0.5, 0., {0., 0.25}, {0., 0.5}};
+    solver.present_energy = energy(7., 0.25, 0.5);
     Summary summary;
     record.finish(solver, summary);
     check::equal("file with relaxation", read_text("relaxing.csv"),
@@ -155,6 +161,7 @@ UNIT_TEST(power_record)
   // Two outlets, of which one stores: it is given 3 W for 2 s, of which it keeps 1 W.
   {
     FakeSolver<2> solver;
+    solver.present_energy = {{{0.}, {0.}, {0.}, {0.}}, 0.};
     Outlet windkessel, resistance;
     windkessel.name = "artery";
     windkessel.impedance = Impedance::windkessel(1., 2., 3.);
@@ -168,7 +175,8 @@ UNIT_TEST(power_record)
       for (unsigned int n = 1; n <= 4; ++n)
       {
         const Step step = step_from(0.5 * (n - 1));
-        solver.balance = {step.balance_time, 8., {{1., 2., 0., 0.}}, {{3., 1.}, {2., 0.}}, 0., 8.};
+        solver.balance = {step.balance_time,    8., {{{1., 2., 0., 0.}}},
+                          {{3., 1.}, {2., 0.}}, 0., 8.};
         record.record(solver, step, n == 1);
         if (n == 2 && dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
         {
@@ -203,10 +211,11 @@ UNIT_TEST(power_record)
   // One material, at rest, nothing to compare with.
   {
     FakeSolver<3> solver;
+    solver.present_energy = {{{0.}, {0.}, {0.}, {0.}}, 0.};
     PowerRecord<3> record(MPI_COMM_WORLD, {"body"});
     record.open("rest.csv");
     record.start(solver);
-    solver.balance.materials.resize(1);
+    solver.balance.materials = {{{0., 0., 0., 0.}}};
     record.record(solver, step_from(0.), true);
     Summary summary;
     record.finish(solver, summary);

@@ -5,7 +5,7 @@
 #include <continua/base/parameter_section.h>
 #include <continua/continuum/continuum_solver.h>
 #include <continua/continuum/problem.h>
-#include <continua/finite_element/taylor_hood_solver.h>
+#include <continua/finite_element/taylor_hood.h>
 #include <continua/finite_volume/cell_wise_parameters.h>
 
 #include <deal.II/distributed/tria_base.h>

@@ -2,8 +2,8 @@
 #define continua_analysis_laboratory_specimen_h
 
 #include <continua/base/log.h>
+#include <continua/continuum/discrete_continuum.h>
 #include <continua/continuum/problem.h>
-#include <continua/finite_element/taylor_hood_solver.h>
 #include <continua/signal/expression.h>
 #include <continua/time_integration/time_control.h>
 
@@ -55,7 +55,7 @@ private:
   TimeControl time_control;
   const std::unique_ptr<dealii::parallel::distributed::Triangulation<dim>> triangulation;
   Problem problem;
-  TaylorHoodSolver<dim> solver;
+  DiscreteContinuum<dim> solver;
   std::vector<double> probes;
 };
 } // namespace Continua

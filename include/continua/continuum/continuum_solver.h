@@ -2,6 +2,7 @@
 #define continua_continuum_continuum_solver_h
 
 #include <continua/base/archive.h>
+#include <continua/continuum/power_balance.h>
 #include <continua/continuum/vibration_operator.h>
 #include <continua/signal/expression.h>
 #include <continua/time_integration/step.h>
@@ -50,50 +51,6 @@ struct ProbeRequest
   unsigned int boundary_id = 0; ///< for boundaries
   /// The regions whose side counts (a field may jump); empty: any that is there.
   std::set<unsigned int> region_ids;
-};
-
-/// The power of one material, or of the whole, at the level at which the scheme balances it [W].
-struct Power
-{
-  double kinetic = 0.;
-  double strain = 0.; ///< of the branches: stored, and lost by relaxation
-  double viscous = 0.;
-  double compressive = 0.;
-  /// The part of strain and compressive that relaxation turns into heat; only where it was asked
-  /// for.
-  double relaxation = 0.;
-  double sum() const { return kinetic + strain + viscous + compressive; }
-};
-
-/// The power of one outlet [W].
-struct OutletPower
-{
-  double leaving = 0.; ///< sum of p Q over its ports: what the body gives to it
-  double stored = 0.;  ///< the part of it that the outlet stores (a windkessel's compliance)
-};
-
-/// The power balance of one step.
-struct PowerBalance
-{
-  double time = 0.;                 ///< [s] at which the scheme balances
-  double external = 0.;             ///< of loads and prescribed velocities
-  std::vector<Power> materials;     ///< by material id
-  std::vector<OutletPower> outlets; ///< as in the problem
-  /// external - sum of the materials' and of what leaves by outlets (TP, equation 4.21)
-  double residual = 0.;
-  double exchanged = 0.; ///< sum of the absolute values, to which the residual compares
-};
-
-/// The energy held by the body [J].
-struct Energy
-{
-  double kinetic = 0.;
-  double strain = 0.; ///< of the springs
-  double compressive = 0.;
-  double outlets = 0.; ///< stored in outlets; no part of the body
-  /// Of the springs and of the pressure, by material id.
-  std::vector<double> strain_of_materials, compressive_of_materials;
-  double sum() const { return kinetic + strain + compressive; }
 };
 
 /// What a step tells.
@@ -146,7 +103,7 @@ struct SolverSizes
 };
 
 /**
- * A discretisation of the continuum: what analyses and postprocessors know. Methods are collective
+ * The continuum on its mesh: what analyses and postprocessors know of it. Methods are collective
  * over the communicator. State and time: the solver holds the fields; when to step, write, refine
  * or save is the analysis's business.
  */

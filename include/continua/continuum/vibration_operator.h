@@ -1,6 +1,8 @@
 #ifndef continua_continuum_vibration_operator_h
 #define continua_continuum_vibration_operator_h
 
+#include <continua/linear_algebra/distributed_vector.h>
+
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
@@ -9,6 +11,12 @@
 
 namespace Continua
 {
+/// The fields that a shape of vibration sets; owned entries [m/s], [m], [Pa].
+struct VibratingState
+{
+  DistributedVector &velocity, &displacement, &pressure;
+};
+
 /**
  * A solid body's free, undamped vibrations in a discretisation: M u'' + K u = 0, hence K x = lambda
  * M x with lambda = omega^2 [1/s^2] for a shape x exp(i omega t).

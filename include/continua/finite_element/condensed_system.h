@@ -1,6 +1,7 @@
 #ifndef continua_finite_element_condensed_system_h
 #define continua_finite_element_condensed_system_h
 
+#include <continua/continuum/system_coefficients.h>
 #include <continua/finite_element/boundary_constraints.h>
 #include <continua/finite_element/region_operators.h>
 #include <continua/finite_element/space.h>
@@ -12,16 +13,6 @@
 
 namespace Continua
 {
-/// What a step's matrix is made of, by material id.
-struct SystemCoefficients
-{
-  std::vector<double> mass;            ///< a0 rho [kg/(m^3 s)]
-  std::vector<double> stiffness;       ///< alpha, equation 7.4 [Pa s]
-  std::vector<double> compressibility; ///< 1/(K b) [1/(Pa s)]
-
-  bool operator==(const SystemCoefficients &other) const;
-};
-
 /**
  * The blocks of a step's matrix with the boundary constraints eliminated on both sides, T^T A T, B
  * T and C, distributed by rows. Rows of constrained and hanging unknowns have a one on the diagonal

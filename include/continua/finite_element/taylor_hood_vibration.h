@@ -21,18 +21,12 @@ template <int dim>
 class TaylorHoodVibration : public VibrationOperator<dim>
 {
 public:
-  /// Of the solver's own; all must outlive this.
-  struct State
-  {
-    DistributedVector &velocity, &displacement, &pressure;
-  };
-
   TaylorHoodVibration(const Space<dim> &space,
                       const Problem &problem,
                       const std::vector<RegionOperators> &operators,
                       const BoundaryConstraints<dim> &constraints,
                       StepSystem<dim> &system,
-                      const State &state);
+                      const VibratingState &state);
 
   unsigned int n_local_unknowns() const override { return space.velocity_owned.n_elements(); }
   std::vector<unsigned int> directions() const override;
@@ -50,7 +44,7 @@ private:
   const std::vector<RegionOperators> &operators;
   const BoundaryConstraints<dim> &constraints;
   StepSystem<dim> &system;
-  State state;
+  VibratingState state;
   double shift = 0.;
   const DistributedVector zero;
   DistributedVector displacement, force, product, pressure, mass; ///< work space

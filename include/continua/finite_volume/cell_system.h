@@ -2,6 +2,7 @@
 #define continua_finite_volume_cell_system_h
 
 #include <continua/continuum/continuum_solver.h>
+#include <continua/continuum/system_coefficients.h>
 #include <continua/finite_volume/cell_operators.h>
 #include <continua/linear_algebra/distributed_vector.h>
 

@@ -20,14 +20,10 @@ template <int dim>
 class CellVibration : public VibrationOperator<dim>
 {
 public:
-  /// Of the solver's own; all must outlive this.
-  struct State
-  {
-    DistributedVector &velocity, &displacement, &pressure;
-  };
-
   /// `coefficients`: of the body at rest.
-  CellVibration(CellSystem<dim> &system, const CellCoefficients &coefficients, const State &state);
+  CellVibration(CellSystem<dim> &system,
+                const CellCoefficients &coefficients,
+                const VibratingState &state);
 
   unsigned int n_local_unknowns() const override { return dim * space.mesh.n_owned_cells(); }
   std::vector<unsigned int> directions() const override;
@@ -46,7 +42,7 @@ private:
   CellSystem<dim> &system;
   const CellSpace<dim> &space;
   const CellCoefficients at_rest;
-  State state;
+  VibratingState state;
   CoupledSolve<dim> coupled;
   std::unique_ptr<HeldCells<dim>> held; ///< made when it is asked for
   double shift = 0.;

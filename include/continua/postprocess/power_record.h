@@ -109,11 +109,11 @@ private:
   std::vector<std::string> outlet_names;
   std::vector<bool> outlet_stores; ///< whether they have stores of their own
   Totals totals;
-  std::vector<double> initial_strain, initial_compressive;   ///< energies by region [J]
-  std::vector<double> transfer_strain, transfer_compressive; ///< their changes by transfers [J]
-  std::vector<Power> taken;           ///< by region, integrated over time [J]
-  std::vector<OutletPower> given;     ///< to outlets, over time [J]
-  std::unique_ptr<TableWriter> table; ///< on the rank that writes
+  /// Energies at the start, and their changes by transfers, by term and region [J].
+  std::vector<std::vector<double>> initial, transferred;
+  std::vector<std::vector<double>> taken; ///< by region and term: powers over time [J]
+  std::vector<OutletPower> given;         ///< to outlets, over time [J]
+  std::unique_ptr<TableWriter> table;     ///< on the rank that writes
   std::vector<double> row;
 };
 } // namespace Continua

@@ -1,0 +1,20 @@
+#ifndef continua_continuum_balanced_step_h
+#define continua_continuum_balanced_step_h
+
+#include <continua/linear_algebra/distributed_vector.h>
+#include <continua/time_integration/step.h>
+
+namespace Continua
+{
+/// What a step has balanced, all at its balance time; owned vectors.
+struct BalancedStep
+{
+  Step step;
+  DistributedVector velocity;     ///< [m/s]
+  DistributedVector pressure;     ///< the unknown p [Pa]
+  DistributedVector acceleration; ///< dU/dt as the scheme has it [m/s^2]
+  DistributedVector prescribed;   ///< prescribed velocities where there are any, else 0 [m/s]
+};
+} // namespace Continua
+
+#endif

@@ -1,0 +1,68 @@
+#ifndef continua_continuum_discrete_continuum_h
+#define continua_continuum_discrete_continuum_h
+
+#include <continua/base/log.h>
+#include <continua/continuum/discretisation.h>
+#include <continua/continuum/problem.h>
+#include <continua/continuum/time_stepping.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/// The continuum on a discretisation, which steps through time: the one solver there is.
+template <int dim>
+class DiscreteContinuum : public ContinuumSolver<dim>
+{
+public:
+  /// `problem` and `log` must outlive the solver.
+  DiscreteContinuum(std::unique_ptr<Discretisation<dim>> discretisation,
+                    const Problem &problem,
+                    Log &log);
+
+  void initialise() override { stepping.initialise(); }
+  StepReport advance(const Step &step) override { return stepping.advance(step); }
+  void solve_steady(const double time) override { stepping.solve_steady(time); }
+  bool steady_is_direct() const override { return stepping.steady_is_direct(); }
+  std::unique_ptr<VibrationOperator<dim>> vibration() override;
+  StepError step_error() override { return stepping.step_error(); }
+  void keep_state() override { stepping.keep_state(); }
+  void return_to_kept_state() override { stepping.return_to_kept_state(); }
+  bool data_jump(const double begin, const double end) const override
+  {
+    return stepping.data_jumps(begin, end);
+  }
+  std::vector<FieldComponent> fields() const override;
+  unsigned int add_probe(const ProbeRequest<dim> &request) override
+  {
+    return discretisation->add_probe(request);
+  }
+  void evaluate_probes(std::vector<double> &values) override;
+  PowerBalance power_balance(const bool relaxation) override
+  {
+    return stepping.power_balance(relaxation);
+  }
+  Energy energy() override { return stepping.energy(); }
+  double divergence() override;
+  const dealii::Mapping<dim> &mapping() const override { return discretisation->mapping(); }
+  std::map<std::string, std::string> add_output(dealii::DataOut<dim> &data_out) override;
+  void indicators(const IndicatorRequest &request, dealii::Vector<float> &per_cell) override;
+  void prepare_refinement() override { stepping.prepare_refinement(); }
+  void transfer() override { stepping.transfer(); }
+  void save(ArchiveWriter &archive) const override { stepping.save(archive); }
+  void load(const ArchiveReader &archive) override { stepping.load(archive); }
+  double
+  error_norm(const std::string &field, const std::vector<Expression> &exact, double time) override;
+  SolverSizes sizes() const override { return discretisation->sizes(); }
+
+private:
+  const Problem &problem;
+  std::unique_ptr<Discretisation<dim>> discretisation;
+  TimeStepping stepping;
+};
+} // namespace Continua
+
+#endif

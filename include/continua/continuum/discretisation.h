@@ -1,0 +1,43 @@
+#ifndef continua_continuum_discretisation_h
+#define continua_continuum_discretisation_h
+
+#include <continua/continuum/continuum_solver.h>
+#include <continua/continuum/operators.h>
+#include <continua/continuum/vibration_operator.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/// A discretisation of the continuum: its operators, and what it knows of its mesh and fields. What
+/// a method does is said in ContinuumSolver under the same name.
+template <int dim>
+class Discretisation : public Operators
+{
+public:
+  virtual const dealii::Mapping<dim> &mapping() const
+  {
+    return dealii::StaticMappingQ1<dim>::mapping;
+  }
+  virtual unsigned int add_probe(const ProbeRequest<dim> &request) = 0;
+  virtual void evaluate_probes(const State &state, std::vector<double> &values) = 0;
+  virtual std::map<std::string, std::string> add_output(const State &state,
+                                                        dealii::DataOut<dim> &data_out) = 0;
+  /// `port_pressures`: of the outlets' ports, by boundary condition; 0 of others [Pa]. `time` [s].
+  virtual void indicators(const IndicatorRequest &request,
+                          const State &state,
+                          const std::vector<double> &port_pressures,
+                          double time,
+                          dealii::Vector<float> &per_cell) = 0;
+  virtual double error_norm(const State &state,
+                            const std::string &field,
+                            const std::vector<Expression> &exact,
+                            double time) = 0;
+  /// `state` is changed by VibrationOperator::set_shape().
+  virtual std::unique_ptr<VibrationOperator<dim>> vibration(const VibratingState &state) = 0;
+};
+} // namespace Continua
+
+#endif

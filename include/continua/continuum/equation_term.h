@@ -1,0 +1,72 @@
+#ifndef continua_continuum_equation_term_h
+#define continua_continuum_equation_term_h
+
+#include <continua/continuum/balanced_step.h>
+#include <continua/continuum/bulk_history.h>
+#include <continua/continuum/operators.h>
+#include <continua/continuum/problem.h>
+#include <continua/continuum/state.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/// What the terms of the equations are made of, and work space for them.
+struct TermContext
+{
+  const Problem &problem;
+  Operators &operators;
+  const BranchHistory &history;
+  const BulkHistory &bulk_history;
+  DistributedVector force, mixture, forgotten;                    ///< like velocities
+  DistributedVector pressure_product, dilatation, forgotten_rate; ///< like pressures
+};
+
+/// A step that is over: what it has balanced, and the velocities at its ends [m/s].
+struct FinishedStep
+{
+  const BalancedStep &balanced;
+  const DistributedVector &start, &end;
+};
+
+/// A term of the equations of motion and state, as the ledger sees it. All numbers are this rank's
+/// part.
+class EquationTerm
+{
+public:
+  virtual ~EquationTerm() = default;
+  /// The power that the term takes in a region [W], by the scheme's own operators at the level at
+  /// which the step balances. Adds the forces behind it to `forces` [N] unless that is null.
+  virtual double power(unsigned int region,
+                       const FinishedStep &step,
+                       TermContext &context,
+                       DistributedVector *forces) const = 0;
+  /// The part of the power that relaxation turns into heat [W], at the cost of a product for each
+  /// branch that relaxes.
+  virtual double relaxation_power(unsigned int, const BalancedStep &, TermContext &) const
+  {
+    return 0.;
+  }
+  /// The energy that the term holds in a region at the present time [J].
+  virtual double energy(unsigned int, const State &, TermContext &) const { return 0.; }
+};
+
+/// A row of the table of terms.
+struct EquationTermType
+{
+  std::string name;  ///< "kinetic": of the columns "kinetic [W]", "kinetic energy [J]"
+  std::string total; ///< of the power over the whole run: "kinetic energy taken"
+  bool stores;       ///< whether it holds energy
+  bool may_relax;    ///< whether relaxation may turn a part of its power into heat
+  std::function<std::unique_ptr<EquationTerm>()> make;
+};
+
+/// The terms of the equations, in the order of the ledger's columns: a row here gives `power.csv`
+/// and the summary what they say of the term.
+const std::vector<EquationTermType> &equation_terms();
+} // namespace Continua
+
+#endif

@@ -1,0 +1,47 @@
+#ifndef continua_continuum_ledger_h
+#define continua_continuum_ledger_h
+
+#include <continua/continuum/equation_term.h>
+#include <continua/continuum/outlet_coupling.h>
+#include <continua/continuum/power_balance.h>
+
+#include <memory>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * Powers and energies of the terms of the equations, from the operators of the scheme itself at the
+ * level at which it balances them, so that the balance closes to the round-off of the solve. (The
+ * cell-wise path can also report what the thesis plots, equations 4.17 to 4.21: then the residual
+ * shows what its scheme loses.)
+ */
+class Ledger
+{
+public:
+  /// All must outlive it.
+  Ledger(const Problem &problem,
+         Operators &operators,
+         const OutletCoupling &outlets,
+         const BranchHistory &history,
+         const BulkHistory &bulk_history);
+
+  /// The mesh has changed.
+  void reinit();
+  /// Of the step that the histories have just made. `relaxation`: also the power that relaxation
+  /// turns into heat.
+  PowerBalance balance(const FinishedStep &step, bool relaxation);
+  Energy energy(const State &state);
+
+private:
+  const Problem &problem;
+  Operators &operators;
+  const OutletCoupling &outlets;
+  std::vector<std::unique_ptr<EquationTerm>> terms;
+  TermContext context;
+  DistributedVector forces;
+  std::vector<double> sums; ///< work space
+};
+} // namespace Continua
+
+#endif

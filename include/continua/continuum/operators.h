@@ -1,0 +1,205 @@
+#ifndef continua_continuum_operators_h
+#define continua_continuum_operators_h
+
+#include <continua/base/archive.h>
+#include <continua/continuum/balanced_step.h>
+#include <continua/continuum/continuum_solver.h>
+#include <continua/continuum/state.h>
+#include <continua/continuum/state_archive.h>
+#include <continua/continuum/system_coefficients.h>
+#include <continua/linear_algebra/distributed_vector.h>
+
+#include <vector>
+
+namespace Continua
+{
+/// What preparing a step's system has changed.
+enum class SystemChange
+{
+  none,         ///< the coefficients are those of the last step
+  coefficients, ///< other coefficients, for which a factor was kept
+  factor        ///< a factor or a preconditioner was made
+};
+
+/**
+ * The operators of a discretisation on its present mesh: what the step in time, the ledger and the
+ * outlets know of it. With the forces v.( ) on the velocities and the rates q.( ) on the pressures
+ * as rows, the equations of a step are, summed over the regions,
+ *
+ *   rho M dU/dt + S (eta U + sum_k mu_k D_k) + G p = loads
+ *   M_p (c p - c p_plus) + B U                     = 0
+ *
+ * with M, S, G, B and M_p of one region each, free of moduli and of the time step. Vectors are the
+ * owned entries of velocities, internal displacements and pressures. Products overwrite their
+ * target. All methods are collective, but those of a kind of question (`is_`, `has_`).
+ *
+ * A discretisation that needs more than these products in a step has hooks for it at the end; each
+ * does nothing unless it is overridden.
+ */
+class Operators
+{
+public:
+  virtual ~Operators() = default;
+
+  /// Makes everything anew on the present mesh.
+  virtual void setup() = 0;
+
+  // Vectors.
+  /// Zeros.
+  virtual DistributedVector velocity_vector() const = 0;
+  virtual DistributedVector pressure_vector() const = 0;
+  /// Local indices of the entries of each region.
+  virtual std::vector<std::vector<unsigned int>> velocity_nodes() const = 0;
+  virtual std::vector<std::vector<unsigned int>> pressure_nodes() const = 0;
+  /// Local indices of the pressures that no compressible material determines: they follow from the
+  /// constraint of constant volume alone.
+  virtual std::vector<unsigned int> pressures_without_history() const = 0;
+  /// How vectors are numbered on any number of ranks.
+  virtual StateNumbering numbering() const = 0;
+
+  // Products with the matrices of a region.
+  /// M U [kg m/s over density].
+  virtual void multiply_mass(unsigned int region,
+                             DistributedVector &momentum,
+                             const DistributedVector &velocity) = 0;
+  /// S w: minus the forces of the stress 2 dev sym grad w [N for Pa m].
+  virtual void multiply_stiffness(unsigned int region,
+                                  DistributedVector &force,
+                                  const DistributedVector &mixture) = 0;
+  /// G p: minus the forces of the pressure [N].
+  virtual void multiply_gradient(unsigned int region,
+                                 DistributedVector &force,
+                                 const DistributedVector &pressure) = 0;
+  /// B U: the rate of dilatation, weakly [m^3/s].
+  virtual void multiply_divergence(unsigned int region,
+                                   DistributedVector &rate,
+                                   const DistributedVector &velocity) = 0;
+  /// M_p p [Pa m^3].
+  virtual void multiply_pressure_mass(unsigned int region,
+                                      DistributedVector &product,
+                                      const DistributedVector &pressure) = 0;
+  /// This rank's part of U . G p [W].
+  virtual double pressure_power(unsigned int region,
+                                const DistributedVector &velocity,
+                                const DistributedVector &pressure) = 0;
+  /// This rank's part of the integral of p q over the region [Pa^2 m^3].
+  virtual double
+  pressure_product(unsigned int region, const DistributedVector &p, const DistributedVector &q) = 0;
+  /// Largest |div U| weakly (|B U| over M_p) [1/s].
+  virtual double divergence(const DistributedVector &velocity) = 0;
+
+  // Loads and prescribed velocities.
+  /// Adds the loads at this time [N].
+  virtual void add_loads(double time, DistributedVector &forces) const = 0;
+  /// Whether a load jumps between the two times [s]; likewise a prescribed velocity.
+  virtual bool load_jumps(double begin, double end) const = 0;
+  virtual bool prescribed_velocity_jumps(double begin, double end) const = 0;
+  /// Whether every prescribed velocity is zero for ever.
+  virtual bool is_homogeneous() const = 0;
+  /// The prescribed velocities at this time, 0 elsewhere [m/s]; `values` keeps what does not depend
+  /// on time.
+  virtual void evaluate_prescribed(double time, DistributedVector &values) const = 0;
+  /// What a velocity that obeys the conditions has in the place of the prescribed values.
+  virtual void prescribed_part(const DistributedVector &velocity,
+                               DistributedVector &values) const = 0;
+  /// Sets what is prescribed of a velocity to zero; for the error of a velocity.
+  virtual void clear_prescribed(DistributedVector &velocity) const = 0;
+  /// Sets velocity, displacement and pressure at t = 0 by the problem's interior data.
+  virtual void set_initial_state(DistributedVector &velocity,
+                                 DistributedVector &displacement,
+                                 DistributedVector &pressure) = 0;
+
+  // The linear system of a step: A U + G p = f, B U + C p = g.
+  /// Makes the system that of the coefficients; `pressure_time`: b of the step [s], 1 of a solid at
+  /// rest. Throws RunError.
+  virtual SystemChange prepare(const SystemCoefficients &coefficients, double pressure_time) = 0;
+  /// Takes the prescribed velocities over to the right-hand sides f [N] and g [m^3/s].
+  virtual void take_prescribed(const DistributedVector &prescribed,
+                               DistributedVector &momentum,
+                               DistributedVector &mass) = 0;
+  /// Whether solve() starts from what `velocity` and `pressure` hold.
+  virtual bool starts_from_guess() const { return false; }
+  /// Solves; the right-hand sides are those that take_prescribed() has made and are changed. The
+  /// report gets what is known of iterations. Throws RunError.
+  virtual void solve(const DistributedVector &prescribed,
+                     DistributedVector &momentum,
+                     DistributedVector &mass,
+                     DistributedVector &velocity,
+                     DistributedVector &pressure,
+                     StepReport &report) = 0;
+
+  // Outlets; for discretisations that have them.
+  /// int v . n over the faces of a boundary condition: the flow rate out of the body that each
+  /// velocity stands for [m^2].
+  virtual DistributedVector flow_of_velocities(unsigned int condition) const;
+  /// The velocity along x of the flow profile of a condition, of any size.
+  virtual DistributedVector flow_profile(unsigned int condition) const;
+  /// result += A U and result += B U of the present system, whatever is prescribed.
+  virtual void add_velocity_product(const DistributedVector &velocity, DistributedVector &result);
+  virtual void add_divergence(const DistributedVector &velocity, DistributedVector &result);
+
+  // Change of the mesh, and sizes.
+  /// Call when cells are flagged and before the triangulation changes.
+  virtual void prepare_transfer(const std::vector<DistributedVector *> &velocities,
+                                const std::vector<DistributedVector *> &pressures) = 0;
+  /// Call after setup() on the new mesh; fills the vectors, of the new size, in the same order.
+  virtual void finish_transfer(const std::vector<DistributedVector *> &velocities,
+                               const std::vector<DistributedVector *> &pressures) = 0;
+  virtual SolverSizes sizes() const = 0;
+
+  // Hooks.
+  /// Hands over the discretisation's own part of the state.
+  virtual void visit(StateVisitor &) {}
+  /// The step as the discretisation makes it; called before each step.
+  virtual Step own_step(const Step &step) { return step; }
+  /// The state was set anew, or a step has ended.
+  virtual void take_state(const Step &, const State &) {}
+  virtual void take_initial_state(const State &) {}
+  /// S w of the past, which the step knows beforehand.
+  virtual void multiply_past_stiffness(const unsigned int region,
+                                       DistributedVector &force,
+                                       const DistributedVector &mixture)
+  {
+    multiply_stiffness(region, force, mixture);
+  }
+  /// The rate of dilatation at the step's start, for the trapezoidal rule [m^3/s].
+  virtual void
+  set_past_dilatation(const unsigned int region, const State &start, DistributedVector &rate)
+  {
+    multiply_divergence(region, rate, start.velocity);
+  }
+  /// Whether the mass equation has corrections of fluxes, which act on p - p_plus.
+  virtual bool corrects_fluxes() const { return false; }
+  virtual void add_past_flux_correction(const DistributedVector &, DistributedVector &) {}
+  /// Whether there are velocities without mass, which yield at once when the forces on them jump.
+  virtual bool has_massless_velocities() const { return false; }
+  /// Their displacement [m] and the change of the pressures [Pa] under such forces; `forces` is
+  /// changed. False if no force acts on them.
+  virtual bool yield_at_once(DistributedVector &, DistributedVector &, DistributedVector &)
+  {
+    return false;
+  }
+  /// Sets a pressure that is no unknown from the displacement.
+  virtual void complete_pressure(const DistributedVector &, DistributedVector &) {}
+  /// Whether steps have the displacement for their unknown; make_displacement_step() makes them.
+  virtual bool solves_for_displacement() const { return false; }
+  /// In: velocity and displacement at the start. Out: the displacement at the end, and velocity and
+  /// acceleration of the balanced step; `report` says of factor and corrections.
+  virtual void make_displacement_step(
+      const Step &, const DistributedVector &, DistributedVector &, BalancedStep &, StepReport &)
+  {
+  }
+  /// The force of the branches' stress as the ledger reports it; `mixture` is changed.
+  virtual void set_reported_stress_force(const unsigned int region,
+                                         const BalancedStep &,
+                                         DistributedVector &mixture,
+                                         DistributedVector &force)
+  {
+    multiply_stiffness(region, force, mixture);
+  }
+  /// Whether the ledger reports the change of the kinetic energy for the kinetic power.
+  virtual bool reports_change_of_kinetic_energy() const { return false; }
+};
+} // namespace Continua
+
+#endif

@@ -1,0 +1,72 @@
+#ifndef continua_continuum_outlet_model_h
+#define continua_continuum_outlet_model_h
+
+#include <continua/boundary/outlet.h>
+#include <continua/continuum/state_visitor.h>
+#include <continua/time_integration/step.h>
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * The zero-dimensional model behind the ports of one outlet: flow rates Q in [m^3/s], pressures p
+ * out [Pa]. In a step it is linear, p = predicted + Z Q at the balanced level, with Z = direct +
+ * sum_k residue_k (velocity coefficient of x_k) and first-order responses dx_k/dt = Q - rate_k x_k
+ * [m^3], one number a port.
+ */
+class OutletModel
+{
+public:
+  /// At the state of t = 0. `outlet` must outlive it.
+  explicit OutletModel(const Outlet &outlet);
+
+  unsigned int n_ports() const { return outlet.impedance.n_ports(); }
+  /// Linearises for a step from the flow rates at its start. Returns whether Z has changed.
+  bool linearise(const Step &step, const double *flow_rates_old);
+  /// Linearises for a steady flow, with Z(0). Throws RunError if no steady flow passes.
+  bool linearise_steady(double time);
+  const dealii::Vector<double> &predicted_pressures() const { return predicted; }
+  /// Z [Pa s/m^3].
+  dealii::FullMatrix<double> impedance() const;
+
+  /// Moves on to the end of the step, by the flow rates at its balanced level.
+  void advance(const Step &step, const double *flow_rates);
+  /// Takes the state of a steady flow.
+  void set_steady(const double *flow_rates);
+
+  /// Of the last step, at its balanced level: the power that is stored; 0 if the terms are no
+  /// stores [W].
+  double stored_power() const;
+  /// Stored at the present time [J].
+  double energy() const;
+  /// The ports' pressures at the present time, of the flow rates there [Pa].
+  std::vector<double> present_pressures(double time, const double *flow_rates) const;
+  /// Whether the pressure behind it jumps between the two times [s].
+  bool jumps(double begin, double end) const;
+
+  /// Hands over all that a step changes; `number`: of the outlet.
+  void visit(StateVisitor &visitor, unsigned int number);
+
+private:
+  /// One first-order response x_k, by port [m^3].
+  struct Response
+  {
+    dealii::Vector<double> present, older, balanced;
+    dealii::Vector<double> rate; ///< dx_k/dt as the step has it [m^3/s]
+  };
+  const Outlet &outlet;
+  std::vector<Response> responses;  ///< by term of the impedance
+  std::vector<double> coefficients; ///< of x_k by Q in the step [s]; empty before the first one
+  dealii::Vector<double> predicted;
+
+  bool take_coefficients(const std::vector<double> &new_coefficients);
+  std::vector<double> new_coefficients; ///< work space
+};
+} // namespace Continua
+
+#endif

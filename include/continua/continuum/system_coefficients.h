@@ -1,0 +1,32 @@
+#ifndef continua_continuum_system_coefficients_h
+#define continua_continuum_system_coefficients_h
+
+#include <continua/materials/material.h>
+#include <continua/time_integration/step.h>
+
+#include <vector>
+
+namespace Continua
+{
+/// What the linear system of a step is made of, by material id.
+struct SystemCoefficients
+{
+  std::vector<double> mass;            ///< a0 rho [kg/(m^3 s)]
+  std::vector<double> stiffness;       ///< alpha, equation 7.4 [Pa s]
+  std::vector<double> compressibility; ///< 1/(K b) [1/(Pa s)]
+
+  /// But for round-off: time steps of one size are not equal to the last bit.
+  bool operator==(const SystemCoefficients &other) const;
+
+  /// Takes those of a step.
+  void set(const std::vector<Material> &materials, const Step &step);
+  /// Takes those of a body at rest that is all solid (displacement for velocity, mu for alpha, 1/K
+  /// for compressibility) or of a steady flow, where dp/dt = 0 and compressibility has no part.
+  void set_steady(const std::vector<Material> &materials);
+};
+
+/// Whether two lists of coefficients are equal but for round-off.
+bool nearly_equal(const std::vector<double> &a, const std::vector<double> &b);
+} // namespace Continua
+
+#endif

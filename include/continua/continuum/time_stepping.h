@@ -1,0 +1,120 @@
+#ifndef continua_continuum_time_stepping_h
+#define continua_continuum_time_stepping_h
+
+#include <continua/base/archive.h>
+#include <continua/base/log.h>
+#include <continua/continuum/branch_history.h>
+#include <continua/continuum/bulk_history.h>
+#include <continua/continuum/kept_state.h>
+#include <continua/continuum/ledger.h>
+#include <continua/continuum/operators.h>
+#include <continua/continuum/outlet_coupling.h>
+#include <continua/continuum/problem.h>
+
+#include <set>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * The state of the continuum and the step that changes it, written once for every discretisation:
+ * the levels of velocity and pressure, the histories of the branches, the outlets, and what a
+ * scheme does with them. A discretisation gives the operators. See the chapter on the numerics in
+ * the manual.
+ */
+class TimeStepping
+{
+public:
+  /// All must outlive it.
+  TimeStepping(const Problem &problem, Operators &operators, Log &log);
+
+  /// Sets everything up on the present mesh, with the state of t = 0.
+  void initialise();
+  /// One step; throws RunError if the result is not finite or the solve failed.
+  StepReport advance(const Step &step);
+  /// Whether solve_steady() applies: the body is all solid or all fluid.
+  bool steady_is_direct() const;
+  /// One solve without time, loads taken at `time` [s]: the displacement of a solid at rest, the
+  /// velocity of a steady flow. Throws RunError.
+  void solve_steady(double time);
+
+  /// See ContinuumSolver.
+  StepError step_error();
+  void keep_state();
+  void return_to_kept_state() { kept.give_back(); }
+  bool data_jumps(double begin, double end) const;
+
+  PowerBalance power_balance(bool relaxation);
+  Energy energy();
+
+  /// Call when cells are flagged and before the triangulation changes, and after.
+  void prepare_refinement();
+  void transfer();
+  void save(ArchiveWriter &archive) const;
+  void load(const ArchiveReader &archive);
+
+  /// The state at the present time, to be read.
+  State state();
+  double time() const { return present_time; }
+  /// The pressures of the outlets' ports at the present time, by boundary condition [Pa].
+  std::vector<double> port_pressures() const
+  {
+    return outlets.present_pressures(present_time, velocity);
+  }
+  /// To be changed by a shape of vibration.
+  DistributedVector &present_velocity() { return velocity; }
+  DistributedVector &present_displacement() { return history.displacement(); }
+  DistributedVector &present_pressure() { return pressure; }
+
+private:
+  const Problem &problem;
+  Operators &operators;
+  Log &log;
+  BranchHistory history;
+  BulkHistory bulk_history;
+  OutletCoupling outlets;
+  Ledger ledger;
+
+  // The state: at the present time, and one step before.
+  DistributedVector velocity, velocity_older, pressure, pressure_older;
+  double present_time = 0.;
+  BalancedStep balanced;        ///< by the last step
+  DistributedVector prescribed; ///< velocities, constants set once [m/s]
+  // The last pressure known at a time of its own, from which that of an incompressible material is
+  // extrapolated.
+  DistributedVector pressure_known;
+  double pressure_known_time = 0.;
+  std::vector<unsigned int> pressures_without_history; ///< local indices
+  bool some_pressures_without_history = false;         ///< on any rank
+  /// Relaxation times whose exponential update the log has told of.
+  std::set<double> exponential_branches_reported;
+  // Work space of the step.
+  SystemCoefficients coefficients;
+  DistributedVector momentum, mass, velocity_work, mixture, pressure_work, mass_work;
+
+  KeptState kept;
+
+  void setup();
+  /// The list of the state: what is added here is saved, kept, given back and carried over.
+  void visit(StateVisitor &visitor);
+  State present() const { return State{velocity, pressure, history}; }
+  void report_exponential_branches(const Step &step);
+  /// The parts of a step: its system, its right-hand sides, the solution, and the state at its end.
+  void prepare(const Step &step, StepReport &report);
+  void set_momentum(const Step &step);
+  void set_mass(const Step &step);
+  void set_prescribed(const Step &step);
+  void solve(const Step &step, StepReport &report);
+  void finish(const Step &step);
+  void extrapolate_pressure(const Step &step);
+  /// Velocities without mass yield to the forces that are out of balance at this time: at the
+  /// start, where the load is there at once, and on a new mesh.
+  void balance_massless_velocities(double time);
+  /// They yield to a load that jumps in the step, where the rule is trapezoidal.
+  void yield_to_jump(const Step &step);
+  /// They yield to the forces in `momentum`.
+  void yield();
+};
+} // namespace Continua
+
+#endif

@@ -1,0 +1,141 @@
+#ifndef continua_finite_element_taylor_hood_h
+#define continua_finite_element_taylor_hood_h
+
+#include <continua/base/log.h>
+#include <continua/continuum/discretisation.h>
+#include <continua/continuum/problem.h>
+#include <continua/finite_element/boundary_constraints.h>
+#include <continua/finite_element/field_evaluation.h>
+#include <continua/finite_element/field_output.h>
+#include <continua/finite_element/loads.h>
+#include <continua/finite_element/mesh_transfer.h>
+#include <continua/finite_element/region_operators.h>
+#include <continua/finite_element/space.h>
+#include <continua/finite_element/step_system.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/// What the Taylor-Hood path reads of the parameter file.
+struct TaylorHoodParameters
+{
+  SpaceParameters space;
+  LinearSolverParameters linear_solver;
+};
+
+/**
+ * The Taylor-Hood discretisation: the operators of the finite elements. It puts tested parts
+ * together: space, operators by region, constraints, loads and the step's system. G = -B^T, so that
+ * the system is symmetric.
+ */
+template <int dim>
+class TaylorHood : public Discretisation<dim>
+{
+public:
+  /// `problem` and `log` must outlive it.
+  TaylorHood(dealii::parallel::TriangulationBase<dim> &triangulation,
+             const Problem &problem,
+             const TaylorHoodParameters &parameters,
+             Log &log);
+
+  void setup() override;
+  DistributedVector velocity_vector() const override { return space.velocity_vector(); }
+  DistributedVector pressure_vector() const override { return space.pressure_vector(); }
+  std::vector<std::vector<unsigned int>> velocity_nodes() const override;
+  std::vector<std::vector<unsigned int>> pressure_nodes() const override;
+  std::vector<unsigned int> pressures_without_history() const override;
+  StateNumbering numbering() const override;
+
+  void multiply_mass(unsigned int region,
+                     DistributedVector &momentum,
+                     const DistributedVector &velocity) override;
+  void multiply_stiffness(unsigned int region,
+                          DistributedVector &force,
+                          const DistributedVector &mixture) override;
+  void multiply_gradient(unsigned int region,
+                         DistributedVector &force,
+                         const DistributedVector &pressure) override;
+  void multiply_divergence(unsigned int region,
+                           DistributedVector &rate,
+                           const DistributedVector &velocity) override;
+  void multiply_pressure_mass(unsigned int region,
+                              DistributedVector &product,
+                              const DistributedVector &pressure) override;
+  double pressure_power(unsigned int region,
+                        const DistributedVector &velocity,
+                        const DistributedVector &pressure) override;
+  double pressure_product(unsigned int region,
+                          const DistributedVector &p,
+                          const DistributedVector &q) override;
+  double divergence(const DistributedVector &velocity) override;
+
+  void add_loads(double time, DistributedVector &forces) const override;
+  bool load_jumps(double begin, double end) const override;
+  bool prescribed_velocity_jumps(double begin, double end) const override;
+  bool is_homogeneous() const override { return constraints.is_homogeneous(); }
+  void evaluate_prescribed(double time, DistributedVector &values) const override;
+  void prescribed_part(const DistributedVector &velocity, DistributedVector &values) const override;
+  void clear_prescribed(DistributedVector &velocity) const override;
+  void set_initial_state(DistributedVector &velocity,
+                         DistributedVector &displacement,
+                         DistributedVector &pressure) override;
+
+  SystemChange prepare(const SystemCoefficients &coefficients, double pressure_time) override;
+  void take_prescribed(const DistributedVector &prescribed,
+                       DistributedVector &momentum,
+                       DistributedVector &mass) override;
+  void solve(const DistributedVector &prescribed,
+             DistributedVector &momentum,
+             DistributedVector &mass,
+             DistributedVector &velocity,
+             DistributedVector &pressure,
+             StepReport &report) override;
+  DistributedVector flow_of_velocities(unsigned int condition) const override;
+  DistributedVector flow_profile(unsigned int condition) const override;
+  void add_velocity_product(const DistributedVector &velocity, DistributedVector &result) override;
+  void add_divergence(const DistributedVector &velocity, DistributedVector &result) override;
+
+  void prepare_transfer(const std::vector<DistributedVector *> &velocities,
+                        const std::vector<DistributedVector *> &pressures) override;
+  void finish_transfer(const std::vector<DistributedVector *> &velocities,
+                       const std::vector<DistributedVector *> &pressures) override;
+  SolverSizes sizes() const override;
+
+  const dealii::Mapping<dim> &mapping() const override { return space.mapping; }
+  unsigned int add_probe(const ProbeRequest<dim> &request) override;
+  void evaluate_probes(const State &state, std::vector<double> &values) override;
+  std::map<std::string, std::string> add_output(const State &state,
+                                                dealii::DataOut<dim> &data_out) override;
+  void indicators(const IndicatorRequest &request,
+                  const State &state,
+                  const std::vector<double> &port_pressures,
+                  double time,
+                  dealii::Vector<float> &per_cell) override;
+  double error_norm(const State &state,
+                    const std::string &field,
+                    const std::vector<Expression> &exact,
+                    double time) override;
+  std::unique_ptr<VibrationOperator<dim>> vibration(const VibratingState &state) override;
+
+private:
+  const Problem &problem;
+  Log &log;
+  Space<dim> space;
+  std::vector<RegionOperators> operators;
+  BoundaryConstraints<dim> constraints;
+  Loads<dim> loads;
+  StepSystem<dim> system;
+  MeshTransfer<dim> mesh_transfer;
+  FieldEvaluation<dim> evaluation;
+  FieldOutput<dim> output;
+  std::string linear_solver_reported;
+  DistributedVector zero_velocity, velocity_work, pressure_work;
+
+  void report_linear_solver();
+};
+} // namespace Continua
+
+#endif

@@ -1,0 +1,189 @@
+#ifndef continua_finite_volume_cell_wise_h
+#define continua_finite_volume_cell_wise_h
+
+#include <continua/base/log.h>
+#include <continua/continuum/discretisation.h>
+#include <continua/continuum/problem.h>
+#include <continua/finite_volume/cell_evaluation.h>
+#include <continua/finite_volume/cell_loads.h>
+#include <continua/finite_volume/cell_output.h>
+#include <continua/finite_volume/cell_system.h>
+#include <continua/finite_volume/cell_transfer.h>
+#include <continua/finite_volume/displacement_levels.h>
+#include <continua/finite_volume/displacement_step.h>
+#include <continua/finite_volume/loaded_faces.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * The cell-wise discretisation, which emulates the thesis's finite volumes (its chapter 3) on the
+ * meshes of deal.II. It puts tested parts together: space, operators by region, conditions on
+ * faces, loads, the equations of a step and the way they are solved; see the chapter on the
+ * cell-wise path in the manual. Its hooks in the step are those of the faces, which have no mass
+ * and yield at once; of Rhie and Chow's corrections; of the displacement form; and of what the
+ * thesis plots of powers.
+ */
+template <int dim>
+class CellWise : public Discretisation<dim>
+{
+public:
+  /// `problem` and `log` must outlive it.
+  CellWise(dealii::parallel::TriangulationBase<dim> &triangulation,
+           const Problem &problem,
+           const CellWiseParameters &parameters,
+           Log &log);
+  ~CellWise() override;
+
+  void setup() override;
+  DistributedVector velocity_vector() const override { return space.velocity_vector(); }
+  DistributedVector pressure_vector() const override { return space.pressure_vector(); }
+  std::vector<std::vector<unsigned int>> velocity_nodes() const override;
+  std::vector<std::vector<unsigned int>> pressure_nodes() const override;
+  std::vector<unsigned int> pressures_without_history() const override;
+  StateNumbering numbering() const override;
+
+  void multiply_mass(unsigned int region,
+                     DistributedVector &momentum,
+                     const DistributedVector &velocity) override;
+  void multiply_stiffness(unsigned int region,
+                          DistributedVector &force,
+                          const DistributedVector &mixture) override;
+  /// Zero where the stress has all of the pressure.
+  void multiply_gradient(unsigned int region,
+                         DistributedVector &force,
+                         const DistributedVector &pressure) override;
+  void multiply_divergence(unsigned int region,
+                           DistributedVector &rate,
+                           const DistributedVector &velocity) override;
+  void multiply_pressure_mass(unsigned int region,
+                              DistributedVector &product,
+                              const DistributedVector &pressure) override;
+  double pressure_power(unsigned int region,
+                        const DistributedVector &velocity,
+                        const DistributedVector &pressure) override;
+  /// Over the cells: faces have equations of state, but no volume.
+  double pressure_product(unsigned int region,
+                          const DistributedVector &p,
+                          const DistributedVector &q) override;
+  double divergence(const DistributedVector &velocity) override;
+
+  void add_loads(double time, DistributedVector &forces) const override;
+  bool load_jumps(double begin, double end) const override;
+  bool prescribed_velocity_jumps(double begin, double end) const override;
+  bool is_homogeneous() const override { return conditions.is_homogeneous(); }
+  void evaluate_prescribed(double time, DistributedVector &values) const override;
+  void prescribed_part(const DistributedVector &velocity, DistributedVector &values) const override;
+  /// Nothing: faces have no mass.
+  void clear_prescribed(DistributedVector &) const override {}
+  void set_initial_state(DistributedVector &velocity,
+                         DistributedVector &displacement,
+                         DistributedVector &pressure) override;
+
+  SystemChange prepare(const SystemCoefficients &coefficients, double pressure_time) override;
+  void take_prescribed(const DistributedVector &prescribed,
+                       DistributedVector &momentum,
+                       DistributedVector &mass) override;
+  bool starts_from_guess() const override { return true; }
+  void solve(const DistributedVector &prescribed,
+             DistributedVector &momentum,
+             DistributedVector &mass,
+             DistributedVector &velocity,
+             DistributedVector &pressure,
+             StepReport &report) override;
+
+  void prepare_transfer(const std::vector<DistributedVector *> &velocities,
+                        const std::vector<DistributedVector *> &pressures) override;
+  void finish_transfer(const std::vector<DistributedVector *> &velocities,
+                       const std::vector<DistributedVector *> &pressures) override;
+  SolverSizes sizes() const override;
+
+  void visit(StateVisitor &visitor) override;
+  /// With the pressure's own update, where one is asked for.
+  Step own_step(const Step &step) override;
+  void take_state(const Step &step, const State &state) override;
+  void take_initial_state(const State &state) override { set_dilatation_rate(state); }
+  void multiply_past_stiffness(unsigned int region,
+                               DistributedVector &force,
+                               const DistributedVector &mixture) override;
+  void
+  set_past_dilatation(unsigned int region, const State &start, DistributedVector &rate) override;
+  bool corrects_fluxes() const override { return parameters.has_pressure(); }
+  void add_past_flux_correction(const DistributedVector &pressure,
+                                DistributedVector &mass) override;
+  bool has_massless_velocities() const override;
+  bool yield_at_once(DistributedVector &forces,
+                     DistributedVector &displacement,
+                     DistributedVector &pressure) override;
+  void complete_pressure(const DistributedVector &displacement,
+                         DistributedVector &pressure) override;
+  bool solves_for_displacement() const override { return formulation == Formulation::displacement; }
+  void make_displacement_step(const Step &step,
+                              const DistributedVector &velocity,
+                              DistributedVector &displacement,
+                              BalancedStep &balanced,
+                              StepReport &report) override;
+  void set_reported_stress_force(unsigned int region,
+                                 const BalancedStep &step,
+                                 DistributedVector &mixture,
+                                 DistributedVector &force) override;
+  bool reports_change_of_kinetic_energy() const override;
+
+  unsigned int add_probe(const ProbeRequest<dim> &request) override;
+  void evaluate_probes(const State &state, std::vector<double> &values) override;
+  std::map<std::string, std::string> add_output(const State &state,
+                                                dealii::DataOut<dim> &data_out) override;
+  void indicators(const IndicatorRequest &request,
+                  const State &state,
+                  const std::vector<double> &port_pressures,
+                  double time,
+                  dealii::Vector<float> &per_cell) override;
+  double error_norm(const State &state,
+                    const std::string &field,
+                    const std::vector<Expression> &exact,
+                    double time) override;
+  std::unique_ptr<VibrationOperator<dim>> vibration(const VibratingState &state) override;
+
+private:
+  const Problem &problem;
+  const CellWiseParameters parameters;
+  const Formulation formulation;
+  Log &log;
+  CellSpace<dim> space;
+  FaceConditions<dim> conditions;
+  CellLoads<dim> loads;
+  std::vector<CellOperators> operators;
+  PressureClosure closure;
+  CellSystem<dim> system;
+  double start_of_step = 0.; ///< [s], for the solve's report
+  std::unique_ptr<CellSolve<dim>> cell_solve;
+  LoadedFaces<dim> loaded_faces;
+  DisplacementStep<dim> displacement_step; ///< of the displacement form
+  CellEvaluation<dim> evaluation;
+  CellOutput<dim> output;
+  CellTransfer<dim> cell_transfer;
+  double smallest_distance = 0.; ///< between two cells, or from a cell to a boundary face [m]
+  bool undamped_is_reported = false;
+
+  // The discretisation's own part of the state.
+  /// div U as the equations of state have it, at the end of the last step, for the trapezoidal rule
+  /// [m^3/s].
+  DistributedVector dilatation_rate;
+  bool dilatation_rate_is_current = true;
+  DisplacementLevels displacement_levels;         ///< of the displacement form
+  DistributedVector velocity_work, pressure_work; ///< work space
+
+  CellCoefficients cell_coefficients(const SystemCoefficients &coefficients,
+                                     double pressure_time) const;
+  SystemChange prepare_cells(const CellCoefficients &coefficients);
+  void set_dilatation_rate(const State &state);
+  /// -K div D.
+  void set_pressure_of_displacement(const DistributedVector &displacement,
+                                    DistributedVector &pressure);
+};
+} // namespace Continua
+
+#endif

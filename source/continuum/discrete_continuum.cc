@@ -1,0 +1,69 @@
+#include <continua/continuum/discrete_continuum.h>
+
+#include <continua/continuum/field_list.h>
+
+namespace Continua
+{
+template <int dim>
+DiscreteContinuum<dim>::DiscreteContinuum(std::unique_ptr<Discretisation<dim>> discretisation,
+                                          const Problem &problem,
+                                          Log &log)
+    : problem(problem),
+      discretisation(std::move(discretisation)),
+      stepping(problem, *this->discretisation, log)
+{
+}
+
+template <int dim>
+std::unique_ptr<VibrationOperator<dim>> DiscreteContinuum<dim>::vibration()
+{
+  return discretisation->vibration(
+      {stepping.present_velocity(), stepping.present_displacement(), stepping.present_pressure()});
+}
+
+template <int dim>
+std::vector<FieldComponent> DiscreteContinuum<dim>::fields() const
+{
+  return field_names<dim>(problem.model);
+}
+
+template <int dim>
+void DiscreteContinuum<dim>::evaluate_probes(std::vector<double> &values)
+{
+  discretisation->evaluate_probes(stepping.state(), values);
+}
+
+template <int dim>
+double DiscreteContinuum<dim>::divergence()
+{
+  return discretisation->divergence(stepping.present_velocity());
+}
+
+template <int dim>
+std::map<std::string, std::string>
+DiscreteContinuum<dim>::add_output(dealii::DataOut<dim> &data_out)
+{
+  return discretisation->add_output(stepping.state(), data_out);
+}
+
+template <int dim>
+void DiscreteContinuum<dim>::indicators(const IndicatorRequest &request,
+                                        dealii::Vector<float> &per_cell)
+{
+  const std::vector<double> port_pressures = request.kind == IndicatorRequest::Kind::traction_jump
+                                                 ? stepping.port_pressures()
+                                                 : std::vector<double>();
+  discretisation->indicators(request, stepping.state(), port_pressures, stepping.time(), per_cell);
+}
+
+template <int dim>
+double DiscreteContinuum<dim>::error_norm(const std::string &field,
+                                          const std::vector<Expression> &exact,
+                                          const double time)
+{
+  return discretisation->error_norm(stepping.state(), field, exact, time);
+}
+
+template class DiscreteContinuum<2>;
+template class DiscreteContinuum<3>;
+} // namespace Continua

@@ -1,0 +1,175 @@
+#include <continua/continuum/equation_term.h>
+
+#include <continua/continuum/local_product.h>
+
+#include <cmath>
+
+namespace Continua
+{
+namespace
+{
+/// rho dU/dt.
+class Inertia : public EquationTerm
+{
+public:
+  double power(const unsigned int region,
+               const FinishedStep &step,
+               TermContext &context,
+               DistributedVector *const forces) const override
+  {
+    const double density = context.problem.materials[region].density;
+    if (context.operators.reports_change_of_kinetic_energy())
+      return 0.5 * density / step.balanced.step.size() *
+             (square(region, step.end, context) - square(region, step.start, context));
+    context.operators.multiply_mass(region, context.force, step.balanced.acceleration);
+    if (forces != nullptr)
+      forces->add(density, context.force);
+    return density * local_product(context.force, step.balanced.velocity);
+  }
+  double energy(const unsigned int region, const State &state, TermContext &context) const override
+  {
+    return 0.5 * context.problem.materials[region].density *
+           square(region, state.velocity, context);
+  }
+
+private:
+  static double
+  square(const unsigned int region, const DistributedVector &velocity, TermContext &context)
+  {
+    context.operators.multiply_mass(region, context.force, velocity);
+    return local_product(context.force, velocity);
+  }
+};
+
+/// The stress of the branches, 2 mu_k dev sym grad D_k.
+class BranchStress : public EquationTerm
+{
+public:
+  double power(const unsigned int region,
+               const FinishedStep &step,
+               TermContext &context,
+               DistributedVector *const forces) const override
+  {
+    if (!context.history.mix_balanced(region, step.balanced.step, context.mixture))
+      return 0.;
+    context.operators.set_reported_stress_force(region, step.balanced, context.mixture,
+                                                context.force);
+    if (forces != nullptr)
+      forces->add(1., context.force);
+    return local_product(context.force, step.balanced.velocity);
+  }
+  double relaxation_power(const unsigned int region,
+                          const BalancedStep &step,
+                          TermContext &context) const override
+  {
+    double sum = 0.;
+    for (const Branch &branch : context.problem.materials[region].branches)
+      if (!std::isinf(branch.relaxation_time))
+      {
+        context.history.balanced_displacement(branch.relaxation_time, step.step, context.mixture);
+        context.history.forgotten_velocity(branch.relaxation_time, step.step, step.velocity,
+                                           context.forgotten);
+        context.operators.multiply_stiffness(region, context.force, context.mixture);
+        sum += branch.shear_modulus * local_product(context.force, context.forgotten);
+      }
+    return sum;
+  }
+  double energy(const unsigned int region, const State &state, TermContext &context) const override
+  {
+    double sum = 0.;
+    for (const Branch &branch : context.problem.materials[region].branches)
+    {
+      const DistributedVector &internal =
+          state.history.internal_displacement(branch.relaxation_time);
+      context.operators.multiply_stiffness(region, context.force, internal);
+      sum += 0.5 * branch.shear_modulus * local_product(context.force, internal);
+    }
+    return sum;
+  }
+};
+
+/// The stress of the viscosity, 2 eta dev sym grad U.
+class ViscousStress : public EquationTerm
+{
+public:
+  double power(const unsigned int region,
+               const FinishedStep &step,
+               TermContext &context,
+               DistributedVector *const forces) const override
+  {
+    const double viscosity = context.problem.materials[region].viscosity;
+    if (viscosity == 0.)
+      return 0.;
+    context.operators.multiply_stiffness(region, context.force, step.balanced.velocity);
+    if (forces != nullptr)
+      forces->add(viscosity, context.force);
+    return viscosity * local_product(context.force, step.balanced.velocity);
+  }
+};
+
+/// The pressure, with the springs of a volume change that relaxes.
+class Compression : public EquationTerm
+{
+public:
+  double power(const unsigned int region,
+               const FinishedStep &step,
+               TermContext &context,
+               DistributedVector *const forces) const override
+  {
+    if (forces == nullptr)
+      return context.operators.pressure_power(region, step.balanced.velocity,
+                                              step.balanced.pressure);
+    context.operators.multiply_gradient(region, context.force, step.balanced.pressure);
+    forces->add(1., context.force);
+    return local_product(context.force, step.balanced.velocity);
+  }
+  double relaxation_power(const unsigned int region,
+                          const BalancedStep &step,
+                          TermContext &context) const override
+  {
+    double sum = 0.;
+    const std::vector<BulkBranch> &branches = context.problem.materials[region].bulk_branches;
+    for (unsigned int k = 0; k < branches.size(); ++k)
+      if (!std::isinf(branches[k].relaxation_time))
+      {
+        context.bulk_history.balanced_dilatation(region, k, step.step, context.dilatation);
+        context.bulk_history.forgotten_rate(region, k, step.step, context.forgotten_rate);
+        sum += branches[k].bulk_modulus * context.operators.pressure_product(
+                                              region, context.dilatation, context.forgotten_rate);
+      }
+    return sum;
+  }
+  double energy(const unsigned int region, const State &state, TermContext &context) const override
+  {
+    const Material &material = context.problem.materials[region];
+    double sum = 0.;
+    for (unsigned int k = 0; k < material.bulk_branches.size(); ++k)
+    {
+      const DistributedVector &internal = context.bulk_history.internal_dilatation(region, k);
+      sum += 0.5 * material.bulk_branches[k].bulk_modulus *
+             context.operators.pressure_product(region, internal, internal);
+    }
+    if (material.bulk_branches.empty())
+      sum += 0.5 * material.inverse_bulk_modulus *
+             context.operators.pressure_product(region, state.pressure, state.pressure);
+    return sum;
+  }
+};
+
+template <typename Term>
+std::unique_ptr<EquationTerm> make_term()
+{
+  return std::make_unique<Term>();
+}
+} // namespace
+
+const std::vector<EquationTermType> &equation_terms()
+{
+  static const std::vector<EquationTermType> terms = {
+      {"kinetic", "kinetic energy taken", true, false, make_term<Inertia>},
+      {"strain", "strain energy taken", true, true, make_term<BranchStress>},
+      {"viscous", "energy dissipated", false, false, make_term<ViscousStress>},
+      {"compressive", "compressive energy taken", true, true, make_term<Compression>}};
+  return terms;
+}
+} // namespace Continua

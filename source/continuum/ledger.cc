@@ -1,0 +1,109 @@
+#include <continua/continuum/ledger.h>
+
+#include <continua/continuum/local_product.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+
+namespace Continua
+{
+using namespace dealii;
+
+Ledger::Ledger(const Problem &problem,
+               Operators &operators,
+               const OutletCoupling &outlets,
+               const BranchHistory &history,
+               const BulkHistory &bulk_history)
+    : problem(problem), operators(operators), outlets(outlets), context{problem, operators,
+                                                                        history, bulk_history,
+                                                                        {},      {},
+                                                                        {},      {},
+                                                                        {},      {}}
+{
+  for (const EquationTermType &type : equation_terms())
+    terms.push_back(type.make());
+}
+
+void Ledger::reinit()
+{
+  forces = operators.velocity_vector();
+  for (DistributedVector *vector : {&context.force, &context.mixture, &context.forgotten})
+    vector->reinit(forces);
+  context.pressure_product = operators.pressure_vector();
+  for (DistributedVector *vector : {&context.dilatation, &context.forgotten_rate})
+    vector->reinit(context.pressure_product);
+}
+
+PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
+{
+  const unsigned int n_regions = problem.materials.size(), n_terms = terms.size();
+  const BalancedStep &balanced = step.balanced;
+  PowerBalance balance;
+  balance.time = balanced.step.balance_time;
+  balance.materials.resize(n_regions);
+  // Numbers of this rank; all are summed over the ranks at once.
+  sums.clear();
+
+  // What the equations leave at the nodes - inertia + inner forces - loads - is the force that
+  // moves those of prescribed velocity; without such nodes nobody asks for it.
+  const bool reactions = !operators.is_homogeneous();
+  forces = 0.;
+  operators.add_loads(balance.time, forces);
+  sums.push_back(local_product(forces, balanced.velocity));
+  if (reactions)
+  {
+    outlets.add_forces(1., forces);
+    forces *= -1.;
+  }
+  for (unsigned int region = 0; region < n_regions; ++region)
+  {
+    for (const auto &term : terms)
+      sums.push_back(term->power(region, step, context, reactions ? &forces : nullptr));
+    double relaxed = 0.;
+    if (relaxation)
+      for (const auto &term : terms)
+        relaxed += term->relaxation_power(region, balanced, context);
+    sums.push_back(relaxed);
+  }
+  sums.push_back(reactions ? local_product(forces, balanced.prescribed) : 0.);
+  Utilities::MPI::sum(sums, problem.communicator, sums);
+
+  balance.external = sums.front() + sums.back();
+  balance.residual = balance.external;
+  balance.exchanged = std::abs(balance.external);
+  for (unsigned int region = 0; region < n_regions; ++region)
+  {
+    const auto of_region = sums.begin() + 1 + region * (n_terms + 1);
+    Power &power = balance.materials[region];
+    power.terms.assign(of_region, of_region + n_terms);
+    power.relaxation = of_region[n_terms];
+    balance.residual -= power.sum();
+    for (const double of_term : power.terms)
+      balance.exchanged += std::abs(of_term);
+  }
+  outlets.power(balance.outlets);
+  for (const OutletPower &power : balance.outlets)
+  {
+    balance.residual -= power.leaving;
+    balance.exchanged += std::abs(power.leaving);
+  }
+  return balance;
+}
+
+Energy Ledger::energy(const State &state)
+{
+  const unsigned int n_regions = problem.materials.size();
+  sums.clear();
+  for (const auto &term : terms)
+    for (unsigned int region = 0; region < n_regions; ++region)
+      sums.push_back(term->energy(region, state, context));
+  Utilities::MPI::sum(sums, problem.communicator, sums);
+  Energy energy;
+  for (unsigned int term = 0; term < terms.size(); ++term)
+    energy.terms.emplace_back(sums.begin() + term * n_regions,
+                              sums.begin() + (term + 1) * n_regions);
+  energy.outlets = outlets.energy();
+  return energy;
+}
+} // namespace Continua

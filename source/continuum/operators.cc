@@ -1,0 +1,26 @@
+#include <continua/continuum/operators.h>
+
+namespace Continua
+{
+DistributedVector Operators::flow_of_velocities(unsigned int) const
+{
+  AssertThrow(false, dealii::ExcNotImplemented());
+  return {};
+}
+
+DistributedVector Operators::flow_profile(unsigned int) const
+{
+  AssertThrow(false, dealii::ExcNotImplemented());
+  return {};
+}
+
+void Operators::add_velocity_product(const DistributedVector &, DistributedVector &)
+{
+  AssertThrow(false, dealii::ExcNotImplemented());
+}
+
+void Operators::add_divergence(const DistributedVector &, DistributedVector &)
+{
+  AssertThrow(false, dealii::ExcNotImplemented());
+}
+} // namespace Continua

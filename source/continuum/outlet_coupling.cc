@@ -1,0 +1,288 @@
+#include <continua/continuum/outlet_coupling.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace Continua
+{
+using namespace dealii;
+
+OutletCoupling::OutletCoupling(const Problem &problem, Operators &operators)
+    : problem(problem), operators(operators)
+{
+}
+
+void OutletCoupling::initialise()
+{
+  models.clear();
+  for (const Outlet &outlet : problem.outlets)
+    models.emplace_back(outlet);
+  inputs_are_current = false;
+}
+
+OutletCoupling::Sparse OutletCoupling::sparse(const DistributedVector &vector)
+{
+  Sparse entries;
+  const double *const values = vector.begin();
+  for (unsigned int i = 0; i < vector.locally_owned_size(); ++i)
+    if (values[i] != 0.)
+      entries.emplace_back(i, values[i]);
+  return entries;
+}
+
+double OutletCoupling::product(const Sparse &sparse, const DistributedVector &vector)
+{
+  const double *const values = vector.begin();
+  double sum = 0.;
+  for (const auto &[index, value] : sparse)
+    sum += value * values[index];
+  return sum;
+}
+
+void OutletCoupling::build()
+{
+  ports.clear();
+  first_port.clear();
+  for (unsigned int o = 0; o < problem.outlets.size(); ++o)
+  {
+    first_port.push_back(ports.size());
+    for (const unsigned int c : problem.outlets[o].conditions)
+    {
+      ports.emplace_back();
+      Port &port = ports.back();
+      port.outlet = o;
+      const DistributedVector flow = operators.flow_of_velocities(c);
+      port.flow = sparse(flow);
+      port.holds_flow = problem.conditions[c].normal.flow != nullptr;
+      if (port.holds_flow)
+      {
+        // A flow of 1 is wanted, out of the body.
+        DistributedVector profile = operators.flow_profile(c);
+        profile *= 1. / (flow * profile);
+        port.velocity = sparse(profile);
+      }
+      port.velocity_response = operators.velocity_vector();
+      port.pressure_response = operators.pressure_vector();
+    }
+  }
+  const unsigned int n = ports.size();
+  responses.reinit(n, n);
+  impedances.reinit(n, n);
+  inputs_of_rhs.reinit(n, n);
+  for (Vector<double> *vector : {&outputs, &rhs, &inputs, &predicted})
+    vector->reinit(n);
+  sums.resize(2 * ports.size());
+  pressures.resize(n);
+  flow_rates.resize(n);
+  inputs_are_current = false;
+}
+
+double OutletCoupling::output(const Port &port,
+                              const DistributedVector &velocity,
+                              const DistributedVector &pressure) const
+{
+  return port.holds_flow ? product(port.mass_of_velocity, pressure) -
+                               product(port.momentum_of_velocity, velocity)
+                         : product(port.flow, velocity);
+}
+
+void OutletCoupling::respond(StepReport &report)
+{
+  if (is_empty())
+    return;
+  DistributedVector momentum = operators.velocity_vector(), prescribed = momentum;
+  DistributedVector mass = operators.pressure_vector();
+  for (Port &port : ports)
+  {
+    momentum = 0.;
+    mass = 0.;
+    prescribed = 0.;
+    if (port.holds_flow)
+    {
+      for (const auto &[index, value] : port.velocity)
+        prescribed.begin()[index] = value;
+      operators.add_velocity_product(prescribed, momentum);
+      port.momentum_of_velocity = sparse(momentum);
+      operators.add_divergence(prescribed, mass);
+      port.mass_of_velocity = sparse(mass);
+      momentum = 0.;
+      mass = 0.;
+    }
+    else
+      for (const auto &[index, value] : port.flow)
+        momentum.begin()[index] = -value;
+    operators.take_prescribed(prescribed, momentum, mass);
+    operators.solve(prescribed, momentum, mass, port.velocity_response, port.pressure_response,
+                    report);
+  }
+  std::vector<double> entries;
+  for (const Port &row : ports)
+    for (const Port &column : ports)
+      entries.push_back(output(row, column.velocity_response, column.pressure_response));
+  Utilities::MPI::sum(entries, problem.communicator, entries);
+  responses.fill(entries.data());
+  inputs_are_current = false;
+}
+
+void OutletCoupling::leave_out_ports(DistributedVector &prescribed) const
+{
+  for (const Port &port : ports)
+    for (const auto &entry : port.velocity)
+      prescribed.begin()[entry.first] = 0.;
+}
+
+void OutletCoupling::take_forces(const DistributedVector &momentum)
+{
+  for (Port &port : ports)
+    port.force = product(port.velocity, momentum);
+}
+
+void OutletCoupling::take_models(const bool changed)
+{
+  for (unsigned int o = 0; o < models.size(); ++o)
+    for (unsigned int i = 0; i < models[o].n_ports(); ++i)
+      predicted[first_port[o] + i] = models[o].predicted_pressures()[i];
+  if (inputs_are_current && !changed)
+    return;
+  inputs_are_current = true;
+  impedances = 0.;
+  for (unsigned int o = 0; o < models.size(); ++o)
+    impedances.add(models[o].impedance(), 1., first_port[o], first_port[o]);
+  const unsigned int n = ports.size();
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < n; ++j)
+    {
+      double sum = i == j && !ports[i].holds_flow ? 1. : 0.;
+      if (ports[i].holds_flow)
+        sum += responses(i, j);
+      if (ports[j].holds_flow)
+        sum -= impedances(i, j);
+      for (unsigned int l = 0; l < n; ++l)
+        if (!ports[l].holds_flow)
+          sum -= impedances(i, l) * responses(l, j);
+      inputs_of_rhs(i, j) = sum;
+    }
+  inputs_of_rhs.gauss_jordan();
+}
+
+void OutletCoupling::add_responses(DistributedVector &velocity, DistributedVector &pressure)
+{
+  const unsigned int n = ports.size();
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    rhs[i] = predicted[i] - (ports[i].holds_flow ? outputs[i] : 0.);
+    for (unsigned int j = 0; j < n; ++j)
+      if (!ports[j].holds_flow)
+        rhs[i] += impedances(i, j) * outputs[j];
+  }
+  inputs_of_rhs.vmult(inputs, rhs);
+  responses.vmult_add(outputs, inputs);
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    pressures[i] = ports[i].holds_flow ? outputs[i] : inputs[i];
+    flow_rates[i] = ports[i].holds_flow ? inputs[i] : outputs[i];
+    velocity.add(inputs[i], ports[i].velocity_response);
+    pressure.add(inputs[i], ports[i].pressure_response);
+  }
+}
+
+void OutletCoupling::couple(const Step &step,
+                            const DistributedVector &velocity_old,
+                            DistributedVector &velocity,
+                            DistributedVector &pressure)
+{
+  if (is_empty())
+    return;
+  const unsigned int n = ports.size();
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    sums[i] = output(ports[i], velocity, pressure) + ports[i].force;
+    sums[n + i] = product(ports[i].flow, velocity_old);
+  }
+  Utilities::MPI::sum(sums, problem.communicator, sums);
+  for (unsigned int i = 0; i < n; ++i)
+    outputs[i] = sums[i];
+  bool changed = false;
+  for (unsigned int o = 0; o < models.size(); ++o)
+    changed = models[o].linearise(step, &sums[n + first_port[o]]) || changed;
+  take_models(changed);
+  add_responses(velocity, pressure);
+  for (unsigned int o = 0; o < models.size(); ++o)
+    models[o].advance(step, &flow_rates[first_port[o]]);
+}
+
+void OutletCoupling::couple_steady(const double time,
+                                   DistributedVector &velocity,
+                                   DistributedVector &pressure)
+{
+  if (is_empty())
+    return;
+  const unsigned int n = ports.size();
+  for (unsigned int i = 0; i < n; ++i)
+    sums[i] = output(ports[i], velocity, pressure) + ports[i].force;
+  Utilities::MPI::sum(sums, problem.communicator, sums);
+  for (unsigned int i = 0; i < n; ++i)
+    outputs[i] = sums[i];
+  bool changed = false;
+  for (OutletModel &model : models)
+    changed = model.linearise_steady(time) || changed;
+  take_models(changed);
+  add_responses(velocity, pressure);
+  for (unsigned int o = 0; o < models.size(); ++o)
+    models[o].set_steady(&flow_rates[first_port[o]]);
+}
+
+void OutletCoupling::add_forces(const double factor, DistributedVector &forces) const
+{
+  for (unsigned int i = 0; i < ports.size(); ++i)
+    if (!ports[i].holds_flow)
+      for (const auto &[index, value] : ports[i].flow)
+        forces.begin()[index] -= factor * pressures[i] * value;
+}
+
+void OutletCoupling::power(std::vector<OutletPower> &of_outlets) const
+{
+  of_outlets.assign(problem.outlets.size(), OutletPower());
+  for (unsigned int i = 0; i < ports.size(); ++i)
+    of_outlets[ports[i].outlet].leaving += pressures[i] * flow_rates[i];
+  for (unsigned int o = 0; o < models.size(); ++o)
+    of_outlets[o].stored = models[o].stored_power();
+}
+
+double OutletCoupling::energy() const
+{
+  double sum = 0.;
+  for (const OutletModel &model : models)
+    sum += model.energy();
+  return sum;
+}
+
+std::vector<double> OutletCoupling::present_pressures(const double time,
+                                                      const DistributedVector &velocity) const
+{
+  std::vector<double> of_conditions(problem.conditions.size(), 0.), flows;
+  for (const Port &port : ports)
+    flows.push_back(product(port.flow, velocity));
+  Utilities::MPI::sum(flows, problem.communicator, flows);
+  for (unsigned int o = 0; o < models.size(); ++o)
+  {
+    const std::vector<double> of_ports = models[o].present_pressures(time, &flows[first_port[o]]);
+    for (unsigned int i = 0; i < of_ports.size(); ++i)
+      of_conditions[problem.outlets[o].conditions[i]] += of_ports[i];
+  }
+  return of_conditions;
+}
+
+bool OutletCoupling::jumps(const double begin, const double end) const
+{
+  for (const OutletModel &model : models)
+    if (model.jumps(begin, end))
+      return true;
+  return false;
+}
+
+void OutletCoupling::visit(StateVisitor &visitor)
+{
+  for (unsigned int o = 0; o < models.size(); ++o)
+    models[o].visit(visitor, o);
+}
+} // namespace Continua

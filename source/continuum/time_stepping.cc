@@ -1,0 +1,437 @@
+#include <continua/continuum/time_stepping.h>
+
+#include <continua/base/input_error.h>
+#include <continua/continuum/local_product.h>
+#include <continua/continuum/state_vectors.h>
+#include <continua/continuum/step_extremes.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace Continua
+{
+using namespace dealii;
+
+TimeStepping::TimeStepping(const Problem &problem, Operators &operators, Log &log)
+    : problem(problem),
+      operators(operators),
+      log(log),
+      history(problem.materials),
+      bulk_history(problem.materials),
+      outlets(problem, operators),
+      ledger(problem, operators, outlets, history, bulk_history),
+      kept([this](StateVisitor &visitor) { visit(visitor); })
+{
+}
+
+void TimeStepping::initialise()
+{
+  setup();
+  outlets.initialise();
+  present_time = pressure_known_time = 0.;
+  operators.set_initial_state(velocity, history.displacement(), pressure);
+  bulk_history.start(pressure);
+  balance_massless_velocities(0.);
+  velocity_older.equ(1., velocity);
+  pressure_older.equ(1., pressure);
+  pressure_known.equ(1., pressure);
+  operators.take_initial_state(present());
+}
+
+void TimeStepping::setup()
+{
+  TimerOutput::Scope scope(log.timer(), "setup");
+  operators.setup();
+  const DistributedVector zero_velocity = operators.velocity_vector(),
+                          zero_pressure = operators.pressure_vector();
+  history.reinit(zero_velocity, operators.velocity_nodes());
+  bulk_history.reinit(zero_pressure, operators.pressure_nodes());
+  outlets.build();
+  ledger.reinit();
+  for (DistributedVector *vector :
+       {&balanced.velocity, &balanced.acceleration, &balanced.prescribed, &prescribed, &momentum,
+        &velocity_work, &mixture})
+    vector->reinit(zero_velocity);
+  for (DistributedVector *vector : {&balanced.pressure, &mass, &pressure_work, &mass_work})
+    vector->reinit(zero_pressure);
+  StateSizes sizes(zero_velocity, zero_pressure);
+  visit(sizes);
+  pressures_without_history = operators.pressures_without_history();
+  // Copies are collective: a rank without such a pressure makes them, too.
+  some_pressures_without_history =
+      Utilities::MPI::max(pressures_without_history.empty() ? 0 : 1, problem.communicator) == 1;
+  kept.forget();
+}
+
+void TimeStepping::visit(StateVisitor &visitor)
+{
+  visitor.levels("velocity", StateKind::velocity, velocity, velocity_older);
+  visitor.levels("pressure", StateKind::pressure, pressure, pressure_older);
+  history.visit(visitor);
+  bulk_history.visit(visitor);
+  outlets.visit(visitor);
+  operators.visit(visitor);
+  visitor.vector("known pressure", StateKind::pressure, pressure_known);
+  visitor.value("time of the known pressure", pressure_known_time);
+  visitor.value("present time", present_time);
+}
+
+void TimeStepping::report_exponential_branches(const Step &step)
+{
+  for (const double relaxation_time : history.exponential_branches(step))
+    if (exponential_branches_reported.insert(relaxation_time).second)
+    {
+      std::ostringstream text;
+      text << "The time step is longer than the relaxation time " << relaxation_time
+           << " s: its branches take the exponential update";
+      log.line(text.str());
+    }
+}
+
+StepReport TimeStepping::advance(const Step &given_step)
+{
+  const Step step = operators.own_step(given_step);
+  StepReport report;
+  if (operators.solves_for_displacement())
+    operators.make_displacement_step(step, velocity, history.displacement(), balanced, report);
+  else
+  {
+    kept.move_older_level(step);
+    yield_to_jump(step);
+    prepare(step, report);
+    {
+      TimerOutput::Scope scope(log.timer(), "right-hand side");
+      set_momentum(step);
+      set_mass(step);
+      set_prescribed(step);
+      operators.take_prescribed(balanced.prescribed, momentum, mass);
+    }
+    TimerOutput::Scope scope(log.timer(), "solve");
+    solve(step, report);
+  }
+  TimerOutput::Scope scope(log.timer(), "update");
+  set_extremes(step, velocity, balanced.velocity, balanced.pressure, report);
+  finish(step);
+  return report;
+}
+
+void TimeStepping::prepare(const Step &step, StepReport &report)
+{
+  TimerOutput::Scope scope(log.timer(), "factor");
+  coefficients.set(problem.materials, step);
+  const SystemChange change = operators.prepare(coefficients, step.pressure_time);
+  if (change != SystemChange::none)
+    outlets.respond(report);
+  report.factored = change == SystemChange::factor;
+  if (report.factored)
+    report_exponential_branches(step);
+}
+
+void TimeStepping::set_momentum(const Step &step)
+{
+  // Inertia of the past, force of the branches, loads.
+  velocity_work.equ(-step.a1, velocity);
+  if (step.a2 != 0.)
+    velocity_work.add(-step.a2, velocity_older);
+  balanced.acceleration.equ(-1., velocity_work);
+  momentum = 0.;
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+  {
+    operators.multiply_mass(region, balanced.velocity, velocity_work);
+    momentum.add(problem.materials[region].density, balanced.velocity);
+    if (history.predict(region, step, velocity, mixture))
+    {
+      operators.multiply_past_stiffness(region, balanced.velocity, mixture);
+      momentum.add(-1., balanced.velocity);
+    }
+  }
+  operators.add_loads(step.balance_time, momentum);
+  outlets.take_forces(momentum);
+}
+
+void TimeStepping::set_mass(const Step &step)
+{
+  // The pressure of the past.
+  pressure_work.equ(step.pressure_old, pressure);
+  if (step.pressure_older != 0.)
+    pressure_work.add(step.pressure_older, pressure_older);
+  mass = 0.;
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+  {
+    const double compressibility = coefficients.compressibility[region];
+    const bool relaxes = bulk_history.has(region);
+    if (relaxes)
+      bulk_history.predict(region, step, mass_work);
+    if (relaxes || compressibility != 0.)
+    {
+      operators.multiply_pressure_mass(region, balanced.pressure,
+                                       relaxes ? mass_work : pressure_work);
+      mass.add(compressibility, balanced.pressure);
+    }
+    if (step.divergence_old && !relaxes)
+    {
+      // What relaxes has the rate of the past in its own prediction.
+      operators.set_past_dilatation(region, present(), balanced.pressure);
+      mass.add(-1., balanced.pressure);
+    }
+  }
+  if (!operators.corrects_fluxes())
+    return;
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+    if (bulk_history.has(region))
+      bulk_history.predict(region, step, pressure_work);
+  operators.add_past_flux_correction(pressure_work, mass);
+}
+
+void TimeStepping::set_prescribed(const Step &step)
+{
+  if (operators.is_homogeneous())
+    return;
+  operators.evaluate_prescribed(step.extrapolate ? step.time : step.balance_time, prescribed);
+  if (!step.extrapolate)
+  {
+    balanced.prescribed.equ(1., prescribed);
+    return;
+  }
+  // The end of the step has what is prescribed there, so its middle the mean of that and of the
+  // start.
+  operators.prescribed_part(velocity, balanced.prescribed);
+  balanced.prescribed.sadd(0.5, 0.5, prescribed);
+  outlets.leave_out_ports(balanced.prescribed);
+}
+
+void TimeStepping::solve(const Step &step, StepReport &report)
+{
+  if (operators.starts_from_guess())
+  {
+    balanced.velocity.equ(1., velocity);
+    balanced.pressure.equ(1., pressure);
+  }
+  try
+  {
+    operators.solve(balanced.prescribed, momentum, mass, balanced.velocity, balanced.pressure,
+                    report);
+  }
+  catch (const RunError &error)
+  {
+    std::ostringstream text;
+    text << "in the step to t = " << step.time << " s " << error.what();
+    throw RunError(text.str());
+  }
+  outlets.couple(step, velocity, balanced.velocity, balanced.pressure);
+  balanced.acceleration.add(step.a0, balanced.velocity);
+  history.advance(step, velocity, balanced.velocity);
+  bulk_history.advance(step, balanced.pressure);
+}
+
+void TimeStepping::finish(const Step &step)
+{
+  velocity_older.swap(velocity);
+  pressure_older.swap(pressure);
+  if (step.extrapolate)
+  {
+    velocity.equ(2., balanced.velocity);
+    velocity.add(-1., velocity_older);
+    pressure.equ(2., balanced.pressure);
+    pressure.add(-1., pressure_older);
+    extrapolate_pressure(step);
+  }
+  else
+  {
+    // An assignment would build a plan of exchange between ranks.
+    velocity.equ(1., balanced.velocity);
+    pressure.equ(1., balanced.pressure);
+  }
+  if (some_pressures_without_history)
+  {
+    pressure_known.equ(1., balanced.pressure);
+    pressure_known_time = step.balance_time;
+  }
+  present_time = step.time;
+  balanced.step = step;
+  operators.take_state(step, present());
+  kept.advance(step);
+}
+
+void TimeStepping::extrapolate_pressure(const Step &step)
+{
+  // Where 1/K = 0 the pressure has no history: the balanced one belongs to the middle of the step,
+  // and the line through the last two of them leads to its end.
+  const double factor = (step.time - step.balance_time) / (step.balance_time - pressure_known_time);
+  for (const unsigned int i : pressures_without_history)
+    pressure.begin()[i] = balanced.pressure.begin()[i] +
+                          factor * (balanced.pressure.begin()[i] - pressure_known.begin()[i]);
+}
+
+void TimeStepping::balance_massless_velocities(const double time)
+{
+  if (!operators.has_massless_velocities())
+    return;
+  momentum = 0.;
+  operators.add_loads(time, momentum);
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+  {
+    set_mixture(present(), region, problem.materials[region], mixture);
+    operators.multiply_stiffness(region, velocity_work, mixture);
+    momentum.add(-1., velocity_work);
+    operators.multiply_gradient(region, velocity_work, pressure);
+    momentum.add(-1., velocity_work);
+  }
+  yield();
+}
+
+void TimeStepping::yield_to_jump(const Step &step)
+{
+  if (step.update != Update::trapezoidal || !operators.has_massless_velocities() ||
+      !operators.load_jumps(step.time_old, step.balance_time))
+    return;
+  // The load's change in the step, less what the step before says of its smooth part.
+  momentum = 0.;
+  operators.add_loads(step.balance_time, momentum);
+  velocity_work = 0.;
+  operators.add_loads(step.time_old, velocity_work);
+  const double before = step.time_old - step.size();
+  momentum.add(before < 0. ? -1. : -2., velocity_work);
+  if (before >= 0.)
+    operators.add_loads(before, momentum);
+  yield();
+}
+
+void TimeStepping::yield()
+{
+  if (!operators.yield_at_once(momentum, velocity_work, pressure_work))
+    return;
+  StateVectors displacements;
+  history.visit(displacements);
+  for (DistributedVector *const vector : displacements.velocities)
+    vector->add(1., velocity_work);
+  pressure.add(1., pressure_work);
+  pressure_older.add(1., pressure_work);
+  bulk_history.jump(pressure_work);
+}
+
+bool TimeStepping::steady_is_direct() const
+{
+  bool all_solid = true, all_fluid = true;
+  for (const Material &material : problem.materials)
+    (material.branches.empty() ? all_solid : all_fluid) = false;
+  return all_solid || all_fluid;
+}
+
+void TimeStepping::solve_steady(const double time)
+{
+  AssertThrow(steady_is_direct(), ExcInternalError());
+  const bool solid = !problem.materials.front().branches.empty();
+  StepReport report;
+  {
+    TimerOutput::Scope scope(log.timer(), "factor");
+    coefficients.set_steady(problem.materials);
+    if (operators.prepare(coefficients, 1.) != SystemChange::none && !solid)
+      outlets.respond(report);
+  }
+  momentum = 0.;
+  mass = 0.;
+  operators.add_loads(time, momentum);
+  outlets.take_forces(momentum);
+  balanced.prescribed = 0.;
+  // A solid at rest has no velocity to prescribe: its supports hold.
+  if (!solid && !operators.is_homogeneous())
+  {
+    operators.evaluate_prescribed(time, prescribed);
+    balanced.prescribed.equ(1., prescribed);
+  }
+  operators.take_prescribed(balanced.prescribed, momentum, mass);
+  {
+    TimerOutput::Scope scope(log.timer(), "solve");
+    velocity_work = 0.;
+    operators.solve(balanced.prescribed, momentum, mass, velocity_work, pressure, report);
+  }
+  // Nothing flows out of a solid at rest.
+  if (!solid)
+    outlets.couple_steady(time, velocity_work, pressure);
+  if (!std::isfinite(velocity_work.linfty_norm()))
+    throw RunError("the steady solution is not finite");
+  (solid ? history.displacement() : velocity).equ(1., velocity_work);
+  present_time = time;
+}
+
+StepError TimeStepping::step_error()
+{
+  StepError error;
+  error.is_known = kept.error_is_known();
+  if (!error.is_known)
+    return error;
+  TimerOutput::Scope scope(log.timer(), "step error");
+  kept.velocity_error(velocity.begin(), velocity_work.begin(), velocity.locally_owned_size());
+  // Prescribed velocities are exact, whatever is predicted of them.
+  operators.clear_prescribed(velocity_work);
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+  {
+    operators.multiply_mass(region, momentum, velocity_work);
+    error.kinetic_energy +=
+        0.5 * problem.materials[region].density * local_product(velocity_work, momentum);
+  }
+  error.kinetic_energy = Utilities::MPI::sum(error.kinetic_energy, problem.communicator);
+  return error;
+}
+
+void TimeStepping::keep_state()
+{
+  TimerOutput::Scope scope(log.timer(), "step error");
+  kept.keep();
+}
+
+bool TimeStepping::data_jumps(const double begin, const double end) const
+{
+  return operators.load_jumps(begin, end) || operators.prescribed_velocity_jumps(begin, end) ||
+         outlets.jumps(begin, end);
+}
+
+State TimeStepping::state()
+{
+  operators.complete_pressure(history.displacement(), pressure);
+  return present();
+}
+
+PowerBalance TimeStepping::power_balance(const bool relaxation)
+{
+  return ledger.balance({balanced, velocity_older, velocity}, relaxation);
+}
+
+Energy TimeStepping::energy()
+{
+  return ledger.energy(present());
+}
+
+void TimeStepping::prepare_refinement()
+{
+  StateVectors vectors;
+  visit(vectors);
+  operators.prepare_transfer(vectors.velocities, vectors.pressures);
+}
+
+void TimeStepping::transfer()
+{
+  setup();
+  StateVectors vectors;
+  visit(vectors);
+  operators.finish_transfer(vectors.velocities, vectors.pressures);
+  for ([[maybe_unused]] const DistributedVector *vector : vectors.velocities)
+    Assert(have_same_layout(*vector, velocity_work), ExcInternalError());
+  for ([[maybe_unused]] const DistributedVector *vector : vectors.pressures)
+    Assert(have_same_layout(*vector, pressure_work), ExcInternalError());
+  balance_massless_velocities(present_time);
+}
+
+void TimeStepping::save(ArchiveWriter &archive) const
+{
+  save_state(archive, operators.numbering(), kept);
+}
+
+void TimeStepping::load(const ArchiveReader &archive)
+{
+  load_state(archive, operators.numbering(), kept);
+}
+} // namespace Continua

@@ -1,0 +1,390 @@
+#include <continua/finite_element/taylor_hood.h>
+
+#include <continua/continuum/local_product.h>
+#include <continua/finite_element/flow_shapes.h>
+#include <continua/finite_element/initial_state.h>
+#include <continua/finite_element/kelly_indicator.h>
+#include <continua/finite_element/taylor_hood_vibration.h>
+#include <continua/finite_element/traction_jump.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Continua
+{
+using namespace dealii;
+
+template <int dim>
+TaylorHood<dim>::TaylorHood(parallel::TriangulationBase<dim> &triangulation,
+                            const Problem &problem,
+                            const TaylorHoodParameters &parameters,
+                            Log &log)
+    : problem(problem),
+      log(log),
+      space(triangulation, parameters.space, problem.model, problem.regions.size()),
+      operators(problem.regions.size()),
+      constraints(space, problem.conditions),
+      loads(space, problem),
+      system(space, operators, constraints, parameters.linear_solver),
+      mesh_transfer(space),
+      evaluation(space, problem),
+      output(space, problem, evaluation)
+{
+}
+
+template <int dim>
+void TaylorHood<dim>::setup()
+{
+  space.distribute();
+  assemble_region_operators(space, operators);
+  constraints.build();
+  for (const std::string &conflict : constraints.conflicts())
+    log.warning(conflict);
+  loads.build();
+  system.reinit();
+  evaluation.rebuild();
+  for (DistributedVector *vector : {&zero_velocity, &velocity_work})
+    *vector = space.velocity_vector();
+  pressure_work = space.pressure_vector();
+}
+
+template <int dim>
+std::vector<std::vector<unsigned int>> TaylorHood<dim>::velocity_nodes() const
+{
+  return Continua::velocity_nodes(operators);
+}
+
+template <int dim>
+std::vector<std::vector<unsigned int>> TaylorHood<dim>::pressure_nodes() const
+{
+  return Continua::pressure_nodes(operators);
+}
+
+template <int dim>
+std::vector<unsigned int> TaylorHood<dim>::pressures_without_history() const
+{
+  DistributedVector compressible = space.pressure_vector(), one = compressible,
+                    volume = compressible;
+  one = 1.;
+  for (unsigned int region = 0; region < operators.size(); ++region)
+    if (problem.materials[region].inverse_bulk_modulus > 0.)
+    {
+      multiply(operators[region].pressure_mass, volume, one);
+      compressible.add(1., volume);
+    }
+  std::vector<unsigned int> indices;
+  for (unsigned int i = 0; i < space.pressure_owned.n_elements(); ++i)
+    if (compressible.begin()[i] == 0.)
+      indices.push_back(i);
+  return indices;
+}
+
+template <int dim>
+StateNumbering TaylorHood<dim>::numbering() const
+{
+  return {VectorNumbering(space.communicator, "velocity", numbers_of_dofs(space.velocity_dofs)),
+          VectorNumbering(space.communicator, "pressure", numbers_of_dofs(space.pressure_dofs))};
+}
+
+template <int dim>
+void TaylorHood<dim>::multiply_mass(const unsigned int region,
+                                    DistributedVector &momentum,
+                                    const DistributedVector &velocity)
+{
+  multiply(operators[region].mass, momentum, velocity);
+}
+
+template <int dim>
+void TaylorHood<dim>::multiply_stiffness(const unsigned int region,
+                                         DistributedVector &force,
+                                         const DistributedVector &mixture)
+{
+  multiply(operators[region].stiffness, force, mixture);
+}
+
+template <int dim>
+void TaylorHood<dim>::multiply_gradient(const unsigned int region,
+                                        DistributedVector &force,
+                                        const DistributedVector &pressure)
+{
+  multiply_transposed(operators[region].divergence, force, pressure);
+  force *= -1.;
+}
+
+template <int dim>
+void TaylorHood<dim>::multiply_divergence(const unsigned int region,
+                                          DistributedVector &rate,
+                                          const DistributedVector &velocity)
+{
+  multiply(operators[region].divergence, rate, velocity);
+}
+
+template <int dim>
+void TaylorHood<dim>::multiply_pressure_mass(const unsigned int region,
+                                             DistributedVector &product,
+                                             const DistributedVector &pressure)
+{
+  multiply(operators[region].pressure_mass, product, pressure);
+}
+
+template <int dim>
+double TaylorHood<dim>::pressure_power(const unsigned int region,
+                                       const DistributedVector &velocity,
+                                       const DistributedVector &pressure)
+{
+  // Cheaper than a product with the transposed.
+  multiply(operators[region].divergence, pressure_work, velocity);
+  return -local_product(pressure_work, pressure);
+}
+
+template <int dim>
+double TaylorHood<dim>::pressure_product(const unsigned int region,
+                                         const DistributedVector &p,
+                                         const DistributedVector &q)
+{
+  multiply(operators[region].pressure_mass, pressure_work, p);
+  return local_product(pressure_work, q);
+}
+
+template <int dim>
+double TaylorHood<dim>::divergence(const DistributedVector &velocity)
+{
+  DistributedVector rate = space.pressure_vector(), volume = rate, one = rate;
+  for (const auto index : space.pressure_owned)
+    if (!space.pressure_hanging.is_constrained(index))
+      one[index] = 1.;
+  one.compress(VectorOperation::insert);
+  for (const RegionOperators &region : operators)
+  {
+    multiply(region.divergence, pressure_work, velocity);
+    rate.add(1., pressure_work);
+    multiply(region.pressure_mass, pressure_work, one);
+    volume.add(1., pressure_work);
+  }
+  double largest = 0.;
+  for (unsigned int i = 0; i < rate.locally_owned_size(); ++i)
+    if (one.begin()[i] > 0.)
+      largest = std::max(largest, std::abs(rate.begin()[i] / volume.begin()[i]));
+  return Utilities::MPI::max(largest, space.communicator);
+}
+
+template <int dim>
+void TaylorHood<dim>::add_loads(const double time, DistributedVector &forces) const
+{
+  loads.add(time, forces);
+}
+
+template <int dim>
+bool TaylorHood<dim>::load_jumps(const double begin, const double end) const
+{
+  return loads.jumps(begin, end);
+}
+
+template <int dim>
+bool TaylorHood<dim>::prescribed_velocity_jumps(const double begin, const double end) const
+{
+  return constraints.jumps(begin, end);
+}
+
+template <int dim>
+void TaylorHood<dim>::evaluate_prescribed(const double time, DistributedVector &values) const
+{
+  constraints.evaluate(time, values);
+}
+
+template <int dim>
+void TaylorHood<dim>::prescribed_part(const DistributedVector &velocity,
+                                      DistributedVector &values) const
+{
+  constraints.prescribed_part(velocity, values);
+}
+
+template <int dim>
+void TaylorHood<dim>::clear_prescribed(DistributedVector &velocity) const
+{
+  constraints.set_constrained(velocity, zero_velocity);
+}
+
+template <int dim>
+void TaylorHood<dim>::set_initial_state(DistributedVector &velocity,
+                                        DistributedVector &displacement,
+                                        DistributedVector &pressure)
+{
+  Continua::set_initial_state(space, problem, operators, log, velocity, displacement, pressure);
+}
+
+template <int dim>
+SystemChange TaylorHood<dim>::prepare(const SystemCoefficients &coefficients, double)
+{
+  if (!system.prepare(coefficients))
+    return SystemChange::none;
+  report_linear_solver();
+  return system.has_new_factor() ? SystemChange::factor : SystemChange::coefficients;
+}
+
+template <int dim>
+void TaylorHood<dim>::report_linear_solver()
+{
+  const std::string text = std::string("Linear solver: ") +
+                           (system.is_direct() ? "direct" : "iterative") + ", as " +
+                           system.reason();
+  if (text == linear_solver_reported)
+    return;
+  linear_solver_reported = text;
+  if (system.is_direct() || !system.is_automatic())
+    log.detail(text);
+  else
+    log.line(text);
+  log.detail(system.name());
+  if (system.library_depends_on_ranks())
+    log.detail("The library of a factor depends on the number of ranks: CHOLMOD works on one rank "
+               "only");
+}
+
+template <int dim>
+void TaylorHood<dim>::take_prescribed(const DistributedVector &prescribed,
+                                      DistributedVector &momentum,
+                                      DistributedVector &mass)
+{
+  if (!constraints.is_homogeneous())
+  {
+    velocity_work = 0.;
+    system.add_velocity_product(prescribed, velocity_work);
+    momentum.add(-1., velocity_work);
+    system.add_divergence(-1., prescribed, mass);
+  }
+  constraints.restrict_to_free(momentum);
+  // The symmetric system has the negative of the mass equation.
+  mass *= -1.;
+}
+
+template <int dim>
+void TaylorHood<dim>::solve(const DistributedVector &prescribed,
+                            DistributedVector &momentum,
+                            DistributedVector &mass,
+                            DistributedVector &velocity,
+                            DistributedVector &pressure,
+                            StepReport &report)
+{
+  system.solve(momentum, mass, velocity, pressure);
+  constraints.set_constrained(velocity, prescribed);
+  report.linear_iterations += system.take_iterations();
+}
+
+template <int dim>
+DistributedVector TaylorHood<dim>::flow_of_velocities(const unsigned int condition) const
+{
+  return loads.flow_of_velocities(condition);
+}
+
+template <int dim>
+DistributedVector TaylorHood<dim>::flow_profile(const unsigned int condition) const
+{
+  DistributedVector profile = space.velocity_vector();
+  for (const auto &[dof, shape] : nodal_flow_shapes(space, problem.conditions[condition]))
+    profile[dof] = shape.front();
+  profile.compress(VectorOperation::insert);
+  return profile;
+}
+
+template <int dim>
+void TaylorHood<dim>::add_velocity_product(const DistributedVector &velocity,
+                                           DistributedVector &result)
+{
+  system.add_velocity_product(velocity, result);
+}
+
+template <int dim>
+void TaylorHood<dim>::add_divergence(const DistributedVector &velocity, DistributedVector &result)
+{
+  system.add_divergence(1., velocity, result);
+}
+
+template <int dim>
+void TaylorHood<dim>::prepare_transfer(const std::vector<DistributedVector *> &velocities,
+                                       const std::vector<DistributedVector *> &pressures)
+{
+  mesh_transfer.prepare(velocities, pressures);
+}
+
+template <int dim>
+void TaylorHood<dim>::finish_transfer(const std::vector<DistributedVector *> &velocities,
+                                      const std::vector<DistributedVector *> &pressures)
+{
+  mesh_transfer.finish(velocities, pressures);
+}
+
+template <int dim>
+SolverSizes TaylorHood<dim>::sizes() const
+{
+  SolverSizes sizes;
+  sizes.n_cells = space.triangulation.n_global_active_cells();
+  sizes.n_dofs["velocity"] = space.velocity_dofs.n_dofs();
+  sizes.n_dofs["pressure"] = space.pressure_dofs.n_dofs();
+  if (system.factor() != nullptr)
+  {
+    sizes.factor_entries = system.factor()->n_entries();
+    sizes.factor_memory = system.factor()->memory();
+  }
+  sizes.linear_solver = system.name();
+  sizes.reason_of_linear_solver = system.reason();
+  return sizes;
+}
+
+template <int dim>
+unsigned int TaylorHood<dim>::add_probe(const ProbeRequest<dim> &request)
+{
+  return evaluation.add(request);
+}
+
+template <int dim>
+void TaylorHood<dim>::evaluate_probes(const State &state, std::vector<double> &values)
+{
+  evaluation.evaluate(state, values);
+}
+
+template <int dim>
+std::map<std::string, std::string> TaylorHood<dim>::add_output(const State &state,
+                                                               DataOut<dim> &data_out)
+{
+  return output.add(state, data_out);
+}
+
+template <int dim>
+void TaylorHood<dim>::indicators(const IndicatorRequest &request,
+                                 const State &state,
+                                 const std::vector<double> &port_pressures,
+                                 const double time,
+                                 Vector<float> &per_cell)
+{
+  if (request.kind == IndicatorRequest::Kind::traction_jump)
+    traction_jump_indicators(space, problem, evaluation, state, port_pressures, time, per_cell);
+  else if (request.field == "pressure")
+    kelly_indicators_of_pressure(space, state.pressure, per_cell);
+  else
+    kelly_indicators_of_velocity(
+        space, request.field == "velocity" ? state.velocity : state.history.displacement(),
+        per_cell);
+}
+
+template <int dim>
+double TaylorHood<dim>::error_norm(const State &state,
+                                   const std::string &field,
+                                   const std::vector<Expression> &exact,
+                                   const double time)
+{
+  return evaluation.error_norm(state, field, exact, time);
+}
+
+template <int dim>
+std::unique_ptr<VibrationOperator<dim>> TaylorHood<dim>::vibration(const VibratingState &state)
+{
+  return std::make_unique<TaylorHoodVibration<dim>>(space, problem, operators, constraints, system,
+                                                    state);
+}
+
+template class TaylorHood<2>;
+template class TaylorHood<3>;
+} // namespace Continua
