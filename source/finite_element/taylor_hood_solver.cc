@@ -475,11 +475,12 @@ void TaylorHoodSolver<dim>::indicators(const IndicatorRequest &request, Vector<f
     traction_jump_indicators(space, problem, evaluation, state(),
                              outlets.present_pressures(present_time, velocity), present_time,
                              per_cell);
-  else if (request.field == "pressure")
+  else if (request.field == IndicatorField::pressure)
     kelly_indicators_of_pressure(space, pressure, per_cell);
   else
     kelly_indicators_of_velocity(
-        space, request.field == "velocity" ? velocity : history.displacement(), per_cell);
+        space, request.field == IndicatorField::velocity ? velocity : history.displacement(),
+        per_cell);
 }
 
 template <int dim>

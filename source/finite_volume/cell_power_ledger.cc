@@ -78,9 +78,10 @@ void CellPowerLedger<dim>::set_stress_forces(const unsigned int region,
   velocity_work = 0.;
   if (!history.mix_balanced(region, step.step, mixture))
     return;
-  if (parameters.power_operator == "wide")
+  if (parameters.power_operator == PowerOperator::wide)
     multiply(of_region.wide_stiffness, velocity_work, mixture);
-  else if (parameters.power_operator == "scheme" && parameters.accumulated_term == "inconsistent")
+  else if (parameters.power_operator == PowerOperator::scheme &&
+           parameters.accumulated_term == AccumulatedTerm::inconsistent)
   {
     const double own = BranchHistory::step_stiffness(problem.materials[region], step.step);
     mixture.add(-own, step.velocity);
@@ -142,7 +143,7 @@ PowerBalance CellPowerLedger<dim>::balance(const BalancedCells &step,
   {
     const Material &material = problem.materials[region];
     const CellOperators &of_region = operators[region];
-    if (parameters.power_operator == "scheme")
+    if (parameters.power_operator == PowerOperator::scheme)
       sums.push_back(material.density *
                      weighted_product(of_region.volume, step.acceleration, step.velocity));
     else

@@ -74,7 +74,7 @@ CellWiseSolver<dim>::CellWiseSolver(parallel::TriangulationBase<dim> &triangulat
                                     Log &log)
     : problem(problem),
       parameters(parameters),
-      formulation(parameters.formulation_type()),
+      formulation(parameters.formulation),
       log(log),
       space(triangulation, problem.model),
       conditions(space, problem.conditions),
@@ -174,9 +174,9 @@ template <int dim>
 Step CellWiseSolver<dim>::with_pressure_update(const Step &step) const
 {
   Step result = step;
-  if (parameters.pressure_update == "as the displacement" || step.extrapolate)
+  if (parameters.pressure_update == PressureUpdate::as_displacement || step.extrapolate)
     return result;
-  const bool trapezoidal = parameters.pressure_update == "trapezoidal";
+  const bool trapezoidal = parameters.pressure_update == PressureUpdate::trapezoidal;
   result.pressure_time = (trapezoidal ? 0.5 : 1.) * step.size();
   result.pressure_old = 1.;
   result.pressure_older = 0.;
@@ -194,7 +194,8 @@ double correction_modulus(const Material &material, const CellWiseParameters &pa
   const double mu = material.instantaneous_shear_modulus();
   const double inverse_bulk = material.inverse_bulk_modulus;
   const bool is_nearly_incompressible = inverse_bulk * 8. / 3. * mu < 1.;
-  return is_nearly_incompressible && parameters.stencil_coefficient != "longitudinal"
+  return is_nearly_incompressible &&
+                 parameters.stencil_coefficient != StencilCoefficient::longitudinal
              ? 4. * mu
              : 4. / 3. * mu + 1. / inverse_bulk;
 }
@@ -206,7 +207,7 @@ CellCoefficients CellWiseSolver<dim>::coefficients(const Step &step) const
   CellCoefficients result;
   result.with_pressure = parameters.has_pressure();
   result.correct_fluxes =
-      formulation == Formulation::velocity_pressure && parameters.rhie_chow != "none";
+      formulation == Formulation::velocity_pressure && parameters.rhie_chow != RhieChow::none;
   for (const Material &material : problem.materials)
   {
     result.mass.push_back(step.a0 * material.density);
@@ -216,7 +217,8 @@ CellCoefficients CellWiseSolver<dim>::coefficients(const Step &step) const
     result.stiffness.push_back(
         std::max(material.viscosity + BranchHistory::step_stiffness(material, step), least));
     result.compressibility.push_back(BulkHistory::step_compressibility(material, step));
-    const bool of_increment = parameters.rhie_chow == "increment" && !material.branches.empty();
+    const bool of_increment =
+        parameters.rhie_chow == RhieChow::increment && !material.branches.empty();
     result.increment_mobility.push_back(
         of_increment ? 1. / (correction_modulus(material, parameters) * step.pressure_time) : 0.);
   }
@@ -232,13 +234,13 @@ CellCoefficients CellWiseSolver<dim>::steady_coefficients() const
   CellCoefficients result;
   result.with_pressure = parameters.has_pressure();
   result.correct_fluxes =
-      formulation == Formulation::velocity_pressure && parameters.rhie_chow != "none";
+      formulation == Formulation::velocity_pressure && parameters.rhie_chow != RhieChow::none;
   for (const Material &material : problem.materials)
   {
     result.mass.push_back(0.);
     result.stiffness.push_back(solid ? material.long_term_shear_modulus() : material.viscosity);
     result.compressibility.push_back(solid ? material.long_term_inverse_bulk_modulus() : 0.);
-    result.increment_mobility.push_back(solid && parameters.rhie_chow == "increment"
+    result.increment_mobility.push_back(solid && parameters.rhie_chow == RhieChow::increment
                                             ? 1. / correction_modulus(material, parameters)
                                             : 0.);
   }
@@ -283,8 +285,9 @@ void CellWiseSolver<dim>::add_history(const Step &step)
       momentum.begin()[i] += density * of_region.volume.begin()[i] * velocity_work.begin()[i];
     if (history.predict(region, step, velocity, mixture))
     {
-      multiply(parameters.accumulated_term == "inconsistent" ? of_region.wide_stiffness
-                                                             : of_region.stiffness,
+      multiply(parameters.accumulated_term == AccumulatedTerm::inconsistent
+                   ? of_region.wide_stiffness
+                   : of_region.stiffness,
                balanced.velocity, mixture);
       momentum.add(-1., balanced.velocity);
     }
@@ -755,12 +758,12 @@ void CellWiseSolver<dim>::indicators(const IndicatorRequest &request, Vector<flo
   if (request.kind == IndicatorRequest::Kind::traction_jump)
     traction_jump_indicators(space, problem, evaluation, conditions, state(), present_time,
                              per_cell);
-  else if (request.field == "pressure")
+  else if (request.field == IndicatorField::pressure)
     kelly_indicators_of_pressure(space, reconstruction, pressure, per_cell);
   else
-    kelly_indicators_of_velocity(space, reconstruction,
-                                 request.field == "velocity" ? velocity : history.displacement(),
-                                 per_cell);
+    kelly_indicators_of_velocity(
+        space, reconstruction,
+        request.field == IndicatorField::velocity ? velocity : history.displacement(), per_cell);
 }
 
 template <int dim>

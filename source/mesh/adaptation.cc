@@ -80,8 +80,11 @@ void AdaptationParameters::read_indicators(ParameterSection section)
   section.add("Weights", given_weights, Dimensions::none,
               "Of a combined indicator: a factor for each of Indicators; empty: 1 for all.",
               Range::not_negative());
-  section.add_choice("Indicator field", kelly_field, {"velocity", "displacement", "pressure"},
-                     "Of kelly: the field whose normal derivative is looked at.");
+  add_choice(section, "Indicator field", kelly_field,
+             {{"velocity", IndicatorField::velocity},
+              {"displacement", IndicatorField::displacement},
+              {"pressure", IndicatorField::pressure}},
+             "Of kelly: the field whose normal derivative is looked at.");
   section.add(
       "Band width", band_width, Dimensions::length,
       "Of an interface band: cells with a vertex that is nearer to the interface count, and "

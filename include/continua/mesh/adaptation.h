@@ -1,7 +1,8 @@
 #ifndef continua_mesh_adaptation_h
 #define continua_mesh_adaptation_h
 
-#include <continua/base/parameter_section.h>
+#include <continua/base/words.h>
+#include <continua/mesh/indicator_field.h>
 #include <continua/signal/expression.h>
 
 #include <deal.II/distributed/tria.h>
@@ -22,15 +23,15 @@ struct AdaptationParameters
   /// What is looked at: traction jump, kelly, interface band, expression; more than one if
   /// combined.
   std::vector<std::string> indicators = {"traction jump"};
-  std::vector<double> weights = {1.};   ///< as many
-  std::string kelly_field = "velocity"; ///< velocity, displacement or pressure
-  double band_width = 0.;               ///< [m]
-  Expression expression;                ///< of place and time; positive refines
-  std::string strategy = "number";      ///< number | sum | threshold
-  double refine_fraction = 0.3;         ///< of the cells, or of the indicators' sum
-  double coarsen_fraction = 0.03;       ///< likewise
-  double refine_above = 0.;             ///< of a threshold
-  double coarsen_below = 0.;            ///< up to which cells are coarsened
+  std::vector<double> weights = {1.}; ///< as many
+  IndicatorField kelly_field = IndicatorField::velocity;
+  double band_width = 0.;          ///< [m]
+  Expression expression;           ///< of place and time; positive refines
+  std::string strategy = "number"; ///< number | sum | threshold
+  double refine_fraction = 0.3;    ///< of the cells, or of the indicators' sum
+  double coarsen_fraction = 0.03;  ///< likewise
+  double refine_above = 0.;        ///< of a threshold
+  double coarsen_below = 0.;       ///< up to which cells are coarsened
   unsigned int maximum_level = 10;
   unsigned int minimum_level = 0;
   double end_time = std::numeric_limits<double>::infinity(); ///< [s] after which the mesh stays
