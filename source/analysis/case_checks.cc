@@ -87,7 +87,7 @@ void check_modal(const Case<dim> &input, ParameterSection root)
   }
   ParameterSection boundaries = root.subsection("Boundaries");
   for (const BoundaryCondition &condition : input.problem.conditions)
-    if (condition.type == "absorbing")
+    if (condition.type == BoundaryType::absorbing)
       boundaries.subsection(condition.name)
           .refuse("Type", "an end that takes waves up has no vibrations that last",
                   "Use 'free', 'roller' or 'fixed', or Analysis = transient");
@@ -178,7 +178,7 @@ void check_axis(const Case<dim> &input, ParameterSection root)
               section.refuse("Type",
                              "on the axis of an axisymmetric model the radial velocity is zero",
                              "Set Type = axis");
-            if (!on_axis && condition.type == "axis")
+            if (!on_axis && condition.type == BoundaryType::axis)
               section.refuse("Type", "this boundary is not on the axis (y = 0)",
                              "Set Type = roller if that is meant");
           }
