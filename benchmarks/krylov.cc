@@ -242,7 +242,7 @@ void iterations(Report &report, const Problem &problem)
   Body<dim> body(problem);
   LinearSolverParameters parameters;
   parameters.maximum_iterations = 300;
-  const auto count = [&](const std::string &schur_complement)
+  const auto count = [&](const SchurApproximation schur_complement)
   {
     parameters.schur_complement = schur_complement;
     try
@@ -254,7 +254,8 @@ void iterations(Report &report, const Problem &problem)
       return text(300, 300);
     }
   };
-  const std::string ours = count("cahouet-chabard"), simple = count("simple");
+  const std::string ours = count(SchurApproximation::cahouet_chabard),
+                    simple = count(SchurApproximation::simple);
   report.row({problem.body, std::to_string(problem.n), std::to_string(body.n_unknowns),
               number(problem.time_step), number(problem.shear_modulus), number(problem.aspect),
               number(problem.poisson), number(problem.viscosity), ours, simple,
@@ -264,8 +265,9 @@ void iterations(Report &report, const Problem &problem)
 
 /// Time of set-up and of a step, over ten steps of backward Euler from rest, of one solver.
 template <int dim>
-void crossover(Report &report, const Problem &problem, const std::string &type)
+void crossover(Report &report, const Problem &problem, const LinearSolverType type)
 {
+  const std::string name = type == LinearSolverType::direct ? "direct" : "iterative";
   Body<dim> body(problem);
   LinearSolverParameters parameters;
   parameters.type = type;
@@ -302,10 +304,10 @@ void crossover(Report &report, const Problem &problem, const std::string &type)
     displacement.add(dt, velocity);
   }
   report.row(
-      {problem.body, std::to_string(body.n_unknowns), type, number(set_up), number(median(times)),
+      {problem.body, std::to_string(body.n_unknowns), name, number(set_up), number(median(times)),
        number(static_cast<double>(n_iterations) / static_cast<double>(n_steps)),
        number(system.factor() != nullptr ? system.factor()->memory() / body.n_unknowns : 0.)});
-  std::cerr << problem.body << " " << body.n_unknowns << " " << type << ": " << set_up << " s, "
+  std::cerr << problem.body << " " << body.n_unknowns << " " << name << ": " << set_up << " s, "
             << median(times) << " s a step" << std::endl;
 }
 
@@ -354,7 +356,7 @@ void run(const std::string &output)
   report.start_table("Direct and iterative",
                      {"body", "unknowns", "solver", "set-up [s]", "solve of a step [s]",
                       "iterations a step", "factor [bytes/unknown]"});
-  for (const std::string type : {"direct", "iterative"})
+  for (const LinearSolverType type : {LinearSolverType::direct, LinearSolverType::iterative})
   {
     for (const unsigned int n : {2, 4, 8})
       crossover<2>(report, {"channel", n}, type);

@@ -172,7 +172,7 @@ void measure_mesh(const std::string &partitioner,
                   Values &values)
 {
   PartitionParameters parameters;
-  parameters.partitioner = partitioner;
+  parameters.partitioner = value_of(partitioner_words(), partitioner);
   const double before = memory("VmRSS");
   const auto mesh = make_triangulation<3>(MPI_COMM_WORLD, parameters, {});
   dealii::GridGenerator::subdivided_hyper_cube(*mesh, n);

@@ -168,8 +168,8 @@ template <int dim>
 Row Bench<dim>::measure(const std::string &solver, Triad &triad)
 {
   TaylorHoodParameters parameters = input.discretisation.taylor_hood;
-  parameters.linear_solver.type = "direct";
-  parameters.linear_solver.direct_solver = solver;
+  parameters.linear_solver.type = LinearSolverType::direct;
+  parameters.linear_solver.direct_solver = value_of(direct_solver_words(), solver);
   Log times_of_run(MPI_COMM_WORLD);
   DiscreteContinuum<dim> body(std::make_unique<TaylorHood<dim>>(*input.triangulation, input.problem,
                                                                 parameters, times_of_run),

@@ -96,7 +96,7 @@ double solve_time(const int n, const std::function<void()> &solve)
 
 double packed(const Triplets &matrix, double &n_entries)
 {
-  const auto factor = make_unsymmetric_factor("umfpack", MPI_COMM_WORLD);
+  const auto factor = make_unsymmetric_factor(DirectSolver::umfpack, MPI_COMM_WORLD);
   std::vector<int> owned(matrix.n);
   std::iota(owned.begin(), owned.end(), 0);
   factor->factorize(matrix, owned);

@@ -210,17 +210,17 @@ void add_tube_end(Case<dim> &input,
   {
     const BoundaryCondition &condition = problem.conditions[c];
     const std::string &boundary = problem.boundaries[condition.boundary_id];
-    if (boundary == end_name && condition.type == "absorbing")
+    if (boundary == end_name && condition.type == BoundaryType::absorbing)
       liquid = c;
     if (boundary != wall_name)
       continue;
-    if (condition.type == "absorbing")
+    if (condition.type == BoundaryType::absorbing)
       wall = c;
     const auto is_all = [&condition](const BoundaryPart::Kind kind)
     {
-      return condition.type != "absorbing" && !condition.outlet && condition.normal.kind == kind &&
-             condition.tangential.kind == kind && condition.normal.is_zero() &&
-             condition.tangential.is_zero();
+      return condition.type != BoundaryType::absorbing && !condition.outlet &&
+             condition.normal.kind == kind && condition.tangential.kind == kind &&
+             condition.normal.is_zero() && condition.tangential.is_zero();
     };
     wall_is_clamped = wall_is_clamped && is_all(BoundaryPart::Kind::velocity);
     wall_is_free = wall_is_free && is_all(BoundaryPart::Kind::traction);
@@ -291,7 +291,7 @@ template <int dim>
 void AbsorbingEnds::add(Case<dim> &input, ParameterSection boundaries, const bool restart)
 {
   const auto is_absorbing = [](const BoundaryCondition &condition)
-  { return condition.type == "absorbing"; };
+  { return condition.type == BoundaryType::absorbing; };
   Problem &problem = input.problem;
   const auto first =
       std::find_if(problem.conditions.begin(), problem.conditions.end(), is_absorbing);
@@ -407,7 +407,7 @@ std::string band_record_of(const AbsorbingEnd &end)
 void AbsorbingEnds::save(ArchiveWriter &archive, const Problem &problem) const
 {
   for (const Outlet &outlet : problem.outlets)
-    if (problem.conditions[outlet.conditions[0]].type == "absorbing")
+    if (problem.conditions[outlet.conditions[0]].type == BoundaryType::absorbing)
       archive.add(record_of(outlet), numbers_of(outlet.impedance));
   for (const AbsorbingEnd &end : ends)
     archive.add(band_record_of(end),
@@ -418,7 +418,7 @@ void AbsorbingEnds::save(ArchiveWriter &archive, const Problem &problem) const
 void AbsorbingEnds::load(const ArchiveReader &archive, Problem &problem)
 {
   for (Outlet &outlet : problem.outlets)
-    if (problem.conditions[outlet.conditions[0]].type == "absorbing")
+    if (problem.conditions[outlet.conditions[0]].type == BoundaryType::absorbing)
     {
       const std::vector<double> numbers = archive.values(record_of(outlet));
       const unsigned int n = outlet.impedance.n_ports();

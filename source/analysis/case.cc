@@ -134,7 +134,7 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator, const bool res
   {
     ParameterSection section = root.subsection("Adaptivity");
     adaptation.read(section, transient);
-    if (adaptation.uses("interface band") && !has_fluid_and_solid(*this))
+    if (adaptation.uses(Indicator::interface_band) && !has_fluid_and_solid(*this))
       section.refuse("Indicator", "the body has no interface of fluid and solid",
                      "Choose another indicator");
   }

@@ -87,7 +87,7 @@ void check_modal(const Case<dim> &input, ParameterSection root)
   }
   ParameterSection boundaries = root.subsection("Boundaries");
   for (const BoundaryCondition &condition : input.problem.conditions)
-    if (condition.type == "absorbing")
+    if (condition.type == BoundaryType::absorbing)
       boundaries.subsection(condition.name)
           .refuse("Type", "an end that takes waves up has no vibrations that last",
                   "Use 'free', 'roller' or 'fixed', or Analysis = transient");
@@ -105,11 +105,11 @@ void check_modal(const Case<dim> &input, ParameterSection root)
                       "as half of the first mode's");
   ParameterSection linear_solver = root.subsection("Linear solver");
   if (!input.discretisation.is_cell_wise() &&
-      input.discretisation.taylor_hood.linear_solver.type == "iterative")
+      input.discretisation.taylor_hood.linear_solver.type == LinearSolverType::iterative)
     linear_solver.refuse("Type", "vibrations have an indefinite matrix, which is solved directly",
                          "Use automatic or direct");
   if (input.modal.shift > 0. &&
-      input.discretisation.taylor_hood.linear_solver.direct_solver == "cholmod")
+      input.discretisation.taylor_hood.linear_solver.direct_solver == DirectSolver::cholmod)
     linear_solver.refuse("Direct solver", "cholmod does not pivot, which a shift needs",
                          "Use automatic or mumps");
   refuse_checkpoints(input, root.subsection("Output"));
@@ -178,7 +178,7 @@ void check_axis(const Case<dim> &input, ParameterSection root)
               section.refuse("Type",
                              "on the axis of an axisymmetric model the radial velocity is zero",
                              "Set Type = axis");
-            if (!on_axis && condition.type == "axis")
+            if (!on_axis && condition.type == BoundaryType::axis)
               section.refuse("Type", "this boundary is not on the axis (y = 0)",
                              "Set Type = roller if that is meant");
           }
@@ -188,7 +188,7 @@ void check_axis(const Case<dim> &input, ParameterSection root)
 template <int dim>
 void check_linear_solver(const Case<dim> &input, ParameterSection root)
 {
-  const std::string &type = input.discretisation.taylor_hood.linear_solver.direct_solver;
+  const DirectSolver solver = input.discretisation.taylor_hood.linear_solver.direct_solver;
   ParameterSection section = root.subsection("Linear solver");
   const bool incompressible =
       std::any_of(input.problem.materials.begin(), input.problem.materials.end(),
@@ -196,13 +196,15 @@ void check_linear_solver(const Case<dim> &input, ParameterSection root)
                     return material.inverse_bulk_modulus == 0. ||
                            (is_steady(input) && material.branches.empty());
                   });
-  if (type == "cholmod" && incompressible)
+  if (solver == DirectSolver::cholmod && incompressible)
     section.refuse("Direct solver",
                    "cholmod does not pivot, which an incompressible material needs",
                    "Use automatic or mumps");
-  if ((type == "cholmod" || type == "umfpack") &&
+  if ((solver == DirectSolver::cholmod || solver == DirectSolver::umfpack) &&
       Utilities::MPI::n_mpi_processes(input.communicator) > 1)
-    section.refuse("Direct solver", type + " works on one rank only", "Use automatic or mumps");
+    section.refuse("Direct solver",
+                   word_of(direct_solver_words(), solver) + " works on one rank only",
+                   "Use automatic or mumps");
 }
 /// The cell-wise path's own entries against the scheme in time.
 template <int dim>
@@ -210,18 +212,18 @@ void check_cell_wise_scheme(const Case<dim> &input, ParameterSection root)
 {
   const CellWiseParameters &parameters = input.discretisation.cell_wise;
   if (is_steady(input) || input.general.analysis == "modal" ||
-      input.time.scheme_type() != Scheme::crank_nicolson)
+      input.time.scheme != Scheme::crank_nicolson)
     return;
-  if (parameters.formulation_type() == Formulation::displacement)
+  if (parameters.formulation == Formulation::displacement)
     root.subsection("Time").refuse("Scheme",
                                    "the displacement form has second derivatives by euler implicit "
                                    "or backward differencing only",
                                    "Choose one of them, or another Cell-wise/Formulation");
-  if (parameters.has_pressure() && parameters.pressure_update != "as the displacement")
+  if (parameters.has_pressure() && parameters.pressure_update != PressureUpdate::as_displacement)
     root.subsection("Cell-wise")
         .refuse("Pressure update",
                 "crank nicolson has its own update of the pressure, which is " +
-                    parameters.pressure_update + " here",
+                    word_of(pressure_update_words(), parameters.pressure_update) + " here",
                 "Set Pressure update = as the displacement, or choose another Time/Scheme");
 }
 } // namespace
@@ -264,8 +266,8 @@ void check_time_step_control(const Case<dim> &input, ParameterSection root)
     section.refuse("Time step control", "linear wave theory makes no steps in time",
                    "Remove the entry: Time step is the interval of the theory's table");
   if (input.discretisation.is_cell_wise() &&
-      input.discretisation.cell_wise.formulation_type() == Formulation::displacement &&
-      input.time.scheme_type() == Scheme::backward_differencing)
+      input.discretisation.cell_wise.formulation == Formulation::displacement &&
+      input.time.scheme == Scheme::backward_differencing)
     section.refuse("Time step control",
                    "the displacement form's second derivative over four levels needs them at one "
                    "distance",

@@ -90,7 +90,7 @@ Comparison::Way Comparison::read_way(const unsigned int way) const
     result.time = input.time;
   // At best, as displacements at vertices by elements of degree k: 2 k.
   result.orders.highest = 2. * input.discretisation.velocities_per_cell();
-  if (parameters.refine_time_step && result.time.scheme_type() == Scheme::euler_implicit)
+  if (parameters.refine_time_step && result.time.scheme == Scheme::euler_implicit)
     result.orders.assumed = 1.;
   return result;
 }

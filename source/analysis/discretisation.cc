@@ -35,9 +35,9 @@ std::vector<std::string> DiscretisationParameters::citations() const
   if (!is_cell_wise())
     return {"hoodtaylor1973"};
   std::vector<std::string> keys = {"jasakweller2000"};
-  if (cell_wise.formulation_type() == Formulation::velocity_pressure)
+  if (cell_wise.formulation == Formulation::velocity_pressure)
   {
-    if (cell_wise.rhie_chow != "none")
+    if (cell_wise.rhie_chow != RhieChow::none)
       keys.emplace_back("rhiechow1983");
     if (cell_wise.is_segregated())
       keys.emplace_back("issa1986");

@@ -54,7 +54,7 @@ void write_dispersion_table(const std::string &file,
                                          WaveLevel::womersley};
   for (const WaveLevel level : levels)
     for (const char *quantity : {": phase speed [m/s]", ": attenuation [1/m]"})
-      header.push_back(wave_level_names()[static_cast<unsigned int>(level)] + quantity);
+      header.push_back(word_of(wave_level_words(), level) + quantity);
 
   TableWriter table(file, header);
   std::vector<WaveMode> modes, near_modes;

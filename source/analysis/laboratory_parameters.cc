@@ -14,15 +14,22 @@ bool LaboratoryParameters::has(const std::string &test) const
   return std::find(tests.begin(), tests.end(), test) != tests.end();
 }
 
+const Words<SpecimenShape> &specimen_words()
+{
+  static const Words<SpecimenShape> words = {{"cylinder", SpecimenShape::cylinder},
+                                             {"cube", SpecimenShape::cube}};
+  return words;
+}
+
 void LaboratoryParameters::read(ParameterSection section)
 {
   section.add("Tests", tests,
               "Tests that are simulated with one element: a list of relaxation (a strain that is "
               "loaded within a time and held), creep (a stress from t = 0 on) and harmonic (a "
               "sinusoidal strain). Relaxation and creep last until Time/End time.");
-  section.add_choice("Specimen", specimen, {"cylinder", "cube"},
-                     "The one element of the simulated tests: a cylinder (axisymmetric) or a cube "
-                     "(three-dimensional); both find the same.");
+  add_choice(section, "Specimen", specimen, specimen_words(),
+             "The one element of the simulated tests: a cylinder (axisymmetric) or a cube "
+             "(three-dimensional); both find the same.");
   section.add("Lowest frequency", lowest_frequency, Dimensions::frequency,
               "Lower end of the band over which the complex modulus is tabulated.",
               Range::positive());

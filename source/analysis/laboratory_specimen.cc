@@ -56,8 +56,8 @@ std::unique_ptr<parallel::distributed::Triangulation<dim>> make_mesh()
 TaylorHoodParameters pivoting_solver()
 {
   TaylorHoodParameters parameters;
-  parameters.linear_solver.type = "direct";
-  parameters.linear_solver.direct_solver = "umfpack";
+  parameters.linear_solver.type = LinearSolverType::direct;
+  parameters.linear_solver.direct_solver = DirectSolver::umfpack;
   return parameters;
 }
 } // namespace
@@ -92,7 +92,7 @@ typename LaboratorySpecimen<dim>::Sample LaboratorySpecimen<dim>::advance()
 {
   // As a transient analysis does it.
   const double start = time_control.time(), size = time_control.next_size();
-  if (time_control.n_steps() > 0 && parameters.scheme_type() != Scheme::euler_implicit &&
+  if (time_control.n_steps() > 0 && parameters.scheme != Scheme::euler_implicit &&
       solver.data_jump(start - 1e-6 * size, start + (1. - 1e-6) * size))
     time_control.restart();
   for (const Step &step : time_control.next())

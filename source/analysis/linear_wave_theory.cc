@@ -131,7 +131,7 @@ void LinearWaveTheory<dim>::check(const Case<dim> &input, ParameterSection root)
     root.subsection("Wave theory")
         .refuse("Overlay", "linear wave theory does not cover this case: " + problem,
                 "Set Overlay = false");
-  if (!alone && input.wave_theory.far_end != "as the boundary")
+  if (!alone && input.wave_theory.far_end != FarEnd::as_boundary)
     root.subsection("Wave theory")
         .refuse("Far end", "theory beside a run must have the run's own far end",
                 "Leave the entry out, or set Analysis = linear wave theory");

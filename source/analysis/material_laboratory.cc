@@ -140,7 +140,7 @@ void MaterialLaboratory::perform(const CommandLine &command_line,
   summary.set("command line", command_line.text);
   summary.set("parameter file", command_line.parameter_file);
   summary.set("analysis", general.analysis);
-  summary.set("specimen", laboratory.specimen);
+  summary.set("specimen", word_of(specimen_words(), laboratory.specimen));
   summary.set("ranks", static_cast<double>(dealii::Utilities::MPI::n_mpi_processes(communicator)));
   summary.set("material", name + ", " + material.type);
   report(log, summary);
@@ -151,7 +151,7 @@ void MaterialLaboratory::perform(const CommandLine &command_line,
     if (!table.file.empty())
       write_table(directory);
   }
-  if (laboratory.specimen == "cylinder")
+  if (laboratory.specimen == SpecimenShape::cylinder)
     simulate<2>(directory, is_writer, log, summary);
   else
     simulate<3>(directory, is_writer, log, summary);

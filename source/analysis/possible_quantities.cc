@@ -93,7 +93,7 @@ QuantityNames possible_quantities(const Case<dim> &input)
     if (problem.materials[region].power_law_modulus > 0.)
       names.add("Prony fit error", problem.regions[region]);
   for (const BoundaryCondition &condition : problem.conditions)
-    if (condition.type == "absorbing")
+    if (condition.type == BoundaryType::absorbing)
       names.add("absorbing end fit error", condition.name);
   if (input.time.is_adaptive())
     StepRecord::name_quantities(names);

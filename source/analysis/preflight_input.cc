@@ -29,7 +29,7 @@ std::set<unsigned int> fluids_of(const Case<dim> &input)
 
 Step regular_step(const TimeParameters &time)
 {
-  switch (time.scheme_type())
+  switch (time.scheme)
   {
   case Scheme::crank_nicolson:
     return crank_nicolson_step(0., time.time_step);

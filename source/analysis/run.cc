@@ -81,13 +81,14 @@ void Run<dim>::initialise(const std::string &mesh_file)
   {
     const PartitionQuality quality = measure_partition(*input.triangulation);
     std::ostringstream partition;
-    partition << "Divided by " << input.mesh.partition.partitioner << ": " << quality.n_cut_faces
+    partition << "Divided by " << word_of(partitioner_words(), input.mesh.partition.partitioner)
+              << ": " << quality.n_cut_faces
               << " faces between ranks, most work of a rank over the mean " << quality.imbalance;
     log.detail(partition.str());
   }
   for (const std::string &key : input.discretisation.citations())
     citations.add(key);
-  citations.add(input.mesh.partition.partitioner);
+  citations.add(word_of(partitioner_words(), input.mesh.partition.partitioner));
   citations.add("trilinos");
 }
 

@@ -84,7 +84,7 @@ void Transient<dim>::perform()
   fields.finish(run.summary);
   LinearWaveTheory<dim>(run).compare();
   run.summary.add({"weak divergence at the end", run.solver->divergence(), "1/s", ""});
-  if (run.input.time.scheme_type() == Scheme::crank_nicolson && run.input.time.smooth_start)
+  if (run.input.time.scheme == Scheme::crank_nicolson && run.input.time.smooth_start)
     run.citations.add("rannacher1984");
   run.finish(time_control.n_steps(), time_control.time());
 }
@@ -226,7 +226,7 @@ template <int dim>
 void Transient<dim>::find_jumps()
 {
   if (time_control.n_steps() == 0 ||
-      (run.input.time.scheme_type() == Scheme::euler_implicit && !time_control.is_adaptive()))
+      (run.input.time.scheme == Scheme::euler_implicit && !time_control.is_adaptive()))
     return;
   TimerOutput::Scope scope(run.log.timer(), "search for jumps");
   const double start = time_control.time();

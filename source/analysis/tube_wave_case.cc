@@ -61,7 +61,7 @@ std::string read_wall_end(const Case<dim> &input, const std::string &boundary, W
       return "the mesh has no boundary '" + boundary + "'";
     const bool clamped = is_fixed(condition->normal) && is_fixed(condition->tangential);
     const bool free = is_free(condition->normal) && is_free(condition->tangential);
-    const bool absorbing = condition->type == "absorbing";
+    const bool absorbing = condition->type == BoundaryType::absorbing;
     const WallEnd present = absorbing ? WallEnd::absorbing
                             : clamped ? WallEnd::clamped
                                       : WallEnd::free;
@@ -111,7 +111,7 @@ std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case)
     return "the initial state is not rest";
 
   TubeWaveProblem &problem = wave_case.problem;
-  problem.level = wave_level_of(input.wave_theory.level);
+  problem.level = input.wave_theory.level;
   // A table may vary more than a law does.
   problem.n_computed_sections =
       std::max(input.wave_theory.computed_sections, law->name() == "table" ? 16u : 0u);
@@ -120,25 +120,26 @@ std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case)
   if (inlet == nullptr || outlet == nullptr)
     return "the mesh has no 'inlet' or 'outlet'";
   const Waveform waveform = inlet->normal.along_normal;
-  if (inlet->type == "flow rate")
+  if (inlet->type == BoundaryType::flow_rate)
     problem.inlet = TubeWaveProblem::Inlet::flow_rate;
-  else if (inlet->type == "pressure")
+  else if (inlet->type == BoundaryType::pressure)
     problem.inlet = TubeWaveProblem::Inlet::pressure;
   else
-    return "the inlet's Type is '" + inlet->type + "', not pressure or flow rate";
+    return "the inlet's Type is '" + word_of(boundary_type_words(), inlet->type) +
+           "', not pressure or flow rate";
   if (waveform.depends_on_space())
     return "the inlet's value depends on the place";
   wave_case.inlet = [waveform](const double time) { return waveform(origin, time); };
 
-  if (input.wave_theory.far_end == "matched")
+  if (input.wave_theory.far_end == FarEnd::matched)
     problem.outlet = TubeWaveProblem::Outlet::matched;
-  else if (input.wave_theory.far_end == "branches")
+  else if (input.wave_theory.far_end == FarEnd::branches)
   {
     problem.outlet = TubeWaveProblem::Outlet::loaded;
     problem.load =
         Impedance::resistance(impedance_of_branches(input.problem.materials[0], input.wave_theory));
   }
-  else if (outlet->type == "absorbing")
+  else if (outlet->type == BoundaryType::absorbing)
     problem.outlet = TubeWaveProblem::Outlet::absorbing;
   else if (outlet->outlet)
   {

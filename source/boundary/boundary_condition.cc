@@ -61,10 +61,9 @@ void read_traction(ParameterSection &section, BoundaryCondition &condition, cons
 
 void read_tangential(ParameterSection &section, BoundaryCondition &condition)
 {
-  std::string tangential = "free";
-  section.add_choice("Tangential", tangential, {"free", "fixed"},
-                     "Along the boundary: free of traction, or fixed (no velocity along it).");
-  condition.tangential.kind = tangential == "fixed" ? Kind::velocity : Kind::traction;
+  add_choice(section, "Tangential", condition.tangential.kind,
+             {{"free", Kind::traction}, {"fixed", Kind::velocity}},
+             "Along the boundary: free of traction, or fixed (no velocity along it).");
 }
 
 void read_pressure(ParameterSection &section, BoundaryCondition &condition, unsigned int)
@@ -86,12 +85,15 @@ void read_flow_rate(ParameterSection &section, BoundaryCondition &condition, uns
     section.refuse(
         "Flow rate", "depends on x, y or z",
         "Write it as a function of t; 'Profile' gives the distribution over the section");
-  condition.profile = "parabolic";
-  section.add_choice(
-      "Profile", condition.profile, {"flat", "parabolic", "womersley"},
-      "How the velocity is distributed over the section: flat (zero at the rim), "
-      "parabolic, or womersley: that of a viscous liquid in a rigid tube that was at "
-      "rest before t = 0.");
+  FlowProfile::Shape profile = FlowProfile::Shape::parabolic;
+  add_choice(section, "Profile", profile,
+             {{"flat", FlowProfile::Shape::flat},
+              {"parabolic", FlowProfile::Shape::parabolic},
+              {"womersley", FlowProfile::Shape::womersley}},
+             "How the velocity is distributed over the section: flat (zero at the rim), "
+             "parabolic, or womersley: that of a viscous liquid in a rigid tube that was at "
+             "rest before t = 0.");
+  condition.profile = profile;
 }
 
 /// What a resistance and a windkessel have in common.
@@ -105,22 +107,22 @@ void read_outlet(ParameterSection &section, BoundaryCondition &condition, Outlet
     section.refuse("Pressure behind", "depends on x, y or z",
                    "Write it as a function of t: an outlet has one pressure");
 
-  std::string coupling = "pressure";
-  section.add_choice("Coupling", coupling, {"pressure", "flow"},
-                     "How the section is held: pressure - one pressure acts on all of it, the "
-                     "velocity's distribution is free; flow - the velocity has the distribution of "
-                     "'Profile', of which only the flow rate is free.");
-  std::string profile = "parabolic";
-  section.add_choice("Profile", profile, {"flat", "parabolic"},
-                     "How the velocity of Coupling = flow is distributed over the section: flat "
-                     "(zero at the rim) or parabolic.");
+  add_choice(section, "Coupling", outlet.coupling,
+             {{"pressure", Outlet::Coupling::pressure}, {"flow", Outlet::Coupling::flow}},
+             "How the section is held: pressure - one pressure acts on all of it, the "
+             "velocity's distribution is free; flow - the velocity has the distribution of "
+             "'Profile', of which only the flow rate is free.");
+  FlowProfile::Shape profile = FlowProfile::Shape::parabolic;
+  add_choice(section, "Profile", profile,
+             {{"flat", FlowProfile::Shape::flat}, {"parabolic", FlowProfile::Shape::parabolic}},
+             "How the velocity of Coupling = flow is distributed over the section: flat "
+             "(zero at the rim) or parabolic.");
   read_tangential(section, condition);
-  if (coupling == "flow")
+  if (outlet.coupling == Outlet::Coupling::flow)
   {
     if (section.given("Tangential") && condition.tangential.kind == Kind::traction)
       section.refuse("Tangential", "with Coupling = flow the section has no velocity along it",
                      "Remove the entry, or set Coupling = pressure");
-    outlet.coupling = Outlet::Coupling::flow;
     condition.normal.kind = condition.tangential.kind = Kind::velocity;
     condition.profile = profile;
   }
@@ -182,18 +184,28 @@ void read_free(ParameterSection &, BoundaryCondition &, unsigned int) {}
 
 void read_mixed(ParameterSection &section, BoundaryCondition &condition, const unsigned int dim)
 {
-  std::string normal = "traction", tangential = "traction";
-  section.add_choice("Normal", normal, {"velocity", "pressure", "traction"},
-                     "What is given along the outward normal.");
-  section.add_choice("Tangential", tangential, {"velocity", "traction"},
-                     "What is given along the boundary.");
-  if (normal == "velocity")
+  enum class Normal
+  {
+    velocity,
+    pressure,
+    traction
+  };
+  Normal normal = Normal::traction;
+  add_choice(section, "Normal", normal,
+             {{"velocity", Normal::velocity},
+              {"pressure", Normal::pressure},
+              {"traction", Normal::traction}},
+             "What is given along the outward normal.");
+  add_choice(section, "Tangential", condition.tangential.kind,
+             {{"velocity", Kind::velocity}, {"traction", Kind::traction}},
+             "What is given along the boundary.");
+  if (normal == Normal::velocity)
   {
     condition.normal.kind = Kind::velocity;
     condition.normal.along_normal = Waveform::read(section, "Normal velocity", Dimensions::velocity,
                                                    "Velocity along the outward normal.", true);
   }
-  else if (normal == "pressure")
+  else if (normal == Normal::pressure)
   {
     condition.normal.along_normal =
         Waveform::read(section, "Pressure", Dimensions::pressure,
@@ -207,13 +219,10 @@ void read_mixed(ParameterSection &section, BoundaryCondition &condition, const u
                    "Traction along the outward normal, positive when it pulls.");
     condition.normal.along_normal = Waveform(value);
   }
-  if (tangential == "velocity")
-  {
-    condition.tangential.kind = Kind::velocity;
+  if (condition.tangential.kind == Kind::velocity)
     condition.tangential.vector = read_vector(
         section, "Tangential velocity", dim, Dimensions::velocity,
         "Cartesian components of a velocity, whose part along the boundary counts.", true);
-  }
   else
     condition.tangential.vector = read_vector(
         section, "Tangential traction", dim, Dimensions::pressure,
@@ -222,6 +231,7 @@ void read_mixed(ParameterSection &section, BoundaryCondition &condition, const u
 
 struct Row
 {
+  BoundaryType type;
   const char *name;
   const char *description;
   void (*read)(ParameterSection &, BoundaryCondition &, unsigned int);
@@ -230,23 +240,26 @@ struct Row
 const std::vector<Row> &table()
 {
   static const std::vector<Row> rows = {
-      {"fixed", "No velocity: normal and tangential velocity are zero.", read_fixed},
-      {"velocity", "Prescribed velocity, normal and tangential.", read_velocity},
-      {"traction", "Prescribed traction, normal and tangential.", read_traction},
-      {"pressure", "Outside pressure along the normal; along the boundary free or fixed.",
-       read_pressure},
-      {"flow rate",
+      {BoundaryType::fixed, "fixed", "No velocity: normal and tangential velocity are zero.",
+       read_fixed},
+      {BoundaryType::velocity, "velocity", "Prescribed velocity, normal and tangential.",
+       read_velocity},
+      {BoundaryType::traction, "traction", "Prescribed traction, normal and tangential.",
+       read_traction},
+      {BoundaryType::pressure, "pressure",
+       "Outside pressure along the normal; along the boundary free or fixed.", read_pressure},
+      {BoundaryType::flow_rate, "flow rate",
        "Flow rate into a round section around the x axis, axisymmetric or three-dimensional; no "
        "velocity along the boundary.",
        read_flow_rate},
-      {"resistance",
+      {BoundaryType::resistance, "resistance",
        "An outlet of a liquid whose pressure follows its flow rate, p = R Q + pressure behind.",
        read_resistance},
-      {"windkessel",
+      {BoundaryType::windkessel, "windkessel",
        "An outlet of a liquid into a resistance, behind which a compliance stores and a second "
        "resistance drains.",
        read_windkessel},
-      {"absorbing",
+      {BoundaryType::absorbing, "absorbing",
        "The end of a tube that goes on: the pressure follows the flow rate as its impedance says, "
        "so "
        "that waves leave; at the end of the wall the axial stress follows the axial velocity. "
@@ -254,10 +267,11 @@ const std::vector<Row> &table()
        "the boundary there is no traction. Without a wall: the plane wave in a compressible "
        "liquid.",
        read_absorbing},
-      {"roller", "No velocity along the normal, no traction along the boundary.", read_roller},
-      {"axis", "The axis of an axisymmetric model: as roller.", read_roller},
-      {"free", "No traction, normal and tangential.", read_free},
-      {"mixed", "Any pair of a normal and a tangential part.", read_mixed}};
+      {BoundaryType::roller, "roller",
+       "No velocity along the normal, no traction along the boundary.", read_roller},
+      {BoundaryType::axis, "axis", "The axis of an axisymmetric model: as roller.", read_roller},
+      {BoundaryType::free, "free", "No traction, normal and tangential.", read_free},
+      {BoundaryType::mixed, "mixed", "Any pair of a normal and a tangential part.", read_mixed}};
   return rows;
 }
 
@@ -313,7 +327,7 @@ std::string BoundaryCondition::initial_jump(const double *point) const
     add(is_velocity ? "a velocity" : "a traction", std::sqrt(square),
         is_velocity ? velocity : traction);
     const double along = part->along_normal.initial_value(point);
-    if (!profile.empty())
+    if (profile)
       add("a flow rate", along, "m^3/s");
     else if (part->negative)
       add("a pressure", along, traction);
@@ -343,6 +357,18 @@ std::vector<std::pair<std::string, std::string>> boundary_types()
   return types;
 }
 
+const Words<BoundaryType> &boundary_type_words()
+{
+  static const Words<BoundaryType> words = []()
+  {
+    Words<BoundaryType> result;
+    for (const Row &row : table())
+      result.emplace_back(row.name, row.type);
+    return result;
+  }();
+  return words;
+}
+
 std::vector<BoundaryCondition>
 read_boundary_conditions(ParameterSection section,
                          const std::vector<std::string> &boundaries,
@@ -351,13 +377,9 @@ read_boundary_conditions(ParameterSection section,
                          const unsigned int n_dimensions,
                          const bool axisymmetric)
 {
-  std::vector<std::string> type_names;
   std::string type_text = "What holds on the boundary; required.";
   for (const Row &row : table())
-  {
-    type_names.emplace_back(row.name);
     type_text += std::string(" ") + row.name + " - " + row.description;
-  }
 
   std::vector<BoundaryCondition> conditions;
   std::map<std::pair<unsigned int, unsigned int>, std::string> taken;
@@ -388,19 +410,18 @@ read_boundary_conditions(ParameterSection section,
                        (region.empty() ? "" : " in the region '" + region + "'"),
                    "Remove the subsection, or name a region that touches the boundary");
 
-    condition.type = "free";
-    child.add_choice("Type", condition.type, type_names, type_text);
+    add_choice(child, "Type", condition.type, boundary_type_words(), type_text);
     child.require("Type");
-    if (condition.type == "axis" && !axisymmetric)
+    if (condition.type == BoundaryType::axis && !axisymmetric)
       child.refuse("Type", "there is no axis in this model",
                    "Use 'roller', or Model = axisymmetric");
-    if (condition.type == "flow rate" && n_dimensions == 2 && !axisymmetric)
+    if (condition.type == BoundaryType::flow_rate && n_dimensions == 2 && !axisymmetric)
       child.refuse("Type", "a plane model has no round section that a flow rate could pass",
                    "Use 'velocity', or Model = axisymmetric or three-dimensional");
     for (const Row &row : table())
-      if (condition.type == row.name)
+      if (condition.type == row.type)
         row.read(child, condition, n_dimensions);
-    if (condition.outlet && !condition.profile.empty() && n_dimensions == 2 && !axisymmetric)
+    if (condition.outlet && condition.profile && n_dimensions == 2 && !axisymmetric)
       child.refuse("Coupling", "a plane model has no round section with a profile",
                    "Use Coupling = pressure, or Model = axisymmetric or three-dimensional");
 

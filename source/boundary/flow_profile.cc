@@ -17,18 +17,18 @@ constexpr std::size_t rows_of_block = 512;
 constexpr double rim_tolerance = 1e-6;
 } // namespace
 
-FlowProfile::FlowProfile(const std::string &profile,
+FlowProfile::FlowProfile(const Shape shape,
                          const Waveform &flow_rate,
                          const double radius,
                          const double fraction,
                          const FlowHistory &history)
-    : is_flat(profile == "flat"),
+    : is_flat(shape == Shape::flat),
       flow_rate(flow_rate),
       tube_radius(radius),
       part_of_disc(fraction),
       present_time(std::numeric_limits<double>::quiet_NaN())
 {
-  if (profile == "womersley")
+  if (shape == Shape::womersley)
     tabulate(history);
   present.resize(1 + rates.size());
 }

@@ -15,7 +15,7 @@ void set_flow_profiles(std::vector<BoundaryCondition> &conditions,
 {
   for (BoundaryCondition &condition : conditions)
   {
-    if (condition.profile.empty())
+    if (!condition.profile)
       continue;
     const ParameterSection section = boundaries.subsection(condition.name);
     RoundSection disc{};
@@ -29,7 +29,7 @@ void set_flow_profiles(std::vector<BoundaryCondition> &conditions,
                      "Use 'velocity', or a geometry with a round section such as a tube");
     }
     FlowHistory history;
-    if (condition.profile == "womersley")
+    if (condition.profile == FlowProfile::Shape::womersley)
     {
       if (times.steady)
         section.refuse("Profile", "a steady flow has no womersley profile",
@@ -41,7 +41,7 @@ void set_flow_profiles(std::vector<BoundaryCondition> &conditions,
       history = {liquid.viscosity / liquid.density, times.end_time, times.time_step};
     }
     condition.normal.flow = std::make_shared<const FlowProfile>(
-        condition.profile, condition.normal.along_normal, disc.radius, disc.fraction, history);
+        *condition.profile, condition.normal.along_normal, disc.radius, disc.fraction, history);
   }
 }
 

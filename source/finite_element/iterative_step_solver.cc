@@ -222,12 +222,12 @@ void IterativeStepSolver<dim>::make_preconditioner()
   const bool has_fluid =
       Utilities::MPI::sum(static_cast<unsigned int>(parts.fluid.size()), space.communicator) > 0;
   parts.stiff_is_direct =
-      parameters.stiff_block == "direct" ||
-      (parameters.stiff_block == "automatic" && n_stiff <= largest_direct_block);
-  parts.fluid_is_viscous =
-      parameters.fluid_block == "algebraic multigrid" ||
-      (parameters.fluid_block == "automatic" && (fluid_ratio > viscous_ratio || !has_inertia));
-  const bool simple = parameters.schur_complement == "simple";
+      parameters.stiff_block == StiffBlock::direct ||
+      (parameters.stiff_block == StiffBlock::automatic && n_stiff <= largest_direct_block);
+  parts.fluid_is_viscous = parameters.fluid_block == FluidBlock::algebraic_multigrid ||
+                           (parameters.fluid_block == FluidBlock::automatic &&
+                            (fluid_ratio > viscous_ratio || !has_inertia));
+  const bool simple = parameters.schur_complement == SchurApproximation::simple;
 
   // Augmented by a bulk modulus of alpha; the mass form of the Schur complement follows.
   VolumetricStiffness volumetric;

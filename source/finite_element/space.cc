@@ -27,10 +27,11 @@ void SpaceParameters::read(ParameterSection section)
 {
   section.add("Velocity degree", velocity_degree,
               "Polynomial degree k of the velocity; the pressure has degree k - 1 [1].", 2, 5);
-  section.add_choice("Pressure space", pressure_space, {"broken", "continuous"},
-                     "Whether the pressure may jump between regions (broken), as it does at a "
-                     "loaded wall, or is one "
-                     "continuous field.");
+  add_choice(section, "Pressure space", pressure_space,
+             {{"broken", PressureSpace::broken}, {"continuous", PressureSpace::continuous}},
+             "Whether the pressure may jump between regions (broken), as it does at a "
+             "loaded wall, or is one "
+             "continuous field.");
 }
 
 template <int dim>
@@ -45,7 +46,7 @@ Space<dim>::Space(parallel::TriangulationBase<dim> &triangulation,
       velocity_element(FE_Q<dim>(parameters.velocity_degree), dim),
       velocity_dofs(triangulation),
       pressure_dofs(triangulation),
-      broken(parameters.pressure_space == "broken"),
+      broken(parameters.pressure_space == PressureSpace::broken),
       axisymmetric(model == Model::axisymmetric)
 {
   const FE_Q<dim> pressure(parameters.velocity_degree - 1);

@@ -50,14 +50,14 @@ void StepSystem<dim>::choose()
   is_iterative = false;
   if (is_shifted)
   {
-    if (parameters.type == "iterative")
+    if (parameters.type == LinearSolverType::iterative)
       throw RunError("the iterative solver does not apply to vibrations, whose matrix is "
                      "indefinite; use Linear solver/Type = direct");
     reason_of_choice = "the matrix of vibrations is indefinite";
   }
-  else if (parameters.type != "automatic")
+  else if (parameters.type != LinearSolverType::automatic)
   {
-    is_iterative = parameters.type == "iterative";
+    is_iterative = parameters.type == LinearSolverType::iterative;
     reason_of_choice = "Linear solver/Type says";
   }
   else

@@ -361,11 +361,12 @@ void TaylorHood<dim>::indicators(const IndicatorRequest &request,
 {
   if (request.kind == IndicatorRequest::Kind::traction_jump)
     traction_jump_indicators(space, problem, evaluation, state, port_pressures, time, per_cell);
-  else if (request.field == "pressure")
+  else if (request.field == IndicatorField::pressure)
     kelly_indicators_of_pressure(space, state.pressure, per_cell);
   else
     kelly_indicators_of_velocity(
-        space, request.field == "velocity" ? state.velocity : state.history.displacement(),
+        space,
+        request.field == IndicatorField::velocity ? state.velocity : state.history.displacement(),
         per_cell);
 }
 

@@ -17,16 +17,18 @@ TractionCoefficients traction_coefficients(const Material &material,
     return result;
   const double shear_modulus = material.instantaneous_shear_modulus();
   const bool pressure_is_apart = parameters.has_pressure();
-  std::string choice = parameters.stencil_coefficient;
-  if (choice == "automatic")
-    choice = parameters.formulation_type() == Formulation::velocity_pressure ? "deviatoric"
-                                                                             : "longitudinal";
-  if (material.inverse_bulk_modulus == 0. && (!pressure_is_apart || choice == "longitudinal"))
+  StencilCoefficient choice = parameters.stencil_coefficient;
+  if (choice == StencilCoefficient::automatic)
+    choice = parameters.formulation == Formulation::velocity_pressure
+                 ? StencilCoefficient::deviatoric
+                 : StencilCoefficient::longitudinal;
+  if (material.inverse_bulk_modulus == 0. &&
+      (!pressure_is_apart || choice == StencilCoefficient::longitudinal))
     throw std::invalid_argument("an incompressible solid has no finite longitudinal modulus");
   const double bulk_ratio = 1. / (material.inverse_bulk_modulus * shear_modulus);
-  if (choice == "longitudinal")
+  if (choice == StencilCoefficient::longitudinal)
     result.stencil_ratio = bulk_ratio + 4. / 3.;
-  else if (choice == "deviatoric")
+  else if (choice == StencilCoefficient::deviatoric)
     result.stencil_ratio = 4. / 3.;
   if (!pressure_is_apart)
     result.trace_ratio = bulk_ratio - 2. / 3.;
@@ -121,15 +123,15 @@ private:
     const TractionCoefficients coefficients =
         traction_coefficients(problem.materials[region], parameters);
     const FaceTraction<dim> traction(space, coefficients.stencil_ratio, coefficients.trace_ratio,
-                                     parameters.boundary_gradient == "replaced");
+                                     parameters.boundary_gradient == BoundaryGradient::replaced);
     SparseRows stiffness(velocity_rows, velocity_rows, space.communicator);
     SparseRows wide_stiffness(velocity_rows, velocity_rows, space.communicator);
     SparseRows gradient(velocity_rows, pressure_rows, space.communicator);
     SparseRows divergence(pressure_rows, velocity_rows, space.communicator);
     target.volume = space.velocity_vector();
     target.pressure_volume = space.pressure_vector();
-    const bool with_wide =
-        parameters.accumulated_term == "inconsistent" || parameters.power_operator == "wide";
+    const bool with_wide = parameters.accumulated_term == AccumulatedTerm::inconsistent ||
+                           parameters.power_operator == PowerOperator::wide;
 
     for (unsigned int cell = 0; cell < mesh.n_owned_cells(); ++cell)
     {
@@ -205,11 +207,11 @@ private:
     // Where the pressure is computed from the displacement it is so everywhere.
     if (!parameters.has_pressure())
       return BoundaryPressure::definition;
-    const BoundaryPressure type = parameters.boundary_pressure_type();
+    const BoundaryPressure type = parameters.boundary_pressure;
     // On the axis the pressure has no slope.
     if (surface.area == 0. || type == BoundaryPressure::zero_gradient)
       return BoundaryPressure::zero_gradient;
-    if (parameters.formulation_type() == Formulation::velocity_explicit_pressure)
+    if (parameters.formulation == Formulation::velocity_explicit_pressure)
       return BoundaryPressure::momentum;
     const bool traction_is_given =
         surface.at_boundary() && !conditions.of_face(face).normal_is_prescribed;
@@ -260,9 +262,9 @@ private:
       const double volume =
           surface.plane_area * ((surface.centre - mesh.cells()[cell].centre) * normal);
       target.pressure_volume.begin()[space.local_pressure(row)] = volume;
-      add_product(
-          divergence, row, volume,
-          space.velocity_face_gradient(face, side, parameters.boundary_gradient == "replaced"));
+      add_product(divergence, row, volume,
+                  space.velocity_face_gradient(
+                      face, side, parameters.boundary_gradient == BoundaryGradient::replaced));
       for (const auto &[value, factor] : space.face_hoop(face, side))
         divergence.add(row, dim * value + 1, volume * factor);
       return;

@@ -50,7 +50,8 @@ double correction_modulus(const Material &material, const CellWiseParameters &pa
   const double mu = material.instantaneous_shear_modulus();
   const double inverse_bulk = material.inverse_bulk_modulus;
   const bool is_nearly_incompressible = inverse_bulk * 8. / 3. * mu < 1.;
-  return is_nearly_incompressible && parameters.stencil_coefficient != "longitudinal"
+  return is_nearly_incompressible &&
+                 parameters.stencil_coefficient != StencilCoefficient::longitudinal
              ? 4. * mu
              : 4. / 3. * mu + 1. / inverse_bulk;
 }
@@ -72,7 +73,7 @@ CellWise<dim>::CellWise(parallel::TriangulationBase<dim> &triangulation,
                         Log &log)
     : problem(problem),
       parameters(parameters),
-      formulation(parameters.formulation_type()),
+      formulation(parameters.formulation),
       log(log),
       space(triangulation, problem.model),
       conditions(space, problem.conditions),
@@ -296,7 +297,7 @@ CellCoefficients CellWise<dim>::cell_coefficients(const SystemCoefficients &coef
   CellCoefficients result;
   result.with_pressure = parameters.has_pressure();
   result.correct_fluxes =
-      formulation == Formulation::velocity_pressure && parameters.rhie_chow != "none";
+      formulation == Formulation::velocity_pressure && parameters.rhie_chow != RhieChow::none;
   result.mass = coefficients.mass;
   result.compressibility = coefficients.compressibility;
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
@@ -306,7 +307,8 @@ CellCoefficients CellWise<dim>::cell_coefficients(const SystemCoefficients &coef
     // motion along them.
     const double least = 1e-12 * coefficients.mass[region] * smallest_distance * smallest_distance;
     result.stiffness.push_back(std::max(coefficients.stiffness[region], least));
-    const bool of_increment = parameters.rhie_chow == "increment" && !material.branches.empty();
+    const bool of_increment =
+        parameters.rhie_chow == RhieChow::increment && !material.branches.empty();
     result.increment_mobility.push_back(
         of_increment ? 1. / (correction_modulus(material, parameters) * pressure_time) : 0.);
   }
@@ -399,9 +401,9 @@ Step CellWise<dim>::own_step(const Step &step)
                 "boundaries: a few of its highest modes may grow in a long run");
   undamped_is_reported = undamped_is_reported || step.extrapolate;
   Step result = step;
-  if (parameters.pressure_update == "as the displacement" || step.extrapolate)
+  if (parameters.pressure_update == PressureUpdate::as_displacement || step.extrapolate)
     return result;
-  const bool trapezoidal = parameters.pressure_update == "trapezoidal";
+  const bool trapezoidal = parameters.pressure_update == PressureUpdate::trapezoidal;
   result.pressure_time = (trapezoidal ? 0.5 : 1.) * step.size();
   result.pressure_old = 1.;
   result.pressure_older = 0.;
@@ -435,8 +437,9 @@ void CellWise<dim>::multiply_past_stiffness(const unsigned int region,
                                             DistributedVector &force,
                                             const DistributedVector &mixture)
 {
-  multiply(parameters.accumulated_term == "inconsistent" ? operators[region].wide_stiffness
-                                                         : operators[region].stiffness,
+  multiply(parameters.accumulated_term == AccumulatedTerm::inconsistent
+               ? operators[region].wide_stiffness
+               : operators[region].stiffness,
            force, mixture);
 }
 
@@ -541,9 +544,10 @@ void CellWise<dim>::set_reported_stress_force(const unsigned int region,
                                               DistributedVector &force)
 {
   const CellOperators &of_region = operators[region];
-  if (parameters.power_operator == "wide")
+  if (parameters.power_operator == PowerOperator::wide)
     multiply(of_region.wide_stiffness, force, mixture);
-  else if (parameters.power_operator == "scheme" && parameters.accumulated_term == "inconsistent")
+  else if (parameters.power_operator == PowerOperator::scheme &&
+           parameters.accumulated_term == AccumulatedTerm::inconsistent)
   {
     // What the step has added to the mixture acts by the narrow stencil, the past by the wide one.
     const double own = BranchHistory::step_stiffness(problem.materials[region], step.step);
@@ -560,7 +564,7 @@ void CellWise<dim>::set_reported_stress_force(const unsigned int region,
 template <int dim>
 bool CellWise<dim>::reports_change_of_kinetic_energy() const
 {
-  return parameters.power_operator != "scheme";
+  return parameters.power_operator != PowerOperator::scheme;
 }
 
 template <int dim>
@@ -592,12 +596,13 @@ void CellWise<dim>::indicators(const IndicatorRequest &request,
   const LinearReconstruction<dim> &reconstruction = evaluation.reconstruction();
   if (request.kind == IndicatorRequest::Kind::traction_jump)
     traction_jump_indicators(space, problem, evaluation, conditions, state, time, per_cell);
-  else if (request.field == "pressure")
+  else if (request.field == IndicatorField::pressure)
     kelly_indicators_of_pressure(space, reconstruction, state.pressure, per_cell);
   else
     kelly_indicators_of_velocity(
         space, reconstruction,
-        request.field == "velocity" ? state.velocity : state.history.displacement(), per_cell);
+        request.field == IndicatorField::velocity ? state.velocity : state.history.displacement(),
+        per_cell);
 }
 
 template <int dim>

@@ -19,8 +19,8 @@ void check_materials(const Problem &problem,
                      const CellWiseParameters &parameters,
                      ParameterSection root)
 {
-  const Formulation formulation = parameters.formulation_type();
-  const bool longitudinal = parameters.stencil_coefficient == "longitudinal";
+  const Formulation formulation = parameters.formulation;
+  const bool longitudinal = parameters.stencil_coefficient == StencilCoefficient::longitudinal;
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
     const Material &material = problem.materials[region];
@@ -57,7 +57,7 @@ void check_entries(const CellWiseParameters &parameters,
   if (!parameters.has_pressure())
     refuse_given({"Rhie-Chow", "Pressure update", "Pressure at boundaries"},
                  "this Formulation has no pressure among its unknowns");
-  if (parameters.formulation_type() != Formulation::velocity_pressure)
+  if (parameters.formulation != Formulation::velocity_pressure)
     refuse_given({"Rhie-Chow", "Pressure corrections", "Pressure at boundaries as"},
                  "only the formulation velocity-pressure has an equation for the pressure");
   if (!parameters.is_segregated())
@@ -85,11 +85,12 @@ void check_cell_wise(const Problem &problem,
           .refuse("Type", "the cell-wise path has no outlets",
                   "Give the boundary a pressure, or set Discretisation = taylor hood");
 
-  const Formulation formulation = parameters.formulation_type();
-  if (formulation == Formulation::displacement && parameters.accumulated_term == "inconsistent")
+  const Formulation formulation = parameters.formulation;
+  if (formulation == Formulation::displacement &&
+      parameters.accumulated_term == AccumulatedTerm::inconsistent)
     section.refuse("Accumulated term", "the displacement form accumulates no stress",
                    "Remove the entry, or choose another Formulation");
-  const bool force_balance = parameters.boundary_pressure_type() == BoundaryPressure::force_balance;
+  const bool force_balance = parameters.boundary_pressure == BoundaryPressure::force_balance;
   if (force_balance && formulation == Formulation::velocity_pressure)
     section.refuse("Pressure at boundaries",
                    "the force balance determines the velocity of the face already: it is one "
@@ -97,8 +98,8 @@ void check_cell_wise(const Problem &problem,
                    "Choose another");
   if (formulation == Formulation::velocity_explicit_pressure &&
       section.given("Pressure at boundaries") &&
-      parameters.boundary_pressure_type() != BoundaryPressure::momentum &&
-      parameters.boundary_pressure_type() != BoundaryPressure::zero_gradient)
+      parameters.boundary_pressure != BoundaryPressure::momentum &&
+      parameters.boundary_pressure != BoundaryPressure::zero_gradient)
     section.refuse("Pressure at boundaries",
                    "the formulation velocity explicit pressure extrapolates it",
                    "Choose momentum or zero gradient, or another Formulation");

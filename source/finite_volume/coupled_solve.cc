@@ -38,7 +38,7 @@ void CoupledSolve<dim>::reinit()
     for (unsigned int i = 0; i < space.pressures.n_owned(); ++i)
       owned.push_back(system.n_velocities() + space.pressures.first_owned() + i);
   packed.resize(owned.size());
-  factor = make_unsymmetric_factor("automatic", space.communicator);
+  factor = make_unsymmetric_factor(DirectSolver::automatic, space.communicator);
   factor->factorize(matrix, owned);
   is_checked = false;
 }

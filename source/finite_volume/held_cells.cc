@@ -47,7 +47,7 @@ void HeldCells<dim>::reinit(const std::vector<bool> &velocity_is_held,
   for (std::size_t i = 0; i < owned.size(); ++i)
     if (is_held[i])
       add(owned[i], owned[i], 1.);
-  factor = make_unsymmetric_factor("automatic", space.communicator);
+  factor = make_unsymmetric_factor(DirectSolver::automatic, space.communicator);
   factor->factorize(matrix, owned);
 }
 

@@ -144,8 +144,8 @@ void MomentumPredictor<dim>::reinit()
       continue;
     }
     factor_of[c] = factors.size();
-    factors.push_back(
-        make_symmetric_factor("automatic", true, n_matrix_entries(), system.space.communicator));
+    factors.push_back(make_symmetric_factor(DirectSolver::automatic, true, n_matrix_entries(),
+                                            system.space.communicator));
     factorize(c, *factors.back());
   }
 }

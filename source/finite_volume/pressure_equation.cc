@@ -32,7 +32,7 @@ void PressureEquation<dim>::reinit()
   }
   following.clear();
   staying.clear();
-  const bool by_value = system.parameters.boundary_pressure_as == "value";
+  const bool by_value = system.parameters.boundary_pressure_as == BoundaryPressureAs::value;
   for (const auto &face : faces.pressures())
     if (face.normal_is_free && by_value)
       staying.push_back(face.pressure);
@@ -48,7 +48,7 @@ void PressureEquation<dim>::find_couplings()
   const CellSpace<dim> &space = system.space;
   const CellMesh<dim> &mesh = space.mesh;
   const std::vector<double> &diagonal = system.momentum_diagonal();
-  const bool by_value = system.parameters.boundary_pressure_as == "value";
+  const bool by_value = system.parameters.boundary_pressure_as == BoundaryPressureAs::value;
   couplings.clear();
   const auto add = [&](const unsigned int f, const double conductance)
   {
@@ -131,7 +131,7 @@ void PressureEquation<dim>::factorize()
         if (side == 0)
           add(coupling.numbers[0], coupling.numbers[1], -coupling.conductance);
       }
-  factor = make_symmetric_factor("automatic", true, n_owned + couplings.size(),
+  factor = make_symmetric_factor(DirectSolver::automatic, true, n_owned + couplings.size(),
                                  system.space.communicator);
   factor->factorize(matrix, owned);
 }

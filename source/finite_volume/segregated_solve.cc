@@ -14,7 +14,7 @@ template <int dim>
 SegregatedSolve<dim>::SegregatedSolve(const CellSystem<dim> &system, Sink sink)
     : system(system),
       sink(std::move(sink)),
-      formulation(system.parameters.formulation_type()),
+      formulation(system.parameters.formulation),
       faces_balance(system.parameters.faces_balance()),
       equations(system),
       links(system, equations),
@@ -31,7 +31,7 @@ template <int dim>
 void SegregatedSolve<dim>::reinit()
 {
   equations.reinit();
-  links.reinit(system.parameters.boundary_velocity_as == "value");
+  links.reinit(system.parameters.boundary_velocity_as == BoundaryVelocityAs::value);
   predictor.reinit();
   faces.reinit();
   if (formulation == Formulation::velocity_pressure)
@@ -71,7 +71,7 @@ void SegregatedSolve<dim>::solve(const DistributedVector &momentum,
   report.corrections = correction.number;
   report.residual = correction.residual;
   report.cap_reached = !monitor.converged();
-  if (report.cap_reached && system.parameters.cap == "fail")
+  if (report.cap_reached && system.parameters.at_cap == AtCap::fail)
   {
     std::ostringstream text;
     text

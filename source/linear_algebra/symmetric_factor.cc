@@ -23,7 +23,7 @@ void SymmetricTriplets::check(const std::vector<int> &owned) const
     throw std::invalid_argument("SymmetricTriplets: an owned index is outside the matrix");
 }
 
-std::unique_ptr<SymmetricFactor> make_symmetric_factor(const std::string &choice,
+std::unique_ptr<SymmetricFactor> make_symmetric_factor(const DirectSolver choice,
                                                        const bool quasi_definite,
                                                        const std::size_t n_entries,
                                                        const MPI_Comm communicator)
@@ -31,22 +31,19 @@ std::unique_ptr<SymmetricFactor> make_symmetric_factor(const std::string &choice
   int n_ranks = 1;
   MPI_Comm_size(communicator, &n_ranks);
 
-  if (choice == "automatic")
+  if (choice == DirectSolver::automatic)
   {
     const bool simplicial =
         n_ranks == 1 && quasi_definite && n_entries <= largest_simplicial_matrix;
-    return make_symmetric_factor(simplicial ? "cholmod" : "mumps", quasi_definite, n_entries,
-                                 communicator);
+    return make_symmetric_factor(simplicial ? DirectSolver::cholmod : DirectSolver::mumps,
+                                 quasi_definite, n_entries, communicator);
   }
-  if (choice == "mumps")
+  if (choice == DirectSolver::mumps)
     return std::make_unique<MumpsFactor>(quasi_definite, communicator);
-  if (choice != "cholmod" && choice != "umfpack")
-    throw std::invalid_argument("the solver '" + choice +
-                                "' is unknown; there are automatic, cholmod, mumps and umfpack");
   if (n_ranks > 1)
-    throw std::invalid_argument("the solver '" + choice +
+    throw std::invalid_argument("the solver '" + word_of(direct_solver_words(), choice) +
                                 "' works on one rank only; choose mumps or automatic");
-  if (choice == "umfpack")
+  if (choice == DirectSolver::umfpack)
     return std::make_unique<BothTriangles>(std::make_unique<UmfpackFactor>());
   if (!quasi_definite)
     throw std::invalid_argument(

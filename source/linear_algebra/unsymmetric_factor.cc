@@ -21,19 +21,20 @@ void Triplets::check(const std::vector<int> &owned) const
     throw std::invalid_argument("Triplets: an owned index is outside the matrix");
 }
 
-std::unique_ptr<UnsymmetricFactor> make_unsymmetric_factor(const std::string &choice,
+std::unique_ptr<UnsymmetricFactor> make_unsymmetric_factor(const DirectSolver choice,
                                                            const MPI_Comm communicator)
 {
   int n_ranks = 1;
   MPI_Comm_size(communicator, &n_ranks);
 
-  if (choice == "automatic")
-    return make_unsymmetric_factor(n_ranks == 1 ? "umfpack" : "mumps", communicator);
-  if (choice == "mumps")
+  if (choice == DirectSolver::automatic)
+    return make_unsymmetric_factor(n_ranks == 1 ? DirectSolver::umfpack : DirectSolver::mumps,
+                                   communicator);
+  if (choice == DirectSolver::mumps)
     return std::make_unique<UnsymmetricMumpsFactor>(communicator);
-  if (choice != "umfpack")
-    throw std::invalid_argument("the solver '" + choice +
-                                "' is unknown; there are automatic, mumps and umfpack");
+  if (choice == DirectSolver::cholmod)
+    throw std::invalid_argument("the solver 'cholmod' is for symmetric matrices; choose automatic, "
+                                "mumps or umfpack");
   if (n_ranks > 1)
     throw std::invalid_argument("the solver 'umfpack' works on one rank only; choose mumps or "
                                 "automatic");

@@ -60,7 +60,7 @@ VelocityPreconditioner::VelocityPreconditioner(const TrilinosWrappers::SparseMat
     if (stiff_is_direct)
     {
       const SymmetricTriplets triangle = stiff->lower_triangle();
-      stiff_factor = make_symmetric_factor("automatic", true, triangle.values.size(),
+      stiff_factor = make_symmetric_factor(DirectSolver::automatic, true, triangle.values.size(),
                                            matrix.get_mpi_communicator());
       stiff_factor->factorize(triangle, stiff->owned());
     }

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 
 namespace Continua
 {
@@ -12,8 +14,15 @@ using namespace dealii;
 
 namespace
 {
-const std::vector<std::string> single_indicators = {"traction jump", "kelly", "interface band",
-                                                    "expression"};
+/// In a function, so that it is there when another file's static data read parameters.
+const Words<Indicator> &indicator_words()
+{
+  static const Words<Indicator> words = {{"traction jump", Indicator::traction_jump},
+                                         {"kelly", Indicator::kelly},
+                                         {"interface band", Indicator::interface_band},
+                                         {"expression", Indicator::expression}};
+  return words;
+}
 
 /// An entry that is set and plays no part is a misunderstanding.
 void refuse_idle(const ParameterSection &section,
@@ -27,14 +36,14 @@ void refuse_idle(const ParameterSection &section,
 }
 } // namespace
 
-bool AdaptationParameters::uses(const std::string &indicator) const
+bool AdaptationParameters::uses(const Indicator indicator) const
 {
   return std::find(indicators.begin(), indicators.end(), indicator) != indicators.end();
 }
 
 bool AdaptationParameters::is_geometric() const
 {
-  return !uses("traction jump") && !uses("kelly");
+  return !uses(Indicator::traction_jump) && !uses(Indicator::kelly);
 }
 
 void AdaptationParameters::read(ParameterSection section, const bool transient)
@@ -63,11 +72,11 @@ void AdaptationParameters::read(ParameterSection section, const bool transient)
 
 void AdaptationParameters::read_indicators(ParameterSection section)
 {
-  std::string indicator = "traction jump";
-  std::vector<std::string> choices = single_indicators;
-  choices.emplace_back("combined");
-  section.add_choice(
-      "Indicator", indicator, choices,
+  std::optional<Indicator> indicator = Indicator::traction_jump; // none: combined
+  Words<std::optional<Indicator>> choices(indicator_words().begin(), indicator_words().end());
+  choices.emplace_back("combined", std::nullopt);
+  add_choice(
+      section, "Indicator", indicator, choices,
       "What tells where the mesh is too coarse: traction jump - of the stress vector across faces "
       "and at loaded boundaries; kelly - of a field's normal derivative across faces inside each "
       "region; interface band - 1 near an interface of fluid and solid, else 0; expression - of "
@@ -80,8 +89,11 @@ void AdaptationParameters::read_indicators(ParameterSection section)
   section.add("Weights", given_weights, Dimensions::none,
               "Of a combined indicator: a factor for each of Indicators; empty: 1 for all.",
               Range::not_negative());
-  section.add_choice("Indicator field", kelly_field, {"velocity", "displacement", "pressure"},
-                     "Of kelly: the field whose normal derivative is looked at.");
+  add_choice(section, "Indicator field", kelly_field,
+             {{"velocity", IndicatorField::velocity},
+              {"displacement", IndicatorField::displacement},
+              {"pressure", IndicatorField::pressure}},
+             "Of kelly: the field whose normal derivative is looked at.");
   section.add(
       "Band width", band_width, Dimensions::length,
       "Of an interface band: cells with a vertex that is nearer to the interface count, and "
@@ -92,16 +104,16 @@ void AdaptationParameters::read_indicators(ParameterSection section)
                  "vertices counts. By default a cell is refined where it is positive and coarsened "
                  "where it is not.");
 
-  const bool combined = indicator == "combined";
+  const bool combined = !indicator;
   refuse_idle(section, "Indicators", combined, "Indicator = combined");
   refuse_idle(section, "Weights", combined, "Indicator = combined");
   if (combined)
   {
     section.require("Indicators");
+    const std::vector<std::string> singles = choices_of(indicator_words());
     for (unsigned int i = 0; i < several.size(); ++i)
     {
-      if (std::find(single_indicators.begin(), single_indicators.end(), several[i]) ==
-          single_indicators.end())
+      if (std::find(singles.begin(), singles.end(), several[i]) == singles.end())
         section.refuse("Indicators", "there is no indicator '" + several[i] + "'",
                        "Name two or more of traction jump, kelly, interface band, expression");
       if (std::find(several.begin(), several.begin() + i, several[i]) != several.begin() + i)
@@ -120,28 +132,34 @@ void AdaptationParameters::read_indicators(ParameterSection section)
     if (!given_weights.empty() && std::all_of(given_weights.begin(), given_weights.end(),
                                               [](const double weight) { return weight == 0.; }))
       section.refuse("Weights", "no indicator has a weight", "Give one of them more than 0");
-    indicators = several;
+    indicators.clear();
+    for (const std::string &word : several)
+      indicators.push_back(value_of(indicator_words(), word));
     weights = given_weights;
   }
-  else if (!indicator.empty())
-    indicators = {indicator};
-  refuse_idle(section, "Indicator field", uses("kelly"), "the indicator kelly");
-  refuse_idle(section, "Band width", uses("interface band"), "the indicator interface band");
-  refuse_idle(section, "Expression", uses("expression"), "the indicator expression");
-  if (uses("interface band"))
+  else
+    indicators = {*indicator};
+  refuse_idle(section, "Indicator field", uses(Indicator::kelly), "the indicator kelly");
+  refuse_idle(section, "Band width", uses(Indicator::interface_band),
+              "the indicator interface band");
+  refuse_idle(section, "Expression", uses(Indicator::expression), "the indicator expression");
+  if (uses(Indicator::interface_band))
     section.require("Band width");
-  if (uses("expression"))
+  if (uses(Indicator::expression))
     section.require("Expression");
 }
 
 void AdaptationParameters::read_strategy(ParameterSection section)
 {
-  std::string choice = "automatic";
-  section.add_choice(
-      "Strategy", choice, {"automatic", "number", "sum", "threshold"},
-      "Which cells are refined and coarsened: fractions of the number of cells; "
-      "fractions of the indicators' sum; those above and below thresholds. "
-      "Automatic: thresholds where no indicator looks at the solution, else number.");
+  std::optional<AdaptationStrategy> choice; // none: automatic
+  add_choice(section, "Strategy", choice,
+             {{"automatic", std::nullopt},
+              {"number", AdaptationStrategy::number},
+              {"sum", AdaptationStrategy::sum},
+              {"threshold", AdaptationStrategy::threshold}},
+             "Which cells are refined and coarsened: fractions of the number of cells; "
+             "fractions of the indicators' sum; those above and below thresholds. "
+             "Automatic: thresholds where no indicator looks at the solution, else number.");
   section.add("Refine fraction", refine_fraction, Dimensions::none,
               "Fraction with the largest indicator that is refined.", Range{0., 1., false, false});
   section.add("Coarsen fraction", coarsen_fraction, Dimensions::none,
@@ -152,8 +170,9 @@ void AdaptationParameters::read_strategy(ParameterSection section)
               "solution are over their largest value, so that this is from 0 to 1.");
   section.add("Coarsen below", coarsen_below, Dimensions::none,
               "Of a threshold: cells with no larger indicator are coarsened.");
-  strategy = choice != "automatic" ? choice : is_geometric() ? "threshold" : "number";
-  const bool threshold = strategy == "threshold";
+  strategy =
+      choice.value_or(is_geometric() ? AdaptationStrategy::threshold : AdaptationStrategy::number);
+  const bool threshold = strategy == AdaptationStrategy::threshold;
   if (!threshold && is_geometric())
     section.refuse("Strategy",
                    "an indicator that does not look at the solution has the same value in many "
@@ -187,10 +206,10 @@ bool flag_cells(parallel::distributed::Triangulation<dim> &triangulation,
       const double unit = std::pow(10., std::floor(std::log10(indicator)) - 2.);
       indicator = std::round(indicator / unit) * unit;
     }
-  if (parameters.strategy == "number")
+  if (parameters.strategy == AdaptationStrategy::number)
     parallel::distributed::GridRefinement::refine_and_coarsen_fixed_number(
         triangulation, indicators, parameters.refine_fraction, parameters.coarsen_fraction);
-  else if (parameters.strategy == "sum")
+  else if (parameters.strategy == AdaptationStrategy::sum)
     parallel::distributed::GridRefinement::refine_and_coarsen_fixed_fraction(
         triangulation, indicators, parameters.refine_fraction, parameters.coarsen_fraction);
   else

@@ -30,10 +30,17 @@ unsigned int weight_of(const Triangulation<dim> &triangulation,
 }
 } // namespace
 
+const Words<Partitioner> &partitioner_words()
+{
+  static const Words<Partitioner> words = {{"p4est", Partitioner::p4est},
+                                           {"metis", Partitioner::metis}};
+  return words;
+}
+
 void PartitionParameters::read(ParameterSection mesh)
 {
-  mesh.add_choice(
-      "Partitioner", partitioner, {"p4est", "metis"},
+  add_choice(
+      mesh, "Partitioner", partitioner, partitioner_words(),
       "What divides the mesh among the ranks: p4est - every rank keeps its own part only, needed "
       "where the mesh adapts and from some ten million cells or hundreds of ranks on; metis - "
       "every "

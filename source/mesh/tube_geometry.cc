@@ -1,3 +1,4 @@
+#include <continua/base/words.h>
 #include <continua/mesh/grading.h>
 #include <continua/mesh/structured_mesh.h>
 #include <continua/mesh/tube_cross_section.h>
@@ -108,12 +109,10 @@ TubeGeometry<dim>::Parameters::read(ParameterSection geometry, ParameterSection 
   parameters.law = TubeLaw::read(geometry);
   if (dim == 3)
   {
-    std::string sector = "quarter";
-    geometry.add_choice("Sector", sector, {"quarter", "full"},
-                        "Which part of the cross-section there is: the quarter y, z >= 0, whose "
-                        "planes of symmetry are the boundaries 'side y' (y = 0) and 'side z' (z = "
-                        "0), on which a symmetric flow has Type = roller; or all of it");
-    parameters.full = sector == "full";
+    add_choice(geometry, "Sector", parameters.full, {{"quarter", false}, {"full", true}},
+               "Which part of the cross-section there is: the quarter y, z >= 0, whose "
+               "planes of symmetry are the boundaries 'side y' (y = 0) and 'side z' (z = "
+               "0), on which a symmetric flow has Type = roller; or all of it");
   }
 
   mesh.add("Axial cells", parameters.axial_cells, "Coarse cells along the axis", 1);

@@ -71,6 +71,16 @@ Probes<dim>::Probes(const MPI_Comm communicator) : communicator(communicator)
 }
 
 template <int dim>
+const Words<typename Probes<dim>::Place> &Probes<dim>::place_words()
+{
+  static const Words<Place> words = {{"Point", Place::point},
+                                     {"Boundary", Place::boundary},
+                                     {"Section", Place::section},
+                                     {"Stations", Place::stations}};
+  return words;
+}
+
+template <int dim>
 void Probes<dim>::read_entries(Probe &probe) const
 {
   ParameterSection &section = probe.section;
@@ -85,9 +95,9 @@ void Probes<dim>::read_entries(Probe &probe) const
       "Instead of a point: the plane x = Section through the undeformed body, or its Region "
       "[m]");
   probe.stations.add_entries(section);
-  section.add_choice("Value", probe.value, {"mean", "integral"},
-                     "What to record of the fields on the boundary or section, of which the "
-                     "integral is over the part that is modelled");
+  add_choice(section, "Value", probe.value, {{"mean", Value::mean}, {"integral", Value::integral}},
+             "What to record of the fields on the boundary or section, of which the "
+             "integral is over the part that is modelled");
   section.add("Region", probe.region,
               "Whose side counts where a field jumps between regions; empty: any");
   section.add("Signal analysis", probe.signal_analysis,
@@ -104,31 +114,33 @@ void Probes<dim>::check_entries(Probe &probe) const
   const ParameterSection &section = probe.section;
   if (probe.fields.empty())
     section.refuse("Fields", "the probe has no field", "Write for example 'set Fields = velocity'");
-  std::vector<std::string> places;
+  std::vector<Place> places;
   if (!probe.point.empty())
-    places.push_back("Point");
+    places.push_back(Place::point);
   if (!probe.boundary.empty())
-    places.push_back("Boundary");
+    places.push_back(Place::boundary);
   if (!std::isnan(probe.position))
-    places.push_back("Section");
+    places.push_back(Place::section);
   if (probe.stations.given())
-    places.push_back("Stations");
+    places.push_back(Place::stations);
   if (places.size() != 1)
-    section.refuse(places.empty() ? "" : places.back(),
+    section.refuse(places.empty() ? "" : word_of(place_words(), places.back()),
                    places.empty() ? "the probe has no place" : "the probe has more than one place",
                    "Give either Point or Boundary or Section or Stations");
   probe.place = places.front();
-  if (probe.place == "Point" && probe.point.size() != dim)
+  if (probe.place == Place::point && probe.point.size() != dim)
     section.refuse("Point", "the point has " + std::to_string(probe.point.size()) + " coordinates",
                    "Give " + std::to_string(dim) + " of them, separated by commas");
-  if ((probe.place == "Point" || probe.place == "Stations") && section.given("Value"))
+  if ((probe.place == Place::point || probe.place == Place::stations) && section.given("Value"))
     section.refuse("Value",
-                   probe.place == "Point" ? "a point has neither a mean nor an integral"
-                                          : "what is recorded at stations is said by the fields",
-                   "Leave the entry out, or give Boundary or Section instead of " + probe.place);
-  if (probe.place == "Stations" && section.given("Region"))
+                   probe.place == Place::point
+                       ? "a point has neither a mean nor an integral"
+                       : "what is recorded at stations is said by the fields",
+                   "Leave the entry out, or give Boundary or Section instead of " +
+                       word_of(place_words(), probe.place));
+  if (probe.place == Place::stations && section.given("Region"))
     section.refuse("Region", "the region of stations is the fluid", "Set Fluid instead");
-  if (probe.place != "Stations")
+  if (probe.place != Place::stations)
     for (const char *key : {"Fluid", "Pair distance"})
       if (section.given(key))
         section.refuse(key, "the entry belongs to Stations", "Leave it out");
@@ -153,16 +165,16 @@ void Probes<dim>::read(ParameterSection section,
     check_entries(probe);
 
     using Kind = typename ProbeRequest<dim>::Kind;
-    const bool mean = probe.value == "mean";
-    if (probe.place == "Point")
+    const bool mean = probe.value == Value::mean;
+    if (probe.place == Place::point)
       for (unsigned int d = 0; d < dim; ++d)
         probe.request.point[d] = probe.point[d];
-    else if (probe.place == "Boundary")
+    else if (probe.place == Place::boundary)
     {
       probe.request.kind = mean ? Kind::boundary_mean : Kind::boundary_integral;
       probe.request.boundary_id = find_name(child, "Boundary", probe.boundary, boundaries);
     }
-    else if (probe.place == "Section")
+    else if (probe.place == Place::section)
     {
       probe.request.kind = mean ? Kind::section_mean : Kind::section_integral;
       probe.request.point[0] = probe.position;
@@ -201,13 +213,14 @@ unsigned int Probes<dim>::add_to_solver(const Probe &probe, const ProbeRequest<d
   }
   catch (const std::invalid_argument &error)
   {
-    const std::map<std::string, std::string> remedies = {
-        {"Point", "Give a point of the undeformed body, in the Region if there is one"},
-        {"Boundary",
+    const std::map<Place, std::string> remedies = {
+        {Place::point, "Give a point of the undeformed body, in the Region if there is one"},
+        {Place::boundary,
          "Give a boundary on which the field exists, next to the Region if there is one"},
-        {"Section", "Give a position at which the plane cuts the body, or the Region"},
-        {"Stations", "Give positions inside the tube"}};
-    probe.section.refuse(probe.place, error.what(), remedies.at(probe.place));
+        {Place::section, "Give a position at which the plane cuts the body, or the Region"},
+        {Place::stations, "Give positions inside the tube"}};
+    probe.section.refuse(word_of(place_words(), probe.place), error.what(),
+                         remedies.at(probe.place));
   }
 }
 
@@ -275,7 +288,7 @@ void Probes<dim>::check(const dealii::Triangulation<dim> &coarse_mesh,
   const dealii::MappingQ<dim> mapping(6);
   for (Probe &probe : probes)
   {
-    if (probe.place == "Stations")
+    if (probe.place == Place::stations)
     {
       if (std::none_of(fields.begin(), fields.end(),
                        [](const FieldComponent &field)
@@ -288,7 +301,7 @@ void Probes<dim>::check(const dealii::Triangulation<dim> &coarse_mesh,
     for (const std::string &word : probe.fields)
       expand(probe.section, collapse_blanks(word), fields);
     const std::set<unsigned int> &region_ids = probe.request.region_ids;
-    if (probe.place == "Boundary")
+    if (probe.place == Place::boundary)
     {
       if (std::none_of(boundary_regions.begin(), boundary_regions.end(),
                        [&](const auto &pair)
@@ -300,7 +313,7 @@ void Probes<dim>::check(const dealii::Triangulation<dim> &coarse_mesh,
                              "the boundary '" + probe.boundary + "' has no face in this region",
                              "Name a region that touches the boundary, or none");
     }
-    else if (probe.place == "Section")
+    else if (probe.place == Place::section)
     {
       if (PlaneSection<dim>(mapping, coarse_mesh, PlaneSection<dim>::Cells::coarse, region_ids,
                             probe.request.point, probe.request.normal, 2)

@@ -1,3 +1,4 @@
+#include <continua/base/words.h>
 #include <continua/signal/time_table.h>
 #include <continua/signal/waveform.h>
 
@@ -14,32 +15,31 @@ std::shared_ptr<const TimeTable>
 read_table(ParameterSection &section, const std::string &key, const Dimension &dimension)
 {
   std::string path, column;
-  std::string interpolation = "linear";
-  std::string after = "hold";
+  TimeTable::Interpolation interpolation = TimeTable::Interpolation::linear;
+  TimeTable::After after = TimeTable::After::hold;
   double offset = 0.;
   section.add_input_file("Table", path,
                          "A csv file of " + key +
                              " over time, with a header such as 'time [ms], value [" +
                              dimension.unit() + "]'.");
   section.add("Column", column, "The column to use; may be left out if there is but one.");
-  section.add_choice("Interpolation", interpolation, {"linear", "cubic"},
-                     "Between the rows; cubic is smooth and does not overshoot.");
+  add_choice(
+      section, "Interpolation", interpolation,
+      {{"linear", TimeTable::Interpolation::linear}, {"cubic", TimeTable::Interpolation::cubic}},
+      "Between the rows; cubic is smooth and does not overshoot.");
   section.add("Offset", offset, dimension, "Added to the values of the table.");
-  section.add_choice("After the table", after, {"hold", "repeat", "zero"},
-                     "After the last row: its value, the table again with the period last time - "
-                     "first time, or zero without the offset.");
+  add_choice(section, "After the table", after,
+             {{"hold", TimeTable::After::hold},
+              {"repeat", TimeTable::After::repeat},
+              {"zero", TimeTable::After::zero}},
+             "After the last row: its value, the table again with the period last time - "
+             "first time, or zero without the offset.");
   section.require("Table");
   // Without a table only where the documentation of the entries is made.
   if (path.empty())
     return nullptr;
 
-  return std::make_shared<const TimeTable>(
-      path, dimension,
-      interpolation == "cubic" ? TimeTable::Interpolation::cubic : TimeTable::Interpolation::linear,
-      after == "repeat" ? TimeTable::After::repeat
-      : after == "zero" ? TimeTable::After::zero
-                        : TimeTable::After::hold,
-      offset, column);
+  return std::make_shared<const TimeTable>(path, dimension, interpolation, after, offset, column);
 }
 
 std::function<double(double)>

@@ -9,17 +9,13 @@
 
 namespace Continua
 {
-const std::vector<std::string> &wave_level_names()
+const Words<WaveLevel> &wave_level_words()
 {
-  static const std::vector<std::string> names = {"exact", "closed formula", "membrane",
-                                                 "womersley"};
-  return names;
-}
-
-WaveLevel wave_level_of(const std::string &name)
-{
-  const std::vector<std::string> &names = wave_level_names();
-  return static_cast<WaveLevel>(std::find(names.begin(), names.end(), name) - names.begin());
+  static const Words<WaveLevel> words = {{"exact", WaveLevel::exact},
+                                         {"closed formula", WaveLevel::closed_formula},
+                                         {"membrane", WaveLevel::membrane},
+                                         {"womersley", WaveLevel::womersley}};
+  return words;
 }
 
 ClosedFormWaves::ClosedFormWaves(const TubeSection &section,

@@ -6,15 +6,30 @@
 
 namespace Continua
 {
+const Words<Scheme> &scheme_words()
+{
+  static const Words<Scheme> words = {{"euler implicit", Scheme::euler_implicit},
+                                      {"backward differencing", Scheme::backward_differencing},
+                                      {"crank nicolson", Scheme::crank_nicolson}};
+  return words;
+}
+
+const Words<std::optional<Update>> &update_words()
+{
+  static const Words<std::optional<Update>> words = {{"automatic", std::nullopt},
+                                                     {"trapezoidal", Update::trapezoidal},
+                                                     {"implicit", Update::implicit}};
+  return words;
+}
+
 void TimeParameters::read(ParameterSection section)
 {
-  section.add_choice("Scheme", scheme,
-                     {"euler implicit", "backward differencing", "crank nicolson"},
-                     "How dU/dt is discretised: euler implicit (first order, damps), backward "
-                     "differencing (second "
-                     "order, damps stiff modes), crank nicolson (second order, conserves energy).");
-  section.add_choice(
-      "Update", update, {"automatic", "trapezoidal", "implicit"},
+  add_choice(section, "Scheme", scheme, scheme_words(),
+             "How dU/dt is discretised: euler implicit (first order, damps), backward "
+             "differencing (second "
+             "order, damps stiff modes), crank nicolson (second order, conserves energy).");
+  add_choice(
+      section, "Update", update, update_words(),
       "How displacement and pressure follow the velocity: trapezoidal (the thesis's), implicit (by "
       "the "
       "formula of the velocity), automatic: trapezoidal for euler implicit, implicit for backward "
@@ -37,9 +52,10 @@ void TimeParameters::read(ParameterSection section)
   section.add("Velocity limit", velocity_limit, Dimensions::velocity,
               "A run whose largest velocity exceeds this has diverged and is stopped.",
               Range::positive());
-  section.add_choice("Time step control", step_control, {"fixed", "adaptive"},
-                     "fixed: every step has the size given; adaptive: its size follows an estimate "
-                     "of its local error, in powers of two of the first step.");
+  add_choice(section, "Time step control", step_control,
+             {{"fixed", StepControl::fixed}, {"adaptive", StepControl::adaptive}},
+             "fixed: every step has the size given; adaptive: its size follows an estimate "
+             "of its local error, in powers of two of the first step.");
   section.add("Error tolerance", error_tolerance, Dimensions::none,
               "Of an adaptive step: the local error that the velocity may have after one step, as "
               "the square root of the kinetic energy that it would have as a motion over the "
@@ -83,7 +99,7 @@ void TimeParameters::read(ParameterSection section)
          {"Error tolerance", "Smallest time step", "Largest time step", "Steps between increases"})
       if (section.given(key))
         section.refuse(key, "a fixed time step has none", "Set Time step control = adaptive");
-  if (scheme == "crank nicolson" && update != "automatic")
+  if (scheme == Scheme::crank_nicolson && update)
     section.refuse("Update", "crank nicolson has its own update of displacement and pressure",
                    "Remove the entry, or choose another scheme");
   for (const std::string &text : change_texts)
@@ -125,18 +141,11 @@ double TimeParameters::smallest_step() const
   return smallest;
 }
 
-Scheme TimeParameters::scheme_type() const
-{
-  if (scheme == "euler implicit")
-    return Scheme::euler_implicit;
-  return scheme == "crank nicolson" ? Scheme::crank_nicolson : Scheme::backward_differencing;
-}
-
 Update TimeParameters::update_type() const
 {
-  if (update == "automatic")
-    return scheme_type() == Scheme::euler_implicit ? Update::trapezoidal : Update::implicit;
-  return update == "trapezoidal" ? Update::trapezoidal : Update::implicit;
+  if (update)
+    return *update;
+  return scheme == Scheme::euler_implicit ? Update::trapezoidal : Update::implicit;
 }
 
 StepSizeParameters TimeParameters::step_sizes() const
@@ -147,7 +156,7 @@ StepSizeParameters TimeParameters::step_sizes() const
   sizes.smallest = least_step > 0. ? least_step : time_step / 64.;
   sizes.largest = largest_step > 0. ? largest_step : 64. * time_step;
   sizes.steps_between_increases = steps_between_increases;
-  sizes.order = scheme_type() == Scheme::euler_implicit ? 1 : 2;
+  sizes.order = scheme == Scheme::euler_implicit ? 1 : 2;
   return sizes;
 }
 
@@ -227,10 +236,10 @@ std::vector<Step> TimeControl::next()
   }
   const double start = time();
   const bool begins_smoothly =
-      parameters.scheme_type() == Scheme::crank_nicolson && parameters.smooth_start;
+      parameters.scheme == Scheme::crank_nicolson && parameters.smooth_start;
   const bool is_start = now.smooth_steps < (begins_smoothly ? 2 : 1);
   std::vector<Step> steps;
-  switch (parameters.scheme_type())
+  switch (parameters.scheme)
   {
   case Scheme::euler_implicit:
     steps.push_back(euler_step(start, size, parameters.update_type()));

@@ -1,4 +1,5 @@
 #include <continua/base/csv_table.h>
+#include <continua/base/words.h>
 #include <continua/vessel/tube_law.h>
 
 #include <deal.II/base/exceptions.h>
@@ -226,13 +227,14 @@ TubeLaw TubeLaw::read_law(ParameterSection &geometry, const std::string &law)
 TubeLaw TubeLaw::read_table(ParameterSection &geometry)
 {
   std::string path;
-  std::string interpolation = "linear";
+  Interpolant::Kind interpolation = Interpolant::Kind::linear;
   geometry.add_input_file("Table", path,
                           "A csv file with the header 'position [mm], inner diameter [mm], wall "
                           "thickness [mm]' (units required, further columns are left out). The "
                           "positions increase from 0 at the inlet; the last one is the length");
-  geometry.add_choice("Interpolation", interpolation, {"linear", "cubic"},
-                      "Between the rows of the table; cubic is smooth and does not overshoot");
+  add_choice(geometry, "Interpolation", interpolation,
+             {{"linear", Interpolant::Kind::linear}, {"cubic", Interpolant::Kind::cubic}},
+             "Between the rows of the table; cubic is smooth and does not overshoot");
   geometry.require("Table");
   // Without a table only where the documentation of the entries is made.
   if (path.empty())
@@ -258,8 +260,7 @@ TubeLaw TubeLaw::read_table(ParameterSection &geometry)
                     "the " + file.name(column) + " is not positive at the position " +
                         shortest_number(positions[row]) + " m",
                     "Give a positive one, or end the table before");
-  return table(positions, diameters, thicknesses,
-               interpolation == "cubic" ? Interpolant::Kind::cubic : Interpolant::Kind::linear);
+  return table(positions, diameters, thicknesses, interpolation);
 }
 
 void TubeLaw::read_layers(ParameterSection &geometry)

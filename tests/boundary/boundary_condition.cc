@@ -68,9 +68,10 @@ UNIT_TEST(boundary_condition)
   const BoundaryCondition flow = inlet("set Type = flow rate\nset Flow rate = 3 l/min", true);
   check::is_true("flow rate", flow.normal.kind == Kind::velocity && !flow.normal.is_zero() &&
                                   flow.tangential.kind == Kind::velocity &&
-                                  flow.tangential.is_zero() && flow.profile == "parabolic");
+                                  flow.tangential.is_zero() &&
+                                  flow.profile == FlowProfile::Shape::parabolic);
   check::relative("flow rate: value", flow.normal.along_normal(place, 0.), 5e-5, 1e-12);
-  check::is_true("other types have no profile", fixed.profile.empty() && pressure.profile.empty());
+  check::is_true("other types have no profile", !fixed.profile && !pressure.profile);
   const std::string windkessel_entries =
       "set Type = windkessel\nset Proximal resistance = 2 MPa s/m^3\n"
       "set Distal resistance = 1 mmHg s/ml\nset Compliance = 1.5 ml/mmHg\n";
@@ -84,7 +85,7 @@ UNIT_TEST(boundary_condition)
                                    resistance.outlet->pressure_behind(place, 0.) == 4.);
   check::is_true("resistance: a traction that is no load",
                  resistance.normal.kind == Kind::traction && resistance.normal.is_zero() &&
-                     resistance.tangential.kind == Kind::traction && resistance.profile.empty());
+                     resistance.tangential.kind == Kind::traction && !resistance.profile);
   const BoundaryCondition windkessel = inlet(windkessel_entries + "set Tangential = fixed");
   const double mmhg = 13.5951 * 9.80665;
   check::is_true("windkessel", windkessel.outlet->impedance.direct(0, 0) == 2e6 &&
@@ -102,7 +103,8 @@ UNIT_TEST(boundary_condition)
   const BoundaryCondition by_flow =
       inlet(windkessel_entries + "set Coupling = flow\nset Profile = flat", true);
   check::is_true("windkessel that holds the flow",
-                 by_flow.outlet->coupling == Outlet::Coupling::flow && by_flow.profile == "flat" &&
+                 by_flow.outlet->coupling == Outlet::Coupling::flow &&
+                     by_flow.profile == FlowProfile::Shape::flat &&
                      by_flow.normal.kind == Kind::velocity &&
                      by_flow.tangential.kind == Kind::velocity && by_flow.normal.is_zero());
   const BoundaryCondition absorbing = inlet("set Type = absorbing");

@@ -82,10 +82,10 @@ struct Oscillators
   void load(const ArchiveReader &archive) { load_state(archive, numbering(), kept); }
 };
 
-TimeParameters adaptive(const std::string &scheme, const double tolerance)
+TimeParameters adaptive(const Scheme scheme, const double tolerance)
 {
   TimeParameters result;
-  result.step_control = "adaptive";
+  result.step_control = StepControl::adaptive;
   result.scheme = scheme;
   result.time_step = 2e-3;
   result.end_time = 2.;
@@ -114,7 +114,7 @@ struct Run
   double largest_size;
 };
 
-Run run(const std::string &scheme, const double tolerance)
+Run run(const Scheme scheme, const double tolerance)
 {
   Oscillators body;
   TimeControl control(adaptive(scheme, tolerance));
@@ -134,7 +134,7 @@ UNIT_TEST(kept_state)
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   {
     Oscillators body;
-    TimeControl control(adaptive("backward differencing", 1e-3));
+    TimeControl control(adaptive(Scheme::backward_differencing, 1e-3));
     for (unsigned int i = 0; i < 4; ++i)
       make_step(body, control);
     const Oscillators before = body;
@@ -154,10 +154,11 @@ UNIT_TEST(kept_state)
     check::is_true("the older level of a doubled step", body.d_older == two_steps_old);
   }
   // Euler's errors are of another size: its order is one.
-  for (const char *const scheme : {"backward differencing", "crank nicolson", "euler implicit"})
+  for (const Scheme scheme :
+       {Scheme::backward_differencing, Scheme::crank_nicolson, Scheme::euler_implicit})
   {
-    const std::string name = scheme;
-    const double scale = name == "euler implicit" ? 10. : 1.;
+    const std::string name = word_of(scheme_words(), scheme);
+    const double scale = scheme == Scheme::euler_implicit ? 10. : 1.;
     const Run coarse = run(scheme, scale * 1e-4), fine = run(scheme, scale * 1e-5);
     check::is_true(name + ": the error follows the tolerance", fine.error < 0.5 * coarse.error);
     check::is_true(name + ": and so do the steps", fine.n_steps > coarse.n_steps);
@@ -167,7 +168,7 @@ UNIT_TEST(kept_state)
   }
   {
     Oscillators whole;
-    TimeControl control(adaptive("backward differencing", 1e-4));
+    TimeControl control(adaptive(Scheme::backward_differencing, 1e-4));
     for (unsigned int i = 0; i < 80; ++i)
       make_step(whole, control);
     ArchiveWriter writer;
@@ -176,7 +177,7 @@ UNIT_TEST(kept_state)
     writer.write("kept_state.archive");
     const ArchiveReader reader("kept_state.archive");
     Oscillators half;
-    TimeControl of_half(adaptive("backward differencing", 1e-4));
+    TimeControl of_half(adaptive(Scheme::backward_differencing, 1e-4));
     of_half.load(reader);
     half.load(reader);
     bool same = true;

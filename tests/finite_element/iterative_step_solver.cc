@@ -122,10 +122,10 @@ UNIT_TEST(iterative_step_solver)
     solve(mesh + "incompressible", n_refinements, incompressible, parameters);
     solve(mesh + "steady", n_refinements, steady, parameters);
     LinearSolverParameters multigrid;
-    multigrid.stiff_block = "algebraic multigrid";
+    multigrid.stiff_block = StiffBlock::algebraic_multigrid;
     solve(mesh + "multigrid", n_refinements, bulky, multigrid);
     LinearSolverParameters simple;
-    simple.schur_complement = "simple";
+    simple.schur_complement = SchurApproximation::simple;
     solve(mesh + "simple", n_refinements, jump, simple);
   }
 

@@ -118,7 +118,7 @@ UNIT_TEST(space)
          });
 
   SpaceParameters parameters;
-  parameters.pressure_space = "continuous";
+  parameters.pressure_space = PressureSpace::continuous;
   Space<2> continuous(mesh, parameters, Model::plane_strain, 2);
   continuous.distribute();
   check::is_true("continuous: fewer dofs",

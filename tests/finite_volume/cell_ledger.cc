@@ -51,13 +51,13 @@ Slopes combined(const double factor, const Slopes &a, const double other_factor,
 }
 
 template <int dim>
-void test(const Model model, const std::string &power_operator)
+void test(const Model model, const PowerOperator power_operator, const std::string &word)
 {
   const bool axisymmetric = model == Model::axisymmetric;
   const std::string name = (axisymmetric ? "axisymmetric, "
                             : dim == 2   ? "2-D, "
                                          : "3-D, ") +
-                           power_operator + ": ";
+                           word + ": ";
   CellWiseParameters parameters;
   parameters.power_operator = power_operator;
   // Every boundary moves as it is told to; a body force of 3 N/m^3 along x.
@@ -155,7 +155,7 @@ void test(const Model model, const std::string &power_operator)
     for (unsigned int cell = 0; cell < space.mesh.n_owned_cells(); ++cell)
       if (space.mesh.cells()[cell].material_id == region)
         moment += space.mesh.cells()[cell].volume * space.mesh.cells()[cell].centre[0];
-    const double expected_kinetic = power_operator == "scheme"
+    const double expected_kinetic = power_operator == PowerOperator::scheme
                                         ? density * 5. * rate[0] * sum(moment)
                                         : 0.5 * density / 0.1 * (4. - 1.) * volumes[region];
     const double expected_strain = volumes[region] * (spring * deviatoric(elastic, rate) +
@@ -197,9 +197,9 @@ UNIT_TEST(cell_ledger)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();
-  test<2>(Model::plane_strain, "scheme");
-  test<2>(Model::axisymmetric, "scheme");
-  test<2>(Model::plane_strain, "compact");
-  test<2>(Model::axisymmetric, "wide");
-  test<3>(Model::three_dimensional, "scheme");
+  test<2>(Model::plane_strain, PowerOperator::scheme, "scheme");
+  test<2>(Model::axisymmetric, PowerOperator::scheme, "scheme");
+  test<2>(Model::plane_strain, PowerOperator::compact, "compact");
+  test<2>(Model::axisymmetric, PowerOperator::wide, "wide");
+  test<3>(Model::three_dimensional, PowerOperator::scheme, "scheme");
 }

@@ -49,7 +49,8 @@ void check_meshes(const Model model)
         space, [](const dealii::Point<dim> &x, const unsigned int) { return 5. - 2. * x[0]; });
 
     double out_of_balance = 0., traction_error = 0., gradient_error = 0., divergence_error = 0.;
-    for (const std::string coefficient : {"longitudinal", "deviatoric"})
+    for (const auto coefficient :
+         {StencilCoefficient::longitudinal, StencilCoefficient::deviatoric})
     {
       CellWiseParameters parameters;
       parameters.stencil_coefficient = coefficient;
@@ -120,7 +121,7 @@ UNIT_TEST(cell_operators)
                   4. / 3., 1e-14);
   check::absolute("and no lambda", traction_coefficients(solid, parameters).trace_ratio, -2. / 3.,
                   1e-14);
-  parameters.formulation = "velocity";
+  parameters.formulation = Formulation::velocity;
   check::absolute("without: (K + 4/3 mu)/mu",
                   traction_coefficients(solid, parameters).stencil_ratio, 2. / 3. + 4. / 3., 1e-14);
   check::absolute("and lambda/mu", traction_coefficients(solid, parameters).trace_ratio,

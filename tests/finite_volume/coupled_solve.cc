@@ -18,7 +18,7 @@ using namespace cell_meshes;
 template <int dim>
 void check_random(const std::string &name,
                   const Model model,
-                  const std::string &formulation,
+                  const Formulation formulation,
                   const CellCoefficients &given)
 {
   CellWiseParameters parameters;
@@ -129,11 +129,13 @@ UNIT_TEST(coupled_solve)
   const CellCoefficients coefficients = make_coefficients();
   CellCoefficients incompressible = coefficients;
   incompressible.compressibility = {0., 0.};
-  check_random<2>("2-D", Model::plane_strain, "velocity-pressure", coefficients);
-  check_random<2>("incompressible", Model::plane_strain, "velocity-pressure", incompressible);
-  check_random<2>("axisymmetric", Model::axisymmetric, "velocity-pressure", coefficients);
-  check_random<2>("without a pressure", Model::plane_strain, "velocity", coefficients);
-  check_random<3>("3-D", Model::three_dimensional, "velocity-pressure", coefficients);
+  check_random<2>("2-D", Model::plane_strain, Formulation::velocity_pressure, coefficients);
+  check_random<2>("incompressible", Model::plane_strain, Formulation::velocity_pressure,
+                  incompressible);
+  check_random<2>("axisymmetric", Model::axisymmetric, Formulation::velocity_pressure,
+                  coefficients);
+  check_random<2>("without a pressure", Model::plane_strain, Formulation::velocity, coefficients);
+  check_random<3>("3-D", Model::three_dimensional, Formulation::velocity_pressure, coefficients);
   check_tension<2>(Model::plane_strain);
   check_tension<2>(Model::axisymmetric);
   check_tension<3>(Model::three_dimensional);

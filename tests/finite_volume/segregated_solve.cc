@@ -16,10 +16,10 @@ using namespace cell_meshes;
 
 template <int dim>
 void test(const std::string &name,
-          const std::string &formulation,
+          const Formulation formulation,
           const Model model,
           const bool with_fluid,
-          const std::string &boundary_velocity = "automatic",
+          const BoundaryVelocityAs boundary_velocity = BoundaryVelocityAs::automatic,
           const bool skewed = false)
 {
   Triangulation<dim> mesh(MPI_COMM_WORLD);
@@ -40,7 +40,7 @@ void test(const std::string &name,
   }
   CellWiseParameters parameters;
   parameters.formulation = formulation;
-  parameters.solution = "segregated";
+  parameters.solution = CellWiseSolution::segregated;
   parameters.boundary_velocity_as = boundary_velocity;
   parameters.tolerance = 1e-12;
   parameters.maximum_corrections = 2000;
@@ -58,7 +58,7 @@ void test(const std::string &name,
   const double step = 0.1;
   CellCoefficients coefficients;
   coefficients.with_pressure = parameters.has_pressure();
-  coefficients.correct_fluxes = formulation == "velocity-pressure";
+  coefficients.correct_fluxes = formulation == Formulation::velocity_pressure;
   coefficients.mass = {1. / step, 2. / step};
   coefficients.stiffness = {3. * step / 2., 2.};
   coefficients.compressibility = {2. / step, 2. / step};
@@ -112,14 +112,17 @@ UNIT_TEST(segregated_solve)
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();
   const Model plane = Model::plane_strain;
-  test<2>("displacement", "displacement", plane, false);
-  test<2>("velocity", "velocity", plane, false);
-  test<2>("velocity, faces by value", "velocity", plane, false, "value");
-  test<2>("velocity, faces by balance", "velocity", plane, false, "balance");
-  test<2>("velocity, graded", "velocity", plane, false, "automatic", true);
-  test<2>("explicit pressure", "velocity explicit pressure", plane, false);
-  test<2>("PISO", "velocity-pressure", plane, false);
-  test<2>("PISO, axisymmetric", "velocity-pressure", Model::axisymmetric, false);
-  test<2>("PISO, fluid beside solid", "velocity-pressure", plane, true);
-  test<3>("PISO, three dimensions", "velocity-pressure", plane, false);
+  test<2>("displacement", Formulation::displacement, plane, false);
+  test<2>("velocity", Formulation::velocity, plane, false);
+  test<2>("velocity, faces by value", Formulation::velocity, plane, false,
+          BoundaryVelocityAs::value);
+  test<2>("velocity, faces by balance", Formulation::velocity, plane, false,
+          BoundaryVelocityAs::balance);
+  test<2>("velocity, graded", Formulation::velocity, plane, false, BoundaryVelocityAs::automatic,
+          true);
+  test<2>("explicit pressure", Formulation::velocity_explicit_pressure, plane, false);
+  test<2>("PISO", Formulation::velocity_pressure, plane, false);
+  test<2>("PISO, axisymmetric", Formulation::velocity_pressure, Model::axisymmetric, false);
+  test<2>("PISO, fluid beside solid", Formulation::velocity_pressure, plane, true);
+  test<3>("PISO, three dimensions", Formulation::velocity_pressure, plane, false);
 }

@@ -16,7 +16,7 @@ using namespace cell_meshes;
 template <int dim>
 void test(const std::string &name,
           const Model model,
-          const std::string &formulation,
+          const Formulation formulation,
           const bool correct_fluxes)
 {
   CellWiseParameters parameters;
@@ -131,8 +131,8 @@ UNIT_TEST(split_equations)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();
-  test<2>("2-D", Model::plane_strain, "velocity-pressure", true);
-  test<2>("axisymmetric", Model::axisymmetric, "velocity-pressure", false);
-  test<2>("without a pressure", Model::plane_strain, "velocity", false);
-  test<3>("3-D", Model::three_dimensional, "velocity-pressure", false);
+  test<2>("2-D", Model::plane_strain, Formulation::velocity_pressure, true);
+  test<2>("axisymmetric", Model::axisymmetric, Formulation::velocity_pressure, false);
+  test<2>("without a pressure", Model::plane_strain, Formulation::velocity, false);
+  test<3>("3-D", Model::three_dimensional, Formulation::velocity_pressure, false);
 }

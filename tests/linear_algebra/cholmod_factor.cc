@@ -60,15 +60,13 @@ UNIT_TEST(cholmod_factor)
       "owns every index");
 
   const auto made =
-      [](const std::string &choice, const bool quasi_definite, const std::size_t n_entries = 1)
+      [](const DirectSolver choice, const bool quasi_definite, const std::size_t n_entries = 1)
   { return make_symmetric_factor(choice, quasi_definite, n_entries, MPI_COMM_WORLD)->name(); };
-  check::equal("automatic", made("automatic", true), "CHOLMOD, simplicial L D L^T");
-  check::equal("automatic, large", made("automatic", true, 2000001),
+  check::equal("automatic", made(DirectSolver::automatic, true), "CHOLMOD, simplicial L D L^T");
+  check::equal("automatic, large", made(DirectSolver::automatic, true, 2000001),
                "MUMPS, L D L^T without pivoting");
-  check::equal("automatic, incompressible", made("automatic", false),
+  check::equal("automatic, incompressible", made(DirectSolver::automatic, false),
                "MUMPS, L D L^T with pivoting");
   check::throws<std::invalid_argument>(
-      "cholmod, incompressible", [&]() { made("cholmod", false); }, "compressible");
-  check::throws<std::invalid_argument>(
-      "unknown", [&]() { made("pardiso", true); }, "unknown");
+      "cholmod, incompressible", [&]() { made(DirectSolver::cholmod, false); }, "compressible");
 }

@@ -69,6 +69,7 @@ UNIT_TEST(mumps_factor)
       "an index without owner",
       [&]() { factor.factorize(problems::strewn(problems::small_indefinite()), {}); },
       "owned by one rank");
-  check::equal("made by name", make_symmetric_factor("mumps", true, 1, MPI_COMM_WORLD)->name(),
+  check::equal("made by name",
+               make_symmetric_factor(DirectSolver::mumps, true, 1, MPI_COMM_WORLD)->name(),
                "MUMPS, L D L^T without pivoting");
 }

@@ -13,7 +13,7 @@ UNIT_TEST(umfpack_factor)
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
   // Both triangles of a symmetric matrix, given to the unsymmetric factor.
-  const auto umfpack = make_symmetric_factor("umfpack", false, 1, MPI_COMM_WORLD);
+  const auto umfpack = make_symmetric_factor(DirectSolver::umfpack, false, 1, MPI_COMM_WORLD);
   SymmetricFactor &factor = *umfpack;
   problems::factorize(factor, problems::small_indefinite());
   const std::vector<double> x = problems::solve(factor, {-1, 8, -6});

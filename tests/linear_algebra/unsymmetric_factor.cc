@@ -15,11 +15,12 @@ UNIT_TEST(unsymmetric_factor)
     std::cout.setstate(std::ios::failbit); // rank 0 alone prints
   const bool serial = problems::n_ranks() == 1;
 
-  for (const std::string choice : {"umfpack", "mumps"})
+  for (const DirectSolver solver : {DirectSolver::umfpack, DirectSolver::mumps})
   {
-    if (choice == "umfpack" && !serial)
+    if (solver == DirectSolver::umfpack && !serial)
       continue;
-    const auto factor = make_unsymmetric_factor(choice, MPI_COMM_WORLD);
+    const std::string choice = word_of(direct_solver_words(), solver);
+    const auto factor = make_unsymmetric_factor(solver, MPI_COMM_WORLD);
     problems::factorize(*factor, problems::zero_diagonal());
     const std::vector<double> x = problems::solve(*factor, {4, 6, 14});
     check::absolute(choice + ", zero diagonal, first", x[0], 1, 1e-14);
@@ -38,7 +39,7 @@ UNIT_TEST(unsymmetric_factor)
 
     const std::vector<double> b = problems::multiply(matrix, problems::manufactured(matrix.n));
     const std::vector<double> first = problems::solve(*factor, b);
-    const auto again = make_unsymmetric_factor(choice, MPI_COMM_WORLD);
+    const auto again = make_unsymmetric_factor(solver, MPI_COMM_WORLD);
     problems::factorize(*again, matrix);
     // On several ranks the order in which messages arrive decides about the last bits.
     const double tolerance = serial ? 0 : 1e-13 * problems::norm(first);
@@ -61,12 +62,14 @@ UNIT_TEST(unsymmetric_factor)
         "entry \\(0, 2\\)");
   }
 
-  check::equal("automatic", make_unsymmetric_factor("automatic", MPI_COMM_WORLD)->name(),
+  check::equal("automatic",
+               make_unsymmetric_factor(DirectSolver::automatic, MPI_COMM_WORLD)->name(),
                serial ? "UMFPACK, L U" : "MUMPS, L U");
   if (!serial)
     check::throws<std::invalid_argument>(
-        "umfpack on several ranks", [&]() { make_unsymmetric_factor("umfpack", MPI_COMM_WORLD); },
-        "one rank only");
+        "umfpack on several ranks",
+        [&]() { make_unsymmetric_factor(DirectSolver::umfpack, MPI_COMM_WORLD); }, "one rank only");
   check::throws<std::invalid_argument>(
-      "unknown", [&]() { make_unsymmetric_factor("pardiso", MPI_COMM_WORLD); }, "unknown");
+      "cholmod", [&]() { make_unsymmetric_factor(DirectSolver::cholmod, MPI_COMM_WORLD); },
+      "for symmetric matrices");
 }

@@ -60,7 +60,7 @@ UNIT_TEST(adaptation)
   AdaptationParameters threshold;
   threshold.read(file.root().subsection("Adaptivity"), true);
   file.refuse_unknown();
-  check::equal("field of the indicator", threshold.kelly_field, "pressure");
+  check::is_true("field of the indicator", threshold.kelly_field == IndicatorField::pressure);
   parallel::distributed::Triangulation<2> square(MPI_COMM_WORLD);
   GridGenerator::subdivided_hyper_cube(square, 2);
   square.refine_global(2); // four coarse cells, each of 16 on level 2

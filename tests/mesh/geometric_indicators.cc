@@ -74,8 +74,8 @@ UNIT_TEST(geometric_indicators)
       MPI_COMM_WORLD, Triangulation<2>::limit_level_difference_at_vertices);
   GridGenerator::subdivided_hyper_rectangle(mesh, {8, 1}, Point<2>(), Point<2>(4., 0.5));
   AdaptationParameters parameters;
-  parameters.indicators = {"expression"};
-  parameters.strategy = "threshold";
+  parameters.indicators = {Indicator::expression};
+  parameters.strategy = AdaptationStrategy::threshold;
   parameters.maximum_level = 2;
   const Expression window("abs(x - 0.25 - 2*t) < 0.125", Dimensions::none);
   check::is_true("an expression is geometric", parameters.is_geometric());

@@ -15,7 +15,7 @@ namespace
 {
 /// 16 x 4 squares, refined once; x < 0.5 is fluid (material 0), the rest solid (1).
 std::unique_ptr<dealii::parallel::TriangulationBase<2>>
-make_mesh(const std::string &partitioner, const double solid_weight, const unsigned int refinements)
+make_mesh(const Partitioner partitioner, const double solid_weight, const unsigned int refinements)
 {
   PartitionParameters parameters;
   parameters.partitioner = partitioner;
@@ -46,7 +46,7 @@ UNIT_TEST(partition)
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     std::cout.setstate(std::ios::failbit);
 
-  const auto metis = make_mesh("metis", 1., 1);
+  const auto metis = make_mesh(Partitioner::metis, 1., 1);
   const PartitionQuality quality = measure_partition(*metis);
   check::is_true("cells", metis->n_global_active_cells() == 256);
   check::relative("parts are equal", quality.imbalance, 1., 0.05);
@@ -54,12 +54,13 @@ UNIT_TEST(partition)
   const unsigned int shortest = 8 * (n_ranks - 1);
   check::is_true("cut", quality.n_cut_faces >= shortest && 2 * quality.n_cut_faces <= 3 * shortest);
 
-  for (const std::string partitioner : {"p4est", "metis"})
+  for (const Partitioner partitioner : {Partitioner::p4est, Partitioner::metis})
     for (const unsigned int refinements : {0, 2})
     {
       // Three to one: all of the fluid and a third of the solid for one rank. The curve of p4est
       // runs through whole coarse cells.
-      const std::string name = partitioner + (refinements == 0 ? ", coarse" : ", refined");
+      const std::string name =
+          word_of(partitioner_words(), partitioner) + (refinements == 0 ? ", coarse" : ", refined");
       const auto mesh = make_mesh(partitioner, 3., refinements);
       check::relative(name + ": equal work", measure_partition(*mesh).imbalance, 1., 0.1);
       const double work = owned_share(*mesh, 0) + 3. * owned_share(*mesh, 1);

@@ -39,8 +39,9 @@ WaveMode mode_of(const TubeSection &section, const WaveLevel level, const double
 
 UNIT_TEST(closed_form_waves)
 {
-  check::equal("first name", wave_level_names().at(0), "exact");
-  check::is_true("level of a name", wave_level_of("closed formula") == WaveLevel::closed_formula);
+  check::equal("first name", wave_level_words().at(0).first, "exact");
+  check::is_true("level of a name",
+                 value_of(wave_level_words(), "closed formula") == WaveLevel::closed_formula);
 
   // Without viscosity Womersley's theory has the speed of Moens and Korteweg, 2.6256 m/s, at any
   // frequency: sqrt(Y h/(2 R rho)).
@@ -59,7 +60,7 @@ UNIT_TEST(closed_form_waves)
   for (const WaveLevel level :
        {WaveLevel::closed_formula, WaveLevel::membrane, WaveLevel::womersley})
   {
-    const std::string name = wave_level_names()[static_cast<unsigned int>(level)] + ": ";
+    const std::string name = word_of(wave_level_words(), level) + ": ";
     const double frequency = 20., omega = 2. * pi * frequency, area = pi * 0.0125 * 0.0125;
     const WaveMode mode = mode_of(tube_a(1e-3), level, frequency);
     const std::complex<double> i(0., 1.), flow = mode.junction[WaveMode::flow_rate];

@@ -40,10 +40,10 @@ std::string exponents(StepSizeControl &control,
   return text;
 }
 
-TimeParameters adaptive(const std::string &scheme, const double step, const double end)
+TimeParameters adaptive(const Scheme scheme, const double step, const double end)
 {
   TimeParameters result;
-  result.step_control = "adaptive";
+  result.step_control = StepControl::adaptive;
   result.scheme = scheme;
   result.time_step = step;
   result.end_time = end;
@@ -126,7 +126,7 @@ UNIT_TEST(step_size_control)
 
   {
     // Steps of up to 6.4 meet the end at 10 exactly.
-    TimeControl control(adaptive("crank nicolson", 0.1, 10.));
+    TimeControl control(adaptive(Scheme::crank_nicolson, 0.1, 10.));
     bool exact = true;
     double last = 0.;
     while (!control.at_end())
@@ -141,7 +141,7 @@ UNIT_TEST(step_size_control)
   }
   {
     // A rejection goes back; halves of the first step still lead to jumps and end.
-    TimeParameters parameters = adaptive("backward differencing", 0.1, 3.);
+    TimeParameters parameters = adaptive(Scheme::backward_differencing, 0.1, 3.);
     parameters.jump_times = {1.7};
     parameters.steps_between_increases = 3;
     TimeControl control(parameters);
@@ -173,7 +173,7 @@ UNIT_TEST(step_size_control)
     check::absolute("meets the end", control.time(), 3., 1e-13);
   }
   {
-    TimeControl whole(adaptive("backward differencing", 0.1, 30.));
+    TimeControl whole(adaptive(Scheme::backward_differencing, 0.1, 30.));
     const auto error = [](const unsigned int i, const double size)
     { return (i % 37 < 20 ? 1e-5 : 1e-3) * std::pow(size / 0.1, 3); };
     unsigned int i = 0;
@@ -185,7 +185,7 @@ UNIT_TEST(step_size_control)
     ArchiveWriter writer;
     whole.save(writer);
     writer.write("step_size_control.archive");
-    TimeControl half(adaptive("backward differencing", 0.1, 30.));
+    TimeControl half(adaptive(Scheme::backward_differencing, 0.1, 30.));
     half.load(ArchiveReader("step_size_control.archive"));
     bool same = true;
     while (!whole.at_end())

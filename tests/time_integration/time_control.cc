@@ -10,7 +10,7 @@ using namespace Continua;
 
 namespace
 {
-TimeParameters parameters(const std::string &scheme, const double step, const double end)
+TimeParameters parameters(const Scheme scheme, const double step, const double end)
 {
   TimeParameters result;
   result.scheme = scheme;
@@ -47,13 +47,13 @@ void refused(const std::string &name, const std::string &text, const std::string
 UNIT_TEST(time_control)
 {
   {
-    TimeParameters changing = parameters("euler implicit", 2e-3, 1.);
+    TimeParameters changing = parameters(Scheme::euler_implicit, 2e-3, 1.);
     check::is_true("smallest step", changing.smallest_step() == 2e-3);
     changing.changes = {{0.1, 1e-3}, {0.2, 5e-3}};
     check::is_true("smallest step of several", changing.smallest_step() == 1e-3);
   }
   {
-    TimeControl control(parameters("euler implicit", 1e-4, 30.));
+    TimeControl control(parameters(Scheme::euler_implicit, 1e-4, 30.));
     double last_time = 0.;
     bool chained = true, same_size = true;
     while (!control.at_end())
@@ -69,20 +69,20 @@ UNIT_TEST(time_control)
     check::is_true("each step has the same size to the last bit", same_size);
   }
   {
-    TimeControl control(parameters("euler implicit", 0.3, 1.));
+    TimeControl control(parameters(Scheme::euler_implicit, 0.3, 1.));
     unsigned int n = 0;
     for (; !control.at_end(); ++n)
       control.next();
     check::is_true("the first step that reaches the end is the last", n == 4);
   }
   {
-    TimeControl control(parameters("backward differencing", 0.1, 10.));
+    TimeControl control(parameters(Scheme::backward_differencing, 0.1, 10.));
     check::equal("backward differencing starts with euler", letters(control, 3), "ebb");
     control.restart();
     check::equal("and again after a change of the mesh", letters(control, 2), "eb");
   }
   {
-    TimeControl control(parameters("crank nicolson", 0.1, 10.));
+    TimeControl control(parameters(Scheme::crank_nicolson, 0.1, 10.));
     const std::vector<Step> first = control.next();
     check::is_true("two halves", first.size() == 2);
     check::absolute("first half ends in the middle", first[0].time, 0.05, 1e-16);
@@ -92,13 +92,13 @@ UNIT_TEST(time_control)
     check::equal("then one more pair", letters(control, 3), "rcc");
     control.restart();
     check::equal("pairs after a jump", letters(control, 3), "rrc");
-    TimeParameters sharp = parameters("crank nicolson", 0.1, 10.);
+    TimeParameters sharp = parameters(Scheme::crank_nicolson, 0.1, 10.);
     sharp.smooth_start = false;
     TimeControl plain(sharp);
     check::equal("without smooth start", letters(plain, 2), "cc");
   }
   {
-    TimeParameters changing = parameters("backward differencing", 0.1, 1.);
+    TimeParameters changing = parameters(Scheme::backward_differencing, 0.1, 1.);
     changing.changes = {{0.25, 0.2}, {0.7, 0.05}};
     changing.jump_times = {0.7};
     TimeControl control(changing);
@@ -119,7 +119,7 @@ UNIT_TEST(time_control)
     check::absolute("end", control.time(), 1., 1e-15);
   }
   {
-    TimeParameters changing = parameters("backward differencing", 0.1, 3.);
+    TimeParameters changing = parameters(Scheme::backward_differencing, 0.1, 3.);
     changing.changes = {{0.4, 0.15}};
     changing.jump_times = {0.7};
     TimeControl whole(changing);

@@ -1,18 +1,27 @@
 #ifndef continua_analysis_laboratory_parameters_h
 #define continua_analysis_laboratory_parameters_h
 
-#include <continua/base/parameter_section.h>
+#include <continua/base/words.h>
 
 #include <string>
 #include <vector>
 
 namespace Continua
 {
+/// The one element of the simulated tests.
+enum class SpecimenShape
+{
+  cylinder,
+  cube
+};
+
+const Words<SpecimenShape> &specimen_words();
+
 /// The section Laboratory: what is reported of a material, and the tests that are simulated.
 struct LaboratoryParameters
 {
   std::vector<std::string> tests; ///< some of test_names()
-  std::string specimen = "cylinder";
+  SpecimenShape specimen = SpecimenShape::cylinder;
   double lowest_frequency = 0.5; ///< of the table of the modulus [Hz]
   double highest_frequency = 100.;
   unsigned int points_per_decade = 20;

@@ -1,20 +1,28 @@
 #ifndef continua_analysis_wave_theory_parameters_h
 #define continua_analysis_wave_theory_parameters_h
 
-#include <continua/base/parameter_section.h>
+#include <continua/base/words.h>
+#include <continua/theory/closed_form_waves.h>
 
-#include <string>
 #include <vector>
 
 namespace Continua
 {
+/// What the liquid meets at the outlet.
+enum class FarEnd
+{
+  as_boundary, ///< what the boundary's condition says
+  matched,     ///< the pressure wave's own impedance
+  branches     ///< out of which nothing comes back
+};
+
 /// The section Wave theory: how the linear waves of a tube are computed.
 struct WaveTheoryParameters
 {
-  bool overlay = true;         ///< beside a run
-  bool overlay_given = false;  ///< by the user, who is told if it cannot be had
-  std::string level = "exact"; ///< one of wave_level_names()
-  std::string far_end = "as the boundary";
+  bool overlay = true;        ///< beside a run
+  bool overlay_given = false; ///< by the user, who is told if it cannot be had
+  WaveLevel level = WaveLevel::exact;
+  FarEnd far_end = FarEnd::as_boundary;
   std::vector<double> branch_diameters;        ///< inner ones, of branches at the far end [m]
   std::vector<double> branch_wall_thicknesses; ///< [m]
   std::vector<double> branch_youngs_moduli;    ///< [Pa]

@@ -1,13 +1,14 @@
 #ifndef continua_boundary_boundary_condition_h
 #define continua_boundary_boundary_condition_h
 
-#include <continua/base/parameter_section.h>
+#include <continua/base/words.h>
 #include <continua/boundary/absorbing_end_parameters.h>
 #include <continua/boundary/flow_profile.h>
 #include <continua/boundary/outlet.h>
 #include <continua/signal/waveform.h>
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -38,17 +39,34 @@ struct BoundaryPart
   bool depends_on_time() const;
 };
 
+/// The rows of the table of conditions, see boundary_types().
+enum class BoundaryType
+{
+  fixed,
+  velocity,
+  traction,
+  pressure,
+  flow_rate,
+  resistance,
+  windkessel,
+  absorbing,
+  roller,
+  axis,
+  free,
+  mixed
+};
+
 /// What holds on one boundary (of one region, or of all that touch it).
 struct BoundaryCondition
 {
   std::string name; ///< the child of Boundaries it was read from
-  std::string type;
+  BoundaryType type = BoundaryType::free;
   unsigned int boundary_id = 0;
   std::set<unsigned int> region_ids; ///< regions whose faces it holds for
   BoundaryPart normal;
   BoundaryPart tangential;
-  /// Of a flow rate, given or an outlet's: flat, parabolic or womersley; else empty.
-  std::string profile;
+  /// Of a flow rate, given or an outlet's.
+  std::optional<FlowProfile::Shape> profile;
   /// Of an outlet, else null: what was read, for the whole tube. Without a port where the tube
   /// itself has to tell the impedance (absorbing). Its pressure is no part of `normal`.
   std::shared_ptr<const Outlet> outlet;
@@ -61,6 +79,7 @@ struct BoundaryCondition
 
 /// The types that exist: name and a line of description, for the manual and `Type`.
 std::vector<std::pair<std::string, std::string>> boundary_types();
+const Words<BoundaryType> &boundary_type_words();
 
 /**
  * Reads the section Boundaries: one child for each boundary, named after it; or a child of any name

@@ -3,7 +3,6 @@
 
 #include <continua/signal/waveform.h>
 
-#include <string>
 #include <vector>
 
 namespace Continua
@@ -42,9 +41,15 @@ struct FlowHistory
 class FlowProfile
 {
 public:
-  /// `profile`: flat or parabolic, or womersley, which needs `history`. `fraction`: which part of
-  /// the disc the mesh has (1, 1/2 or 1/4).
-  FlowProfile(const std::string &profile,
+  enum class Shape
+  {
+    flat,
+    parabolic,
+    womersley
+  };
+  /// A womersley profile needs `history`. `fraction`: which part of the disc the mesh has (1, 1/2
+  /// or 1/4).
+  FlowProfile(Shape shape,
               const Waveform &flow_rate,
               double radius,
               double fraction,

@@ -4,6 +4,7 @@
 #include <continua/base/archive.h>
 #include <continua/continuum/power_balance.h>
 #include <continua/continuum/vibration_operator.h>
+#include <continua/mesh/indicator_field.h>
 #include <continua/signal/expression.h>
 #include <continua/time_integration/step.h>
 
@@ -81,7 +82,7 @@ struct IndicatorRequest
     kelly
   };
   Kind kind = Kind::traction_jump;
-  std::string field = "velocity"; ///< velocity, displacement or pressure; of Kelly's indicator
+  IndicatorField field = IndicatorField::velocity; ///< of Kelly's indicator
 };
 
 /// The local error of the last step's velocity as the scheme's order lets it be estimated.

@@ -1,26 +1,56 @@
 #ifndef continua_finite_element_linear_solver_parameters_h
 #define continua_finite_element_linear_solver_parameters_h
 
-#include <continua/base/parameter_section.h>
-
-#include <string>
+#include <continua/linear_algebra/direct_solver.h>
 
 namespace Continua
 {
+/// The solver of the step's system.
+enum class LinearSolverType
+{
+  automatic, ///< by the number of unknowns
+  direct,
+  iterative
+};
+
+/// How the iterative solver approximates the pressure's matrix.
+enum class SchurApproximation
+{
+  automatic, ///< cahouet_chabard
+  cahouet_chabard,
+  simple
+};
+
+/// What the iterative solver does with the solid.
+enum class StiffBlock
+{
+  automatic, ///< direct up to a number of its unknowns
+  direct,
+  algebraic_multigrid
+};
+
+/// What the iterative solver does with the fluid.
+enum class FluidBlock
+{
+  automatic, ///< relaxation unless viscosity evens velocities out over several cells within a step
+  relaxation,
+  algebraic_multigrid
+};
+
 /// The section Linear solver.
 struct LinearSolverParameters
 {
-  std::string type = "automatic";          ///< automatic, direct or iterative
-  std::string direct_solver = "automatic"; ///< automatic, cholmod, mumps or umfpack
+  LinearSolverType type = LinearSolverType::automatic;
+  DirectSolver direct_solver = DirectSolver::automatic;
   unsigned int refinement_steps = 0;
   unsigned int kept_factors = 2;
   // Of the iterative solver.
   double tolerance = 1e-8;
   unsigned int maximum_iterations = 500;
   unsigned int restart_length = 60;
-  std::string schur_complement = "automatic"; ///< automatic, cahouet-chabard or simple
-  std::string stiff_block = "automatic";      ///< automatic, direct or algebraic multigrid
-  std::string fluid_block = "automatic";      ///< automatic, relaxation or algebraic multigrid
+  SchurApproximation schur_complement = SchurApproximation::automatic;
+  StiffBlock stiff_block = StiffBlock::automatic;
+  FluidBlock fluid_block = FluidBlock::automatic;
 
   void read(ParameterSection section);
 };

@@ -22,11 +22,17 @@
 
 namespace Continua
 {
+enum class PressureSpace
+{
+  broken,    ///< the pressure may jump between regions
+  continuous ///< one continuous field
+};
+
 /// The section Finite element.
 struct SpaceParameters
 {
   unsigned int velocity_degree = 2;
-  std::string pressure_space = "broken";
+  PressureSpace pressure_space = PressureSpace::broken;
 
   void read(ParameterSection section);
 };

@@ -61,12 +61,12 @@ public:
   /// Of the solver in use; empty before the first prepare().
   std::string name() const;
   bool is_direct() const { return !is_iterative; }
-  bool is_automatic() const { return parameters.type == "automatic"; }
+  bool is_automatic() const { return parameters.type == LinearSolverType::automatic; }
   const std::string &reason() const { return reason_of_choice; }
   /// Whether the library that made the factor was chosen by the number of ranks, too.
   bool library_depends_on_ranks() const
   {
-    return factor() != nullptr && parameters.direct_solver == "automatic";
+    return factor() != nullptr && parameters.direct_solver == DirectSolver::automatic;
   }
   /// Of the iterative solver, since the last call.
   unsigned int take_iterations();

@@ -1,6 +1,8 @@
 #ifndef continua_linear_algebra_symmetric_factor_h
 #define continua_linear_algebra_symmetric_factor_h
 
+#include <continua/linear_algebra/direct_solver.h>
+
 #include <mpi.h>
 
 #include <cstddef>
@@ -64,7 +66,7 @@ constexpr std::size_t largest_simplicial_matrix = 2000000;
  * pivot and refuses cholmod. `n_entries`: of the lower triangle, on this rank. Unusable choices
  * throw std::invalid_argument with the reason.
  */
-std::unique_ptr<SymmetricFactor> make_symmetric_factor(const std::string &choice,
+std::unique_ptr<SymmetricFactor> make_symmetric_factor(DirectSolver choice,
                                                        bool quasi_definite,
                                                        std::size_t n_entries,
                                                        MPI_Comm communicator);

@@ -1,6 +1,8 @@
 #ifndef continua_linear_algebra_unsymmetric_factor_h
 #define continua_linear_algebra_unsymmetric_factor_h
 
+#include <continua/linear_algebra/direct_solver.h>
+
 #include <mpi.h>
 
 #include <memory>
@@ -51,8 +53,9 @@ public:
 
 /// `automatic`: UMFPACK's factor on one rank, MUMPS on several - a fixed rule, so that runs and
 /// restarts are bit-equal on one rank (on several, MUMPS's last bits vary). `umfpack` and `mumps`
-/// choose. Unusable choices throw std::invalid_argument with the reason.
-std::unique_ptr<UnsymmetricFactor> make_unsymmetric_factor(const std::string &choice,
+/// choose; CHOLMOD has no such factor. Unusable choices throw std::invalid_argument with the
+/// reason.
+std::unique_ptr<UnsymmetricFactor> make_unsymmetric_factor(DirectSolver choice,
                                                            MPI_Comm communicator);
 } // namespace Continua
 

@@ -1,27 +1,35 @@
 #ifndef continua_mesh_partition_h
 #define continua_mesh_partition_h
 
-#include <continua/base/parameter_section.h>
+#include <continua/base/words.h>
 
 #include <deal.II/distributed/tria_base.h>
 
 #include <mpi.h>
 
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace Continua
 {
+/// What divides the mesh among the ranks.
+enum class Partitioner
+{
+  p4est,
+  metis
+};
+
+const Words<Partitioner> &partitioner_words();
+
 /// Entries of the section Mesh: how the cells are divided among the ranks.
 struct PartitionParameters
 {
-  std::string partitioner = "p4est"; ///< p4est | metis
-  double solid_weight = 1.;          ///< work of a cell of solid over that of a cell of fluid
+  Partitioner partitioner = Partitioner::p4est;
+  double solid_weight = 1.; ///< work of a cell of solid over that of a cell of fluid
 
   /// Throws InputError.
   void read(ParameterSection mesh);
-  bool is_metis() const { return partitioner == "metis"; }
+  bool is_metis() const { return partitioner == Partitioner::metis; }
 };
 
 /**

@@ -108,6 +108,20 @@ public:
   const std::vector<StationsProbe> &stations() const { return stations_probes; }
 
 private:
+  enum class Place
+  {
+    point,
+    boundary,
+    section,
+    stations
+  };
+  /// Each place by the entry that gives it.
+  static const Words<Place> &place_words();
+  enum class Value
+  {
+    mean,
+    integral
+  };
   /// One child of the section.
   struct Probe
   {
@@ -119,12 +133,12 @@ private:
     std::string boundary;
     double position = std::numeric_limits<double>::quiet_NaN(); ///< of a section [m]
     Stations<dim> stations;
-    std::string value = "mean";
+    Value value = Value::mean;
     std::string region;
     bool signal_analysis = true;
     std::vector<double> modes; ///< start values [Hz]
     ProbeRequest<dim> request; ///< all but the field
-    std::string place;         ///< the entry that says where
+    Place place = Place::point;
   };
   struct Column
   {

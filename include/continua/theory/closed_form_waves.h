@@ -1,9 +1,8 @@
 #ifndef continua_theory_closed_form_waves_h
 #define continua_theory_closed_form_waves_h
 
+#include <continua/base/words.h>
 #include <continua/theory/wave_families.h>
-
-#include <string>
 
 namespace Continua
 {
@@ -18,9 +17,7 @@ enum class WaveLevel
   womersley
 };
 
-/// "exact", "closed formula", "membrane", "womersley".
-const std::vector<std::string> &wave_level_names();
-WaveLevel wave_level_of(const std::string &name);
+const Words<WaveLevel> &wave_level_words();
 
 /**
  * The pressure wave by a closed formula. Pressure is uniform over the section; flow, wall shear

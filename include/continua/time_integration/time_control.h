@@ -2,7 +2,7 @@
 #define continua_time_integration_time_control_h
 
 #include <continua/base/archive.h>
-#include <continua/base/parameter_section.h>
+#include <continua/base/words.h>
 #include <continua/time_integration/step.h>
 #include <continua/time_integration/step_size_control.h>
 
@@ -20,18 +20,28 @@ enum class Scheme
   crank_nicolson
 };
 
+const Words<Scheme> &scheme_words();
+/// "automatic" has no value: the scheme sets the update.
+const Words<std::optional<Update>> &update_words();
+
+enum class StepControl
+{
+  fixed,   ///< every step has the size given
+  adaptive ///< its size follows an estimate of its local error
+};
+
 /// The section Time.
 struct TimeParameters
 {
-  std::string scheme = "backward differencing";
-  std::string update = "automatic";
+  Scheme scheme = Scheme::backward_differencing;
+  std::optional<Update> update;                   ///< none: the scheme sets it
   double time_step = 0.;                          ///< [s]
   double end_time = 0.;                           ///< [s]
   std::vector<std::pair<double, double>> changes; ///< (time [s], new step [s]), in order
   std::vector<double> jump_times; ///< [s] at which a load or a prescribed velocity jumps
   bool smooth_start = true;
   double velocity_limit = 1e9; ///< [m/s]; a run that exceeds it has diverged
-  std::string step_control = "fixed";
+  StepControl step_control = StepControl::fixed;
   // Of an adaptive step, of which time_step is the first:
   double error_tolerance = 1e-4; ///< of the local error of a step's velocity [1]
   double least_step = 0.;        ///< [s]; 0: a 64th of the first
@@ -40,11 +50,11 @@ struct TimeParameters
 
   /// Declares and reads; throws InputError.
   void read(ParameterSection section);
-  bool is_adaptive() const { return step_control == "adaptive"; }
+  bool is_adaptive() const { return step_control == StepControl::adaptive; }
   /// The smallest of the run's time steps, or what an adaptive one may become [s].
   double smallest_step() const;
   StepSizeParameters step_sizes() const;
-  Scheme scheme_type() const;
+  /// `update`, or what the scheme sets.
   Update update_type() const;
 };
 
