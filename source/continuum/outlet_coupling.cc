@@ -110,7 +110,7 @@ void OutletCoupling::respond(StepReport &report)
     else
       for (const auto &[index, value] : port.flow)
         momentum.begin()[index] = -value;
-    operators.take_prescribed(prescribed, momentum, mass);
+    operators.eliminate_prescribed(prescribed, momentum, mass);
     operators.solve(prescribed, momentum, mass, port.velocity_response, port.pressure_response,
                     report);
   }

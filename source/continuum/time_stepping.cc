@@ -33,11 +33,11 @@ void TimeStepping::initialise()
   present_time = pressure_known_time = 0.;
   operators.set_initial_state(velocity, history.displacement(), pressure);
   bulk_history.start(pressure);
-  balance_massless_velocities(0.);
+  deform_by_imbalance(0.);
   velocity_older.equ(1., velocity);
   pressure_older.equ(1., pressure);
   pressure_known.equ(1., pressure);
-  operators.take_initial_state(present());
+  operators.start_from(present());
 }
 
 void TimeStepping::setup()
@@ -99,14 +99,14 @@ StepReport TimeStepping::advance(const Step &given_step)
   else
   {
     kept.move_older_level(step);
-    yield_to_jump(step);
+    deform_by_jump(step);
     prepare(step, report);
     {
       TimerOutput::Scope scope(log.timer(), "right-hand side");
       set_momentum(step);
       set_mass(step);
       set_prescribed(step);
-      operators.take_prescribed(balanced.prescribed, momentum, mass);
+      operators.eliminate_prescribed(balanced.prescribed, momentum, mass);
     }
     TimerOutput::Scope scope(log.timer(), "solve");
     solve(step, report);
@@ -251,7 +251,7 @@ void TimeStepping::finish(const Step &step)
   }
   present_time = step.time;
   balanced.step = step;
-  operators.take_state(step, present());
+  operators.finish_step(step, present());
   kept.advance(step);
 }
 
@@ -265,7 +265,7 @@ void TimeStepping::extrapolate_pressure(const Step &step)
                           factor * (balanced.pressure.begin()[i] - pressure_known.begin()[i]);
 }
 
-void TimeStepping::balance_massless_velocities(const double time)
+void TimeStepping::deform_by_imbalance(const double time)
 {
   if (!operators.has_massless_velocities())
     return;
@@ -279,10 +279,10 @@ void TimeStepping::balance_massless_velocities(const double time)
     operators.multiply_gradient(region, velocity_work, pressure);
     momentum.add(-1., velocity_work);
   }
-  yield();
+  deform_massless();
 }
 
-void TimeStepping::yield_to_jump(const Step &step)
+void TimeStepping::deform_by_jump(const Step &step)
 {
   if (step.update != Update::trapezoidal || !operators.has_massless_velocities() ||
       !operators.load_jumps(step.time_old, step.balance_time))
@@ -296,12 +296,12 @@ void TimeStepping::yield_to_jump(const Step &step)
   momentum.add(before < 0. ? -1. : -2., velocity_work);
   if (before >= 0.)
     operators.add_loads(before, momentum);
-  yield();
+  deform_massless();
 }
 
-void TimeStepping::yield()
+void TimeStepping::deform_massless()
 {
-  if (!operators.yield_at_once(momentum, velocity_work, pressure_work))
+  if (!operators.deform_at_once(momentum, velocity_work, pressure_work))
     return;
   StateVectors displacements;
   history.visit(displacements);
@@ -342,7 +342,7 @@ void TimeStepping::solve_steady(const double time)
     operators.evaluate_prescribed(time, prescribed);
     balanced.prescribed.equ(1., prescribed);
   }
-  operators.take_prescribed(balanced.prescribed, momentum, mass);
+  operators.eliminate_prescribed(balanced.prescribed, momentum, mass);
   {
     TimerOutput::Scope scope(log.timer(), "solve");
     velocity_work = 0.;
@@ -422,7 +422,7 @@ void TimeStepping::transfer()
     Assert(have_same_layout(*vector, velocity_work), ExcInternalError());
   for ([[maybe_unused]] const DistributedVector *vector : vectors.pressures)
     Assert(have_same_layout(*vector, pressure_work), ExcInternalError());
-  balance_massless_velocities(present_time);
+  deform_by_imbalance(present_time);
 }
 
 void TimeStepping::save(ArchiveWriter &archive) const

@@ -172,6 +172,58 @@ void subtract(Equation<dim> &equation, const double factor, const Equation<dim> 
   for (const auto &weight : other.weights)
     equation.weights[weight.first] -= factor * weight.second;
 }
+/// The halves of a condition that prescribe a velocity at a face, each with a direction.
+template <int dim>
+std::vector<std::pair<const BoundaryPart *, Tensor<1, dim>>>
+prescribed_directions(const BoundaryCondition &condition, const Tensor<1, dim> &face_normal)
+{
+  const bool normal = condition.normal.kind == BoundaryPart::Kind::velocity;
+  const bool tangential = condition.tangential.kind == BoundaryPart::Kind::velocity;
+  std::vector<std::pair<const BoundaryPart *, Tensor<1, dim>>> asked;
+  const bool whole_vector = normal && tangential && condition.normal.along_normal.is_zero() &&
+                            condition.normal.vector.size() == condition.tangential.vector.size();
+  if (whole_vector)
+    // Both halves are of one vector: its Cartesian components, free of round-off from normals.
+    for (unsigned int c = 0; c < dim; ++c)
+    {
+      Tensor<1, dim> axis;
+      axis[c] = 1.;
+      asked.emplace_back(&condition.tangential, axis);
+    }
+  else
+  {
+    if (normal)
+      asked.emplace_back(&condition.normal, face_normal);
+    if (tangential)
+      for (const Tensor<1, dim> &tangent : tangents(face_normal))
+        asked.emplace_back(&condition.tangential, tangent);
+  }
+  return asked;
+}
+
+/// Adds an equation to those that are reduced already, each of which has a pivot of its own and
+/// zeros at the others' pivots. Returns false, and leaves the right-hand side that must vanish in
+/// `equation`, if it depends on them.
+template <int dim>
+bool reduce(Equation<dim> &equation, std::vector<Equation<dim>> &equations)
+{
+  for (const Equation<dim> &earlier : equations)
+    subtract(equation, equation.direction[earlier.pivot], earlier);
+  if (equation.direction.norm() < dependent_remainder)
+    return false;
+  // Pivot on the largest component, eliminate it from the earlier equations.
+  for (unsigned int c = 1; c < dim; ++c)
+    if (std::abs(equation.direction[c]) > std::abs(equation.direction[equation.pivot]) + 1e-12)
+      equation.pivot = c;
+  const double scale = 1. / equation.direction[equation.pivot];
+  equation.direction *= scale;
+  for (auto &weight : equation.weights)
+    weight.second *= scale;
+  for (Equation<dim> &earlier : equations)
+    subtract(earlier, earlier.direction[equation.pivot], equation);
+  equations.push_back(equation);
+  return true;
+}
 } // namespace
 
 template <int dim>
@@ -201,6 +253,26 @@ double BoundaryConstraints<dim>::Source::value(const double time) const
 }
 
 template <int dim>
+bool BoundaryConstraints<dim>::vanishes(const std::map<unsigned int, double> &weights) const
+{
+  // At t = 0 and over many scales of time.
+  for (int i = -1; i < 72; ++i)
+  {
+    const double time = i < 0 ? 0. : 1e-6 * std::pow(10., i / 8.);
+    double value = 0., scale = 0.;
+    for (const auto &weight : weights)
+    {
+      const double term = weight.second * sources[weight.first].value(time);
+      value += term;
+      scale += std::abs(term);
+    }
+    if (std::abs(value) > 1e-8 * scale)
+      return false;
+  }
+  return true;
+}
+
+template <int dim>
 void BoundaryConstraints<dim>::build()
 {
   sources.clear();
@@ -226,31 +298,8 @@ void BoundaryConstraints<dim>::build()
     const Node<dim> &node = entry.second;
     std::vector<Equation<dim>> equations;
     for (const NodeFace<dim> &face : node.faces)
-    {
-      const BoundaryCondition &condition = conditions[face.condition];
-      const bool normal = condition.normal.kind == BoundaryPart::Kind::velocity;
-      const bool tangential = condition.tangential.kind == BoundaryPart::Kind::velocity;
-      std::vector<std::pair<const BoundaryPart *, Tensor<1, dim>>> asked;
-      const bool whole_vector =
-          normal && tangential && condition.normal.along_normal.is_zero() &&
-          condition.normal.vector.size() == condition.tangential.vector.size();
-      if (whole_vector)
-        // Both halves are of one vector: its Cartesian components, free of round-off from normals.
-        for (unsigned int c = 0; c < dim; ++c)
-        {
-          Tensor<1, dim> axis;
-          axis[c] = 1.;
-          asked.emplace_back(&condition.tangential, axis);
-        }
-      else
-      {
-        if (normal)
-          asked.emplace_back(&condition.normal, face.normal);
-        if (tangential)
-          for (const Tensor<1, dim> &tangent : tangents(face.normal))
-            asked.emplace_back(&condition.tangential, tangent);
-      }
-      for (const auto &[part, direction] : asked)
+      for (const auto &[part, direction] :
+           prescribed_directions(conditions[face.condition], face.normal))
       {
         Equation<dim> equation;
         equation.direction = direction;
@@ -267,42 +316,11 @@ void BoundaryConstraints<dim>::build()
           equation.weights[sources.size()] = 1.;
           sources.push_back(source);
         }
-        for (const Equation<dim> &earlier : equations)
-          subtract(equation, equation.direction[earlier.pivot], earlier);
-        if (equation.direction.norm() < dependent_remainder)
-        {
-          // What is left of the right-hand side must vanish, at t = 0 and over many scales of time.
-          for (int i = -1; i < 72; ++i)
-          {
-            const double time = i < 0 ? 0. : 1e-6 * std::pow(10., i / 8.);
-            double value = 0., scale = 0.;
-            for (const auto &weight : equation.weights)
-            {
-              const double term = weight.second * sources[weight.first].value(time);
-              value += term;
-              scale += std::abs(term);
-            }
-            if (std::abs(value) > 1e-8 * scale)
-              for (const Equation<dim> &earlier : equations)
-                if (earlier.condition != equation.condition)
-                  conflicts.insert({earlier.condition, equation.condition});
-          }
-          continue;
-        }
-        // Pivot on the largest component, eliminate it from the earlier equations.
-        for (unsigned int c = 1; c < dim; ++c)
-          if (std::abs(equation.direction[c]) >
-              std::abs(equation.direction[equation.pivot]) + 1e-12)
-            equation.pivot = c;
-        const double scale = 1. / equation.direction[equation.pivot];
-        equation.direction *= scale;
-        for (auto &weight : equation.weights)
-          weight.second *= scale;
-        for (Equation<dim> &earlier : equations)
-          subtract(earlier, earlier.direction[equation.pivot], equation);
-        equations.push_back(equation);
+        if (!reduce(equation, equations) && !vanishes(equation.weights))
+          for (const Equation<dim> &earlier : equations)
+            if (earlier.condition != equation.condition)
+              conflicts.insert({earlier.condition, equation.condition});
       }
-    }
     for (const Equation<dim> &equation : equations)
     {
       Constrained entry_of_dof;

@@ -177,14 +177,8 @@ VelocityBlocks IterativeStepSolver<dim>::velocity_blocks(const std::vector<bool>
 }
 
 template <int dim>
-void IterativeStepSolver<dim>::make_preconditioner()
+std::vector<bool> IterativeStepSolver<dim>::find_stiff_regions()
 {
-  // The old one first: two would not fit where one does.
-  preconditioner = nullptr;
-  auto made = std::make_unique<Preconditioner>();
-  made->coefficients = coefficients;
-
-  // Which regions are stiff.
   const unsigned int n_regions = operators.size();
   is_of_region.assign(n_regions, std::vector<bool>(space.velocity_owned.n_elements(), false));
   const std::vector<std::vector<unsigned int>> nodes = velocity_nodes(operators);
@@ -211,6 +205,19 @@ void IterativeStepSolver<dim>::make_preconditioner()
   for (unsigned int region = 0; region < n_regions; ++region)
     stiff_regions[region] =
         ratios[region] > stiff_ratio && coefficients.stiffness[region] >= comparable * largest;
+  return stiff_regions;
+}
+
+template <int dim>
+void IterativeStepSolver<dim>::make_preconditioner()
+{
+  // The old one first: two would not fit where one does.
+  preconditioner = nullptr;
+  auto made = std::make_unique<Preconditioner>();
+  made->coefficients = coefficients;
+
+  const std::vector<bool> stiff_regions = find_stiff_regions();
+  const unsigned int n_regions = operators.size();
   const bool has_inertia = std::all_of(coefficients.mass.begin(), coefficients.mass.end(),
                                        [](const double mass) { return mass > 0.; });
 

@@ -74,107 +74,155 @@ void reinit_matrices(const Space<dim> &space, std::vector<RegionOperators> &oper
     operators[region].pressure_mass.reinit(pattern.pressure_mass);
   }
 }
+
+/// The four matrices of one cell.
+template <int dim>
+class CellMatrices
+{
+public:
+  explicit CellMatrices(const Space<dim> &space);
+  void integrate(const typename DoFHandler<dim>::active_cell_iterator &velocity_cell,
+                 const typename DoFHandler<dim>::active_cell_iterator &pressure_cell);
+
+  FullMatrix<double> mass, stiffness, divergence, pressure_mass;
+
+private:
+  const Space<dim> &space;
+  /// The velocity's shape functions are those of one scalar element, once for each component.
+  const FE_Q<dim> scalar_element;
+  const QGauss<dim> quadrature;
+  FEValues<dim> values;
+  hp::FEValues<dim> hp_pressure_values;
+  /// place[c][a]: the cell's dof of component c and scalar function a.
+  std::array<std::vector<unsigned int>, dim> place;
+  /// Trace of the strain of each velocity dof at one point, and its hoop part.
+  std::vector<double> trace, hoop;
+
+  void set_traces(unsigned int q);
+  void add_velocity_products(unsigned int q, double weight);
+};
+
+template <int dim>
+CellMatrices<dim>::CellMatrices(const Space<dim> &space)
+    : space(space),
+      scalar_element(space.degree()),
+      quadrature(space.n_quadrature_points()),
+      values(space.mapping,
+             scalar_element,
+             quadrature,
+             update_values | update_gradients | update_quadrature_points | update_JxW_values),
+      hp_pressure_values(
+          space.mappings, space.pressure_elements, hp::QCollection<dim>(quadrature), update_values)
+{
+  const unsigned int n_velocity = space.velocity_element.n_dofs_per_cell();
+  mass.reinit(n_velocity, n_velocity);
+  stiffness.reinit(n_velocity, n_velocity);
+  trace.resize(n_velocity);
+  hoop.resize(n_velocity);
+  for (auto &indices : place)
+    indices.resize(scalar_element.n_dofs_per_cell());
+  for (unsigned int i = 0; i < n_velocity; ++i)
+  {
+    const auto component = space.velocity_element.system_to_component_index(i);
+    place[component.first][component.second] = i;
+  }
+}
+
+template <int dim>
+void CellMatrices<dim>::set_traces(const unsigned int q)
+{
+  for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int a = 0; a < place[c].size(); ++a)
+    {
+      const unsigned int i = place[c][a];
+      hoop[i] = (space.is_axisymmetric() && c == 1)
+                    ? values.shape_value(a, q) / values.quadrature_point(q)[1]
+                    : 0.;
+      trace[i] = values.shape_grad(a, q)[c] + hoop[i];
+    }
+}
+
+template <int dim>
+void CellMatrices<dim>::add_velocity_products(const unsigned int q, const double weight)
+{
+  const unsigned int n_scalar = place[0].size();
+  for (unsigned int a = 0; a < n_scalar; ++a)
+    for (unsigned int b = 0; b < n_scalar; ++b)
+    {
+      const Tensor<1, dim> &gradient_a = values.shape_grad(a, q);
+      const Tensor<1, dim> &gradient_b = values.shape_grad(b, q);
+      const double scalar_mass = values.shape_value(a, q) * values.shape_value(b, q) * weight;
+      const double scalar_laplacian = gradient_a * gradient_b;
+      for (unsigned int c = 0; c < dim; ++c)
+      {
+        const unsigned int i = place[c][a];
+        mass(i, place[c][b]) += scalar_mass;
+        for (unsigned int d = 0; d < dim; ++d)
+        {
+          const unsigned int j = place[d][b];
+          stiffness(i, j) +=
+              weight * ((c == d ? scalar_laplacian : 0.) + gradient_a[d] * gradient_b[c] +
+                        2. * hoop[i] * hoop[j] - 2. / 3. * trace[i] * trace[j]);
+        }
+      }
+    }
+}
+
+template <int dim>
+void CellMatrices<dim>::integrate(
+    const typename DoFHandler<dim>::active_cell_iterator &velocity_cell,
+    const typename DoFHandler<dim>::active_cell_iterator &pressure_cell)
+{
+  values.reinit(static_cast<typename Triangulation<dim>::active_cell_iterator>(velocity_cell));
+  hp_pressure_values.reinit(pressure_cell);
+  const FEValues<dim> &pressure_values = hp_pressure_values.get_present_fe_values();
+  const unsigned int n_velocity = mass.m(), n_pressure = pressure_cell->get_fe().n_dofs_per_cell();
+  mass = 0.;
+  stiffness = 0.;
+  divergence.reinit(n_pressure, n_velocity);
+  pressure_mass.reinit(n_pressure, n_pressure);
+  for (unsigned int q = 0; q < quadrature.size(); ++q)
+  {
+    const double weight = values.JxW(q) * space.measure(values.quadrature_point(q));
+    set_traces(q);
+    add_velocity_products(q, weight);
+    for (unsigned int k = 0; k < n_pressure; ++k)
+    {
+      const double shape = pressure_values.shape_value(k, q) * weight;
+      for (unsigned int i = 0; i < n_velocity; ++i)
+        divergence(k, i) += shape * trace[i];
+      for (unsigned int l = 0; l < n_pressure; ++l)
+        pressure_mass(k, l) += shape * pressure_values.shape_value(l, q);
+    }
+  }
+}
 } // namespace
 
 template <int dim>
 void assemble_region_operators(const Space<dim> &space, std::vector<RegionOperators> &operators)
 {
   reinit_matrices(space, operators);
-
-  // The velocity's shape functions are those of one scalar element, once for each component.
-  const FE_Q<dim> scalar_element(space.degree());
-  const QGauss<dim> quadrature(space.n_quadrature_points());
-  FEValues<dim> values(space.mapping, scalar_element, quadrature,
-                       update_values | update_gradients | update_quadrature_points |
-                           update_JxW_values);
-  hp::FEValues<dim> hp_pressure_values(space.mappings, space.pressure_elements,
-                                       hp::QCollection<dim>(quadrature), update_values);
-
-  const unsigned int n_scalar = scalar_element.n_dofs_per_cell();
-  const unsigned int n_velocity = space.velocity_element.n_dofs_per_cell();
-  // place[c][a]: the cell's dof of component c and scalar function a.
-  std::array<std::vector<unsigned int>, dim> place;
-  for (auto &indices : place)
-    indices.resize(n_scalar);
-  for (unsigned int i = 0; i < n_velocity; ++i)
-  {
-    const auto component = space.velocity_element.system_to_component_index(i);
-    place[component.first][component.second] = i;
-  }
-
-  FullMatrix<double> mass(n_velocity, n_velocity), stiffness(n_velocity, n_velocity), divergence,
-      pressure_mass;
-  std::vector<types::global_dof_index> velocity_indices(n_velocity), pressure_indices;
-  // Trace of the strain of each velocity dof at one point, and its hoop part.
-  std::vector<double> trace(n_velocity), hoop(n_velocity);
-
+  CellMatrices<dim> matrices(space);
+  std::vector<types::global_dof_index> velocity_indices(space.velocity_element.n_dofs_per_cell()),
+      pressure_indices;
   for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
     if (cell->is_locally_owned())
     {
-      values.reinit(static_cast<typename Triangulation<dim>::active_cell_iterator>(cell));
       const typename DoFHandler<dim>::active_cell_iterator pressure_cell(
           &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs);
-      hp_pressure_values.reinit(pressure_cell);
-      const FEValues<dim> &pressure_values = hp_pressure_values.get_present_fe_values();
-      const unsigned int n_pressure = pressure_cell->get_fe().n_dofs_per_cell();
-
-      mass = 0.;
-      stiffness = 0.;
-      divergence.reinit(n_pressure, n_velocity);
-      pressure_mass.reinit(n_pressure, n_pressure);
-      for (unsigned int q = 0; q < quadrature.size(); ++q)
-      {
-        const Point<dim> &point = values.quadrature_point(q);
-        const double weight = values.JxW(q) * space.measure(point);
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int a = 0; a < n_scalar; ++a)
-          {
-            const unsigned int i = place[c][a];
-            hoop[i] =
-                (space.is_axisymmetric() && c == 1) ? values.shape_value(a, q) / point[1] : 0.;
-            trace[i] = values.shape_grad(a, q)[c] + hoop[i];
-          }
-        for (unsigned int a = 0; a < n_scalar; ++a)
-          for (unsigned int b = 0; b < n_scalar; ++b)
-          {
-            const Tensor<1, dim> &gradient_a = values.shape_grad(a, q);
-            const Tensor<1, dim> &gradient_b = values.shape_grad(b, q);
-            const double scalar_mass = values.shape_value(a, q) * values.shape_value(b, q) * weight;
-            const double scalar_laplacian = gradient_a * gradient_b;
-            for (unsigned int c = 0; c < dim; ++c)
-            {
-              const unsigned int i = place[c][a];
-              mass(i, place[c][b]) += scalar_mass;
-              for (unsigned int d = 0; d < dim; ++d)
-              {
-                const unsigned int j = place[d][b];
-                stiffness(i, j) +=
-                    weight * ((c == d ? scalar_laplacian : 0.) + gradient_a[d] * gradient_b[c] +
-                              2. * hoop[i] * hoop[j] - 2. / 3. * trace[i] * trace[j]);
-              }
-            }
-          }
-        for (unsigned int k = 0; k < n_pressure; ++k)
-        {
-          const double shape = pressure_values.shape_value(k, q) * weight;
-          for (unsigned int i = 0; i < n_velocity; ++i)
-            divergence(k, i) += shape * trace[i];
-          for (unsigned int l = 0; l < n_pressure; ++l)
-            pressure_mass(k, l) += shape * pressure_values.shape_value(l, q);
-        }
-      }
-
+      matrices.integrate(cell, pressure_cell);
       cell->get_dof_indices(velocity_indices);
-      pressure_indices.resize(n_pressure);
+      pressure_indices.resize(pressure_cell->get_fe().n_dofs_per_cell());
       pressure_cell->get_dof_indices(pressure_indices);
       RegionOperators &target = operators[cell->material_id()];
-      space.velocity_hanging.distribute_local_to_global(mass, velocity_indices, target.mass);
-      space.velocity_hanging.distribute_local_to_global(stiffness, velocity_indices,
+      space.velocity_hanging.distribute_local_to_global(matrices.mass, velocity_indices,
+                                                        target.mass);
+      space.velocity_hanging.distribute_local_to_global(matrices.stiffness, velocity_indices,
                                                         target.stiffness);
-      space.pressure_hanging.distribute_local_to_global(divergence, pressure_indices,
+      space.pressure_hanging.distribute_local_to_global(matrices.divergence, pressure_indices,
                                                         space.velocity_hanging, velocity_indices,
                                                         target.divergence);
-      space.pressure_hanging.distribute_local_to_global(pressure_mass, pressure_indices,
+      space.pressure_hanging.distribute_local_to_global(matrices.pressure_mass, pressure_indices,
                                                         target.pressure_mass);
     }
   for (RegionOperators &target : operators)

@@ -244,9 +244,9 @@ void TaylorHood<dim>::report_linear_solver()
 }
 
 template <int dim>
-void TaylorHood<dim>::take_prescribed(const DistributedVector &prescribed,
-                                      DistributedVector &momentum,
-                                      DistributedVector &mass)
+void TaylorHood<dim>::eliminate_prescribed(const DistributedVector &prescribed,
+                                           DistributedVector &momentum,
+                                           DistributedVector &mass)
 {
   if (!constraints.is_homogeneous())
   {

@@ -116,14 +116,37 @@ CellMesh<dim>::CellMesh(dealii::parallel::TriangulationBase<dim> &triangulation,
 template <int dim>
 void CellMesh<dim>::build()
 {
-  const double pi = dealii::numbers::PI;
   // A mesh that is read from a checkpoint has its cells in another order than the run that wrote
   // it; along the tree they are in the same one.
   cell_dofs.distribute_dofs(element);
   dealii::DoFRenumbering::hierarchical(cell_dofs);
+  number_cells();
+  make_faces();
+  exchange_measures();
+  for (FiniteVolume<dim> &volume : volumes)
+  {
+    volume.radius = axisymmetric ? volume.centre[1] : 0.;
+    volume.volume =
+        volume.plane_volume * (axisymmetric ? 2. * dealii::numbers::PI * volume.radius : 1.);
+  }
+  for (VolumeFace<dim> &face : surfaces)
+  {
+    const dealii::Point<dim> &centre = volumes[face.owner].centre;
+    if (face.at_boundary())
+      face.distance = face.centre - centre;
+    else
+    {
+      face.distance = volumes[face.neighbour].centre - centre;
+      face.owner_weight = (volumes[face.neighbour].centre - face.centre) * face.normal /
+                          (face.distance * face.normal);
+    }
+  }
+}
 
+template <int dim>
+void CellMesh<dim>::number_cells()
+{
   volumes.clear();
-  surfaces.clear();
   local_numbers.assign(triangulation.n_active_cells(), dealii::numbers::invalid_unsigned_int);
   for (const bool owned : {true, false})
   {
@@ -148,83 +171,96 @@ void CellMesh<dim>::build()
   }
   for (unsigned int i = 0; i < volumes.size(); ++i)
     local_numbers[volumes[i].iterator->active_cell_index()] = i;
+}
 
+template <int dim>
+void CellMesh<dim>::make_faces()
+{
   // The faces of owned cells; what the first of two owned cells has made, the second has already.
-  // Volumes and first moments about a point inside come from the simplices between that point and
-  // the faces, so that a cell with hanging nodes is bounded by the faces of its finer neighbours.
+  surfaces.clear();
   std::vector<dealii::Tensor<1, dim>> moments(volumes.size());
-  const auto add_face = [&](const unsigned int cell, const unsigned int other,
-                            const typename dealii::Triangulation<dim>::face_iterator &on,
-                            const unsigned int f)
-  {
-    const bool at_boundary = other == VolumeFace<dim>::none;
-    if (!at_boundary && other < cell)
-      return;
-    VolumeFace<dim> face;
-    face.owner = cell;
-    face.number_in_cell[0] = f;
-    if (at_boundary)
-      face.boundary_id = on->boundary_id();
-    else
-    {
-      face.neighbour = other;
-      face.number_in_cell[1] = volumes[cell].iterator->neighbor_face_no(f);
-      if (volumes[other].number < volumes[cell].number)
-      {
-        std::swap(face.owner, face.neighbour);
-        std::swap(face.number_in_cell[0], face.number_in_cell[1]);
-      }
-      face.is_interface = volumes[cell].material_id != volumes[other].material_id;
-    }
-    Piece<dim> piece = measure(on);
-    face.centre = piece.centre;
-    face.plane_area = piece.area.norm();
-    face.normal = piece.area / face.plane_area;
-    double sense = 1.;
-    if (face.normal * (face.centre - volumes[face.owner].iterator->center()) < 0.)
-    {
-      face.normal *= -1.;
-      sense = -1.;
-    }
-    face.area = face.plane_area;
-    if (axisymmetric)
-      // Points of the axis may be off it by round-off.
-      face.area *= face.centre[1] < 1e-10 * face.plane_area ? 0. : 2. * pi * face.centre[1];
-    for (unsigned int side = 0; side < face.n_sides(); ++side)
-    {
-      const unsigned int number = face.cell(side);
-      volumes[number].faces.push_back(surfaces.size());
-      if (!volumes[number].is_owned)
-        continue;
-      const dealii::Point<dim> inside = volumes[number].iterator->center();
-      for (const auto &simplex : piece.simplices)
-      {
-        const double measure = (side == 0 ? sense : -sense) * simplex_measure(inside, simplex);
-        volumes[number].plane_volume += measure;
-        for (const auto &point : simplex)
-          moments[number] += measure / (dim + 1.) * (point - inside);
-      }
-    }
-    surfaces.push_back(face);
-  };
   for (unsigned int number = 0; number < n_owned; ++number)
   {
     const auto cell = volumes[number].iterator;
     for (const unsigned int f : cell->face_indices())
       if (cell->at_boundary(f))
-        add_face(number, VolumeFace<dim>::none, cell->face(f), f);
+        add_face(number, VolumeFace<dim>::none, cell->face(f), f, moments);
       else if (cell->neighbor(f)->has_children())
         for (unsigned int s = 0; s < cell->face(f)->n_children(); ++s)
           add_face(number, cell_number(cell->neighbor_child_on_subface(f, s)),
-                   cell->face(f)->child(s), f);
+                   cell->face(f)->child(s), f, moments);
       else
-        add_face(number, cell_number(cell->neighbor(f)), cell->face(f), f);
+        add_face(number, cell_number(cell->neighbor(f)), cell->face(f), f, moments);
   }
-
-  // A ghost's measures are taken from its rank, which alone sees all its faces.
   for (unsigned int number = 0; number < n_owned; ++number)
     volumes[number].centre =
         volumes[number].iterator->center() + moments[number] / volumes[number].plane_volume;
+}
+
+template <int dim>
+void CellMesh<dim>::add_face(const unsigned int cell,
+                             const unsigned int other,
+                             const typename dealii::Triangulation<dim>::face_iterator &on,
+                             const unsigned int f,
+                             std::vector<dealii::Tensor<1, dim>> &moments)
+{
+  const bool at_boundary = other == VolumeFace<dim>::none;
+  if (!at_boundary && other < cell)
+    return;
+  VolumeFace<dim> face;
+  face.owner = cell;
+  face.number_in_cell[0] = f;
+  if (at_boundary)
+    face.boundary_id = on->boundary_id();
+  else
+  {
+    face.neighbour = other;
+    face.number_in_cell[1] = volumes[cell].iterator->neighbor_face_no(f);
+    if (volumes[other].number < volumes[cell].number)
+    {
+      std::swap(face.owner, face.neighbour);
+      std::swap(face.number_in_cell[0], face.number_in_cell[1]);
+    }
+    face.is_interface = volumes[cell].material_id != volumes[other].material_id;
+  }
+  const Piece<dim> piece = measure(on);
+  face.centre = piece.centre;
+  face.plane_area = piece.area.norm();
+  face.normal = piece.area / face.plane_area;
+  double sense = 1.;
+  if (face.normal * (face.centre - volumes[face.owner].iterator->center()) < 0.)
+  {
+    face.normal *= -1.;
+    sense = -1.;
+  }
+  face.area = face.plane_area;
+  if (axisymmetric)
+    // Points of the axis may be off it by round-off.
+    face.area *=
+        face.centre[1] < 1e-10 * face.plane_area ? 0. : 2. * dealii::numbers::PI * face.centre[1];
+  // Volumes and first moments about a point inside come from the simplices between that point and
+  // the faces, so that a cell with hanging nodes is bounded by the faces of its finer neighbours.
+  for (unsigned int side = 0; side < face.n_sides(); ++side)
+  {
+    const unsigned int number = face.cell(side);
+    volumes[number].faces.push_back(surfaces.size());
+    if (!volumes[number].is_owned)
+      continue;
+    const dealii::Point<dim> inside = volumes[number].iterator->center();
+    for (const auto &simplex : piece.simplices)
+    {
+      const double measure = (side == 0 ? sense : -sense) * simplex_measure(inside, simplex);
+      volumes[number].plane_volume += measure;
+      for (const auto &point : simplex)
+        moments[number] += measure / (dim + 1.) * (point - inside);
+    }
+  }
+  surfaces.push_back(face);
+}
+
+template <int dim>
+void CellMesh<dim>::exchange_measures()
+{
   exchange_with_ghosts<dim>(
       triangulation,
       [&](const auto &cell)
@@ -243,24 +279,6 @@ void CellMesh<dim>::build()
           volume.centre[c] = measures[c];
         volume.plane_volume = measures[dim];
       });
-  for (FiniteVolume<dim> &volume : volumes)
-  {
-    volume.radius = axisymmetric ? volume.centre[1] : 0.;
-    volume.volume = volume.plane_volume * (axisymmetric ? 2. * pi * volume.radius : 1.);
-  }
-
-  for (VolumeFace<dim> &face : surfaces)
-  {
-    const dealii::Point<dim> &centre = volumes[face.owner].centre;
-    if (face.at_boundary())
-      face.distance = face.centre - centre;
-    else
-    {
-      face.distance = volumes[face.neighbour].centre - centre;
-      face.owner_weight = (volumes[face.neighbour].centre - face.centre) * face.normal /
-                          (face.distance * face.normal);
-    }
-  }
 }
 
 template <int dim>

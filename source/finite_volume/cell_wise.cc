@@ -332,9 +332,9 @@ SystemChange CellWise<dim>::prepare_cells(const CellCoefficients &coefficients)
 }
 
 template <int dim>
-void CellWise<dim>::take_prescribed(const DistributedVector &prescribed,
-                                    DistributedVector &momentum,
-                                    DistributedVector &)
+void CellWise<dim>::eliminate_prescribed(const DistributedVector &prescribed,
+                                         DistributedVector &momentum,
+                                         DistributedVector &)
 {
   system.set_prescribed(prescribed, momentum);
 }
@@ -412,7 +412,7 @@ Step CellWise<dim>::own_step(const Step &step)
 }
 
 template <int dim>
-void CellWise<dim>::take_state(const Step &step, const State &state)
+void CellWise<dim>::finish_step(const Step &step, const State &state)
 {
   if (step.divergence_old && !solves_for_displacement())
     set_dilatation_rate(state);
@@ -469,9 +469,9 @@ bool CellWise<dim>::has_massless_velocities() const
 }
 
 template <int dim>
-bool CellWise<dim>::yield_at_once(DistributedVector &forces,
-                                  DistributedVector &displacement,
-                                  DistributedVector &pressure)
+bool CellWise<dim>::deform_at_once(DistributedVector &forces,
+                                   DistributedVector &displacement,
+                                   DistributedVector &pressure)
 {
   for (unsigned int i = 0; i < dim * space.mesh.n_owned_cells(); ++i)
     forces.begin()[i] = 0.;

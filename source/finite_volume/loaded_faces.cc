@@ -24,7 +24,7 @@ void LoadedFaces<dim>::reinit()
 }
 
 template <int dim>
-bool LoadedFaces<dim>::yields(const unsigned int region) const
+bool LoadedFaces<dim>::deforms_at_once(const unsigned int region) const
 {
   const Material &material = problem.materials[region];
   return !material.branches.empty() && material.viscosity == 0.;
@@ -34,7 +34,7 @@ template <int dim>
 bool LoadedFaces<dim>::exist() const
 {
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
-    if (yields(region))
+    if (deforms_at_once(region))
       return true;
   return false;
 }
@@ -49,15 +49,15 @@ void LoadedFaces<dim>::make()
   {
     const Material &material = problem.materials[region];
     rest.mass.push_back(0.);
-    rest.stiffness.push_back(yields(region) ? material.instantaneous_shear_modulus() : 0.);
+    rest.stiffness.push_back(deforms_at_once(region) ? material.instantaneous_shear_modulus() : 0.);
     rest.compressibility.push_back(material.inverse_bulk_modulus);
     rest.increment_mobility.push_back(0.);
   }
   system.reinit();
   system.prepare(rest);
 
-  // What stays as it is: the faces of regions that do not yield, and the pressures that follow from
-  // no displacement.
+  // What stays as it is: the faces of regions that do not deform at once, and the pressures that
+  // follow from no displacement.
   std::vector<bool> velocity_stays(space.velocities.n_owned(), true),
       pressure_stays(space.pressures.n_owned(), true);
   for (unsigned int face = 0; face < space.mesh.faces().size(); ++face)
@@ -66,7 +66,7 @@ void LoadedFaces<dim>::make()
     for (unsigned int side = 0; surface.has_value() && side < surface.n_sides(); ++side)
     {
       const FiniteVolume<dim> &cell = space.mesh.cells()[surface.cell(side)];
-      if (!yields(cell.material_id))
+      if (!deforms_at_once(cell.material_id))
         continue;
       if (space.velocities.owns_face(face, side))
         velocity_stays[space.local_velocity(space.velocities.of_face(face, side)) / dim] = false;
@@ -78,7 +78,7 @@ void LoadedFaces<dim>::make()
   {
     const unsigned int region = space.mesh.cells()[cell].material_id;
     pressure_stays[space.local_pressure(space.pressures.of_cell(cell))] =
-        !yields(region) || problem.materials[region].inverse_bulk_modulus == 0.;
+        !deforms_at_once(region) || problem.materials[region].inverse_bulk_modulus == 0.;
   }
   for (const unsigned int row : closure.rows)
     pressure_stays[row] = false;

@@ -93,7 +93,8 @@ public:
     system = coefficients;
     return changed ? SystemChange::factor : SystemChange::none;
   }
-  void take_prescribed(const DistributedVector &, DistributedVector &, DistributedVector &) override
+  void
+  eliminate_prescribed(const DistributedVector &, DistributedVector &, DistributedVector &) override
   {
   }
   void solve(const DistributedVector &,

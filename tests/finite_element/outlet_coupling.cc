@@ -129,7 +129,7 @@ struct Tube
     body->evaluate_prescribed(time, prescribed);
     coupling->leave_out_ports(prescribed);
     coupling->take_forces(momentum);
-    body->take_prescribed(prescribed, momentum, mass);
+    body->eliminate_prescribed(prescribed, momentum, mass);
     const DistributedVector old = velocity;
     DistributedVector new_pressure = space.pressure_vector();
     DistributedVector new_velocity = space.velocity_vector();

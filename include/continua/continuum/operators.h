@@ -114,13 +114,13 @@ public:
   /// rest. Throws RunError.
   virtual SystemChange prepare(const SystemCoefficients &coefficients, double pressure_time) = 0;
   /// Takes the prescribed velocities over to the right-hand sides f [N] and g [m^3/s].
-  virtual void take_prescribed(const DistributedVector &prescribed,
-                               DistributedVector &momentum,
-                               DistributedVector &mass) = 0;
+  virtual void eliminate_prescribed(const DistributedVector &prescribed,
+                                    DistributedVector &momentum,
+                                    DistributedVector &mass) = 0;
   /// Whether solve() starts from what `velocity` and `pressure` hold.
   virtual bool starts_from_guess() const { return false; }
-  /// Solves; the right-hand sides are those that take_prescribed() has made and are changed. The
-  /// report gets what is known of iterations. Throws RunError.
+  /// Solves; the right-hand sides are those that eliminate_prescribed() has made and are changed.
+  /// The report gets what is known of iterations. Throws RunError.
   virtual void solve(const DistributedVector &prescribed,
                      DistributedVector &momentum,
                      DistributedVector &mass,
@@ -153,8 +153,8 @@ public:
   /// The step as the discretisation makes it; called before each step.
   virtual Step own_step(const Step &step) { return step; }
   /// The state was set anew, or a step has ended.
-  virtual void take_state(const Step &, const State &) {}
-  virtual void take_initial_state(const State &) {}
+  virtual void finish_step(const Step &, const State &) {}
+  virtual void start_from(const State &) {}
   /// S w of the past, which the step knows beforehand.
   virtual void multiply_past_stiffness(const unsigned int region,
                                        DistributedVector &force,
@@ -171,11 +171,11 @@ public:
   /// Whether the mass equation has corrections of fluxes, which act on p - p_plus.
   virtual bool corrects_fluxes() const { return false; }
   virtual void add_past_flux_correction(const DistributedVector &, DistributedVector &) {}
-  /// Whether there are velocities without mass, which yield at once when the forces on them jump.
+  /// Whether there are velocities without mass, which deform at once when the forces on them jump.
   virtual bool has_massless_velocities() const { return false; }
   /// Their displacement [m] and the change of the pressures [Pa] under such forces; `forces` is
   /// changed. False if no force acts on them.
-  virtual bool yield_at_once(DistributedVector &, DistributedVector &, DistributedVector &)
+  virtual bool deform_at_once(DistributedVector &, DistributedVector &, DistributedVector &)
   {
     return false;
   }

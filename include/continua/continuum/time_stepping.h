@@ -107,13 +107,13 @@ private:
   void solve(const Step &step, StepReport &report);
   void finish(const Step &step);
   void extrapolate_pressure(const Step &step);
-  /// Velocities without mass yield to the forces that are out of balance at this time: at the
+  /// Velocities without mass deform by the forces that are out of balance at this time: at the
   /// start, where the load is there at once, and on a new mesh.
-  void balance_massless_velocities(double time);
-  /// They yield to a load that jumps in the step, where the rule is trapezoidal.
-  void yield_to_jump(const Step &step);
-  /// They yield to the forces in `momentum`.
-  void yield();
+  void deform_by_imbalance(double time);
+  /// They deform by a load that jumps in the step, where the rule is trapezoidal.
+  void deform_by_jump(const Step &step);
+  /// They deform by the forces in `momentum`.
+  void deform_massless();
 };
 } // namespace Continua
 

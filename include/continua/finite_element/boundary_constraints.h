@@ -6,6 +6,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -84,6 +85,9 @@ private:
   std::vector<std::string> conflict_texts;
   bool homogeneous = true;
   mutable bool constants_are_set = false;
+
+  /// Whether a sum of sources is zero at all times; `weights` by number of the source.
+  bool vanishes(const std::map<unsigned int, double> &weights) const;
 };
 } // namespace Continua
 

@@ -90,6 +90,8 @@ private:
 
   bool is_near(const SystemCoefficients &others) const;
   void make_preconditioner();
+  /// Which regions are stiff, by the rule above; also finds the velocities of each region.
+  std::vector<bool> find_stiff_regions();
   VelocityBlocks velocity_blocks(const std::vector<bool> &stiff_regions,
                                  DistributedVector &mobility,
                                  double &fluid_ratio) const;

@@ -84,9 +84,9 @@ public:
                          DistributedVector &pressure) override;
 
   SystemChange prepare(const SystemCoefficients &coefficients, double pressure_time) override;
-  void take_prescribed(const DistributedVector &prescribed,
-                       DistributedVector &momentum,
-                       DistributedVector &mass) override;
+  void eliminate_prescribed(const DistributedVector &prescribed,
+                            DistributedVector &momentum,
+                            DistributedVector &mass) override;
   void solve(const DistributedVector &prescribed,
              DistributedVector &momentum,
              DistributedVector &mass,

@@ -107,6 +107,20 @@ private:
   std::vector<FiniteVolume<dim>> volumes;
   std::vector<VolumeFace<dim>> surfaces;
   std::vector<unsigned int> local_numbers; ///< by active cell index
+
+  void number_cells();
+  /// Makes the faces of owned cells, and measures both.
+  void make_faces();
+  /// Makes the face between a cell and another (or the boundary, VolumeFace::none), unless the
+  /// other cell has made it. `f`: which face of the cell it is part of. Adds the parts of the
+  /// cells' volumes and of their first moments about a point inside.
+  void add_face(unsigned int cell,
+                unsigned int other,
+                const typename dealii::Triangulation<dim>::face_iterator &on,
+                unsigned int f,
+                std::vector<dealii::Tensor<1, dim>> &moments);
+  /// A ghost's measures are taken from its rank, which alone sees all its faces.
+  void exchange_measures();
 };
 } // namespace Continua
 

@@ -24,7 +24,7 @@ namespace Continua
  * meshes of deal.II. It puts tested parts together: space, operators by region, conditions on
  * faces, loads, the equations of a step and the way they are solved; see the chapter on the
  * cell-wise path in the manual. Its hooks in the step are those of the faces, which have no mass
- * and yield at once; of Rhie and Chow's corrections; of the displacement form; and of what the
+ * and deform at once; of Rhie and Chow's corrections; of the displacement form; and of what the
  * thesis plots of powers.
  */
 template <int dim>
@@ -84,9 +84,9 @@ public:
                          DistributedVector &pressure) override;
 
   SystemChange prepare(const SystemCoefficients &coefficients, double pressure_time) override;
-  void take_prescribed(const DistributedVector &prescribed,
-                       DistributedVector &momentum,
-                       DistributedVector &mass) override;
+  void eliminate_prescribed(const DistributedVector &prescribed,
+                            DistributedVector &momentum,
+                            DistributedVector &mass) override;
   bool starts_from_guess() const override { return true; }
   void solve(const DistributedVector &prescribed,
              DistributedVector &momentum,
@@ -104,8 +104,8 @@ public:
   void visit(StateVisitor &visitor) override;
   /// With the pressure's own update, where one is asked for.
   Step own_step(const Step &step) override;
-  void take_state(const Step &step, const State &state) override;
-  void take_initial_state(const State &state) override { set_dilatation_rate(state); }
+  void finish_step(const Step &step, const State &state) override;
+  void start_from(const State &state) override { set_dilatation_rate(state); }
   void multiply_past_stiffness(unsigned int region,
                                DistributedVector &force,
                                const DistributedVector &mixture) override;
@@ -115,9 +115,9 @@ public:
   void add_past_flux_correction(const DistributedVector &pressure,
                                 DistributedVector &mass) override;
   bool has_massless_velocities() const override;
-  bool yield_at_once(DistributedVector &forces,
-                     DistributedVector &displacement,
-                     DistributedVector &pressure) override;
+  bool deform_at_once(DistributedVector &forces,
+                      DistributedVector &displacement,
+                      DistributedVector &pressure) override;
   void complete_pressure(const DistributedVector &displacement,
                          DistributedVector &pressure) override;
   bool solves_for_displacement() const override { return formulation == Formulation::displacement; }

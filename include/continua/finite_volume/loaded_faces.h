@@ -13,7 +13,7 @@ namespace Continua
  * What faces with values of their own do at once when the forces on them jump. They have no mass:
  * with the cells where they are, a displacement of the faces of springs, and the pressures that go
  * with it, take up the jump. A jump that is left to the next step instead makes their velocities
- * ring for ever under the trapezoidal rule. A solid with a dash pot does not yield at once, nor
+ * ring for ever under the trapezoidal rule. A solid with a dash pot does not deform at once, nor
  * does a fluid.
  */
 template <int dim>
@@ -29,7 +29,7 @@ public:
 
   /// The mesh has changed.
   void reinit();
-  /// Whether there is anything that yields.
+  /// Whether there is anything that deforms at once.
   bool exist() const;
   /// The displacement of faces [m] and the change of pressures [Pa] that take up forces on the
   /// faces [N]; forces on cells, and in directions of prescribed velocity, do not count. `forces`
@@ -45,7 +45,7 @@ private:
   CellSystem<dim> system;               ///< of the body at rest, by instantaneous moduli
   std::unique_ptr<HeldCells<dim>> held; ///< made when it is asked for
 
-  bool yields(unsigned int region) const;
+  bool deforms_at_once(unsigned int region) const;
   void make();
 };
 } // namespace Continua
