@@ -30,7 +30,7 @@ std::vector<FieldComponent> DiscreteContinuum<dim>::fields() const
 template <int dim>
 void DiscreteContinuum<dim>::evaluate_probes(std::vector<double> &values)
 {
-  discretisation->evaluate_probes(stepping.state(), values);
+  discretisation->probes().evaluate(stepping.state(), values);
 }
 
 template <int dim>

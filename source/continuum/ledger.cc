@@ -49,7 +49,7 @@ PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
   // moves those of prescribed velocity; without such nodes nobody asks for it.
   const bool reactions = !operators.is_homogeneous();
   forces = 0.;
-  operators.add_loads(balance.time, forces);
+  operators.loads().add(balance.time, forces);
   sums.push_back(local_product(forces, balanced.velocity));
   if (reactions)
   {

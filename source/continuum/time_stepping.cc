@@ -147,7 +147,7 @@ void TimeStepping::set_momentum(const Step &step)
       momentum.add(-1., balanced.velocity);
     }
   }
-  operators.add_loads(step.balance_time, momentum);
+  operators.loads().add(step.balance_time, momentum);
   outlets.take_forces(momentum);
 }
 
@@ -270,7 +270,7 @@ void TimeStepping::deform_by_imbalance(const double time)
   if (!operators.has_massless_velocities())
     return;
   momentum = 0.;
-  operators.add_loads(time, momentum);
+  operators.loads().add(time, momentum);
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
     set_mixture(present(), region, problem.materials[region], mixture);
@@ -285,17 +285,17 @@ void TimeStepping::deform_by_imbalance(const double time)
 void TimeStepping::deform_by_jump(const Step &step)
 {
   if (step.update != Update::trapezoidal || !operators.has_massless_velocities() ||
-      !operators.load_jumps(step.time_old, step.balance_time))
+      !operators.loads().jumps(step.time_old, step.balance_time))
     return;
   // The load's change in the step, less what the step before says of its smooth part.
   momentum = 0.;
-  operators.add_loads(step.balance_time, momentum);
+  operators.loads().add(step.balance_time, momentum);
   velocity_work = 0.;
-  operators.add_loads(step.time_old, velocity_work);
+  operators.loads().add(step.time_old, velocity_work);
   const double before = step.time_old - step.size();
   momentum.add(before < 0. ? -1. : -2., velocity_work);
   if (before >= 0.)
-    operators.add_loads(before, momentum);
+    operators.loads().add(before, momentum);
   deform_massless();
 }
 
@@ -333,7 +333,7 @@ void TimeStepping::solve_steady(const double time)
   }
   momentum = 0.;
   mass = 0.;
-  operators.add_loads(time, momentum);
+  operators.loads().add(time, momentum);
   outlets.take_forces(momentum);
   balanced.prescribed = 0.;
   // A solid at rest has no velocity to prescribe: its supports hold.
@@ -385,7 +385,7 @@ void TimeStepping::keep_state()
 
 bool TimeStepping::data_jumps(const double begin, const double end) const
 {
-  return operators.load_jumps(begin, end) || operators.prescribed_velocity_jumps(begin, end) ||
+  return operators.loads().jumps(begin, end) || operators.prescribed_velocity_jumps(begin, end) ||
          outlets.jumps(begin, end);
 }
 

@@ -26,7 +26,7 @@ TaylorHood<dim>::TaylorHood(parallel::TriangulationBase<dim> &triangulation,
       space(triangulation, parameters.space, problem.model, problem.regions.size()),
       operators(problem.regions.size()),
       constraints(space, problem.conditions),
-      loads(space, problem),
+      load_list(space, problem),
       system(space, operators, constraints, parameters.linear_solver),
       mesh_transfer(space),
       evaluation(space, problem),
@@ -42,7 +42,7 @@ void TaylorHood<dim>::setup()
   constraints.build();
   for (const std::string &conflict : constraints.conflicts())
     log.warning(conflict);
-  loads.build();
+  load_list.build();
   system.reinit();
   evaluation.rebuild();
   for (DistributedVector *vector : {&zero_velocity, &velocity_work})
@@ -171,18 +171,6 @@ double TaylorHood<dim>::divergence(const DistributedVector &velocity)
 }
 
 template <int dim>
-void TaylorHood<dim>::add_loads(const double time, DistributedVector &forces) const
-{
-  loads.add(time, forces);
-}
-
-template <int dim>
-bool TaylorHood<dim>::load_jumps(const double begin, const double end) const
-{
-  return loads.jumps(begin, end);
-}
-
-template <int dim>
 bool TaylorHood<dim>::prescribed_velocity_jumps(const double begin, const double end) const
 {
   return constraints.jumps(begin, end);
@@ -276,7 +264,7 @@ void TaylorHood<dim>::solve(const DistributedVector &prescribed,
 template <int dim>
 DistributedVector TaylorHood<dim>::flow_of_velocities(const unsigned int condition) const
 {
-  return loads.flow_of_velocities(condition);
+  return load_list.flow_of_velocities(condition);
 }
 
 template <int dim>
@@ -331,18 +319,6 @@ SolverSizes TaylorHood<dim>::sizes() const
   sizes.linear_solver = system.name();
   sizes.reason_of_linear_solver = system.reason();
   return sizes;
-}
-
-template <int dim>
-unsigned int TaylorHood<dim>::add_probe(const ProbeRequest<dim> &request)
-{
-  return evaluation.add(request);
-}
-
-template <int dim>
-void TaylorHood<dim>::evaluate_probes(const State &state, std::vector<double> &values)
-{
-  evaluation.evaluate(state, values);
 }
 
 template <int dim>

@@ -77,11 +77,11 @@ CellWise<dim>::CellWise(parallel::TriangulationBase<dim> &triangulation,
       log(log),
       space(triangulation, problem.model),
       conditions(space, problem.conditions),
-      loads(space, problem, conditions),
+      load_list(space, problem, conditions),
       system(space, problem, conditions, operators, closure, this->parameters),
       cell_solve(make_solve(system, log, start_of_step)),
       loaded_faces(space, problem, conditions, operators, closure, this->parameters),
-      displacement_step(system, loads),
+      displacement_step(system, load_list),
       evaluation(space, problem),
       output(space, problem, evaluation),
       cell_transfer(space, conditions, problem.conditions, evaluation.reconstruction())
@@ -97,7 +97,7 @@ void CellWise<dim>::setup()
   space.distribute();
   conditions.build();
   assemble_cell_operators(space, problem, conditions, parameters, operators, closure);
-  loads.build();
+  load_list.build();
   system.reinit();
   loaded_faces.reinit();
   displacement_step.reinit();
@@ -239,18 +239,6 @@ double CellWise<dim>::divergence(const DistributedVector &velocity)
             largest, std::abs(pressure_work.begin()[i] / of_region.pressure_volume.begin()[i]));
   }
   return Utilities::MPI::max(largest, space.communicator);
-}
-
-template <int dim>
-void CellWise<dim>::add_loads(const double time, DistributedVector &forces) const
-{
-  loads.add(time, forces);
-}
-
-template <int dim>
-bool CellWise<dim>::load_jumps(const double begin, const double end) const
-{
-  return loads.jumps(begin, end);
 }
 
 template <int dim>
@@ -565,18 +553,6 @@ template <int dim>
 bool CellWise<dim>::reports_change_of_kinetic_energy() const
 {
   return parameters.power_operator != PowerOperator::scheme;
-}
-
-template <int dim>
-unsigned int CellWise<dim>::add_probe(const ProbeRequest<dim> &request)
-{
-  return evaluation.add(request);
-}
-
-template <int dim>
-void CellWise<dim>::evaluate_probes(const State &state, std::vector<double> &values)
-{
-  evaluation.evaluate(state, values);
 }
 
 template <int dim>

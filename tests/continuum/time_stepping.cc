@@ -22,16 +22,41 @@ constexpr double mass_entry = 2., stiffness_entry = 3., divergence_entry = 0.7, 
 constexpr double density = 1.5, shear_modulus = 4., viscosity = 0.3, bulk_modulus = 5., load = 6.;
 constexpr double h = 0.05;
 
+DistributedVector one_entry()
+{
+  return DistributedVector(complete_index_set(1), MPI_COMM_SELF);
+}
+
+/// A body force.
+class OneForce : public LoadList
+{
+public:
+  using LoadList::LoadList;
+
+private:
+  DistributedVector zero_forces() const override { return one_entry(); }
+  void integrate(const Item &,
+                 const Waveform *const waveform,
+                 const double time,
+                 DistributedVector &forces) const override
+  {
+    const double origin[3] = {0., 0., 0.};
+    forces.add((*waveform)(origin, time));
+  }
+  std::vector<std::array<double, 3>> places(const Item &) const override
+  {
+    return {{{0., 0., 0.}}};
+  }
+};
+
 /// One entry everywhere; G = -B.
 class OneMass : public Operators
 {
 public:
-  void setup() override {}
-  DistributedVector velocity_vector() const override
-  {
-    return DistributedVector(complete_index_set(1), MPI_COMM_SELF);
-  }
-  DistributedVector pressure_vector() const override { return velocity_vector(); }
+  explicit OneMass(const Problem &problem) : force(problem) {}
+  void setup() override { force.build(); }
+  DistributedVector velocity_vector() const override { return one_entry(); }
+  DistributedVector pressure_vector() const override { return one_entry(); }
   std::vector<std::vector<unsigned int>> velocity_nodes() const override { return {{0}}; }
   std::vector<std::vector<unsigned int>> pressure_nodes() const override { return {{0}}; }
   std::vector<unsigned int> pressures_without_history() const override { return {}; }
@@ -72,8 +97,7 @@ public:
     return volume * p[0] * q[0];
   }
   double divergence(const DistributedVector &) override { return 0.; }
-  void add_loads(double, DistributedVector &forces) const override { forces.add(load); }
-  bool load_jumps(double, double) const override { return false; }
+  const LoadList &loads() const override { return force; }
   bool prescribed_velocity_jumps(double, double) const override { return false; }
   bool is_homogeneous() const override { return true; }
   void evaluate_prescribed(double, DistributedVector &) const override {}
@@ -122,6 +146,7 @@ public:
   SolverSizes sizes() const override { return {}; }
 
 private:
+  OneForce force;
   SystemCoefficients system;
 };
 
@@ -176,6 +201,7 @@ Problem one_mass_problem()
   material.inverse_bulk_modulus = 1. / bulk_modulus;
   material.branches = {Branch{shear_modulus, std::numeric_limits<double>::infinity()}};
   problem.materials = {material};
+  problem.interior.body_force = {Waveform(load)};
   return problem;
 }
 
@@ -191,7 +217,7 @@ Step make_step(const std::string &scheme, const unsigned int i)
 void by_scheme(const std::string &scheme)
 {
   const Problem problem = one_mass_problem();
-  OneMass operators;
+  OneMass operators(problem);
   Log log(MPI_COMM_SELF);
   TimeStepping stepping(problem, operators, log);
   stepping.initialise();
@@ -256,7 +282,7 @@ UNIT_TEST(time_stepping)
     by_scheme(scheme);
 
   const Problem problem = one_mass_problem();
-  OneMass operators;
+  OneMass operators(problem);
   Log log(MPI_COMM_SELF);
   TimeStepping stepping(problem, operators, log);
   stepping.initialise();

@@ -38,7 +38,7 @@ public:
   std::vector<FieldComponent> fields() const override;
   unsigned int add_probe(const ProbeRequest<dim> &request) override
   {
-    return discretisation->add_probe(request);
+    return discretisation->probes().add(request);
   }
   void evaluate_probes(std::vector<double> &values) override;
   PowerBalance power_balance(const bool relaxation) override

@@ -2,6 +2,7 @@
 #define continua_continuum_discretisation_h
 
 #include <continua/continuum/continuum_solver.h>
+#include <continua/continuum/field_probes.h>
 #include <continua/continuum/operators.h>
 #include <continua/continuum/vibration_operator.h>
 
@@ -21,8 +22,7 @@ public:
   {
     return dealii::StaticMappingQ1<dim>::mapping;
   }
-  virtual unsigned int add_probe(const ProbeRequest<dim> &request) = 0;
-  virtual void evaluate_probes(const State &state, std::vector<double> &values) = 0;
+  virtual FieldProbes<dim> &probes() = 0;
   virtual std::map<std::string, std::string> add_output(const State &state,
                                                         dealii::DataOut<dim> &data_out) = 0;
   /// `port_pressures`: of the outlets' ports, by boundary condition; 0 of others [Pa]. `time` [s].

@@ -4,6 +4,7 @@
 #include <continua/base/archive.h>
 #include <continua/continuum/balanced_step.h>
 #include <continua/continuum/continuum_solver.h>
+#include <continua/continuum/load_list.h>
 #include <continua/continuum/state.h>
 #include <continua/continuum/state_archive.h>
 #include <continua/continuum/system_coefficients.h>
@@ -89,10 +90,8 @@ public:
   virtual double divergence(const DistributedVector &velocity) = 0;
 
   // Loads and prescribed velocities.
-  /// Adds the loads at this time [N].
-  virtual void add_loads(double time, DistributedVector &forces) const = 0;
-  /// Whether a load jumps between the two times [s]; likewise a prescribed velocity.
-  virtual bool load_jumps(double begin, double end) const = 0;
+  virtual const LoadList &loads() const = 0;
+  /// Whether a prescribed velocity jumps between the two times [s].
   virtual bool prescribed_velocity_jumps(double begin, double end) const = 0;
   /// Whether every prescribed velocity is zero for ever.
   virtual bool is_homogeneous() const = 0;

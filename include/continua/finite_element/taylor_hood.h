@@ -72,8 +72,7 @@ public:
                           const DistributedVector &q) override;
   double divergence(const DistributedVector &velocity) override;
 
-  void add_loads(double time, DistributedVector &forces) const override;
-  bool load_jumps(double begin, double end) const override;
+  const LoadList &loads() const override { return load_list; }
   bool prescribed_velocity_jumps(double begin, double end) const override;
   bool is_homogeneous() const override { return constraints.is_homogeneous(); }
   void evaluate_prescribed(double time, DistributedVector &values) const override;
@@ -105,8 +104,7 @@ public:
   SolverSizes sizes() const override;
 
   const dealii::Mapping<dim> &mapping() const override { return space.mapping; }
-  unsigned int add_probe(const ProbeRequest<dim> &request) override;
-  void evaluate_probes(const State &state, std::vector<double> &values) override;
+  FieldProbes<dim> &probes() override { return evaluation; }
   std::map<std::string, std::string> add_output(const State &state,
                                                 dealii::DataOut<dim> &data_out) override;
   void indicators(const IndicatorRequest &request,
@@ -126,7 +124,7 @@ private:
   Space<dim> space;
   std::vector<RegionOperators> operators;
   BoundaryConstraints<dim> constraints;
-  Loads<dim> loads;
+  Loads<dim> load_list;
   StepSystem<dim> system;
   MeshTransfer<dim> mesh_transfer;
   FieldEvaluation<dim> evaluation;

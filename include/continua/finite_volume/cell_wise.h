@@ -71,8 +71,7 @@ public:
                           const DistributedVector &q) override;
   double divergence(const DistributedVector &velocity) override;
 
-  void add_loads(double time, DistributedVector &forces) const override;
-  bool load_jumps(double begin, double end) const override;
+  const LoadList &loads() const override { return load_list; }
   bool prescribed_velocity_jumps(double begin, double end) const override;
   bool is_homogeneous() const override { return conditions.is_homogeneous(); }
   void evaluate_prescribed(double time, DistributedVector &values) const override;
@@ -132,8 +131,7 @@ public:
                                  DistributedVector &force) override;
   bool reports_change_of_kinetic_energy() const override;
 
-  unsigned int add_probe(const ProbeRequest<dim> &request) override;
-  void evaluate_probes(const State &state, std::vector<double> &values) override;
+  FieldProbes<dim> &probes() override { return evaluation; }
   std::map<std::string, std::string> add_output(const State &state,
                                                 dealii::DataOut<dim> &data_out) override;
   void indicators(const IndicatorRequest &request,
@@ -154,7 +152,7 @@ private:
   Log &log;
   CellSpace<dim> space;
   FaceConditions<dim> conditions;
-  CellLoads<dim> loads;
+  CellLoads<dim> load_list;
   std::vector<CellOperators> operators;
   PressureClosure closure;
   CellSystem<dim> system;
