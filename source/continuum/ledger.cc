@@ -37,7 +37,7 @@ void Ledger::reinit()
 
 PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
 {
-  const unsigned int n_regions = problem.materials.size(), n_terms = terms.size();
+  const std::size_t n_regions = problem.materials.size(), n_terms = terms.size();
   const BalancedStep &balanced = step.balanced;
   PowerBalance balance;
   balance.time = balanced.step.balance_time;
@@ -56,7 +56,7 @@ PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
     outlets.add_forces(1., forces);
     forces *= -1.;
   }
-  for (unsigned int region = 0; region < n_regions; ++region)
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
     for (const auto &term : terms)
       sums.push_back(term->power(region, step, context, reactions ? &forces : nullptr));
@@ -72,7 +72,7 @@ PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
   balance.external = sums.front() + sums.back();
   balance.residual = balance.external;
   balance.exchanged = std::abs(balance.external);
-  for (unsigned int region = 0; region < n_regions; ++region)
+  for (std::size_t region = 0; region < n_regions; ++region)
   {
     const auto of_region = sums.begin() + 1 + region * (n_terms + 1);
     Power &power = balance.materials[region];
@@ -93,14 +93,14 @@ PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
 
 Energy Ledger::energy(const State &state)
 {
-  const unsigned int n_regions = problem.materials.size();
+  const std::size_t n_regions = problem.materials.size();
   sums.clear();
   for (const auto &term : terms)
-    for (unsigned int region = 0; region < n_regions; ++region)
+    for (unsigned int region = 0; region < problem.materials.size(); ++region)
       sums.push_back(term->energy(region, state, context));
   Utilities::MPI::sum(sums, problem.communicator, sums);
   Energy energy;
-  for (unsigned int term = 0; term < terms.size(); ++term)
+  for (std::size_t term = 0; term < terms.size(); ++term)
     energy.terms.emplace_back(sums.begin() + term * n_regions,
                               sums.begin() + (term + 1) * n_regions);
   energy.outlets = outlets.energy();

@@ -24,6 +24,10 @@ class OutletModel
 public:
   /// At the state of t = 0. `outlet` must outlive it.
   explicit OutletModel(const Outlet &outlet);
+  /// It is copied, never moved: deal.II's vectors may throw when they move.
+  OutletModel(const OutletModel &) = default;
+  OutletModel &operator=(const OutletModel &) = delete;
+  ~OutletModel() = default;
 
   unsigned int n_ports() const { return outlet.impedance.n_ports(); }
   /// Linearises for a step from the flow rates at its start. Returns whether Z has changed.
