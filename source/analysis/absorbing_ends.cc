@@ -153,7 +153,7 @@ void add_plane_end(Case<dim> &input,
           key, "the plane wave's impedance is one number at all frequencies, and nothing is fitted",
           "Remove the entry: it is for the ends of a 'tube'");
   const Material &liquid = input.problem.materials[0];
-  if (liquid.inverse_bulk_modulus == 0.)
+  if (liquid.is_incompressible())
     condition_section.refuse(
         "Type", "there is no wave that could leave an incompressible liquid without a wall",
         "Give it a 'Bulk modulus', or use 'pressure', 'resistance' or 'windkessel' here");
@@ -161,7 +161,7 @@ void add_plane_end(Case<dim> &input,
   outlet.conditions = {number};
   AbsorbingEnd end;
   end.name = condition.name;
-  end.impedance = liquid.density * acoustic_speed(liquid.density, liquid.inverse_bulk_modulus) /
+  end.impedance = liquid.density * acoustic_speed(liquid.density, liquid.inverse_bulk_modulus()) /
                   area_of(input, condition);
   outlet.impedance = Impedance::resistance(end.impedance);
   input.problem.outlets.push_back(outlet);
@@ -218,9 +218,9 @@ void add_tube_end(Case<dim> &input,
       wall = c;
     const auto is_all = [&condition](const BoundaryPart::Kind kind)
     {
-      return condition.type != BoundaryType::absorbing && !condition.outlet && condition.normal.kind == kind &&
-             condition.tangential.kind == kind && condition.normal.is_zero() &&
-             condition.tangential.is_zero();
+      return condition.type != BoundaryType::absorbing && !condition.outlet &&
+             condition.normal.kind == kind && condition.tangential.kind == kind &&
+             condition.normal.is_zero() && condition.tangential.is_zero();
     };
     wall_is_clamped = wall_is_clamped && is_all(BoundaryPart::Kind::velocity);
     wall_is_free = wall_is_free && is_all(BoundaryPart::Kind::traction);

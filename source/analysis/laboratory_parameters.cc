@@ -16,7 +16,8 @@ bool LaboratoryParameters::has(const std::string &test) const
 
 const Words<SpecimenShape> &specimen_words()
 {
-  static const Words<SpecimenShape> words = {{"cylinder", SpecimenShape::cylinder}, {"cube", SpecimenShape::cube}};
+  static const Words<SpecimenShape> words = {{"cylinder", SpecimenShape::cylinder},
+                                             {"cube", SpecimenShape::cube}};
   return words;
 }
 
@@ -27,8 +28,8 @@ void LaboratoryParameters::read(ParameterSection section)
               "loaded within a time and held), creep (a stress from t = 0 on) and harmonic (a "
               "sinusoidal strain). Relaxation and creep last until Time/End time.");
   add_choice(section, "Specimen", specimen, specimen_words(),
-                     "The one element of the simulated tests: a cylinder (axisymmetric) or a cube "
-                     "(three-dimensional); both find the same.");
+             "The one element of the simulated tests: a cylinder (axisymmetric) or a cube "
+             "(three-dimensional); both find the same.");
   section.add("Lowest frequency", lowest_frequency, Dimensions::frequency,
               "Lower end of the band over which the complex modulus is tabulated.",
               Range::positive());

@@ -28,8 +28,8 @@ Vector<float> single_indicator(const Indicator indicator,
   if (indicator == Indicator::expression)
     return expression_indicator(*input.triangulation, input.adaptation.expression, time);
   IndicatorRequest request;
-  request.kind =
-      indicator == Indicator::kelly ? IndicatorRequest::Kind::kelly : IndicatorRequest::Kind::traction_jump;
+  request.kind = indicator == Indicator::kelly ? IndicatorRequest::Kind::kelly
+                                               : IndicatorRequest::Kind::traction_jump;
   request.field = input.adaptation.kelly_field;
   Vector<float> per_cell;
   solver.indicators(request, per_cell);
@@ -62,7 +62,8 @@ refinement_indicator(const Case<dim> &input, ContinuumSolver<dim> &solver, const
   for (unsigned int i = 0; i < adaptation.indicators.size(); ++i)
   {
     Vector<float> per_cell = single_indicator(adaptation.indicators[i], input, solver, time);
-    if (combined || (adaptation.strategy == AdaptationStrategy::threshold && !adaptation.is_geometric()))
+    if (combined ||
+        (adaptation.strategy == AdaptationStrategy::threshold && !adaptation.is_geometric()))
       normalise(*input.triangulation, input.communicator, per_cell);
     sum.add(adaptation.weights[i], per_cell);
   }

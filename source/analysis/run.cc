@@ -81,7 +81,8 @@ void Run<dim>::initialise(const std::string &mesh_file)
   {
     const PartitionQuality quality = measure_partition(*input.triangulation);
     std::ostringstream partition;
-    partition << "Divided by " << word_of(partitioner_words(), input.mesh.partition.partitioner) << ": " << quality.n_cut_faces
+    partition << "Divided by " << word_of(partitioner_words(), input.mesh.partition.partitioner)
+              << ": " << quality.n_cut_faces
               << " faces between ranks, most work of a rank over the mean " << quality.imbalance;
     log.detail(partition.str());
   }

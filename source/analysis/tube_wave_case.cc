@@ -40,7 +40,7 @@ double impedance_of_branches(const Material &fluid, const WaveTheoryParameters &
   {
     const double radius = 0.5 * parameters.branch_diameters[i];
     const LongWaveTube branch{radius, parameters.branch_wall_thicknesses[i], 0.5, fluid.density,
-                              fluid.inverse_bulk_modulus};
+                              fluid.inverse_bulk_modulus()};
     const Complex speed = korteweg_speed(branch, parameters.branch_youngs_moduli[i],
                                          Anchoring::expansion_joints, WallTheory::thick);
     admittance +=
@@ -125,7 +125,8 @@ std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case)
   else if (inlet->type == BoundaryType::pressure)
     problem.inlet = TubeWaveProblem::Inlet::pressure;
   else
-    return "the inlet's Type is '" + word_of(boundary_type_words(), inlet->type) + "', not pressure or flow rate";
+    return "the inlet's Type is '" + word_of(boundary_type_words(), inlet->type) +
+           "', not pressure or flow rate";
   if (waveform.depends_on_space())
     return "the inlet's value depends on the place";
   wave_case.inlet = [waveform](const double time) { return waveform(origin, time); };

@@ -12,13 +12,16 @@ void WaveTheoryParameters::read(ParameterSection section)
               "for here.");
   overlay_given = section.given("Overlay") && overlay;
   add_choice(section, "Level", level, wave_level_words(),
-      "exact: viscous compressible liquid in a thick layered wall, pressure, axial "
-      "and bending waves; closed formula: pressure wave of a thick wall; membrane: of a "
-      "membrane; womersley: long waves in a thin wall.");
-  add_choice(section, "Far end", far_end, {{"as the boundary", FarEnd::as_boundary}, {"matched", FarEnd::matched}, {"branches", FarEnd::branches}},
-                     "What the liquid meets at the outlet: what the boundary's condition says; the "
-                     "pressure wave's own impedance, so that it leaves without reflection; or "
-                     "branches, out of which nothing comes back (a bifurcation).");
+             "exact: viscous compressible liquid in a thick layered wall, pressure, axial "
+             "and bending waves; closed formula: pressure wave of a thick wall; membrane: of a "
+             "membrane; womersley: long waves in a thin wall.");
+  add_choice(section, "Far end", far_end,
+             {{"as the boundary", FarEnd::as_boundary},
+              {"matched", FarEnd::matched},
+              {"branches", FarEnd::branches}},
+             "What the liquid meets at the outlet: what the boundary's condition says; the "
+             "pressure wave's own impedance, so that it leaves without reflection; or "
+             "branches, out of which nothing comes back (a bifurcation).");
   if (far_end == FarEnd::branches)
   {
     section.add("Branch diameters", branch_diameters, Dimensions::length,

@@ -86,11 +86,13 @@ void read_flow_rate(ParameterSection &section, BoundaryCondition &condition, uns
         "Flow rate", "depends on x, y or z",
         "Write it as a function of t; 'Profile' gives the distribution over the section");
   FlowProfile::Shape profile = FlowProfile::Shape::parabolic;
-  add_choice(section,
-      "Profile", profile, {{"flat", FlowProfile::Shape::flat}, {"parabolic", FlowProfile::Shape::parabolic}, {"womersley", FlowProfile::Shape::womersley}},
-      "How the velocity is distributed over the section: flat (zero at the rim), "
-      "parabolic, or womersley: that of a viscous liquid in a rigid tube that was at "
-      "rest before t = 0.");
+  add_choice(section, "Profile", profile,
+             {{"flat", FlowProfile::Shape::flat},
+              {"parabolic", FlowProfile::Shape::parabolic},
+              {"womersley", FlowProfile::Shape::womersley}},
+             "How the velocity is distributed over the section: flat (zero at the rim), "
+             "parabolic, or womersley: that of a viscous liquid in a rigid tube that was at "
+             "rest before t = 0.");
   condition.profile = profile;
 }
 
@@ -105,14 +107,16 @@ void read_outlet(ParameterSection &section, BoundaryCondition &condition, Outlet
     section.refuse("Pressure behind", "depends on x, y or z",
                    "Write it as a function of t: an outlet has one pressure");
 
-  add_choice(section, "Coupling", outlet.coupling, {{"pressure", Outlet::Coupling::pressure}, {"flow", Outlet::Coupling::flow}},
-                     "How the section is held: pressure - one pressure acts on all of it, the "
-                     "velocity's distribution is free; flow - the velocity has the distribution of "
-                     "'Profile', of which only the flow rate is free.");
+  add_choice(section, "Coupling", outlet.coupling,
+             {{"pressure", Outlet::Coupling::pressure}, {"flow", Outlet::Coupling::flow}},
+             "How the section is held: pressure - one pressure acts on all of it, the "
+             "velocity's distribution is free; flow - the velocity has the distribution of "
+             "'Profile', of which only the flow rate is free.");
   FlowProfile::Shape profile = FlowProfile::Shape::parabolic;
-  add_choice(section, "Profile", profile, {{"flat", FlowProfile::Shape::flat}, {"parabolic", FlowProfile::Shape::parabolic}},
-                     "How the velocity of Coupling = flow is distributed over the section: flat "
-                     "(zero at the rim) or parabolic.");
+  add_choice(section, "Profile", profile,
+             {{"flat", FlowProfile::Shape::flat}, {"parabolic", FlowProfile::Shape::parabolic}},
+             "How the velocity of Coupling = flow is distributed over the section: flat "
+             "(zero at the rim) or parabolic.");
   read_tangential(section, condition);
   if (outlet.coupling == Outlet::Coupling::flow)
   {
@@ -188,9 +192,12 @@ void read_mixed(ParameterSection &section, BoundaryCondition &condition, const u
   };
   Normal normal = Normal::traction;
   add_choice(section, "Normal", normal,
-             {{"velocity", Normal::velocity}, {"pressure", Normal::pressure}, {"traction", Normal::traction}},
+             {{"velocity", Normal::velocity},
+              {"pressure", Normal::pressure},
+              {"traction", Normal::traction}},
              "What is given along the outward normal.");
-  add_choice(section, "Tangential", condition.tangential.kind, {{"velocity", Kind::velocity}, {"traction", Kind::traction}},
+  add_choice(section, "Tangential", condition.tangential.kind,
+             {{"velocity", Kind::velocity}, {"traction", Kind::traction}},
              "What is given along the boundary.");
   if (normal == Normal::velocity)
   {
@@ -233,11 +240,14 @@ struct Row
 const std::vector<Row> &table()
 {
   static const std::vector<Row> rows = {
-      {BoundaryType::fixed, "fixed", "No velocity: normal and tangential velocity are zero.", read_fixed},
-      {BoundaryType::velocity, "velocity", "Prescribed velocity, normal and tangential.", read_velocity},
-      {BoundaryType::traction, "traction", "Prescribed traction, normal and tangential.", read_traction},
-      {BoundaryType::pressure, "pressure", "Outside pressure along the normal; along the boundary free or fixed.",
-       read_pressure},
+      {BoundaryType::fixed, "fixed", "No velocity: normal and tangential velocity are zero.",
+       read_fixed},
+      {BoundaryType::velocity, "velocity", "Prescribed velocity, normal and tangential.",
+       read_velocity},
+      {BoundaryType::traction, "traction", "Prescribed traction, normal and tangential.",
+       read_traction},
+      {BoundaryType::pressure, "pressure",
+       "Outside pressure along the normal; along the boundary free or fixed.", read_pressure},
       {BoundaryType::flow_rate, "flow rate",
        "Flow rate into a round section around the x axis, axisymmetric or three-dimensional; no "
        "velocity along the boundary.",
@@ -257,7 +267,8 @@ const std::vector<Row> &table()
        "the boundary there is no traction. Without a wall: the plane wave in a compressible "
        "liquid.",
        read_absorbing},
-      {BoundaryType::roller, "roller", "No velocity along the normal, no traction along the boundary.", read_roller},
+      {BoundaryType::roller, "roller",
+       "No velocity along the normal, no traction along the boundary.", read_roller},
       {BoundaryType::axis, "axis", "The axis of an axisymmetric model: as roller.", read_roller},
       {BoundaryType::free, "free", "No traction, normal and tangential.", read_free},
       {BoundaryType::mixed, "mixed", "Any pair of a normal and a tangential part.", read_mixed}};

@@ -53,7 +53,7 @@ double PowerLedger<dim>::relaxation_power(const unsigned int region,
 {
   const Material &material = problem.materials[region];
   double sum = 0.;
-  for (const Branch &branch : material.branches)
+  for (const Branch &branch : material.shear.branches)
     if (!std::isinf(branch.relaxation_time))
     {
       history.balanced_displacement(branch.relaxation_time, step.step, mixture);
@@ -61,13 +61,14 @@ double PowerLedger<dim>::relaxation_power(const unsigned int region,
       multiply(operators[region].stiffness, velocity_work, mixture);
       sum += branch.shear_modulus * local_product(velocity_work, forgotten);
     }
-  for (unsigned int k = 0; k < material.bulk_branches.size(); ++k)
-    if (!std::isinf(material.bulk_branches[k].relaxation_time))
+  for (unsigned int k = 0; k < material.compression.bulk_branches().size(); ++k)
+    if (!std::isinf(material.compression.bulk_branches()[k].relaxation_time))
     {
       bulk_history.balanced_dilatation(region, k, step.step, dilatation);
       bulk_history.forgotten_rate(region, k, step.step, forgotten_rate);
       multiply(operators[region].pressure_mass, pressure_work, dilatation);
-      sum += material.bulk_branches[k].bulk_modulus * local_product(pressure_work, forgotten_rate);
+      sum += material.compression.bulk_branches()[k].bulk_modulus *
+             local_product(pressure_work, forgotten_rate);
     }
   return sum;
 }
@@ -115,10 +116,10 @@ PowerBalance PowerLedger<dim>::balance(const BalancedStep &step,
     }
     else
       sums.push_back(0.);
-    if (material.viscosity != 0.)
+    if (material.shear.viscosity != 0.)
     {
       multiply(operators[region].stiffness, velocity_work, step.velocity);
-      add_power(material.viscosity);
+      add_power(material.shear.viscosity);
     }
     else
       sums.push_back(0.);
@@ -173,25 +174,25 @@ Energy PowerLedger<dim>::energy(const State &state, const BulkHistory &bulk_hist
     multiply(operators[region].mass, velocity_work, state.velocity);
     sums[0] += 0.5 * material.density * local_product(velocity_work, state.velocity);
     double &strain = sums[1 + region], &compressive = sums[1 + n_regions + region];
-    for (const Branch &branch : material.branches)
+    for (const Branch &branch : material.shear.branches)
     {
       const DistributedVector &internal =
           state.history.internal_displacement(branch.relaxation_time);
       multiply(operators[region].stiffness, velocity_work, internal);
       strain += 0.5 * branch.shear_modulus * local_product(velocity_work, internal);
     }
-    for (unsigned int k = 0; k < material.bulk_branches.size(); ++k)
+    for (unsigned int k = 0; k < material.compression.bulk_branches().size(); ++k)
     {
       const DistributedVector &internal = bulk_history.internal_dilatation(region, k);
       multiply(operators[region].pressure_mass, pressure_work, internal);
-      compressive +=
-          0.5 * material.bulk_branches[k].bulk_modulus * local_product(pressure_work, internal);
+      compressive += 0.5 * material.compression.bulk_branches()[k].bulk_modulus *
+                     local_product(pressure_work, internal);
     }
-    if (material.bulk_branches.empty())
+    if (material.compression.bulk_branches().empty())
     {
       multiply(operators[region].pressure_mass, pressure_work, state.pressure);
       compressive +=
-          0.5 * material.inverse_bulk_modulus * local_product(pressure_work, state.pressure);
+          0.5 * material.inverse_bulk_modulus() * local_product(pressure_work, state.pressure);
     }
   }
   Utilities::MPI::sum(sums, space.communicator, sums);

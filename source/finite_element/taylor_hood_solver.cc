@@ -80,7 +80,7 @@ void TaylorHoodSolver<dim>::setup()
   // A pressure that no compressible material touches follows from the constraint alone.
   DistributedVector compressible = space.pressure_vector();
   for (unsigned int region = 0; region < operators.size(); ++region)
-    if (problem.materials[region].inverse_bulk_modulus > 0.)
+    if (!problem.materials[region].is_incompressible())
     {
       pressure_work = 1.;
       multiply(operators[region].pressure_mass, mass, pressure_work);
@@ -106,7 +106,7 @@ void TaylorHoodSolver<dim>::set_coefficients(const Step &step)
   for (const Material &material : problem.materials)
   {
     coefficients.mass.push_back(step.a0 * material.density);
-    coefficients.stiffness.push_back(material.viscosity +
+    coefficients.stiffness.push_back(material.shear.viscosity +
                                      BranchHistory::step_stiffness(material, step));
     coefficients.compressibility.push_back(BulkHistory::step_compressibility(material, step));
   }
@@ -287,7 +287,7 @@ bool TaylorHoodSolver<dim>::steady_is_direct() const
 {
   bool all_solid = true, all_fluid = true;
   for (const Material &material : problem.materials)
-    (material.branches.empty() ? all_solid : all_fluid) = false;
+    (material.shear.branches.empty() ? all_solid : all_fluid) = false;
   return all_solid || all_fluid;
 }
 
@@ -306,12 +306,13 @@ void TaylorHoodSolver<dim>::solve_steady(const double time)
   AssertThrow(steady_is_direct(), ExcInternalError());
   // A solid at rest: displacement for velocity, mu for alpha, 1/K for compressibility. A steady
   // fluid has no dp/dt, so its compressibility plays no part.
-  const bool solid = !problem.materials.front().branches.empty();
+  const bool solid = !problem.materials.front().shear.branches.empty();
   SystemCoefficients steady;
   for (const Material &material : problem.materials)
   {
     steady.mass.push_back(0.);
-    steady.stiffness.push_back(solid ? material.long_term_shear_modulus() : material.viscosity);
+    steady.stiffness.push_back(solid ? material.long_term_shear_modulus()
+                                     : material.shear.viscosity);
     steady.compressibility.push_back(solid ? material.long_term_inverse_bulk_modulus() : 0.);
   }
   {

@@ -102,7 +102,7 @@ double CellPowerLedger<dim>::relaxation_power(const unsigned int region,
 {
   const Material &material = problem.materials[region];
   double sum = 0.;
-  for (const Branch &branch : material.branches)
+  for (const Branch &branch : material.shear.branches)
     if (!std::isinf(branch.relaxation_time))
     {
       history.balanced_displacement(branch.relaxation_time, step.step, mixture);
@@ -110,12 +110,12 @@ double CellPowerLedger<dim>::relaxation_power(const unsigned int region,
       multiply(operators[region].stiffness, velocity_work, mixture);
       sum += branch.shear_modulus * local_product(velocity_work, other);
     }
-  for (unsigned int k = 0; k < material.bulk_branches.size(); ++k)
-    if (!std::isinf(material.bulk_branches[k].relaxation_time))
+  for (unsigned int k = 0; k < material.compression.bulk_branches().size(); ++k)
+    if (!std::isinf(material.compression.bulk_branches()[k].relaxation_time))
     {
       bulk_history.balanced_dilatation(region, k, step.step, dilatation);
       bulk_history.forgotten_rate(region, k, step.step, pressure_work);
-      sum += material.bulk_branches[k].bulk_modulus *
+      sum += material.compression.bulk_branches()[k].bulk_modulus *
              pressure_product(dilatation, operators[region].pressure_volume, pressure_work);
     }
   return sum;
@@ -153,11 +153,11 @@ PowerBalance CellPowerLedger<dim>::balance(const BalancedCells &step,
     set_stress_forces(region, step, history);
     sums.push_back(local_product(velocity_work, step.velocity));
     forces.add(1., velocity_work);
-    if (material.viscosity != 0.)
+    if (material.shear.viscosity != 0.)
     {
       multiply(of_region.stiffness, velocity_work, step.velocity);
-      sums.push_back(material.viscosity * local_product(velocity_work, step.velocity));
-      forces.add(material.viscosity, velocity_work);
+      sums.push_back(material.shear.viscosity * local_product(velocity_work, step.velocity));
+      forces.add(material.shear.viscosity, velocity_work);
     }
     else
       sums.push_back(0.);
@@ -206,21 +206,21 @@ Energy CellPowerLedger<dim>::energy(const State &state, const BulkHistory &bulk_
     sums[0] +=
         0.5 * material.density * weighted_product(of_region.volume, state.velocity, state.velocity);
     double &strain = sums[1 + region], &compressive = sums[1 + n_regions + region];
-    for (const Branch &branch : material.branches)
+    for (const Branch &branch : material.shear.branches)
     {
       const DistributedVector &internal =
           state.history.internal_displacement(branch.relaxation_time);
       multiply(of_region.stiffness, velocity_work, internal);
       strain += 0.5 * branch.shear_modulus * local_product(velocity_work, internal);
     }
-    for (unsigned int k = 0; k < material.bulk_branches.size(); ++k)
+    for (unsigned int k = 0; k < material.compression.bulk_branches().size(); ++k)
     {
       const DistributedVector &internal = bulk_history.internal_dilatation(region, k);
-      compressive += 0.5 * material.bulk_branches[k].bulk_modulus *
+      compressive += 0.5 * material.compression.bulk_branches()[k].bulk_modulus *
                      pressure_product(internal, of_region.pressure_volume, internal);
     }
-    if (material.bulk_branches.empty() && parameters.has_pressure())
-      compressive += 0.5 * material.inverse_bulk_modulus *
+    if (material.compression.bulk_branches().empty() && parameters.has_pressure())
+      compressive += 0.5 * material.inverse_bulk_modulus() *
                      pressure_product(state.pressure, of_region.pressure_volume, state.pressure);
   }
   Utilities::MPI::sum(sums, space.communicator, sums);

@@ -146,7 +146,7 @@ void CellWiseSolver<dim>::setup()
   pressures_without_history.clear();
   std::vector<bool> has_history(space.pressures.n_owned(), false);
   for (unsigned int region = 0; region < operators.size(); ++region)
-    if (problem.materials[region].inverse_bulk_modulus > 0.)
+    if (!problem.materials[region].is_incompressible())
       for (unsigned int i = 0; i < has_history.size(); ++i)
         if (operators[region].pressure_volume.begin()[i] > 0.)
           has_history[i] = true;
@@ -156,7 +156,7 @@ void CellWiseSolver<dim>::setup()
     for (unsigned int side = 0; surface.has_value() && side < surface.n_sides(); ++side)
     {
       const FiniteVolume<dim> &cell = space.mesh.cells()[surface.cell(side)];
-      if (cell.is_owned && problem.materials[cell.material_id].inverse_bulk_modulus > 0.)
+      if (cell.is_owned && !problem.materials[cell.material_id].is_incompressible())
         has_history[space.local_pressure(space.pressures.of_face(face, side))] = true;
     }
   }
@@ -192,7 +192,7 @@ namespace
 double correction_modulus(const Material &material, const CellWiseParameters &parameters)
 {
   const double mu = material.instantaneous_shear_modulus();
-  const double inverse_bulk = material.inverse_bulk_modulus;
+  const double inverse_bulk = material.inverse_bulk_modulus();
   const bool is_nearly_incompressible = inverse_bulk * 8. / 3. * mu < 1.;
   return is_nearly_incompressible &&
                  parameters.stencil_coefficient != StencilCoefficient::longitudinal
@@ -215,10 +215,10 @@ CellCoefficients CellWiseSolver<dim>::coefficients(const Step &step) const
     // motion along them.
     const double least = 1e-12 * step.a0 * material.density * smallest_distance * smallest_distance;
     result.stiffness.push_back(
-        std::max(material.viscosity + BranchHistory::step_stiffness(material, step), least));
+        std::max(material.shear.viscosity + BranchHistory::step_stiffness(material, step), least));
     result.compressibility.push_back(BulkHistory::step_compressibility(material, step));
     const bool of_increment =
-        parameters.rhie_chow == RhieChow::increment && !material.branches.empty();
+        parameters.rhie_chow == RhieChow::increment && !material.shear.branches.empty();
     result.increment_mobility.push_back(
         of_increment ? 1. / (correction_modulus(material, parameters) * step.pressure_time) : 0.);
   }
@@ -230,7 +230,7 @@ CellCoefficients CellWiseSolver<dim>::steady_coefficients() const
 {
   // A solid at rest: displacement for velocity, mu for alpha, 1/K for compressibility. A steady
   // fluid has no dp/dt, so its compressibility plays no part.
-  const bool solid = !problem.materials.front().branches.empty();
+  const bool solid = !problem.materials.front().shear.branches.empty();
   CellCoefficients result;
   result.with_pressure = parameters.has_pressure();
   result.correct_fluxes =
@@ -238,7 +238,8 @@ CellCoefficients CellWiseSolver<dim>::steady_coefficients() const
   for (const Material &material : problem.materials)
   {
     result.mass.push_back(0.);
-    result.stiffness.push_back(solid ? material.long_term_shear_modulus() : material.viscosity);
+    result.stiffness.push_back(solid ? material.long_term_shear_modulus()
+                                     : material.shear.viscosity);
     result.compressibility.push_back(solid ? material.long_term_inverse_bulk_modulus() : 0.);
     result.increment_mobility.push_back(solid && parameters.rhie_chow == RhieChow::increment
                                             ? 1. / correction_modulus(material, parameters)
@@ -501,9 +502,9 @@ void CellWiseSolver<dim>::set_pressure_of_displacement()
     multiply(of_region.divergence, mass_work, history.displacement());
     for (unsigned int i = 0; i < mass_work.locally_owned_size(); ++i)
       if (of_region.pressure_volume.begin()[i] != 0. &&
-          problem.materials[region].inverse_bulk_modulus > 0.)
+          !problem.materials[region].is_incompressible())
         pressure.begin()[i] -= mass_work.begin()[i] / of_region.pressure_volume.begin()[i] /
-                               problem.materials[region].inverse_bulk_modulus;
+                               problem.materials[region].inverse_bulk_modulus();
   }
   // Faces without an equation of state have the pressure of their cell, extrapolated.
   multiply(closure.matrix, pressure_work, pressure);
@@ -594,7 +595,7 @@ bool CellWiseSolver<dim>::steady_is_direct() const
 {
   bool all_solid = true, all_fluid = true;
   for (const Material &material : problem.materials)
-    (material.branches.empty() ? all_solid : all_fluid) = false;
+    (material.shear.branches.empty() ? all_solid : all_fluid) = false;
   return all_solid || all_fluid;
 }
 
@@ -602,7 +603,7 @@ template <int dim>
 void CellWiseSolver<dim>::solve_steady(const double time)
 {
   AssertThrow(steady_is_direct(), ExcInternalError());
-  const bool solid = !problem.materials.front().branches.empty();
+  const bool solid = !problem.materials.front().shear.branches.empty();
   prepare(steady_coefficients());
   momentum = 0.;
   mass = 0.;

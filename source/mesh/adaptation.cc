@@ -140,7 +140,8 @@ void AdaptationParameters::read_indicators(ParameterSection section)
   else
     indicators = {*indicator};
   refuse_idle(section, "Indicator field", uses(Indicator::kelly), "the indicator kelly");
-  refuse_idle(section, "Band width", uses(Indicator::interface_band), "the indicator interface band");
+  refuse_idle(section, "Band width", uses(Indicator::interface_band),
+              "the indicator interface band");
   refuse_idle(section, "Expression", uses(Indicator::expression), "the indicator expression");
   if (uses(Indicator::interface_band))
     section.require("Band width");
@@ -151,11 +152,14 @@ void AdaptationParameters::read_indicators(ParameterSection section)
 void AdaptationParameters::read_strategy(ParameterSection section)
 {
   std::optional<AdaptationStrategy> choice; // none: automatic
-  add_choice(
-      section, "Strategy", choice, {{"automatic", std::nullopt}, {"number", AdaptationStrategy::number}, {"sum", AdaptationStrategy::sum}, {"threshold", AdaptationStrategy::threshold}},
-      "Which cells are refined and coarsened: fractions of the number of cells; "
-      "fractions of the indicators' sum; those above and below thresholds. "
-      "Automatic: thresholds where no indicator looks at the solution, else number.");
+  add_choice(section, "Strategy", choice,
+             {{"automatic", std::nullopt},
+              {"number", AdaptationStrategy::number},
+              {"sum", AdaptationStrategy::sum},
+              {"threshold", AdaptationStrategy::threshold}},
+             "Which cells are refined and coarsened: fractions of the number of cells; "
+             "fractions of the indicators' sum; those above and below thresholds. "
+             "Automatic: thresholds where no indicator looks at the solution, else number.");
   section.add("Refine fraction", refine_fraction, Dimensions::none,
               "Fraction with the largest indicator that is refined.", Range{0., 1., false, false});
   section.add("Coarsen fraction", coarsen_fraction, Dimensions::none,
@@ -166,7 +170,8 @@ void AdaptationParameters::read_strategy(ParameterSection section)
               "solution are over their largest value, so that this is from 0 to 1.");
   section.add("Coarsen below", coarsen_below, Dimensions::none,
               "Of a threshold: cells with no larger indicator are coarsened.");
-  strategy = choice.value_or(is_geometric() ? AdaptationStrategy::threshold : AdaptationStrategy::number);
+  strategy =
+      choice.value_or(is_geometric() ? AdaptationStrategy::threshold : AdaptationStrategy::number);
   const bool threshold = strategy == AdaptationStrategy::threshold;
   if (!threshold && is_geometric())
     section.refuse("Strategy",

@@ -32,7 +32,8 @@ unsigned int weight_of(const Triangulation<dim> &triangulation,
 
 const Words<Partitioner> &partitioner_words()
 {
-  static const Words<Partitioner> words = {{"p4est", Partitioner::p4est}, {"metis", Partitioner::metis}};
+  static const Words<Partitioner> words = {{"p4est", Partitioner::p4est},
+                                           {"metis", Partitioner::metis}};
   return words;
 }
 

@@ -110,9 +110,9 @@ TubeGeometry<dim>::Parameters::read(ParameterSection geometry, ParameterSection 
   if (dim == 3)
   {
     add_choice(geometry, "Sector", parameters.full, {{"quarter", false}, {"full", true}},
-                        "Which part of the cross-section there is: the quarter y, z >= 0, whose "
-                        "planes of symmetry are the boundaries 'side y' (y = 0) and 'side z' (z = "
-                        "0), on which a symmetric flow has Type = roller; or all of it");
+               "Which part of the cross-section there is: the quarter y, z >= 0, whose "
+               "planes of symmetry are the boundaries 'side y' (y = 0) and 'side z' (z = "
+               "0), on which a symmetric flow has Type = roller; or all of it");
   }
 
   mesh.add("Axial cells", parameters.axial_cells, "Coarse cells along the axis", 1);

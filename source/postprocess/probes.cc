@@ -96,8 +96,8 @@ void Probes<dim>::read_entries(Probe &probe) const
       "[m]");
   probe.stations.add_entries(section);
   add_choice(section, "Value", probe.value, {{"mean", Value::mean}, {"integral", Value::integral}},
-                     "What to record of the fields on the boundary or section, of which the "
-                     "integral is over the part that is modelled");
+             "What to record of the fields on the boundary or section, of which the "
+             "integral is over the part that is modelled");
   section.add("Region", probe.region,
               "Whose side counts where a field jumps between regions; empty: any");
   section.add("Signal analysis", probe.signal_analysis,
@@ -133,9 +133,11 @@ void Probes<dim>::check_entries(Probe &probe) const
                    "Give " + std::to_string(dim) + " of them, separated by commas");
   if ((probe.place == Place::point || probe.place == Place::stations) && section.given("Value"))
     section.refuse("Value",
-                   probe.place == Place::point ? "a point has neither a mean nor an integral"
-                                          : "what is recorded at stations is said by the fields",
-                   "Leave the entry out, or give Boundary or Section instead of " + word_of(place_words(), probe.place));
+                   probe.place == Place::point
+                       ? "a point has neither a mean nor an integral"
+                       : "what is recorded at stations is said by the fields",
+                   "Leave the entry out, or give Boundary or Section instead of " +
+                       word_of(place_words(), probe.place));
   if (probe.place == Place::stations && section.given("Region"))
     section.refuse("Region", "the region of stations is the fluid", "Set Fluid instead");
   if (probe.place != Place::stations)
@@ -217,7 +219,8 @@ unsigned int Probes<dim>::add_to_solver(const Probe &probe, const ProbeRequest<d
          "Give a boundary on which the field exists, next to the Region if there is one"},
         {Place::section, "Give a position at which the plane cuts the body, or the Region"},
         {Place::stations, "Give positions inside the tube"}};
-    probe.section.refuse(word_of(place_words(), probe.place), error.what(), remedies.at(probe.place));
+    probe.section.refuse(word_of(place_words(), probe.place), error.what(),
+                         remedies.at(probe.place));
   }
 }
 

@@ -23,12 +23,17 @@ read_table(ParameterSection &section, const std::string &key, const Dimension &d
                              " over time, with a header such as 'time [ms], value [" +
                              dimension.unit() + "]'.");
   section.add("Column", column, "The column to use; may be left out if there is but one.");
-  add_choice(section, "Interpolation", interpolation, {{"linear", TimeTable::Interpolation::linear}, {"cubic", TimeTable::Interpolation::cubic}},
-                     "Between the rows; cubic is smooth and does not overshoot.");
+  add_choice(
+      section, "Interpolation", interpolation,
+      {{"linear", TimeTable::Interpolation::linear}, {"cubic", TimeTable::Interpolation::cubic}},
+      "Between the rows; cubic is smooth and does not overshoot.");
   section.add("Offset", offset, dimension, "Added to the values of the table.");
-  add_choice(section, "After the table", after, {{"hold", TimeTable::After::hold}, {"repeat", TimeTable::After::repeat}, {"zero", TimeTable::After::zero}},
-                     "After the last row: its value, the table again with the period last time - "
-                     "first time, or zero without the offset.");
+  add_choice(section, "After the table", after,
+             {{"hold", TimeTable::After::hold},
+              {"repeat", TimeTable::After::repeat},
+              {"zero", TimeTable::After::zero}},
+             "After the last row: its value, the table again with the period last time - "
+             "first time, or zero without the offset.");
   section.require("Table");
   // Without a table only where the documentation of the entries is made.
   if (path.empty())

@@ -232,8 +232,9 @@ TubeLaw TubeLaw::read_table(ParameterSection &geometry)
                           "A csv file with the header 'position [mm], inner diameter [mm], wall "
                           "thickness [mm]' (units required, further columns are left out). The "
                           "positions increase from 0 at the inlet; the last one is the length");
-  add_choice(geometry, "Interpolation", interpolation, {{"linear", Interpolant::Kind::linear}, {"cubic", Interpolant::Kind::cubic}},
-                      "Between the rows of the table; cubic is smooth and does not overshoot");
+  add_choice(geometry, "Interpolation", interpolation,
+             {{"linear", Interpolant::Kind::linear}, {"cubic", Interpolant::Kind::cubic}},
+             "Between the rows of the table; cubic is smooth and does not overshoot");
   geometry.require("Table");
   // Without a table only where the documentation of the entries is made.
   if (path.empty())

@@ -68,7 +68,8 @@ UNIT_TEST(boundary_condition)
   const BoundaryCondition flow = inlet("set Type = flow rate\nset Flow rate = 3 l/min", true);
   check::is_true("flow rate", flow.normal.kind == Kind::velocity && !flow.normal.is_zero() &&
                                   flow.tangential.kind == Kind::velocity &&
-                                  flow.tangential.is_zero() && flow.profile == FlowProfile::Shape::parabolic);
+                                  flow.tangential.is_zero() &&
+                                  flow.profile == FlowProfile::Shape::parabolic);
   check::relative("flow rate: value", flow.normal.along_normal(place, 0.), 5e-5, 1e-12);
   check::is_true("other types have no profile", !fixed.profile && !pressure.profile);
   const std::string windkessel_entries =
@@ -102,7 +103,8 @@ UNIT_TEST(boundary_condition)
   const BoundaryCondition by_flow =
       inlet(windkessel_entries + "set Coupling = flow\nset Profile = flat", true);
   check::is_true("windkessel that holds the flow",
-                 by_flow.outlet->coupling == Outlet::Coupling::flow && by_flow.profile == FlowProfile::Shape::flat &&
+                 by_flow.outlet->coupling == Outlet::Coupling::flow &&
+                     by_flow.profile == FlowProfile::Shape::flat &&
                      by_flow.normal.kind == Kind::velocity &&
                      by_flow.tangential.kind == Kind::velocity && by_flow.normal.is_zero());
   const BoundaryCondition absorbing = inlet("set Type = absorbing");

@@ -52,7 +52,8 @@ UNIT_TEST(flow_profile)
   check::absolute("flat: rim", relative_velocity(flat, 1., 5.), 0., 0.);
   check::is_true("section", flat.radius() == 2. && flat.fraction() == 0.25);
   check::is_true("flat: in time",
-                 flat.depends_on_time() && !FlowProfile(FlowProfile::Shape::flat, 3., 1., 1.).depends_on_time());
+                 flat.depends_on_time() &&
+                     !FlowProfile(FlowProfile::Shape::flat, 3., 1., 1.).depends_on_time());
   const FlowProfile parabolic(FlowProfile::Shape::parabolic, 3., 2., 1.);
   check::relative("parabolic: axis", relative_velocity(parabolic, 0., 5.), 6., 1e-14);
   check::relative("parabolic: half-way", relative_velocity(parabolic, 0.5, 5.), 4.5, 1e-14);
@@ -101,8 +102,9 @@ UNIT_TEST(flow_profile)
   check::relative("start: parabola", relative_velocity(started, 0.5, 2.), 1.5, 1e-9);
   check::relative("beyond the end", relative_velocity(started, 0.5, 2.5), 1.5, 1e-9);
   check::is_true("start: in time", started.depends_on_time());
-  check::is_true("no flow",
-                 !FlowProfile(FlowProfile::Shape::womersley, 0., 2., 1., {4., 2., 1e-3}).depends_on_time());
+  check::is_true(
+      "no flow",
+      !FlowProfile(FlowProfile::Shape::womersley, 0., 2., 1., {4., 2., 1e-3}).depends_on_time());
   // The same at a time asked for again, and between the rows of its table.
   const double between = relative_velocity(started, 0.3, 0.05035);
   relative_velocity(started, 0.3, 1.7);

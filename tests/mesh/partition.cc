@@ -59,7 +59,8 @@ UNIT_TEST(partition)
     {
       // Three to one: all of the fluid and a third of the solid for one rank. The curve of p4est
       // runs through whole coarse cells.
-      const std::string name = word_of(partitioner_words(), partitioner) + (refinements == 0 ? ", coarse" : ", refined");
+      const std::string name =
+          word_of(partitioner_words(), partitioner) + (refinements == 0 ? ", coarse" : ", refined");
       const auto mesh = make_mesh(partitioner, 3., refinements);
       check::relative(name + ": equal work", measure_partition(*mesh).imbalance, 1., 0.1);
       const double work = owned_share(*mesh, 0) + 3. * owned_share(*mesh, 1);

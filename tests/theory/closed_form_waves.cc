@@ -16,15 +16,15 @@ TubeSection tube_a(const double viscosity)
   TubeSection section;
   section.inner_radius = 0.0125;
   section.fluid.density = 998.;
-  section.fluid.inverse_bulk_modulus = 0.;
-  section.fluid.viscosity = viscosity;
+  section.fluid.compression = Compression();
+  section.fluid.shear.viscosity = viscosity;
   section.layer_thicknesses = {1e-4};
   Material wall;
   wall.density = 880.;
-  wall.inverse_bulk_modulus = 0.;
+  wall.compression = Compression();
   Branch spring;
   spring.shear_modulus = 1.72e6 / 3.;
-  wall.branches.push_back(spring);
+  wall.shear.branches.push_back(spring);
   section.layers = {wall};
   return section;
 }
@@ -40,7 +40,8 @@ WaveMode mode_of(const TubeSection &section, const WaveLevel level, const double
 UNIT_TEST(closed_form_waves)
 {
   check::equal("first name", wave_level_words().at(0).first, "exact");
-  check::is_true("level of a name", value_of(wave_level_words(), "closed formula") == WaveLevel::closed_formula);
+  check::is_true("level of a name",
+                 value_of(wave_level_words(), "closed formula") == WaveLevel::closed_formula);
 
   // Without viscosity Womersley's theory has the speed of Moens and Korteweg, 2.6256 m/s, at any
   // frequency: sqrt(Y h/(2 R rho)).

@@ -14,7 +14,7 @@ struct ModalParameters
     highest
   };
   unsigned int n_modes = 6;
-  double shift = 0.;            ///< frequency [Hz] next to which they are sought
+  double shift = 0.; ///< frequency [Hz] next to which they are sought
   Which which = Which::lowest;
 
   void read(ParameterSection section);

@@ -19,8 +19,8 @@ enum class FarEnd
 /// The section Wave theory: how the linear waves of a tube are computed.
 struct WaveTheoryParameters
 {
-  bool overlay = true;         ///< beside a run
-  bool overlay_given = false;  ///< by the user, who is told if it cannot be had
+  bool overlay = true;        ///< beside a run
+  bool overlay_given = false; ///< by the user, who is told if it cannot be had
   WaveLevel level = WaveLevel::exact;
   FarEnd far_end = FarEnd::as_boundary;
   std::vector<double> branch_diameters;        ///< inner ones, of branches at the far end [m]

@@ -37,15 +37,15 @@ struct AdaptationParameters
   unsigned int every_n_steps = 0;  ///< of a transient one; 0: the mesh stays
   unsigned int initial_cycles = 0; ///< of a transient one: changes before the start
   std::vector<Indicator> indicators = {Indicator::traction_jump}; ///< more than one if combined
-  std::vector<double> weights = {1.}; ///< as many
+  std::vector<double> weights = {1.};                             ///< as many
   IndicatorField kelly_field = IndicatorField::velocity;
-  double band_width = 0.;          ///< [m]
-  Expression expression;           ///< of place and time; positive refines
+  double band_width = 0.; ///< [m]
+  Expression expression;  ///< of place and time; positive refines
   AdaptationStrategy strategy = AdaptationStrategy::number;
-  double refine_fraction = 0.3;    ///< of the cells, or of the indicators' sum
-  double coarsen_fraction = 0.03;  ///< likewise
-  double refine_above = 0.;        ///< of a threshold
-  double coarsen_below = 0.;       ///< up to which cells are coarsened
+  double refine_fraction = 0.3;   ///< of the cells, or of the indicators' sum
+  double coarsen_fraction = 0.03; ///< likewise
+  double refine_above = 0.;       ///< of a threshold
+  double coarsen_below = 0.;      ///< up to which cells are coarsened
   unsigned int maximum_level = 10;
   unsigned int minimum_level = 0;
   double end_time = std::numeric_limits<double>::infinity(); ///< [s] after which the mesh stays

@@ -25,7 +25,7 @@ const Words<Partitioner> &partitioner_words();
 struct PartitionParameters
 {
   Partitioner partitioner = Partitioner::p4est;
-  double solid_weight = 1.;          ///< work of a cell of solid over that of a cell of fluid
+  double solid_weight = 1.; ///< work of a cell of solid over that of a cell of fluid
 
   /// Throws InputError.
   void read(ParameterSection mesh);
