@@ -150,7 +150,7 @@ void bench(const std::string &source_directory, const std::string &cells, Report
   for (const Material &material : problem.materials)
   {
     mass.push_back(step.a0 * material.density);
-    stiffness.push_back(material.viscosity + BranchHistory::step_stiffness(material, step));
+    stiffness.push_back(material.shear.viscosity + BranchHistory::step_stiffness(material, step));
   }
   dealii::TrilinosWrappers::SparseMatrix sum;
   sum_matrices(space, operators, mass, stiffness, sum);

@@ -119,9 +119,9 @@ void Bench<dim>::measure_naive()
   for (const Material &material : input.problem.materials)
   {
     coefficients.mass.push_back(first.a0 * material.density);
-    coefficients.stiffness.push_back(material.viscosity +
+    coefficients.stiffness.push_back(material.shear.viscosity +
                                      BranchHistory::step_stiffness(material, first));
-    coefficients.compressibility.push_back(material.inverse_bulk_modulus / first.pressure_time);
+    coefficients.compressibility.push_back(material.inverse_bulk_modulus() / first.pressure_time);
   }
   // A step multiplies once by each: inertia, branches, pressure of the past; 8 bytes of value and
   // 4 of index an entry.

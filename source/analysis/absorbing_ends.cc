@@ -153,7 +153,7 @@ void add_plane_end(Case<dim> &input,
           key, "the plane wave's impedance is one number at all frequencies, and nothing is fitted",
           "Remove the entry: it is for the ends of a 'tube'");
   const Material &liquid = input.problem.materials[0];
-  if (liquid.inverse_bulk_modulus == 0.)
+  if (liquid.is_incompressible())
     condition_section.refuse(
         "Type", "there is no wave that could leave an incompressible liquid without a wall",
         "Give it a 'Bulk modulus', or use 'pressure', 'resistance' or 'windkessel' here");
@@ -161,7 +161,7 @@ void add_plane_end(Case<dim> &input,
   outlet.conditions = {number};
   AbsorbingEnd end;
   end.name = condition.name;
-  end.impedance = liquid.density * acoustic_speed(liquid.density, liquid.inverse_bulk_modulus) /
+  end.impedance = liquid.density * acoustic_speed(liquid.density, liquid.inverse_bulk_modulus()) /
                   area_of(input, condition);
   outlet.impedance = Impedance::resistance(end.impedance);
   input.problem.outlets.push_back(outlet);

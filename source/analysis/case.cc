@@ -116,7 +116,10 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator, const bool res
       materials.refuse("", "the region '" + region + "' has no material",
                        "Add 'subsection " + region + "' with a Type to Materials");
     problem.materials.push_back(read_material(materials.subsection(region), problem.model));
-    if (problem.materials.back().power_law_modulus > 0. &&
+    if (problem.model == Model::plane_stress)
+      problem.plane_stress_factors.push_back(
+          read_plane_stress_factors(materials.subsection(region)));
+    if (problem.materials.back().has_power_law() &&
         materials.subsection(region).given("Relaxation table"))
       power_laws.note_table(region, materials.subsection(region));
   }

@@ -27,8 +27,8 @@ void check_pressure_level(const Case<dim> &input, ParameterSection root)
   const bool incompressible =
       std::all_of(input.problem.materials.begin(), input.problem.materials.end(),
                   [&](const Material &material) {
-                    return material.inverse_bulk_modulus == 0. ||
-                           (is_steady(input) && material.branches.empty());
+                    return material.is_incompressible() ||
+                           (is_steady(input) && material.shear.branches.empty());
                   });
   const bool enclosed =
       std::all_of(input.problem.conditions.begin(), input.problem.conditions.end(),
@@ -78,7 +78,7 @@ void check_modal(const Case<dim> &input, ParameterSection root)
     if (!material.is_solid())
       section.refuse("Type", "a modal analysis is of solids, which a fluid is not",
                      "Use Analysis = transient");
-    if (material.relaxes() || material.power_law_modulus > 0.)
+    if (material.relaxes())
       section.refuse("Type",
                      "this solid relaxes, so that its stiffness depends on the frequency and its "
                      "vibrations die away",
@@ -122,9 +122,9 @@ void check_steady(const Case<dim> &input, ParameterSection root)
   const std::vector<Material> &materials = input.problem.materials;
   const bool has_solid =
       std::any_of(materials.begin(), materials.end(),
-                  [](const Material &material) { return !material.branches.empty(); });
+                  [](const Material &material) { return !material.shear.branches.empty(); });
   for (unsigned int region = 0; region < materials.size(); ++region)
-    if (!materials[region].branches.empty() &&
+    if (!materials[region].shear.branches.empty() &&
         (materials[region].long_term_shear_modulus() == 0. ||
          std::isinf(materials[region].long_term_inverse_bulk_modulus())))
       root.subsection("Materials")
@@ -138,7 +138,7 @@ void check_steady(const Case<dim> &input, ParameterSection root)
       {
         const bool touches_solid = std::any_of(
             condition.region_ids.begin(), condition.region_ids.end(),
-            [&](const unsigned int region) { return !materials[region].branches.empty(); });
+            [&](const unsigned int region) { return !materials[region].shear.branches.empty(); });
         if (touches_solid && !part->is_zero())
           root.subsection("Boundaries")
               .subsection(condition.name)
@@ -193,8 +193,8 @@ void check_linear_solver(const Case<dim> &input, ParameterSection root)
   const bool incompressible =
       std::any_of(input.problem.materials.begin(), input.problem.materials.end(),
                   [&](const Material &material) {
-                    return material.inverse_bulk_modulus == 0. ||
-                           (is_steady(input) && material.branches.empty());
+                    return material.is_incompressible() ||
+                           (is_steady(input) && material.shear.branches.empty());
                   });
   if (solver == DirectSolver::cholmod && incompressible)
     section.refuse("Direct solver",
@@ -247,7 +247,7 @@ template <int dim>
 void check_power_laws(const Case<dim> &input, ParameterSection root)
 {
   for (unsigned int region = 0; region < input.problem.materials.size(); ++region)
-    if (is_steady(input) && input.problem.materials[region].power_law_modulus > 0.)
+    if (is_steady(input) && input.problem.materials[region].has_power_law())
       root.subsection("Materials")
           .subsection(input.problem.regions[region])
           .refuse("Type",

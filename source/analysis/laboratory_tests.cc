@@ -111,8 +111,10 @@ LaboratoryTests<dim>::LaboratoryTests(const Material &material,
       log(log),
       summary(summary),
       response(material),
-      law{material.power_law_modulus, material.power_law_exponent},
-      is_power_law(material.power_law_modulus > 0.)
+      law(material.has_power_law() ? PowerLawResponse{material.shear.power_law->modulus,
+                                                      material.shear.power_law->exponent}
+                                   : PowerLawResponse()),
+      is_power_law(material.has_power_law())
 {
 }
 

@@ -94,7 +94,7 @@ impedances_of(const Case<dim> &input, const std::vector<double> &positions, cons
     const std::complex<double> omega = 2. * dealii::numbers::PI * frequency;
     const LongWaveTube tube{section.inner_radius, section.wall_thickness(),
                             section.poisson_ratio(omega).real(), section.fluid.density,
-                            section.fluid.inverse_bulk_modulus};
+                            section.fluid.inverse_bulk_modulus()};
     const double speed =
         korteweg_speed(tube, section.membrane_modulus(omega),
                        section.tethered ? Anchoring::throughout : Anchoring::expansion_joints,
@@ -229,13 +229,13 @@ template <int dim>
 void LinearWaveTheory<dim>::describe(const TubeWaveTheory &theory, const TubeWaveCase &wave_case)
 {
   std::ostringstream text;
-  text << "Wave theory: " << run.input.wave_theory.level << ", "
+  text << "Wave theory: " << word_of(wave_level_words(), run.input.wave_theory.level) << ", "
        << wave_case.problem.segments.size()
        << (wave_case.problem.segments.size() == 1 ? " segment" : " segments") << ", up to "
        << theory.highest_frequency() << " Hz, transformed over " << theory.window()
        << " s, of which " << theory.wrap_round() << " wraps round";
   run.log.detail(text.str());
-  run.summary.set("wave theory", run.input.wave_theory.level);
+  run.summary.set("wave theory", word_of(wave_level_words(), run.input.wave_theory.level));
   run.citations.add("arb");
   if (!run.is_writer)
     return;

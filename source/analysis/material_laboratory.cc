@@ -104,7 +104,7 @@ void MaterialLaboratory::fit(const ParameterSection &section)
     lowest = std::min(lowest, 1. / (2. * PI * time.end_time));
     highest = std::max(highest, 1. / (10. * time.smallest_step()));
   }
-  const PronyFitParameters &asked = material.prony_fit;
+  const PronyFitParameters &asked = material.shear.power_law->prony_fit;
   if (asked.lowest_frequency > 0.)
     lowest = asked.lowest_frequency;
   if (asked.highest_frequency > 0.)
@@ -174,15 +174,15 @@ void MaterialLaboratory::report(Log &log, Summary &summary) const
   text.precision(6);
   if (is_power_law())
   {
-    text << name << ": relaxation modulus " << material.power_law_modulus << " Pa (t/1 s)^-"
-         << material.power_law_exponent;
+    text << name << ": relaxation modulus " << material.shear.power_law->modulus << " Pa (t/1 s)^-"
+         << material.shear.power_law->exponent;
     if (!table.file.empty())
       text << ", fitted to " << table.times.size() - table.first_used << " of "
            << table.times.size() << " rows of the table within " << std::setprecision(2)
            << fit_relaxation_test(table).misfit << " (root mean square)" << std::setprecision(6);
     log.line(text.str());
-    summary.add({"c", material.power_law_modulus, "Pa", name});
-    summary.add({"n", material.power_law_exponent, "1", name});
+    summary.add({"c", material.shear.power_law->modulus, "Pa", name});
+    summary.add({"n", material.shear.power_law->exponent, "1", name});
     if (!table.file.empty())
       summary.add({"misfit of the relaxation table", fit_relaxation_test(table).misfit, "1", name});
     text.str("");
@@ -240,9 +240,9 @@ void MaterialLaboratory::write_branches(const OutputDirectory &directory) const
 {
   // One row for each relaxation time, of the shear, of the volume change or of both; inf: a spring.
   std::vector<double> times;
-  for (const Branch &branch : material.branches)
+  for (const Branch &branch : material.shear.branches)
     times.push_back(branch.relaxation_time);
-  for (const BulkBranch &branch : material.bulk_branches)
+  for (const BulkBranch &branch : material.compression.bulk_branches())
     times.push_back(branch.relaxation_time);
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
@@ -251,14 +251,14 @@ void MaterialLaboratory::write_branches(const OutputDirectory &directory) const
   for (const double relaxation_time : times)
   {
     double shear = 0., bulk = 0.;
-    for (const Branch &branch : material.branches)
+    for (const Branch &branch : material.shear.branches)
       if (branch.relaxation_time == relaxation_time)
         shear += branch.shear_modulus;
-    for (const BulkBranch &branch : material.bulk_branches)
+    for (const BulkBranch &branch : material.compression.bulk_branches())
       if (branch.relaxation_time == relaxation_time)
         bulk += branch.bulk_modulus;
-    if (material.bulk_branches.empty() && std::isinf(relaxation_time))
-      bulk = 1. / material.inverse_bulk_modulus;
+    if (material.compression.bulk_branches().empty() && std::isinf(relaxation_time))
+      bulk = 1. / material.inverse_bulk_modulus();
     table.row({relaxation_time, shear, bulk});
   }
   table.flush();
@@ -272,9 +272,9 @@ void MaterialLaboratory::write_table(const OutputDirectory &directory) const
   {
     const double law_time = table.law_time(i);
     rows.row({table.times[i], table.moduli[i],
-              law_time > 0.
-                  ? material.power_law_modulus * std::pow(law_time, -material.power_law_exponent)
-                  : std::numeric_limits<double>::quiet_NaN(),
+              law_time > 0. ? material.shear.power_law->modulus *
+                                  std::pow(law_time, -material.shear.power_law->exponent)
+                            : std::numeric_limits<double>::quiet_NaN(),
               i < table.first_used ? 0. : 1.});
   }
   rows.flush();

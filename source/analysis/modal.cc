@@ -74,7 +74,7 @@ void Modal<dim>::prepare()
   if (input.modal.highest() && !vibration->has_acceleration())
     throw RunError("this formulation has no highest modes; set Modal/Which = lowest");
   for (unsigned int region = 0; region < input.problem.materials.size(); ++region)
-    if (input.problem.materials[region].viscosity > 0.)
+    if (input.problem.materials[region].shear.viscosity > 0.)
       run.log.line("The viscosity of '" + input.problem.regions[region] +
                    "' is left out: modes are those without damping");
   directions = vibration->directions();

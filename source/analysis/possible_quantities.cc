@@ -86,11 +86,11 @@ QuantityNames possible_quantities(const Case<dim> &input)
 
   std::vector<bool> relaxes;
   for (const Material &material : problem.materials)
-    relaxes.push_back(material.relaxes() || material.power_law_modulus > 0.);
+    relaxes.push_back(material.relaxes());
   PowerRecord<dim>::name_quantities(problem.regions, relaxes, problem.outlets,
                                     input.adaptation.changes_mesh(), names);
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
-    if (problem.materials[region].power_law_modulus > 0.)
+    if (problem.materials[region].has_power_law())
       names.add("Prony fit error", problem.regions[region]);
   for (const BoundaryCondition &condition : problem.conditions)
     if (condition.type == BoundaryType::absorbing)

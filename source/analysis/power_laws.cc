@@ -43,10 +43,10 @@ void PowerLaws::fit(Problem &problem, const TimeParameters &time, ParameterSecti
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
     Material &material = problem.materials[region];
-    if (material.power_law_modulus == 0.)
+    if (!material.has_power_law())
       continue;
     const ParameterSection section = materials.subsection(problem.regions[region]);
-    const PronyFitParameters &asked = material.prony_fit;
+    const PronyFitParameters &asked = material.shear.power_law->prony_fit;
     const double highest =
         asked.highest_frequency > 0. ? asked.highest_frequency : 1. / (10. * smallest_step);
     // A run of a few steps has no band of its own.
@@ -62,7 +62,7 @@ PronySeries PowerLaws::fit(Material &material,
                            const double highest_frequency,
                            const ParameterSection &section)
 {
-  const PronyFitParameters &asked = material.prony_fit;
+  const PronyFitParameters &asked = material.shear.power_law->prony_fit;
   const auto band = [&]()
   {
     return "from " + shortest_number(lowest_frequency) + " to " +
@@ -145,7 +145,7 @@ void PowerLaws::load(const ArchiveReader &archive, Problem &problem, const TimeP
   smallest_step = time.smallest_step();
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
-    if (problem.materials[region].power_law_modulus == 0.)
+    if (!problem.materials[region].has_power_law())
       continue;
     PronySeries &prony = series[problem.regions[region]];
     const std::string name = "Prony series of " + problem.regions[region] + ": ";

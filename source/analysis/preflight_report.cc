@@ -44,8 +44,8 @@ struct SectionWaves
   SectionWaves(const TubeSection &section, const double omega)
       : young(section.membrane_modulus(omega)),
         tube{{section.inner_radius, section.wall_thickness(), section.poisson_ratio(omega).real(),
-              section.fluid.density, section.fluid.inverse_bulk_modulus},
-             section.fluid.viscosity,
+              section.fluid.density, section.fluid.inverse_bulk_modulus()},
+             section.fluid.shear.viscosity,
              section.wall_density()}
   {
   }
@@ -118,7 +118,7 @@ void PreflightReport::report_regions()
     if (!material.is_solid())
     {
       add("speed of sound, " + region.name,
-          acoustic_speed(material.density, material.inverse_bulk_modulus), "m/s");
+          acoustic_speed(material.density, material.inverse_bulk_modulus()), "m/s");
       continue;
     }
     const Complex shear = std::sqrt(material.complex_shear_modulus(omega) / material.density);
@@ -186,8 +186,9 @@ void PreflightReport::report_tube()
   if (std::isfinite(loss))
     add("loss over the length", loss, "1", "of the amplitude, by viscosity and by the wall");
 
-  if (fluid.viscosity > 0.)
-    add("Womersley number", Womersley(radius, fluid.density, fluid.viscosity).number(omega), "1");
+  if (fluid.shear.viscosity > 0.)
+    add("Womersley number", Womersley(radius, fluid.density, fluid.shear.viscosity).number(omega),
+        "1");
   add("added-mass ratio", fluid.density * radius / (near.section.wall_density() * thickness), "1",
       "rho_f R / (rho_s h)");
   if (fluid_mass > 0.)
@@ -213,10 +214,11 @@ void PreflightReport::report_tube_mesh(const double wavelength)
          << least_nodes_per_wavelength << ": the mesh disperses the wave; take more axial cells";
     warning_list.push_back(text.str());
   }
-  if (fluid.viscosity == 0.)
+  if (fluid.shear.viscosity == 0.)
     return;
-  const double layer = Womersley(input.ends[0].section.inner_radius, fluid.density, fluid.viscosity)
-                           .layer_thickness(reference_angular_frequency());
+  const double layer =
+      Womersley(input.ends[0].section.inner_radius, fluid.density, fluid.shear.viscosity)
+          .layer_thickness(reference_angular_frequency());
   add("Stokes layer", layer, "m", "sqrt(2 nu / omega)");
   add("fluid cells in the Stokes layer", layer / input.normal_cell, "1",
       "the thickest cells at the wall, " + text_of(input.normal_cell, "m"));
@@ -296,7 +298,7 @@ void PreflightReport::report_body_mesh()
     const double speed = material.is_solid()
                              ? SectionWaves::phase_speed_of(std::sqrt(
                                    material.complex_shear_modulus(omega) / material.density))
-                             : acoustic_speed(material.density, material.inverse_bulk_modulus);
+                             : acoustic_speed(material.density, material.inverse_bulk_modulus());
     const double cells = speed / frequency / region.largest_cell;
     if (std::isfinite(cells))
       add("cells per wavelength, " + region.name, cells, "1",
@@ -353,7 +355,7 @@ void PreflightReport::report_stiffest_mode()
     const double speed =
         region.material.is_solid()
             ? region.material.longitudinal_speed()
-            : acoustic_speed(region.material.density, region.material.inverse_bulk_modulus);
+            : acoustic_speed(region.material.density, region.material.inverse_bulk_modulus());
     fastest = std::max(fastest, speed / region.smallest_cell);
   }
   const double courant = fastest * input.step.size();

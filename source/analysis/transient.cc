@@ -23,7 +23,7 @@ std::vector<bool> relaxing_regions(const std::vector<Material> &materials)
 {
   std::vector<bool> relaxing;
   for (const Material &material : materials)
-    relaxing.push_back(material.relaxes() || material.power_law_modulus > 0.);
+    relaxing.push_back(material.relaxes());
   return relaxing;
 }
 } // namespace

@@ -40,7 +40,7 @@ double impedance_of_branches(const Material &fluid, const WaveTheoryParameters &
   {
     const double radius = 0.5 * parameters.branch_diameters[i];
     const LongWaveTube branch{radius, parameters.branch_wall_thicknesses[i], 0.5, fluid.density,
-                              fluid.inverse_bulk_modulus};
+                              fluid.inverse_bulk_modulus()};
     const Complex speed = korteweg_speed(branch, parameters.branch_youngs_moduli[i],
                                          Anchoring::expansion_joints, WallTheory::thick);
     admittance +=

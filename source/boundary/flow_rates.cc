@@ -35,10 +35,10 @@ void set_flow_profiles(std::vector<BoundaryCondition> &conditions,
         section.refuse("Profile", "a steady flow has no womersley profile",
                        "Use 'parabolic', which is what that becomes");
       const Material &liquid = materials[*condition.region_ids.begin()];
-      if (condition.region_ids.size() > 1 || liquid.is_solid() || liquid.viscosity <= 0.)
+      if (condition.region_ids.size() > 1 || liquid.is_solid() || liquid.shear.viscosity <= 0.)
         section.refuse("Profile", "a womersley profile is for one viscous liquid",
                        "Use 'flat' or 'parabolic', or name the liquid's 'Region'");
-      history = {liquid.viscosity / liquid.density, times.end_time, times.time_step};
+      history = {liquid.shear.viscosity / liquid.density, times.end_time, times.time_step};
     }
     condition.normal.flow = std::make_shared<const FlowProfile>(
         *condition.profile, condition.normal.along_normal, disc.radius, disc.fraction, history);

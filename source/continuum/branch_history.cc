@@ -72,7 +72,7 @@ BranchHistory::BranchHistory(const std::vector<Material> &materials) : materials
   for (const Material &material : materials)
   {
     Region region;
-    for (const Continua::Branch &branch : material.branches)
+    for (const Continua::Branch &branch : material.shear.branches)
     {
       if (std::isinf(branch.relaxation_time))
       {
@@ -153,7 +153,7 @@ bool BranchHistory::mix_values(const unsigned int number,
                                DistributedVector &mixture,
                                const WeightsOf &weights_of) const
 {
-  if (materials[number].branches.empty())
+  if (materials[number].shear.branches.empty())
     return false;
   update_nodes();
   Region &region = regions[number];
@@ -192,7 +192,7 @@ bool BranchHistory::predict(const unsigned int region,
   if (!mix_values(region, mixture, weights_of))
     return false;
   double of_velocity = 0.;
-  for (const Continua::Branch &branch : materials[region].branches)
+  for (const Continua::Branch &branch : materials[region].shear.branches)
     of_velocity += branch.shear_modulus * step.branch(branch.relaxation_time).velocity_old;
   if (of_velocity != 0.)
     for (const unsigned int i : regions[region].nodes)
@@ -292,7 +292,7 @@ void BranchHistory::forgotten_velocity(const double relaxation_time,
 double BranchHistory::step_stiffness(const Material &material, const Step &step)
 {
   double sum = 0.;
-  for (const Continua::Branch &branch : material.branches)
+  for (const Continua::Branch &branch : material.shear.branches)
     sum += branch.shear_modulus * step.branch(branch.relaxation_time).velocity;
   return sum;
 }

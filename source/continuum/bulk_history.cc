@@ -22,7 +22,8 @@ void BulkHistory::reinit(const DistributedVector &prototype,
       region.balanced_rate.reinit(prototype);
       // Cleared first: an assignment to the old ones would keep their layout.
       region.dilatations.clear();
-      region.dilatations.assign(materials[r].bulk_branches.size(), {region.rate, region.rate});
+      region.dilatations.assign(materials[r].compression.bulk_branches().size(),
+                                {region.rate, region.rate});
     }
 }
 
@@ -32,7 +33,7 @@ void BulkHistory::start(const DistributedVector &pressure)
     for (Dilatation &dilatation : of_region[r].dilatations)
       for (const unsigned int i : of_region[r].nodes)
         dilatation.present.begin()[i] = dilatation.older.begin()[i] =
-            -materials[r].inverse_bulk_modulus * pressure.begin()[i];
+            -materials[r].inverse_bulk_modulus() * pressure.begin()[i];
 }
 
 void BulkHistory::jump(const DistributedVector &pressure_change)
@@ -41,7 +42,7 @@ void BulkHistory::jump(const DistributedVector &pressure_change)
     for (Dilatation &dilatation : of_region[r].dilatations)
       for (const unsigned int i : of_region[r].nodes)
       {
-        const double change = -materials[r].inverse_bulk_modulus * pressure_change.begin()[i];
+        const double change = -materials[r].inverse_bulk_modulus() * pressure_change.begin()[i];
         dilatation.present.begin()[i] += change;
         dilatation.older.begin()[i] += change;
       }
@@ -50,15 +51,16 @@ void BulkHistory::jump(const DistributedVector &pressure_change)
 double BulkHistory::step_modulus(const Material &material, const Step &step)
 {
   double sum = 0.;
-  for (const BulkBranch &branch : material.bulk_branches)
+  for (const BulkBranch &branch : material.compression.bulk_branches())
     sum += branch.bulk_modulus * step.branch(branch.relaxation_time).velocity;
   return sum;
 }
 
 double BulkHistory::step_compressibility(const Material &material, const Step &step)
 {
-  return material.bulk_branches.empty() ? material.inverse_bulk_modulus / step.pressure_time
-                                        : 1. / step_modulus(material, step);
+  return material.compression.bulk_branches().empty()
+             ? material.inverse_bulk_modulus() / step.pressure_time
+             : 1. / step_modulus(material, step);
 }
 
 void BulkHistory::predict(const unsigned int r, const Step &step, DistributedVector &pressure) const
@@ -69,7 +71,7 @@ void BulkHistory::predict(const unsigned int r, const Step &step, DistributedVec
     entries[i] = 0.;
   for (unsigned int k = 0; k < region.dilatations.size(); ++k)
   {
-    const BulkBranch &branch = materials[r].bulk_branches[k];
+    const BulkBranch &branch = materials[r].compression.bulk_branches()[k];
     const BranchCoefficients c = step.branch(branch.relaxation_time);
     const double *const present = region.dilatations[k].present.begin();
     const double *const older = region.dilatations[k].older.begin();
@@ -94,7 +96,8 @@ void BulkHistory::advance(const Step &step, const DistributedVector &pressure)
         balanced[i] = inverse_modulus * (balanced[i] - pressure.begin()[i]);
       for (unsigned int k = 0; k < region.dilatations.size(); ++k)
       {
-        const BranchCoefficients c = step.branch(materials[r].bulk_branches[k].relaxation_time);
+        const BranchCoefficients c =
+            step.branch(materials[r].compression.bulk_branches()[k].relaxation_time);
         const double *const present = region.dilatations[k].present.begin();
         double *const next = region.dilatations[k].older.begin();
         for (const unsigned int i : region.nodes)
@@ -127,7 +130,7 @@ void BulkHistory::forgotten_rate(const unsigned int r,
                                  const Step &step,
                                  DistributedVector &forgotten) const
 {
-  const double relaxation_time = materials[r].bulk_branches[branch].relaxation_time;
+  const double relaxation_time = materials[r].compression.bulk_branches()[branch].relaxation_time;
   if (!step.branch_is_exponential(relaxation_time))
   {
     balanced_dilatation(r, branch, step, forgotten);

@@ -63,7 +63,7 @@ public:
                           TermContext &context) const override
   {
     double sum = 0.;
-    for (const Branch &branch : context.problem.materials[region].branches)
+    for (const Branch &branch : context.problem.materials[region].shear.branches)
       if (!std::isinf(branch.relaxation_time))
       {
         context.history.balanced_displacement(branch.relaxation_time, step.step, context.mixture);
@@ -77,7 +77,7 @@ public:
   double energy(const unsigned int region, const State &state, TermContext &context) const override
   {
     double sum = 0.;
-    for (const Branch &branch : context.problem.materials[region].branches)
+    for (const Branch &branch : context.problem.materials[region].shear.branches)
     {
       const DistributedVector &internal =
           state.history.internal_displacement(branch.relaxation_time);
@@ -97,7 +97,7 @@ public:
                TermContext &context,
                DistributedVector *const forces) const override
   {
-    const double viscosity = context.problem.materials[region].viscosity;
+    const double viscosity = context.problem.materials[region].shear.viscosity;
     if (viscosity == 0.)
       return 0.;
     context.operators.multiply_stiffness(region, context.force, step.balanced.velocity);
@@ -128,7 +128,7 @@ public:
                           TermContext &context) const override
   {
     double sum = 0.;
-    const std::vector<BulkBranch> &branches = context.problem.materials[region].bulk_branches;
+    const std::vector<BulkBranch> &branches = context.problem.materials[region].compression.bulk_branches();
     for (unsigned int k = 0; k < branches.size(); ++k)
       if (!std::isinf(branches[k].relaxation_time))
       {
@@ -143,14 +143,14 @@ public:
   {
     const Material &material = context.problem.materials[region];
     double sum = 0.;
-    for (unsigned int k = 0; k < material.bulk_branches.size(); ++k)
+    for (unsigned int k = 0; k < material.compression.bulk_branches().size(); ++k)
     {
       const DistributedVector &internal = context.bulk_history.internal_dilatation(region, k);
-      sum += 0.5 * material.bulk_branches[k].bulk_modulus *
+      sum += 0.5 * material.compression.bulk_branches()[k].bulk_modulus *
              context.operators.pressure_product(region, internal, internal);
     }
-    if (material.bulk_branches.empty())
-      sum += 0.5 * material.inverse_bulk_modulus *
+    if (material.compression.bulk_branches().empty())
+      sum += 0.5 * material.inverse_bulk_modulus() *
              context.operators.pressure_product(region, state.pressure, state.pressure);
     return sum;
   }

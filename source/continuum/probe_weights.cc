@@ -83,9 +83,9 @@ double ProbeWeights::share(const State &state, const std::vector<Material> &mate
       break;
     case Source::mixture:
       const Material &material = materials[part.region];
-      if (material.viscosity != 0.)
-        add(material.viscosity, state.velocity);
-      for (const Branch &branch : material.branches)
+      if (material.shear.viscosity != 0.)
+        add(material.shear.viscosity, state.velocity);
+      for (const Branch &branch : material.shear.branches)
         add(branch.shear_modulus, state.history.internal_displacement(branch.relaxation_time));
       break;
     }

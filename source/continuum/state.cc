@@ -9,7 +9,7 @@ void set_mixture(const State &state,
 {
   mixture = 0.;
   state.history.mix(region, mixture);
-  if (material.viscosity != 0.)
-    mixture.add(material.viscosity, state.velocity);
+  if (material.shear.viscosity != 0.)
+    mixture.add(material.shear.viscosity, state.velocity);
 }
 } // namespace Continua

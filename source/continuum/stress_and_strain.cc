@@ -29,7 +29,7 @@ template <int dim>
 std::array<double, 6> strain(const Tensor<2, dim> &gradient,
                              const double hoop,
                              const Model model,
-                             const Material &material)
+                             const PlaneStressFactors &plane_stress)
 {
   std::array<double, 6> result = {{0., 0., 0., 0., 0., 0.}};
   for (unsigned int c = 0; c < dim; ++c)
@@ -37,7 +37,7 @@ std::array<double, 6> strain(const Tensor<2, dim> &gradient,
   if (model == Model::axisymmetric)
     result[2] = hoop;
   if (model == Model::plane_stress)
-    result[2] = material.thickness_strain_factor * (result[0] + result[1]);
+    result[2] = plane_stress.thickness_strain_factor * (result[0] + result[1]);
   for (unsigned int k = 3; k < n_stresses<dim>(); ++k)
     result[k] = 0.5 * (gradient[stress_pairs[k][0]][stress_pairs[k][1]] +
                        gradient[stress_pairs[k][1]][stress_pairs[k][0]]);
@@ -62,8 +62,10 @@ Tensor<1, dim> traction(const std::array<double, 6> &stress, const Tensor<1, dim
 
 template std::array<double, 6> stress(const Tensor<2, 2> &, double, double, Model);
 template std::array<double, 6> stress(const Tensor<2, 3> &, double, double, Model);
-template std::array<double, 6> strain(const Tensor<2, 2> &, double, Model, const Material &);
-template std::array<double, 6> strain(const Tensor<2, 3> &, double, Model, const Material &);
+template std::array<double, 6>
+strain(const Tensor<2, 2> &, double, Model, const PlaneStressFactors &);
+template std::array<double, 6>
+strain(const Tensor<2, 3> &, double, Model, const PlaneStressFactors &);
 template Tensor<1, 2> traction(const std::array<double, 6> &, const Tensor<1, 2> &);
 template Tensor<1, 3> traction(const std::array<double, 6> &, const Tensor<1, 3> &);
 } // namespace Continua

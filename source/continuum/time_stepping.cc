@@ -316,14 +316,14 @@ bool TimeStepping::steady_is_direct() const
 {
   bool all_solid = true, all_fluid = true;
   for (const Material &material : problem.materials)
-    (material.branches.empty() ? all_solid : all_fluid) = false;
+    (material.shear.branches.empty() ? all_solid : all_fluid) = false;
   return all_solid || all_fluid;
 }
 
 void TimeStepping::solve_steady(const double time)
 {
   AssertThrow(steady_is_direct(), ExcInternalError());
-  const bool solid = !problem.materials.front().branches.empty();
+  const bool solid = !problem.materials.front().shear.branches.empty();
   StepReport report;
   {
     TimerOutput::Scope scope(log.timer(), "factor");

@@ -177,7 +177,7 @@ void FieldEvaluation<dim>::add_value(const FieldDefinition<dim> &field,
     }
     return;
   }
-  double pressure_weight = problem.materials[region].pressure_factor;
+  double pressure_weight = problem.plane_stress(region).pressure_factor;
   if (field.quantity != Quantity::pressure)
   {
     // The stress is linear in the mixture and the pressure, the strain in the displacement, so
@@ -194,9 +194,9 @@ void FieldEvaluation<dim>::add_value(const FieldDefinition<dim> &field,
       double hoop = 0.;
       if (space.is_axisymmetric() && c == 1)
         hoop = r > 0. ? values.shape_value(i, q) / r : gradient[1][1];
-      const double unit =
-          combine(is_strain ? strain<dim>(gradient, hoop, problem.model, problem.materials[region])
-                            : stress<dim>(gradient, hoop, 0., problem.model));
+      const double unit = combine(
+          is_strain ? strain<dim>(gradient, hoop, problem.model, problem.plane_stress(region))
+                    : stress<dim>(gradient, hoop, 0., problem.model));
       if (unit != 0.)
         space.velocity_hanging.distribute_local_to_global(indices[i], weight * unit, target);
     }
@@ -279,7 +279,7 @@ double FieldEvaluation<dim>::error_norm(const State &state,
         std::array<double, 6> present = {{0., 0., 0., 0., 0., 0.}};
         const double p = pressures[q][space.pressure_component(region)];
         if (is_pressure)
-          present[0] = problem.materials[region].pressure_factor * p;
+          present[0] = problem.plane_stress(region).pressure_factor * p;
         else if (is_stress)
         {
           Tensor<2, dim> gradient;

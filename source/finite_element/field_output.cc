@@ -86,7 +86,7 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
         const double p = pressures[q][space.pressure_component(region)];
         if (component == 0)
         {
-          cell_fields[indices[i]] = material.pressure_factor * p;
+          cell_fields[indices[i]] = problem.plane_stress(region).pressure_factor * p;
           continue;
         }
         Tensor<2, dim> gradient;

@@ -54,7 +54,7 @@ struct PressureCompressibility
       const auto global = space.pressure_owned.nth_index_in_set(i);
       double &entry = diagonal.begin()[i];
       for (unsigned int region = 0; region < operators.size(); ++region)
-        entry += problem.materials[region].inverse_bulk_modulus *
+        entry += problem.materials[region].inverse_bulk_modulus() *
                  operators[region].pressure_mass.el(global, global);
       if (entry == 0. || space.pressure_hanging.is_constrained(global))
       {
@@ -73,10 +73,10 @@ struct PressureCompressibility
     DistributedVector product(source);
     target = 0.;
     for (unsigned int region = 0; region < operators.size(); ++region)
-      if (problem.materials[region].inverse_bulk_modulus > 0.)
+      if (!problem.materials[region].is_incompressible())
       {
         multiply(operators[region].pressure_mass, product, source);
-        target.add(problem.materials[region].inverse_bulk_modulus, product);
+        target.add(problem.materials[region].inverse_bulk_modulus(), product);
       }
     set_idle_to_zero(target);
   }
@@ -129,7 +129,7 @@ void warn_of_volume_change(const Space<dim> &space,
 {
   DistributedVector divergence = space.pressure_vector(), strain = space.velocity_vector();
   for (unsigned int region = 0; region < operators.size(); ++region)
-    if (problem.materials[region].inverse_bulk_modulus == 0.)
+    if (problem.materials[region].is_incompressible())
     {
       multiply(operators[region].divergence, divergence, field);
       multiply(operators[region].stiffness, strain, field);
@@ -175,7 +175,7 @@ void set_initial_state(const Space<dim> &space,
     // The mean pressure is given; in plane stress the unknown is another multiple of it.
     std::vector<double> factors;
     for (unsigned int component = 0; component < by_component.size(); ++component)
-      factors.push_back(problem.materials[component].pressure_factor);
+      factors.push_back(problem.plane_stress(component).pressure_factor);
     VectorTools::interpolate(space.mapping, space.pressure_dofs,
                              ExpressionFunction<dim>(by_component, factors), pressure);
   }
@@ -200,8 +200,7 @@ void set_initial_state(const Space<dim> &space,
   difference.add(-1., pressure);
   double square = 0., scale = 0.;
   for (unsigned int region = 0; region < operators.size(); ++region)
-    if (problem.materials[region].phase() == 1. &&
-        problem.materials[region].inverse_bulk_modulus > 0.)
+    if (problem.materials[region].phase() == 1. && !problem.materials[region].is_incompressible())
     {
       multiply(operators[region].pressure_mass, product, difference);
       square += product * difference;

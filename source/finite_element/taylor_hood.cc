@@ -69,7 +69,7 @@ std::vector<unsigned int> TaylorHood<dim>::pressures_without_history() const
                     volume = compressible;
   one = 1.;
   for (unsigned int region = 0; region < operators.size(); ++region)
-    if (problem.materials[region].inverse_bulk_modulus > 0.)
+    if (!problem.materials[region].is_incompressible())
     {
       multiply(operators[region].pressure_mass, volume, one);
       compressible.add(1., volume);

@@ -160,7 +160,7 @@ void CellEvaluation<dim>::add_value(const FieldDefinition<dim> &field,
 {
   using Quantity = typename FieldDefinition<dim>::Quantity;
   const unsigned int region = space.mesh.cells()[place.cell].material_id;
-  const Material &material = problem.materials[region];
+  const PlaneStressFactors plane_stress = problem.plane_stress(region);
   const std::array<double, 6> factors = field.factors(point);
   const auto combine = [&factors](const std::array<double, 6> &components)
   { return std::inner_product(factors.begin(), factors.end(), components.begin(), 0.); };
@@ -180,14 +180,14 @@ void CellEvaluation<dim>::add_value(const FieldDefinition<dim> &field,
         add(target, dim * entry.first + c, weight * factors[c] * entry.second);
     return;
   }
-  double of_pressure = material.pressure_factor;
+  double of_pressure = plane_stress.pressure_factor;
   if (field.quantity != Quantity::pressure)
   {
     // Stress and strain are linear in the gradient, so the weights are those of unit entries.
     const bool is_strain = field.quantity == Quantity::strain;
     const auto unit = [&](const Tensor<2, dim> &gradient, const double hoop)
     {
-      return combine(is_strain ? strain<dim>(gradient, hoop, problem.model, material)
+      return combine(is_strain ? strain<dim>(gradient, hoop, problem.model, plane_stress)
                                : stress<dim>(gradient, hoop, 0., problem.model));
     };
     DistributedVector &target = is_strain ? collector.weights(Source::displacement)
@@ -258,7 +258,7 @@ double CellEvaluation<dim>::error_norm(const State &state,
   for (unsigned int cell = 0; cell < space.mesh.n_owned_cells(); ++cell)
   {
     const FiniteVolume<dim> &volume = space.mesh.cells()[cell];
-    const Material &material = problem.materials[volume.material_id];
+    const double pressure_factor = problem.plane_stress(volume.material_id).pressure_factor;
     const CellPlace place{cell, CellPlace::none};
     values.reinit(volume.iterator);
     for (const unsigned int q : values.quadrature_point_indices())
@@ -269,8 +269,7 @@ double CellEvaluation<dim>::error_norm(const State &state,
         coordinates[c] = point[c];
       std::array<double, 6> present = {{0., 0., 0., 0., 0., 0.}};
       if (is_pressure)
-        present[0] =
-            material.pressure_factor * linear.value(linear.pressure(place, point), pressure);
+        present[0] = pressure_factor * linear.value(linear.pressure(place, point), pressure);
       else if (is_stress)
         present = stress_at(place, point, vectors[volume.material_id], pressure);
       else

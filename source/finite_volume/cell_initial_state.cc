@@ -51,7 +51,7 @@ void set_initial_values(const CellSpace<dim> &space,
         if (!data.initial_pressure.empty())
           pressure.begin()[space.local_pressure(pressure_value)] =
               evaluate(data.initial_pressure[region], point) /
-              problem.materials[region].pressure_factor;
+              problem.plane_stress(region).pressure_factor;
       });
 }
 

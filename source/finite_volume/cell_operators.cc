@@ -13,7 +13,7 @@ TractionCoefficients traction_coefficients(const Material &material,
 {
   TractionCoefficients result;
   // A fluid's stress has one modulus; what its stencil could be made of is its viscosity.
-  if (material.branches.empty())
+  if (material.shear.branches.empty())
     return result;
   const double shear_modulus = material.instantaneous_shear_modulus();
   const bool pressure_is_apart = parameters.has_pressure();
@@ -22,10 +22,10 @@ TractionCoefficients traction_coefficients(const Material &material,
     choice = parameters.formulation == Formulation::velocity_pressure
                  ? StencilCoefficient::deviatoric
                  : StencilCoefficient::longitudinal;
-  if (material.inverse_bulk_modulus == 0. &&
+  if (material.is_incompressible() &&
       (!pressure_is_apart || choice == StencilCoefficient::longitudinal))
     throw std::invalid_argument("an incompressible solid has no finite longitudinal modulus");
-  const double bulk_ratio = 1. / (material.inverse_bulk_modulus * shear_modulus);
+  const double bulk_ratio = 1. / (material.inverse_bulk_modulus() * shear_modulus);
   if (choice == StencilCoefficient::longitudinal)
     result.stencil_ratio = bulk_ratio + 4. / 3.;
   else if (choice == StencilCoefficient::deviatoric)
@@ -219,7 +219,7 @@ private:
     // pressure; a solid's is as good there as where the traction is given.
     const bool of_solid =
         surface.at_boundary() &&
-        !problem.materials[mesh.cells()[surface.cell(side)].material_id].branches.empty();
+        !problem.materials[mesh.cells()[surface.cell(side)].material_id].shear.branches.empty();
     if (traction_is_given || (of_solid && type == BoundaryPressure::definition))
       return type;
     return BoundaryPressure::momentum;

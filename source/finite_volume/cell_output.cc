@@ -61,7 +61,7 @@ std::map<std::string, std::string> CellOutput<dim>::add(const State &state, Data
     for (const DistributedVector *vector : {&state.velocity, &state.history.displacement()})
       for (unsigned int c = 0; c < dim; ++c)
         values.push_back(vector->begin()[first + c]);
-    values.push_back(material.pressure_factor *
+    values.push_back(problem.plane_stress(volume.material_id).pressure_factor *
                      state.pressure.begin()[space.local_pressure(space.pressures.of_cell(number))]);
     const std::array<double, 6> stress = evaluation.stress_at(
         {number, CellPlace::none}, volume.centre, mixtures[volume.material_id], pressure);

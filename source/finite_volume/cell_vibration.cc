@@ -89,7 +89,7 @@ template <int dim>
 bool CellVibration<dim>::has_acceleration() const
 {
   return std::all_of(system.problem.materials.begin(), system.problem.materials.end(),
-                     [](const Material &material) { return material.inverse_bulk_modulus > 0.; });
+                     [](const Material &material) { return !material.is_incompressible(); });
 }
 
 template <int dim>

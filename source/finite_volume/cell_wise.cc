@@ -48,7 +48,7 @@ make_solve(const CellSystem<dim> &system, Log &log, const double &start_of_step)
 double correction_modulus(const Material &material, const CellWiseParameters &parameters)
 {
   const double mu = material.instantaneous_shear_modulus();
-  const double inverse_bulk = material.inverse_bulk_modulus;
+  const double inverse_bulk = material.inverse_bulk_modulus();
   const bool is_nearly_incompressible = inverse_bulk * 8. / 3. * mu < 1.;
   return is_nearly_incompressible &&
                  parameters.stencil_coefficient != StencilCoefficient::longitudinal
@@ -134,7 +134,7 @@ std::vector<unsigned int> CellWise<dim>::pressures_without_history() const
   // A face's goes with its cell's.
   std::vector<bool> has_history(space.pressures.n_owned(), false);
   for (unsigned int region = 0; region < operators.size(); ++region)
-    if (problem.materials[region].inverse_bulk_modulus > 0.)
+    if (!problem.materials[region].is_incompressible())
       for (unsigned int i = 0; i < has_history.size(); ++i)
         if (operators[region].pressure_volume.begin()[i] > 0.)
           has_history[i] = true;
@@ -144,7 +144,7 @@ std::vector<unsigned int> CellWise<dim>::pressures_without_history() const
     for (unsigned int side = 0; surface.has_value() && side < surface.n_sides(); ++side)
     {
       const FiniteVolume<dim> &cell = space.mesh.cells()[surface.cell(side)];
-      if (cell.is_owned && problem.materials[cell.material_id].inverse_bulk_modulus > 0.)
+      if (cell.is_owned && !problem.materials[cell.material_id].is_incompressible())
         has_history[space.local_pressure(space.pressures.of_face(face, side))] = true;
     }
   }
@@ -296,7 +296,7 @@ CellCoefficients CellWise<dim>::cell_coefficients(const SystemCoefficients &coef
     const double least = 1e-12 * coefficients.mass[region] * smallest_distance * smallest_distance;
     result.stiffness.push_back(std::max(coefficients.stiffness[region], least));
     const bool of_increment =
-        parameters.rhie_chow == RhieChow::increment && !material.branches.empty();
+        parameters.rhie_chow == RhieChow::increment && !material.shear.branches.empty();
     result.increment_mobility.push_back(
         of_increment ? 1. / (correction_modulus(material, parameters) * pressure_time) : 0.);
   }
@@ -490,9 +490,9 @@ void CellWise<dim>::set_pressure_of_displacement(const DistributedVector &displa
     multiply(of_region.divergence, pressure_work, displacement);
     for (unsigned int i = 0; i < pressure_work.locally_owned_size(); ++i)
       if (of_region.pressure_volume.begin()[i] != 0. &&
-          problem.materials[region].inverse_bulk_modulus > 0.)
+          !problem.materials[region].is_incompressible())
         pressure.begin()[i] -= pressure_work.begin()[i] / of_region.pressure_volume.begin()[i] /
-                               problem.materials[region].inverse_bulk_modulus;
+                               problem.materials[region].inverse_bulk_modulus();
   }
   // Faces without an equation of state have the pressure of their cell, extrapolated.
   multiply(closure.matrix, pressure_work, pressure);

@@ -11,8 +11,9 @@ namespace
 /// One spring that never relaxes, and nothing else.
 bool is_hookean(const Material &material)
 {
-  return material.branches.size() == 1 && std::isinf(material.branches.front().relaxation_time) &&
-         material.viscosity == 0. && material.bulk_branches.empty();
+  return material.shear.branches.size() == 1 &&
+         std::isinf(material.shear.branches.front().relaxation_time) &&
+         material.shear.viscosity == 0. && material.compression.bulk_branches().empty();
 }
 
 void check_materials(const Problem &problem,
@@ -30,12 +31,12 @@ void check_materials(const Problem &problem,
                      "the displacement and the velocity form have no stress but that of a Hookean "
                      "solid's displacement",
                      "Set Cell-wise/Formulation = velocity-pressure");
-    if (formulation != Formulation::velocity_pressure && material.inverse_bulk_modulus == 0.)
+    if (formulation != Formulation::velocity_pressure && material.is_incompressible())
       section.refuse(
           "", "the pressure of an incompressible material does not follow from the motion",
           "Set Cell-wise/Formulation = velocity-pressure, or give it a bulk modulus or a "
           "Poisson's ratio below 0.5");
-    if (longitudinal && material.is_solid() && material.inverse_bulk_modulus == 0.)
+    if (longitudinal && material.is_solid() && material.is_incompressible())
       root.subsection("Cell-wise")
           .refuse("Stencil coefficient",
                   "the incompressible solid '" + problem.regions[region] +

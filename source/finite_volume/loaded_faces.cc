@@ -27,7 +27,7 @@ template <int dim>
 bool LoadedFaces<dim>::deforms_at_once(const unsigned int region) const
 {
   const Material &material = problem.materials[region];
-  return !material.branches.empty() && material.viscosity == 0.;
+  return !material.shear.branches.empty() && material.shear.viscosity == 0.;
 }
 
 template <int dim>
@@ -50,7 +50,7 @@ void LoadedFaces<dim>::make()
     const Material &material = problem.materials[region];
     rest.mass.push_back(0.);
     rest.stiffness.push_back(deforms_at_once(region) ? material.instantaneous_shear_modulus() : 0.);
-    rest.compressibility.push_back(material.inverse_bulk_modulus);
+    rest.compressibility.push_back(material.inverse_bulk_modulus());
     rest.increment_mobility.push_back(0.);
   }
   system.reinit();
@@ -78,7 +78,7 @@ void LoadedFaces<dim>::make()
   {
     const unsigned int region = space.mesh.cells()[cell].material_id;
     pressure_stays[space.local_pressure(space.pressures.of_cell(cell))] =
-        !deforms_at_once(region) || problem.materials[region].inverse_bulk_modulus == 0.;
+        !deforms_at_once(region) || problem.materials[region].is_incompressible();
   }
   for (const unsigned int row : closure.rows)
     pressure_stays[row] = false;

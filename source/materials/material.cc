@@ -1,7 +1,9 @@
 #include <continua/materials/material.h>
 
 #include <continua/base/required_entry.h>
+#include <continua/base/words.h>
 #include <continua/materials/bulk_relaxation.h>
+#include <continua/materials/elastic_constants.h>
 #include <continua/materials/relaxation_test.h>
 
 #include <algorithm>
@@ -17,8 +19,8 @@ double read_density(ParameterSection &section)
   return required_entry(section, "Density", Dimensions::density, "Density rho.", Range::positive());
 }
 
-/// Bulk modulus of a material that is described by it, or incompressible.
-double read_inverse_bulk_modulus(ParameterSection &section)
+/// Of a material that is described by its bulk modulus, or incompressible.
+Compression read_compression(ParameterSection &section)
 {
   bool incompressible = false;
   section.add("Incompressible", incompressible,
@@ -31,32 +33,27 @@ double read_inverse_bulk_modulus(ParameterSection &section)
                    "Remove it, or set Incompressible = false");
   if (!incompressible)
     section.require("Bulk modulus");
-  return incompressible ? 0. : 1. / bulk_modulus;
+  return incompressible ? Compression() : Compression::elastic(1. / bulk_modulus);
 }
 
 /// Young's modulus and Poisson's ratio -> shear and bulk modulus (equations 2.4, 2.5); returns mu.
 double read_elasticity(ParameterSection &section, const Model model, Material &material)
 {
-  const double young = required_entry(
-      section, "Young's modulus", Dimensions::pressure,
-      "Young's modulus Y; of a viscoelastic solid the long-term one.", Range::positive());
-  const double nu =
-      required_entry(section, "Poisson's ratio", Dimensions::none,
-                     "Poisson's ratio nu; 0.5 is incompressible.", Range{-1., 0.5, true, false});
-  const double mu = young / (2. * (1. + nu));
+  const ElasticConstants constants = ElasticConstants::read(section);
+  const double young = constants.youngs_modulus, nu = constants.poissons_ratio;
+  const double mu = constants.shear_modulus();
   if (model == Model::plane_stress)
   {
     const double lambda = young * nu / ((1. + nu) * (1. - nu));
-    material.inverse_bulk_modulus = 1. / (lambda + 2. / 3. * mu);
-    material.pressure_factor = (1. + nu) / (1. + 2. * nu);
-    material.thickness_strain_factor = -nu / (1. - nu);
-    if (material.inverse_bulk_modulus <= 0.)
+    const double inverse_bulk_modulus = 1. / (lambda + 2. / 3. * mu);
+    if (inverse_bulk_modulus <= 0.)
       section.refuse("Poisson's ratio",
                      "in plane stress the velocity-pressure form needs a ratio above -0.5",
                      "Give a ratio between -0.5 and 0.5");
+    material.compression = Compression::elastic(inverse_bulk_modulus);
   }
   else
-    material.inverse_bulk_modulus = 3. * (1. - 2. * nu) / young;
+    material.compression = Compression::elastic(3. * (1. - 2. * nu) / young);
   return mu;
 }
 
@@ -70,18 +67,25 @@ void refuse_plane_stress(const ParameterSection &section, const Model model)
                    "Use 'hookean' here, or Model = plane strain or three-dimensional");
 }
 
-constexpr const char *volume_elastic = "none";
-constexpr const char *volume_as_shear = "as the shear";
-constexpr const char *volume_own = "own branches";
-
-/// How the volume change relaxes: one of `choices`.
-std::string read_volumetric_relaxation(ParameterSection &section,
-                                       const std::vector<std::string> &choices,
-                                       const std::string &text)
+enum class VolumetricRelaxation
 {
-  std::string choice = volume_elastic;
-  section.add_choice("Volumetric relaxation", choice, choices,
-                     "How the pressure of a volume change relaxes: " + text);
+  none,
+  as_shear,
+  own_branches
+};
+
+/// How the volume change relaxes; by branches of its own if the law can.
+VolumetricRelaxation read_volumetric_relaxation(ParameterSection &section,
+                                                const bool with_own_branches,
+                                                const std::string &text)
+{
+  Words<VolumetricRelaxation> words = {{"none", VolumetricRelaxation::none},
+                                       {"as the shear", VolumetricRelaxation::as_shear}};
+  if (with_own_branches)
+    words.emplace_back("own branches", VolumetricRelaxation::own_branches);
+  VolumetricRelaxation choice = VolumetricRelaxation::none;
+  add_choice(section, "Volumetric relaxation", choice, words,
+             "How the pressure of a volume change relaxes: " + text);
   return choice;
 }
 
@@ -111,15 +115,15 @@ void read_bulk_branches(ParameterSection &section, Material &material)
               "Relaxation times of these branches.", Range::positive());
   section.require("Bulk moduli");
   require_pairs(section, moduli, times, "Bulk relaxation times", "bulk moduli");
-  if (material.inverse_bulk_modulus == 0.)
+  if (material.is_incompressible())
     section.refuse(
         "Volumetric relaxation",
         "an incompressible solid (Poisson's ratio 0.5) has no volume change that relaxes",
         "Give a ratio below 0.5, or Volumetric relaxation = none");
-  std::vector<BulkBranch> branches = {BulkBranch{1. / material.inverse_bulk_modulus}};
+  std::vector<BulkBranch> branches = {BulkBranch{1. / material.inverse_bulk_modulus()}};
   for (std::size_t k = 0; k < moduli.size(); ++k)
     branches.push_back({moduli[k], times[k]});
-  set_bulk_branches(material, branches);
+  material.compression = Compression::relaxing(branches);
 }
 
 Material newtonian(ParameterSection &section, const Model model)
@@ -127,9 +131,9 @@ Material newtonian(ParameterSection &section, const Model model)
   refuse_plane_stress(section, model);
   Material material;
   material.density = read_density(section);
-  material.viscosity = required_entry(section, "Viscosity", Dimensions::viscosity,
-                                      "Dynamic viscosity eta.", Range::not_negative());
-  material.inverse_bulk_modulus = read_inverse_bulk_modulus(section);
+  material.shear.viscosity = required_entry(section, "Viscosity", Dimensions::viscosity,
+                                            "Dynamic viscosity eta.", Range::not_negative());
+  material.compression = read_compression(section);
   return material;
 }
 
@@ -138,7 +142,7 @@ Material hookean(ParameterSection &section, const Model model)
   Material material;
   material.density = read_density(section);
   const double mu = read_elasticity(section, model, material);
-  material.branches = {Branch{mu, std::numeric_limits<double>::infinity()}};
+  material.shear.branches = {Branch{mu, std::numeric_limits<double>::infinity()}};
   return material;
 }
 
@@ -146,7 +150,7 @@ Material kelvin_voigt(ParameterSection &section, const Model model)
 {
   refuse_plane_stress(section, model);
   Material material = hookean(section, model);
-  material.viscosity = required_entry(
+  material.shear.viscosity = required_entry(
       section, "Viscosity", Dimensions::viscosity,
       "Viscosity eta of the dash pot beside the spring (stress 2 eta dev sym grad U).",
       Range::not_negative());
@@ -158,24 +162,24 @@ Material maxwell(ParameterSection &section, const Model model)
   refuse_plane_stress(section, model);
   Material material;
   material.density = read_density(section);
-  material.inverse_bulk_modulus = read_inverse_bulk_modulus(section);
+  material.compression = read_compression(section);
   Branch branch;
   branch.shear_modulus = required_entry(section, "Shear modulus", Dimensions::pressure,
                                         "Shear modulus mu.", Range::positive());
   branch.relaxation_time = required_entry(section, "Relaxation time", Dimensions::time,
                                           "Relaxation time tau.", Range::positive());
-  material.branches = {branch};
-  const std::string volume = read_volumetric_relaxation(
-      section, {volume_elastic, volume_as_shear},
+  material.shear.branches = {branch};
+  const VolumetricRelaxation volume = read_volumetric_relaxation(
+      section, false,
       "none - not at all, it is elastic; as the shear - to zero, with the same relaxation time.");
-  if (volume == volume_as_shear)
+  if (volume == VolumetricRelaxation::as_shear)
   {
-    if (material.inverse_bulk_modulus == 0.)
+    if (material.is_incompressible())
       section.refuse("Volumetric relaxation",
                      "an incompressible solid has no volume change that relaxes",
                      "Give a bulk modulus, or Volumetric relaxation = none");
-    set_bulk_branches(material,
-                      {BulkBranch{1. / material.inverse_bulk_modulus, branch.relaxation_time}});
+    material.compression = Compression::relaxing(
+        {BulkBranch{1. / material.inverse_bulk_modulus(), branch.relaxation_time}});
   }
   return material;
 }
@@ -192,24 +196,24 @@ Material prony(ParameterSection &section, const Model model)
   section.require("Shear moduli");
   require_pairs(section, moduli, times, "Relaxation times", "shear moduli");
   for (std::size_t k = 0; k < moduli.size(); ++k)
-    material.branches.push_back(Branch{moduli[k], times[k]});
-  const std::string volume = read_volumetric_relaxation(
-      section, {volume_elastic, volume_as_shear, volume_own},
+    material.shear.branches.push_back(Branch{moduli[k], times[k]});
+  const VolumetricRelaxation volume = read_volumetric_relaxation(
+      section, true,
       "none - not at all, K is elastic, that of Young's modulus and Poisson's ratio; as the shear "
       "- Poisson's ratio is constant, each spring has its share of K; own branches - by branches "
       "of its own.");
-  if (volume == volume_as_shear)
+  if (volume == VolumetricRelaxation::as_shear)
   {
-    const double mu_over_K = material.long_term_shear_modulus() * material.inverse_bulk_modulus;
+    const double mu_over_K = material.long_term_shear_modulus() * material.inverse_bulk_modulus();
     relax_volume_as_shear(material, (3. - 2. * mu_over_K) / (6. + 2. * mu_over_K));
   }
-  else if (volume == volume_own)
+  else if (volume == VolumetricRelaxation::own_branches)
     read_bulk_branches(section, material);
   return material;
 }
 
 /// c and n: the two numbers, or a table to which they are fitted.
-void read_relaxation(ParameterSection &section, Material &material)
+PowerLaw read_relaxation(ParameterSection &section)
 {
   double modulus = std::numeric_limits<double>::quiet_NaN(), exponent = modulus;
   section.add(
@@ -244,8 +248,10 @@ void read_relaxation(ParameterSection &section, Material &material)
                      "The stress must fall with time, slower than 1/t; check columns and units");
     }
   }
-  material.power_law_modulus = modulus;
-  material.power_law_exponent = exponent;
+  PowerLaw law;
+  law.modulus = modulus;
+  law.exponent = exponent;
+  return law;
 }
 
 Material power_law(ParameterSection &section, const Model model)
@@ -253,12 +259,12 @@ Material power_law(ParameterSection &section, const Model model)
   refuse_plane_stress(section, model);
   Material material;
   material.density = read_density(section);
-  read_relaxation(section, material);
-  const std::string volume = read_volumetric_relaxation(
-      section, {volume_elastic, volume_as_shear},
+  PowerLaw law = read_relaxation(section);
+  const VolumetricRelaxation volume = read_volumetric_relaxation(
+      section, false,
       "none - not at all, K is elastic; as the shear - Poisson's ratio is constant.");
-  if (volume == volume_as_shear)
-    material.power_law_poissons_ratio = required_entry(
+  if (volume == VolumetricRelaxation::as_shear)
+    law.poissons_ratio = required_entry(
         section, "Poisson's ratio", Dimensions::none,
         "Poisson's ratio nu, the same at all times and frequencies.", Range{0., 0.5, false, true});
   else
@@ -266,9 +272,10 @@ Material power_law(ParameterSection &section, const Model model)
     double bulk_modulus = std::numeric_limits<double>::infinity();
     section.add("Bulk modulus", bulk_modulus, Dimensions::pressure,
                 "Bulk modulus K, elastic; left out: incompressible (nu = 0.5).", Range::positive());
-    material.inverse_bulk_modulus = 1. / bulk_modulus;
+    material.compression = Compression::elastic(1. / bulk_modulus);
   }
-  material.prony_fit.read(section);
+  law.prony_fit.read(section);
+  material.shear.power_law = law;
   return material;
 }
 
@@ -279,14 +286,6 @@ std::complex<double> relaxed_part(const std::complex<double> &i_omega, const dou
     return 1.;
   const std::complex<double> x = i_omega * relaxation_time;
   return x / (1. + x);
-}
-
-/// Y(omega) = c Gamma(1 - n) (i omega)^n (equation 5.6) [Pa].
-std::complex<double> power_law_young_modulus(const Material &material,
-                                             const std::complex<double> &i_omega)
-{
-  const double n = material.power_law_exponent;
-  return material.power_law_modulus * std::tgamma(1. - n) * std::pow(i_omega, n);
 }
 
 struct Row
@@ -313,43 +312,19 @@ const std::vector<Row> &table()
 }
 } // namespace
 
-bool Material::relaxes() const
-{
-  return std::any_of(branches.begin(), branches.end(),
-                     [](const Branch &branch) { return !std::isinf(branch.relaxation_time); }) ||
-         std::any_of(bulk_branches.begin(), bulk_branches.end(),
-                     [](const BulkBranch &branch) { return !std::isinf(branch.relaxation_time); });
-}
-
-double Material::long_term_shear_modulus() const
-{
-  double sum = 0.;
-  for (const Branch &branch : branches)
-    if (std::isinf(branch.relaxation_time))
-      sum += branch.shear_modulus;
-  return sum;
-}
-
-double Material::instantaneous_shear_modulus() const
-{
-  double sum = 0.;
-  for (const Branch &branch : branches)
-    sum += branch.shear_modulus;
-  return sum;
-}
-
 std::complex<double> Material::complex_shear_modulus(const std::complex<double> &omega) const
 {
   const std::complex<double> i_omega(-omega.imag(), omega.real());
-  if (power_law_modulus > 0.)
+  if (shear.power_law)
   {
-    const std::complex<double> young = power_law_young_modulus(*this, i_omega);
-    if (power_law_poissons_ratio >= 0.)
-      return young / (2. * (1. + power_law_poissons_ratio));
-    return young / (3. - young * inverse_bulk_modulus / 3.);
+    const PowerLaw &law = *shear.power_law;
+    const std::complex<double> young = law.young_modulus(i_omega);
+    if (law.poissons_ratio)
+      return young / (2. * (1. + *law.poissons_ratio));
+    return young / (3. - young * inverse_bulk_modulus() / 3.);
   }
-  std::complex<double> sum = i_omega * viscosity;
-  for (const Branch &branch : branches)
+  std::complex<double> sum = i_omega * shear.viscosity;
+  for (const Branch &branch : shear.branches)
     sum += branch.shear_modulus * relaxed_part(i_omega, branch.relaxation_time);
   return sum;
 }
@@ -357,24 +332,14 @@ std::complex<double> Material::complex_shear_modulus(const std::complex<double> 
 std::complex<double> Material::complex_inverse_bulk_modulus(const std::complex<double> &omega) const
 {
   const std::complex<double> i_omega(-omega.imag(), omega.real());
-  if (power_law_modulus > 0. && power_law_poissons_ratio >= 0.)
-    return 3. * (1. - 2. * power_law_poissons_ratio) / power_law_young_modulus(*this, i_omega);
-  if (bulk_branches.empty())
-    return inverse_bulk_modulus;
+  if (shear.power_law && shear.power_law->poissons_ratio)
+    return 3. * (1. - 2. * *shear.power_law->poissons_ratio) /
+           shear.power_law->young_modulus(i_omega);
+  if (compression.kind() != Compression::Kind::relaxing)
+    return inverse_bulk_modulus();
   std::complex<double> sum = 0.;
-  for (const BulkBranch &branch : bulk_branches)
+  for (const BulkBranch &branch : compression.bulk_branches())
     sum += branch.bulk_modulus * relaxed_part(i_omega, branch.relaxation_time);
-  return 1. / sum;
-}
-
-double Material::long_term_inverse_bulk_modulus() const
-{
-  if (bulk_branches.empty())
-    return inverse_bulk_modulus;
-  double sum = 0.;
-  for (const BulkBranch &branch : bulk_branches)
-    if (std::isinf(branch.relaxation_time))
-      sum += branch.bulk_modulus;
   return 1. / sum;
 }
 
@@ -386,9 +351,10 @@ std::complex<double> Material::complex_young_modulus(const std::complex<double> 
 
 double Material::longitudinal_speed() const
 {
-  if (inverse_bulk_modulus == 0.)
+  if (is_incompressible())
     return std::numeric_limits<double>::infinity();
-  return std::sqrt((1. / inverse_bulk_modulus + 4. / 3. * instantaneous_shear_modulus()) / density);
+  return std::sqrt((1. / inverse_bulk_modulus() + 4. / 3. * instantaneous_shear_modulus()) /
+                   density);
 }
 
 std::vector<std::pair<std::string, std::string>> material_types()

@@ -31,11 +31,12 @@ PronySeries fit_law(const ComplexModulus &law,
 
 void take_branches(Material &material, const PronySeries &series)
 {
-  material.branches = {Branch{series.spring}};
+  material.shear.branches = {Branch{series.spring}};
   for (std::size_t k = 0; k < series.moduli.size(); ++k)
-    material.branches.push_back(Branch{series.moduli[k], series.times[k]});
-  if (material.power_law_poissons_ratio >= 0.)
-    relax_volume_as_shear(material, material.power_law_poissons_ratio);
+    material.shear.branches.push_back(Branch{series.moduli[k], series.times[k]});
+  const std::optional<double> &poissons_ratio = material.shear.power_law->poissons_ratio;
+  if (poissons_ratio)
+    relax_volume_as_shear(material, *poissons_ratio);
 }
 
 PronySeries
@@ -43,13 +44,13 @@ fit_power_law(Material &material, const double lowest_frequency, const double hi
 {
   // Of a law with c = 1 Pa: round-off does not depend on c then, and walls that differ by their c
   // share the internal displacements of their branches.
-  const double scale = material.power_law_modulus;
+  const double scale = material.shear.power_law->modulus;
   Material unit = material;
-  unit.power_law_modulus = 1.;
-  unit.inverse_bulk_modulus *= scale;
+  unit.shear.power_law->modulus = 1.;
+  unit.compression = Compression::elastic(unit.inverse_bulk_modulus() * scale);
   PronySeries series =
       fit_law([&unit](const double omega) { return unit.complex_shear_modulus(omega); },
-              material.prony_fit, lowest_frequency, highest_frequency);
+              material.shear.power_law->prony_fit, lowest_frequency, highest_frequency);
 
   series.spring *= scale;
   for (double &modulus : series.moduli)

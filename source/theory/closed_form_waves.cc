@@ -30,10 +30,10 @@ void ClosedFormWaves::evaluate(const double frequency, std::vector<WaveMode> &mo
   const Complex omega(2. * pi * frequency, -shift);
   const double radius = section.inner_radius, thickness = section.wall_thickness();
   const Material &fluid = section.fluid;
-  const Womersley flow(radius, fluid.density, fluid.viscosity);
+  const Womersley flow(radius, fluid.density, fluid.shear.viscosity);
   const double nu = section.poisson_ratio(omega).real();
-  const LongWaveTube tube{radius, thickness, nu, fluid.density, fluid.inverse_bulk_modulus};
-  const ClosedFormTube closed_form{tube, fluid.viscosity, section.wall_density()};
+  const LongWaveTube tube{radius, thickness, nu, fluid.density, fluid.inverse_bulk_modulus()};
+  const ClosedFormTube closed_form{tube, fluid.shear.viscosity, section.wall_density()};
   const Complex young = section.membrane_modulus(omega);
   const Anchoring anchoring =
       section.tethered ? Anchoring::throughout : Anchoring::expansion_joints;

@@ -142,7 +142,7 @@ ExactDispersion::layer(const Material &material, const Complex &omega, const Com
   result.pressure = inertia / stiff;
   result.lame_term = inertia * (Ball(1.) - Ball(2.) * softness) / stiff;
   result.q_l = square_root(result.pressure * inverse_bulk - result.k * result.k);
-  if (material.is_solid() || material.viscosity > 0.)
+  if (material.is_solid() || material.shear.viscosity > 0.)
     result.q_s = square_root(inertia / mu - result.k * result.k);
   return result;
 }
@@ -178,7 +178,7 @@ ExactDispersion::core_columns(const Layer &fluid, const Ball &radius, const Ball
   Columns columns = {
       column(fluid, radius, bessel_j(0, argument), -fluid.q_l * bessel_j(1, argument), zero, zero)};
   // A liquid without viscosity has no shear wave.
-  if (section.fluid.viscosity > 0.)
+  if (section.fluid.shear.viscosity > 0.)
   {
     const Ball shear_argument = fluid.q_s * radius;
     // Scaled, since it grows exponentially towards the wall.
@@ -207,7 +207,7 @@ ExactDispersion::Columns ExactDispersion::wall_columns(const Layer &wall, const 
 
 ExactDispersion::Matrix ExactDispersion::conditions(const Complex &omega, const Complex &k) const
 {
-  const bool viscous = section.fluid.viscosity > 0.;
+  const bool viscous = section.fluid.shear.viscosity > 0.;
   const Layer fluid = layer(section.fluid, omega, k);
   const Columns core = core_columns(fluid, Ball(radii[0]), Ball(radii[0]));
   const unsigned int n_core = core.size(), n_layers = section.layers.size();
@@ -279,7 +279,7 @@ Ball ExactDispersion::determinant(const Complex &omega,
 ExactDispersion::Complex ExactDispersion::guess(const Family family, const Complex &omega) const
 {
   const double radius = section.inner_radius, density = section.fluid.density;
-  const Complex f10 = Womersley(radius, density, section.fluid.viscosity).f10(omega);
+  const Complex f10 = Womersley(radius, density, section.fluid.shear.viscosity).f10(omega);
   // The root that decays towards z > 0, or travels there.
   const auto downstream = [](const Complex &square)
   {
@@ -289,7 +289,7 @@ ExactDispersion::Complex ExactDispersion::guess(const Family family, const Compl
     return decays ? root : -root;
   };
   if (section.layers.empty())
-    return downstream(omega * omega * density * section.fluid.inverse_bulk_modulus / (1. - f10));
+    return downstream(omega * omega * density * section.fluid.inverse_bulk_modulus() / (1. - f10));
 
   const double thickness = section.wall_thickness();
   const Complex nu = section.poisson_ratio(omega), young = section.membrane_modulus(omega);
@@ -316,7 +316,7 @@ ExactDispersion::Complex ExactDispersion::guess(const Family family, const Compl
   const Complex a = plate * (1. - f10) / (2. * density * omega * omega);
   if (section.tethered)
     return downstream(yielding * radius / a +
-                      omega * omega * density * section.fluid.inverse_bulk_modulus);
+                      omega * omega * density * section.fluid.inverse_bulk_modulus());
   const Complex mass =
       omega * omega * (section.wall_density() * thickness + 0.5 * radius * density * f10);
   const Complex a2 = -a * plate * (1. - nu * nu);
@@ -328,7 +328,7 @@ ExactDispersion::Complex ExactDispersion::guess(const Family family, const Compl
   if (family == axial_wave)
     return downstream(small);
   return downstream(yielding * large +
-                    omega * omega * density * section.fluid.inverse_bulk_modulus);
+                    omega * omega * density * section.fluid.inverse_bulk_modulus());
 }
 
 bool ExactDispersion::find_root(const Complex &omega,
@@ -440,7 +440,8 @@ WaveMode ExactDispersion::uncertain_mode(const Family family,
   mode.wave_number = wave_number;
   mode.section_pressure = scaled(fluid.pressure * mean_phi);
   mode.axis_pressure = scaled(fluid.pressure * amplitudes[0]);
-  mode.wall_shear_stress = section.fluid.viscosity > 0. ? scaled(sum(core, 0, &Column::s_rz)) : 0.;
+  mode.wall_shear_stress =
+      section.fluid.shear.viscosity > 0. ? scaled(sum(core, 0, &Column::s_rz)) : 0.;
   mode.wall_displacement = section.layers.empty() ? 0. : scaled(u_r);
   mode.hoop_stress = 0.;
   mode.junction.fill(0.);

@@ -15,14 +15,23 @@ bool is_same(const Material &a, const Material &b)
   const auto is_same_bulk_branch = [](const BulkBranch &one, const BulkBranch &other) {
     return one.bulk_modulus == other.bulk_modulus && one.relaxation_time == other.relaxation_time;
   };
-  return a.density == b.density && a.inverse_bulk_modulus == b.inverse_bulk_modulus &&
-         a.viscosity == b.viscosity && a.power_law_modulus == b.power_law_modulus &&
-         a.power_law_exponent == b.power_law_exponent &&
-         a.power_law_poissons_ratio == b.power_law_poissons_ratio &&
-         std::equal(a.branches.begin(), a.branches.end(), b.branches.begin(), b.branches.end(),
+  const auto is_same_law =
+      [](const std::optional<PowerLaw> &one, const std::optional<PowerLaw> &other)
+  {
+    return one.has_value() == other.has_value() &&
+           (!one || (one->modulus == other->modulus && one->exponent == other->exponent &&
+                     one->poissons_ratio == other->poissons_ratio));
+  };
+  const std::vector<Branch> &branches = a.shear.branches, &other_branches = b.shear.branches;
+  const std::vector<BulkBranch> &bulk_branches = a.compression.bulk_branches(),
+                                &other_bulk_branches = b.compression.bulk_branches();
+  return a.density == b.density && a.inverse_bulk_modulus() == b.inverse_bulk_modulus() &&
+         a.shear.viscosity == b.shear.viscosity &&
+         is_same_law(a.shear.power_law, b.shear.power_law) &&
+         std::equal(branches.begin(), branches.end(), other_branches.begin(), other_branches.end(),
                     is_same_branch) &&
-         std::equal(a.bulk_branches.begin(), a.bulk_branches.end(), b.bulk_branches.begin(),
-                    b.bulk_branches.end(), is_same_bulk_branch);
+         std::equal(bulk_branches.begin(), bulk_branches.end(), other_bulk_branches.begin(),
+                    other_bulk_branches.end(), is_same_bulk_branch);
 }
 } // namespace
 

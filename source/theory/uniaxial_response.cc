@@ -18,16 +18,16 @@ void add_branch(UniaxialSpectrum &modulus_over_s, const double modulus, const do
 
 UniaxialResponse::UniaxialResponse(const Material &material)
 {
-  UniaxialSpectrum shear(material.viscosity);
-  for (const Branch &branch : material.branches)
+  UniaxialSpectrum shear(material.shear.viscosity);
+  for (const Branch &branch : material.shear.branches)
     add_branch(shear, branch.shear_modulus, branch.relaxation_time);
   creep_spectrum.add(1. / 3., shear.inverse());
-  if (material.bulk_branches.empty())
-    creep_spectrum.add(1. / 9., UniaxialSpectrum(material.inverse_bulk_modulus));
+  if (material.compression.bulk_branches().empty())
+    creep_spectrum.add(1. / 9., UniaxialSpectrum(material.inverse_bulk_modulus()));
   else
   {
     UniaxialSpectrum bulk;
-    for (const BulkBranch &branch : material.bulk_branches)
+    for (const BulkBranch &branch : material.compression.bulk_branches())
       add_branch(bulk, branch.bulk_modulus, branch.relaxation_time);
     creep_spectrum.add(1. / 9., bulk.inverse());
   }

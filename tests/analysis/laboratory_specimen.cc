@@ -37,23 +37,25 @@ Material solid(const double inverse_bulk_modulus,
                const std::vector<BulkBranch> &bulk_branches = {})
 {
   Material result;
-  result.inverse_bulk_modulus = inverse_bulk_modulus;
-  result.viscosity = viscosity;
-  result.branches = branches;
-  result.bulk_branches = bulk_branches;
+  result.compression = bulk_branches.empty() ? Compression::elastic(inverse_bulk_modulus)
+                                             : Compression::relaxing(bulk_branches);
+  result.shear.viscosity = viscosity;
+  result.shear.branches = branches;
   return result;
 }
 
 std::vector<Law> laws()
 {
   Material wall; // the thesis's, between 0.5 and 100 Hz
-  wall.power_law_modulus = 1.3e6;
-  wall.power_law_exponent = 0.065;
-  wall.prony_fit.n_branches = 6;
-  wall.prony_fit.tolerance = 1e-2;
+  PowerLaw law;
+  law.modulus = 1.3e6;
+  law.exponent = 0.065;
+  law.prony_fit.n_branches = 6;
+  law.prony_fit.tolerance = 1e-2;
+  wall.shear.power_law = law;
   fit_power_law(wall, 0.5, 100.);
   double fastest = never;
-  for (const Branch &branch : wall.branches)
+  for (const Branch &branch : wall.shear.branches)
     fastest = std::min(fastest, branch.relaxation_time);
   const std::vector<Branch> prony = {{1000., never}, {2000., 0.1}, {500., 1.}};
   return {// sides and axis of a compressible Kelvin-Voigt block: eta/mu and eta/(3 K + mu)

@@ -16,8 +16,8 @@ Material water()
   Material material;
   material.type = "newtonian";
   material.density = 998.;
-  material.inverse_bulk_modulus = 1. / 2.2e9;
-  material.viscosity = 1e-3;
+  material.compression = Compression::elastic(1. / 2.2e9);
+  material.shear.viscosity = 1e-3;
   return material;
 }
 
@@ -27,10 +27,10 @@ Material rubber()
   Material material;
   material.type = "hookean";
   material.density = 880.;
-  material.inverse_bulk_modulus = 3. * (1. - 2. * 0.49) / 1.72e6;
+  material.compression = Compression::elastic(3. * (1. - 2. * 0.49) / 1.72e6);
   Branch spring;
   spring.shear_modulus = 1.72e6 / (2. * 1.49);
-  material.branches.push_back(spring);
+  material.shear.branches.push_back(spring);
   return material;
 }
 

@@ -52,9 +52,9 @@ void check_fraction(const std::string &name, const Outlet &outlet, const double 
 UNIT_TEST(outlets)
 {
   Material liquid;
-  liquid.viscosity = 1.;
+  liquid.shear.viscosity = 1.;
   Material solid = liquid;
-  solid.branches.push_back({10., 1.});
+  solid.shear.branches.push_back({10., 1.});
 
   // A tube of length 2 around the x axis; its end at x = 0 is boundary 0, the rest boundary 1.
   const auto tube = [](const bool quarter)

@@ -28,9 +28,9 @@ UNIT_TEST(branch_history)
 
   const double infinite = std::numeric_limits<double>::infinity();
   std::vector<Material> materials(3);
-  materials[0].branches = {Branch{7., infinite}, Branch{3., 0.5}};
-  materials[1].branches = {Branch{11., 0.5}};
-  materials[2].viscosity = 1.;
+  materials[0].shear.branches = {Branch{7., infinite}, Branch{3., 0.5}};
+  materials[1].shear.branches = {Branch{11., 0.5}};
+  materials[2].shear.viscosity = 1.;
   BranchHistory history(materials);
   history.reinit(prototype, nodes);
   StateVectors vectors;

@@ -21,10 +21,9 @@ UNIT_TEST(bulk_history)
 
   // An elastic neighbour, and a spring of 4 Pa beside one of 6 Pa that relaxes within 0.5 s.
   std::vector<Material> materials(2);
-  materials[0].inverse_bulk_modulus = 0.5;
-  materials[1].bulk_branches = {BulkBranch{4., std::numeric_limits<double>::infinity()},
-                                BulkBranch{6., 0.5}};
-  materials[1].inverse_bulk_modulus = 0.1;
+  materials[0].compression = Compression::elastic(0.5);
+  materials[1].compression = Compression::relaxing(
+      {BulkBranch{4., std::numeric_limits<double>::infinity()}, BulkBranch{6., 0.5}});
   BulkHistory history(materials);
   history.reinit(prototype, {{0, 1, 2, 3}, {4, 5, 6, 7}});
   check::is_true("an elastic region has none", !history.has(0) && history.has(1));

@@ -32,8 +32,8 @@ UNIT_TEST(probe_weights)
 
   // A solid with mu = 3 Pa beside a fluid with eta = 2 Pa s.
   std::vector<Material> materials(2);
-  materials[0].branches = {Branch{3., std::numeric_limits<double>::infinity()}};
-  materials[1].viscosity = 2.;
+  materials[0].shear.branches = {Branch{3., std::numeric_limits<double>::infinity()}};
+  materials[1].shear.viscosity = 2.;
   BranchHistory history(materials);
   std::vector<unsigned int> mine(velocities.n_elements());
   for (unsigned int i = 0; i < mine.size(); ++i)

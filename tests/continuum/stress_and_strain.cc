@@ -31,16 +31,16 @@ UNIT_TEST(stress_and_strain)
   check::absolute("traction x", force[0], 0.6 * plane[0] + 0.8 * plane[3], 1e-14);
   check::absolute("traction y", force[1], 0.6 * plane[3] + 0.8 * plane[1], 1e-14);
 
-  Material material;
-  material.thickness_strain_factor = -0.5;
-  check::absolute("half the shear angle", strain(gradient, 0., Model::plane_strain, material)[3],
-                  1., 1e-15);
+  PlaneStressFactors factors;
+  factors.thickness_strain_factor = -0.5;
+  check::absolute("half the shear angle", strain(gradient, 0., Model::plane_strain, factors)[3], 1.,
+                  1e-15);
   check::absolute("no strain across the plane",
-                  strain(gradient, 0., Model::plane_strain, material)[2], 0., 0.);
-  check::absolute("the hoop strain", strain(gradient, 3., Model::axisymmetric, material)[2], 3.,
+                  strain(gradient, 0., Model::plane_strain, factors)[2], 0., 0.);
+  check::absolute("the hoop strain", strain(gradient, 3., Model::axisymmetric, factors)[2], 3.,
                   1e-15);
   check::absolute("what keeps the plane free of stress",
-                  strain(gradient, 0., Model::plane_stress, material)[2], -2.5, 1e-15);
+                  strain(gradient, 0., Model::plane_stress, factors)[2], -2.5, 1e-15);
 
   // Three dimensions: w = (z, 2 x, y) shears only.
   Tensor<2, 3> shear;

@@ -197,9 +197,9 @@ Problem one_mass_problem()
   problem.regions = {"body"};
   Material material;
   material.density = density;
-  material.viscosity = viscosity;
-  material.inverse_bulk_modulus = 1. / bulk_modulus;
-  material.branches = {Branch{shear_modulus, std::numeric_limits<double>::infinity()}};
+  material.shear.viscosity = viscosity;
+  material.compression = Compression::elastic(1. / bulk_modulus);
+  material.shear.branches = {Branch{shear_modulus, std::numeric_limits<double>::infinity()}};
   problem.materials = {material};
   problem.interior.body_force = {Waveform(load)};
   return problem;

@@ -20,9 +20,9 @@ Problem make_problem(const Model model)
   problem.regions = {"one", "two"};
   problem.boundaries = {"left", "right", "bottom", "top"};
   Material one, two;
-  one.branches = {Branch{3., std::numeric_limits<double>::infinity()}};
-  one.inverse_bulk_modulus = two.inverse_bulk_modulus = 1.;
-  two.viscosity = 2.;
+  one.shear.branches = {Branch{3., std::numeric_limits<double>::infinity()}};
+  one.compression = two.compression = Compression::elastic(1.);
+  two.shear.viscosity = 2.;
   problem.materials = {one, two};
   for (unsigned int b = 0; b < 4; ++b)
   {

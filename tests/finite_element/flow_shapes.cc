@@ -40,7 +40,7 @@ struct Case
     small_problem::make_box<2>(mesh, {2, 3});
     Material liquid;
     liquid.density = 1.;
-    liquid.viscosity = 0.5;
+    liquid.shear.viscosity = 0.5;
     set_flow_profiles(conditions, files.back().root(), mesh, {liquid}, {false, 4., 0.01});
     small_problem::refine<2>(mesh, [](const Point<2> &x) { return x[1] > 1. && x[1] < 2.; });
     space.distribute();

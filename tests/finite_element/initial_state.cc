@@ -19,8 +19,8 @@ UNIT_TEST(initial_state)
   Problem problem;
   problem.regions = {"left", "right"};
   problem.materials.resize(2);
-  problem.materials[0].inverse_bulk_modulus = 1. / 30.;
-  problem.materials[1].inverse_bulk_modulus = 1. / 500.;
+  problem.materials[0].compression = Compression::elastic(1. / 30.);
+  problem.materials[1].compression = Compression::elastic(1. / 500.);
   std::vector<RegionOperators> operators(2);
   assemble_region_operators(space, operators);
 
@@ -38,7 +38,7 @@ UNIT_TEST(initial_state)
   exact.add(-1., pressure);
   check::absolute("pressure of two regions", exact.linfty_norm(), 0., 1e-9);
 
-  problem.materials[1].inverse_bulk_modulus = 0.;
+  problem.materials[1].compression = Compression();
   solve_equilibrium_pressure(space, problem, operators, displacement, pressure);
   exact = small_problem::interpolated_pressure<2>(
       space, [](const Point<2> &x, const unsigned int region)

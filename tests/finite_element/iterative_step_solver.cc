@@ -59,7 +59,7 @@ void solve(const std::string &name,
   std::vector<RegionOperators> operators(2);
   assemble_region_operators(space, operators);
 
-  parameters.type = "iterative";
+  parameters.type = LinearSolverType::iterative;
   parameters.tolerance = 1e-12;
   StepSystem<2> system(space, operators, constraints, parameters);
   system.reinit();

@@ -47,10 +47,10 @@ void test(const Model model, const bool walls_move)
   problem.regions = {"one", "two"};
   Material material;
   material.density = density;
-  material.viscosity = viscosity;
-  material.inverse_bulk_modulus = inverse_bulk_modulus;
-  material.branches = {Branch{spring, std::numeric_limits<double>::infinity()},
-                       Branch{soft_spring, relaxation_time}};
+  material.shear.viscosity = viscosity;
+  material.compression = Compression::elastic(inverse_bulk_modulus);
+  material.shear.branches = {Branch{spring, std::numeric_limits<double>::infinity()},
+                             Branch{soft_spring, relaxation_time}};
   problem.materials = {material, material};
   for (unsigned int b = 0; b < 2 * dim; ++b)
   {

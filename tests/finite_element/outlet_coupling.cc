@@ -56,8 +56,8 @@ struct Tube
       pairs.insert({b, 0});
     Material liquid;
     liquid.density = 1.3;
-    liquid.viscosity = 0.5;
-    liquid.inverse_bulk_modulus = 0.02;
+    liquid.shear.viscosity = 0.5;
+    liquid.compression = Compression::elastic(0.02);
     problem.model = Model::axisymmetric;
     problem.regions = {"body"};
     problem.materials = {liquid};
@@ -114,8 +114,8 @@ struct Tube
     const Material &liquid = problem.materials.front();
     StepReport report;
     if (body->prepare({{step.a0 * liquid.density},
-                       {liquid.viscosity},
-                       {liquid.inverse_bulk_modulus / step.pressure_time}},
+                       {liquid.shear.viscosity},
+                       {liquid.inverse_bulk_modulus() / step.pressure_time}},
                       step.pressure_time) != SystemChange::none)
       coupling->respond(report);
     const double time = step.balance_time;

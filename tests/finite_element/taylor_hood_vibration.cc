@@ -39,11 +39,11 @@ UNIT_TEST(taylor_hood_vibration)
   problem.communicator = MPI_COMM_WORLD;
   problem.materials.resize(2);
   problem.materials[0].density = 2.;
-  problem.materials[0].branches = {{3., std::numeric_limits<double>::infinity()}};
-  problem.materials[0].inverse_bulk_modulus = 0.1;
+  problem.materials[0].shear.branches = {{3., std::numeric_limits<double>::infinity()}};
+  problem.materials[0].compression = Compression::elastic(0.1);
   problem.materials[1].density = 5.;
-  problem.materials[1].branches = {{400., std::numeric_limits<double>::infinity()}};
-  problem.materials[1].inverse_bulk_modulus = 0.;
+  problem.materials[1].shear.branches = {{400., std::numeric_limits<double>::infinity()}};
+  problem.materials[1].compression = Compression();
   const double mass = 2. * 4. + 5. * 4.; // of the halves, 2 x 2 each
 
   const std::set<std::pair<unsigned int, unsigned int>> pairs = {{0, 0}, {1, 1}, {2, 0},

@@ -22,9 +22,9 @@ Problem make_problem(const Model model)
   problem.model = model;
   problem.regions = {"solid", "fluid"};
   Material solid, fluid;
-  solid.branches = {Branch{3., std::numeric_limits<double>::infinity()}};
-  solid.inverse_bulk_modulus = fluid.inverse_bulk_modulus = 1.;
-  fluid.viscosity = 2.;
+  solid.shear.branches = {Branch{3., std::numeric_limits<double>::infinity()}};
+  solid.compression = fluid.compression = Compression::elastic(1.);
+  fluid.shear.viscosity = 2.;
   problem.materials = {solid, fluid};
   for (unsigned int b = 0; b < 2 * dim; ++b)
   {

@@ -27,7 +27,8 @@ void test()
   CellSpace<dim> space(triangulation, model);
   space.distribute();
   Problem problem = make_problem<dim>(model);
-  problem.materials[0].pressure_factor = 0.8;
+  problem.plane_stress_factors.resize(problem.materials.size());
+  problem.plane_stress_factors[0].pressure_factor = 0.8;
   problem.interior.initial_velocity = {formula("2*x"), formula("3*y")};
   problem.interior.initial_pressure = {formula("1+x"), formula("5-y")};
   if (dim == 3)

@@ -72,10 +72,10 @@ void test(const Model model, const PowerOperator power_operator, const std::stri
       {
         Material &material = problem.materials[0];
         material.density = density;
-        material.viscosity = viscosity;
-        material.inverse_bulk_modulus = inverse_bulk_modulus;
-        material.branches = {Branch{spring, std::numeric_limits<double>::infinity()},
-                             Branch{soft_spring, relaxation_time}};
+        material.shear.viscosity = viscosity;
+        material.compression = Compression::elastic(inverse_bulk_modulus);
+        material.shear.branches = {Branch{spring, std::numeric_limits<double>::infinity()},
+                                   Branch{soft_spring, relaxation_time}};
         problem.materials[1] = material;
         problem.interior.body_force.assign(dim, Waveform());
         problem.interior.body_force[0] = Waveform(3.);

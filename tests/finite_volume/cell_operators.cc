@@ -115,7 +115,7 @@ UNIT_TEST(cell_operators)
 
   // Coefficients of a solid with K = 2 Pa and mu = 3 Pa.
   Material solid = make_problem<2>(Model::plane_strain).materials[0];
-  solid.inverse_bulk_modulus = 0.5;
+  solid.compression = Compression::elastic(0.5);
   CellWiseParameters parameters;
   check::absolute("with pressure: 4/3", traction_coefficients(solid, parameters).stencil_ratio,
                   4. / 3., 1e-14);
@@ -126,7 +126,7 @@ UNIT_TEST(cell_operators)
                   traction_coefficients(solid, parameters).stencil_ratio, 2. / 3. + 4. / 3., 1e-14);
   check::absolute("and lambda/mu", traction_coefficients(solid, parameters).trace_ratio,
                   2. / 3. - 2. / 3., 1e-14);
-  solid.inverse_bulk_modulus = 0.;
+  solid.compression = Compression();
   check::throws<std::invalid_argument>(
       "an incompressible one", [&]() { traction_coefficients(solid, parameters); },
       "no finite longitudinal modulus");

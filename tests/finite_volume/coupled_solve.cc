@@ -91,7 +91,7 @@ void check_tension(const Model model)
           if (b % 2 == 0)
             set_roller(problem.conditions[b]);
         }
-        problem.materials[0].inverse_bulk_modulus = 0.25;
+        problem.materials[0].compression = Compression::elastic(0.25);
       });
   const CellSpace<dim> &space = step.space;
   DistributedVector momentum = space.velocity_vector(), mass = space.pressure_vector(),

@@ -27,7 +27,7 @@ void check_block(const Model model)
                              for (BoundaryCondition &condition : problem.conditions)
                                set_roller(condition);
                              set_free(problem.conditions[1]);
-                             problem.materials[0].inverse_bulk_modulus = 0.5;
+                             problem.materials[0].compression = Compression::elastic(0.5);
                            });
   const CellSpace<dim> &space = step.space;
   LoadedFaces<dim> faces(space, step.problem, step.conditions, step.operators, step.closure,
@@ -87,7 +87,7 @@ void check_shear()
       [](Problem &problem)
       {
         set_free(problem.conditions[1]);
-        problem.materials[0].inverse_bulk_modulus = 0.5;
+        problem.materials[0].compression = Compression::elastic(0.5);
       });
   LoadedFaces<2> faces(step.space, step.problem, step.conditions, step.operators, step.closure,
                        step.parameters);
@@ -116,7 +116,7 @@ void check_others()
   };
   check::is_true("a solid beside a fluid", exist([](Problem &) {}));
   check::is_true("a dash pot beside it",
-                 !exist([](Problem &problem) { problem.materials[0].viscosity = 1e-3; }));
+                 !exist([](Problem &problem) { problem.materials[0].shear.viscosity = 1e-3; }));
   check::is_true("fluids alone",
                  !exist([](Problem &problem) { problem.materials[0] = problem.materials[1]; }));
 }

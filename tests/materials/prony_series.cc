@@ -111,33 +111,32 @@ UNIT_TEST(prony_series)
 
   // The branches of a material.
   Material material;
-  material.power_law_modulus = 1.3e6;
-  material.power_law_exponent = 0.065;
+  material.shear.power_law = PowerLaw{1.3e6, 0.065, {}, {}};
   Material stiffer = material;
-  stiffer.power_law_modulus = 2.3e6;
+  stiffer.shear.power_law->modulus = 2.3e6;
   const PronySeries shear = fit_power_law(material, 0.5, 100.);
   fit_power_law(stiffer, 0.5, 100.);
   check::relative("shear modulus: a third of Young's", shear.spring, few.spring / 3., 1e-6);
-  bool same = material.branches.size() == 7 && stiffer.branches.size() == 7 &&
-              std::isinf(material.branches[0].relaxation_time);
+  bool same = material.shear.branches.size() == 7 && stiffer.shear.branches.size() == 7 &&
+              std::isinf(material.shear.branches[0].relaxation_time);
   for (unsigned int k = 0; k < 7 && same; ++k)
-    same = material.branches[k].relaxation_time == stiffer.branches[k].relaxation_time;
+    same = material.shear.branches[k].relaxation_time == stiffer.shear.branches[k].relaxation_time;
   check::is_true("the times do not depend on c, bit by bit", same);
 
-  material.inverse_bulk_modulus = 1. / 5e6;
+  material.compression = Compression::elastic(1. / 5e6);
   const PronySeries compressible = fit_power_law(material, 0.5, 100.);
   const double omega = 2. * M_PI * 7.;
   Material branches_alone = material;
-  branches_alone.power_law_modulus = 0.;
+  branches_alone.shear.power_law.reset();
   check::is_true("elastic volume change: Young's modulus follows the law",
                  std::abs(branches_alone.complex_young_modulus(omega) / law(omega) - 1.) <
                      1.1 * compressible.error);
 
-  material.inverse_bulk_modulus = 0.;
-  material.power_law_poissons_ratio = 0.45;
+  material.compression = Compression();
+  material.shear.power_law->poissons_ratio = 0.45;
   const PronySeries constant_ratio = fit_power_law(material, 0.5, 100.);
   branches_alone = material;
-  branches_alone.power_law_modulus = 0.;
+  branches_alone.shear.power_law.reset();
   check::is_true("constant Poisson's ratio: Young's modulus follows the law",
                  std::abs(branches_alone.complex_young_modulus(omega) / law(omega) - 1.) <=
                      1.01 * constant_ratio.error);

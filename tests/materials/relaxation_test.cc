@@ -113,8 +113,8 @@ UNIT_TEST(relaxation_test)
                           "set Relaxation table = table.csv\nset Strain = 3 %\n";
   ParameterFile file = parameters_of(law);
   const Material material = read_material(file.root(), Model::axisymmetric);
-  check::relative("material: c", material.power_law_modulus, c, 1e-12);
-  check::relative("material: n", material.power_law_exponent, n, 1e-12);
+  check::relative("material: c", material.shear.power_law->modulus, c, 1e-12);
+  check::relative("material: n", material.shear.power_law->exponent, n, 1e-12);
   check::throws<InputError>(
       "table and numbers",
       [&]

@@ -23,14 +23,15 @@ TubeSection section_of(const Tube &tube)
   section.inner_radius = tube.radius;
   section.tethered = tube.held;
   section.fluid.density = 998.;
-  section.fluid.inverse_bulk_modulus = 1. / 2.2e9;
-  section.fluid.viscosity = 1e-3;
+  section.fluid.compression = Compression::elastic(1. / 2.2e9);
+  section.fluid.shear.viscosity = 1e-3;
   Material wall;
   wall.density = tube.density;
-  wall.inverse_bulk_modulus = 3. * (1. - 2. * tube.poissons_ratio) / tube.youngs_modulus;
+  wall.compression =
+      Compression::elastic(3. * (1. - 2. * tube.poissons_ratio) / tube.youngs_modulus);
   Branch spring;
   spring.shear_modulus = 0.5 * tube.youngs_modulus / (1. + tube.poissons_ratio);
-  wall.branches.push_back(spring);
+  wall.shear.branches.push_back(spring);
   section.layer_thicknesses = {tube.thickness};
   section.layers = {wall};
   return section;

@@ -16,15 +16,15 @@ TubeSection tube_a(const double viscosity)
   TubeSection section;
   section.inner_radius = 0.0125;
   section.fluid.density = 998.;
-  section.fluid.inverse_bulk_modulus = 0.;
-  section.fluid.viscosity = viscosity;
+  section.fluid.compression = Compression();
+  section.fluid.shear.viscosity = viscosity;
   section.layer_thicknesses = {1e-4};
   Material wall;
   wall.density = 880.;
-  wall.inverse_bulk_modulus = 0.;
+  wall.compression = Compression();
   Branch spring;
   spring.shear_modulus = 1.72e6 / 3.;
-  wall.branches.push_back(spring);
+  wall.shear.branches.push_back(spring);
   section.layers = {wall};
   return section;
 }

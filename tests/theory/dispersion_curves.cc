@@ -64,6 +64,6 @@ UNIT_TEST(dispersion_curves)
   follow("blood", tube(10e-3, 1e-3, 1100., 1e6, 0.45, 1060., 4e-3), 20., 100.,
          std::sqrt(1e6 / 1100.));
   TubeSection steel = tube(0.1, 5e-3, 7850., 200e9, 0.3, 998., 1e-3);
-  steel.fluid.inverse_bulk_modulus = 1. / 2.2e9;
+  steel.fluid.compression = Compression::elastic(1. / 2.2e9);
   follow("steel", steel, 500., 2000., std::sqrt(200e9 / 7850.));
 }

@@ -20,8 +20,8 @@ Material solid(const double density, const double young, const double poisson)
 {
   Material material;
   material.density = density;
-  material.inverse_bulk_modulus = 3. * (1. - 2. * poisson) / young;
-  material.branches = {Branch{young / (2. * (1. + poisson))}};
+  material.compression = Compression::elastic(3. * (1. - 2. * poisson) / young);
+  material.shear.branches = {Branch{young / (2. * (1. + poisson))}};
   return material;
 }
 
@@ -30,8 +30,8 @@ liquid(const double density, const double viscosity, const double inverse_bulk_m
 {
   Material material;
   material.density = density;
-  material.viscosity = viscosity;
-  material.inverse_bulk_modulus = inverse_bulk_modulus;
+  material.shear.viscosity = viscosity;
+  material.compression = Compression::elastic(inverse_bulk_modulus);
   return material;
 }
 
@@ -39,8 +39,7 @@ Material power_law(const double density, const double modulus, const double expo
 {
   Material material;
   material.density = density;
-  material.power_law_modulus = modulus;
-  material.power_law_exponent = exponent;
+  material.shear.power_law = PowerLaw{modulus, exponent, {}, {}};
   return material;
 }
 
@@ -122,12 +121,12 @@ void references()
   const TubeSection steel = tube(0.1, oil, {5e-3}, {solid(7850., 200e9, 0.3)});
   const TubeSection power_law_wall = tube(12.5e-3, blood, {1e-3}, {power_law(880., 1.3e6, 0.065)});
   Material constant_ratio = power_law(880., 1.3e6, 0.065);
-  constant_ratio.power_law_poissons_ratio = 0.3;
+  constant_ratio.shear.power_law->poissons_ratio = 0.3;
   const TubeSection power_law_nu = tube(12.5e-3, blood, {1e-3}, {constant_ratio});
   Material middle;
   middle.density = 1050.;
-  middle.inverse_bulk_modulus = 1e-9;
-  middle.branches = {Branch{0.4e6}, Branch{0.3e6, 5e-3}};
+  middle.compression = Compression::elastic(1e-9);
+  middle.shear.branches = {Branch{0.4e6}, Branch{0.3e6, 5e-3}};
   const TubeSection layered = tube(9e-3, blood, {0.2e-3, 0.9e-3, 0.5e-3},
                                    {solid(1100., 0.3e6, 0.49), middle, solid(1000., 1.2e6, 0.45)});
   const TubeSection rigid = tube(1e-3, water, {}, {});
@@ -533,7 +532,7 @@ void one_continuum()
         guessed(tube(0.01, blood, {1e-3}, {solid(1000., 1e6, 0.5)}), omega), 1e-9);
   // A Maxwell branch that relaxes slowly is elastic, one that relaxes fast is viscous.
   Material slow = wall;
-  slow.branches[0].relaxation_time = 1e12;
+  slow.shear.branches[0].relaxation_time = 1e12;
   close("slow branch", guessed(tube(0.01, blood, {1e-3}, {slow}), omega),
         guessed(tube(0.01, blood, {1e-3}, {wall}), omega), 1e-9);
 }

@@ -139,11 +139,10 @@ void powers()
 void tube_a()
 {
   TubeSection section = tube(12.5e-3, 0.1e-3, 880., 1.72e6, 0.49, 998., 1e-3);
-  section.fluid.inverse_bulk_modulus = 1. / 2.2e9;
+  section.fluid.compression = Compression::elastic(1. / 2.2e9);
   section.layers[0] = Material();
   section.layers[0].density = 880.;
-  section.layers[0].power_law_modulus = 1.3e6;
-  section.layers[0].power_law_exponent = 0.065;
+  section.layers[0].shear.power_law = PowerLaw{1.3e6, 0.065, {}, {}};
   std::vector<double> frequencies;
   for (unsigned int i = 0; i <= 25; ++i)
     frequencies.push_back(0.45 * std::pow(25. / 0.45, i / 25.));

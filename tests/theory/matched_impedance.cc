@@ -110,15 +110,14 @@ UNIT_TEST(matched_impedance)
   passive("tube A", section);
   section.layers[0] = Material();
   section.layers[0].density = 880.;
-  section.layers[0].power_law_modulus = 1.3e6;
-  section.layers[0].power_law_exponent = 0.065;
+  section.layers[0].shear.power_law = PowerLaw{1.3e6, 0.065, {}, {}};
   passive("tube A, viscoelastic", section);
   // A rigid tube has the liquid's own speed.
   TubeSection rigid;
   rigid.inner_radius = 0.01;
   rigid.fluid.density = 1000.;
-  rigid.fluid.viscosity = 1e-9;
-  rigid.fluid.inverse_bulk_modulus = 1. / 2.25e9;
+  rigid.fluid.shear.viscosity = 1e-9;
+  rigid.fluid.compression = Compression::elastic(1. / 2.25e9);
   close("rigid wall: sqrt(rho K)/A",
         matched_impedances(rigid, WallEnd::absorbing, 1., frequencies)[1](0, 0),
         std::sqrt(1000. * 2.25e9) / (pi * 1e-4), 1e-3);

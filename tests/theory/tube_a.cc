@@ -14,7 +14,7 @@ const auto thousand_pascal = [](const double time) { return 1000. * pulse(time, 
 void tube_a()
 {
   TubeSection section = tube(12.5e-3, 0.1e-3, 880., 1.72e6, 0.49, 998., 1e-3);
-  section.fluid.inverse_bulk_modulus = 1. / 2.2e9;
+  section.fluid.compression = Compression::elastic(1. / 2.2e9);
   TubeWaveProblem problem;
   problem.segments = {{0.446, section}};
   const TubeWaveTheory theory(problem, thousand_pascal, 0.25, 1e-4);

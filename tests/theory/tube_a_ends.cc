@@ -13,7 +13,7 @@ namespace
 TubeWaveProblem tube_a(const double length, const bool tethered, const WallEnd end)
 {
   TubeSection section = tube(12.5e-3, 0.1e-3, 880., 1.72e6, 0.49, 998., 1e-3);
-  section.fluid.inverse_bulk_modulus = 1. / 2.2e9;
+  section.fluid.compression = Compression::elastic(1. / 2.2e9);
   section.tethered = tethered;
   TubeWaveProblem problem;
   problem.segments = {{length, section}};

@@ -12,10 +12,10 @@ Material solid(const double density, const double youngs_modulus, const double p
 {
   Material material;
   material.density = density;
-  material.inverse_bulk_modulus = 3. * (1. - 2. * poissons_ratio) / youngs_modulus;
+  material.compression = Compression::elastic(3. * (1. - 2. * poissons_ratio) / youngs_modulus);
   Branch spring;
   spring.shear_modulus = 0.5 * youngs_modulus / (1. + poissons_ratio);
-  material.branches.push_back(spring);
+  material.shear.branches.push_back(spring);
   return material;
 }
 } // namespace
@@ -41,14 +41,14 @@ UNIT_TEST(tube_section)
   branch.relaxation_time = 0.01;
   section.layer_thicknesses = {2e-3};
   section.layers = {solid(1200., 2e6, 0.5)};
-  section.layers[0].branches.push_back(branch);
+  section.layers[0].shear.branches.push_back(branch);
   check::relative("storage modulus", section.membrane_modulus(omega).real(), 2.15e6, 1e-12);
   check::relative("loss modulus", section.membrane_modulus(omega).imag(), 1.5e5, 1e-12);
   check::relative("incompressible", section.poisson_ratio(omega).real(), 0.5, 1e-12);
 
   TubeSection other = section;
   check::is_true("equal", section == other);
-  other.layers[0].branches[1].relaxation_time = 0.02;
+  other.layers[0].shear.branches[1].relaxation_time = 0.02;
   check::is_true("another relaxation", !(section == other));
   other = section;
   other.tethered = true;
@@ -56,11 +56,11 @@ UNIT_TEST(tube_section)
   other = section;
   other.layer_thicknesses[0] = 1e-3;
   check::is_true("thinner", !(section == other));
-  section.layers[0].bulk_branches = {BulkBranch{1e7, 0.01}};
+  section.layers[0].compression = Compression::relaxing({BulkBranch{1e7, 0.01}});
   other = section;
   check::is_true("equal with bulk branches", section == other);
-  other.layers[0].bulk_branches[0].relaxation_time = 0.02;
+  other.layers[0].compression = Compression::relaxing({BulkBranch{1e7, 0.02}});
   check::is_true("another relaxation of the volume", !(section == other));
-  other.layers[0].bulk_branches.clear();
+  other.layers[0].compression = Compression::elastic(1e-7);
   check::is_true("no relaxation of the volume", !(section == other));
 }

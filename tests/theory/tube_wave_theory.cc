@@ -90,8 +90,8 @@ void joints(const LongTube &tube, const WaveHistory &whole)
   // A wall four times as stiff: twice the speed and impedance, so a third of the pressure returns
   // and four thirds go on; p Q of both is that of the incoming wave.
   step.segments = {{2., tube.section}, {6., tube.section}};
-  step.segments[1].section.layers[0].inverse_bulk_modulus = 0.;
-  step.segments[1].section.layers[0].branches[0].shear_modulus *= 4.;
+  step.segments[1].section.layers[0].compression = Compression();
+  step.segments[1].section.layers[0].shear.branches[0].shear_modulus *= 4.;
   step.outlet = TubeWaveProblem::Outlet::matched;
   const auto check_step = [&](const std::string &name)
   {

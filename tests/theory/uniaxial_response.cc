@@ -21,10 +21,10 @@ Material material(const double inverse_bulk_modulus,
                   const std::vector<BulkBranch> &bulk_branches = {})
 {
   Material result;
-  result.inverse_bulk_modulus = inverse_bulk_modulus;
-  result.viscosity = viscosity;
-  result.branches = branches;
-  result.bulk_branches = bulk_branches;
+  result.compression = bulk_branches.empty() ? Compression::elastic(inverse_bulk_modulus)
+                                             : Compression::relaxing(bulk_branches);
+  result.shear.viscosity = viscosity;
+  result.shear.branches = branches;
   return result;
 }
 

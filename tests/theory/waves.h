@@ -26,11 +26,11 @@ inline TubeSection tube(const double radius,
   TubeSection section;
   section.inner_radius = radius;
   section.fluid.density = density;
-  section.fluid.viscosity = viscosity;
+  section.fluid.shear.viscosity = viscosity;
   Material wall;
   wall.density = wall_density;
-  wall.inverse_bulk_modulus = 3. * (1. - 2. * poisson) / young;
-  wall.branches = {Branch{young / (2. * (1. + poisson))}};
+  wall.compression = Compression::elastic(3. * (1. - 2. * poisson) / young);
+  wall.shear.branches = {Branch{young / (2. * (1. + poisson))}};
   section.layer_thicknesses = {thickness};
   section.layers = {wall};
   return section;

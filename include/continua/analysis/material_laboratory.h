@@ -44,7 +44,7 @@ private:
   std::vector<ExpectedValue> expected;
   QuantityNames quantities; ///< that the laboratory can state
 
-  bool is_power_law() const { return material.power_law_modulus > 0.; }
+  bool is_power_law() const { return material.has_power_law(); }
   void read_material_of(ParameterSection materials);
   void check_loading_time(const ParameterSection &section) const;
   void fit(const ParameterSection &section);

@@ -34,7 +34,10 @@ public:
   void jump(const DistributedVector &pressure_change);
 
   /// Whether a region's volume change relaxes.
-  bool has(const unsigned int region) const { return !materials[region].bulk_branches.empty(); }
+  bool has(const unsigned int region) const
+  {
+    return !materials[region].compression.bulk_branches().empty();
+  }
   /// K' [Pa s].
   static double step_modulus(const Material &material, const Step &step);
   /// 1/(K b) of the step for any material [1/(Pa s)]: of a volume change that relaxes 1/K'.

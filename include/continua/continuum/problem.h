@@ -5,6 +5,7 @@
 #include <continua/boundary/outlet.h>
 #include <continua/materials/material.h>
 #include <continua/materials/model.h>
+#include <continua/materials/plane_stress.h>
 #include <continua/signal/waveform.h>
 
 #include <mpi.h>
@@ -37,12 +38,19 @@ struct Problem
 {
   MPI_Comm communicator = MPI_COMM_WORLD;
   Model model = Model::plane_strain;
-  std::vector<std::string> regions;    ///< names by material id
-  std::vector<std::string> boundaries; ///< names by boundary id
-  std::vector<Material> materials;     ///< by material id
+  std::vector<std::string> regions;                     ///< names by material id
+  std::vector<std::string> boundaries;                  ///< names by boundary id
+  std::vector<Material> materials;                      ///< by material id
+  std::vector<PlaneStressFactors> plane_stress_factors; ///< likewise; empty in other models
   std::vector<BoundaryCondition> conditions;
   std::vector<Outlet> outlets;
   InteriorData interior;
+
+  /// Of a region in any model.
+  PlaneStressFactors plane_stress(const unsigned int region) const
+  {
+    return plane_stress_factors.empty() ? PlaneStressFactors() : plane_stress_factors[region];
+  }
 };
 } // namespace Continua
 

@@ -1,8 +1,8 @@
 #ifndef continua_continuum_stress_and_strain_h
 #define continua_continuum_stress_and_strain_h
 
-#include <continua/materials/material.h>
 #include <continua/materials/model.h>
+#include <continua/materials/plane_stress.h>
 
 #include <deal.II/base/tensor.h>
 
@@ -38,7 +38,7 @@ template <int dim>
 std::array<double, 6> strain(const dealii::Tensor<2, dim> &displacement_gradient,
                              double hoop,
                              Model model,
-                             const Material &material);
+                             const PlaneStressFactors &plane_stress);
 
 /// n.sigma from the stress [Pa].
 template <int dim>

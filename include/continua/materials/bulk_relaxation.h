@@ -3,13 +3,8 @@
 
 #include <continua/materials/material.h>
 
-#include <vector>
-
 namespace Continua
 {
-/// The volume change of `material` relaxes by these branches; its K becomes the instantaneous one.
-void set_bulk_branches(Material &material, const std::vector<BulkBranch> &branches);
-
 /**
  * Gives every spring of the shear one of the volume change with the same relaxation time and
  * K_k = mu_k 2(1 + nu)/(3(1 - 2 nu)), so that Poisson's ratio is nu at all frequencies and times.

@@ -4,6 +4,7 @@
 #include <continua/base/parameter_section.h>
 #include <continua/base/summary.h>
 #include <continua/base/table_writer.h>
+#include <continua/base/words.h>
 #include <continua/continuum/continuum_solver.h>
 #include <continua/materials/model.h>
 #include <continua/postprocess/stations.h>
