@@ -1,5 +1,6 @@
 #include <continua/base/entry_type.h>
 
+#include <continua/base/joined.h>
 #include <continua/base/nearest_name.h>
 #include <continua/base/parameter_text.h>
 
@@ -61,12 +62,11 @@ std::vector<std::string> split(const std::string &text)
 }
 
 template <typename T, typename Function>
-std::string join(const std::vector<T> &values, const Function &write)
+std::string list_text(const std::vector<T> &values, const Function &write)
 {
-  std::string text;
-  for (const T &value : values)
-    text += (text.empty() ? "" : ", ") + write(value);
-  return text;
+  std::vector<std::string> words(values.size());
+  std::transform(values.begin(), values.end(), words.begin(), write);
+  return joined(words);
 }
 
 /// What follows the number, if there is a number and something follows.
@@ -174,16 +174,16 @@ EntryType<std::vector<double>> quantity_list_type(const std::vector<double> &val
   const bool has_default = std::all_of(values.begin(), values.end(),
                                        [&](const double value)
                                        { return std::isfinite(value) && contains(range, value); });
-  return {has_default
-              ? join(values, [&](const double value) { return quantity_text(value, dimension); })
-              : "",
+  return {has_default ? list_text(values, [&](const double value)
+                                  { return quantity_text(value, dimension); })
+                      : "",
           "list of numbers" + (bounds.empty() ? "" : " " + bounds),
           dimension.unit(),
           true,
           quantity_remedy(dimension, range, true) + ", separated by commas",
           [dimension, range](const std::string &text)
           { return read_quantities(text, dimension, range); },
-          [](const std::vector<double> &numbers) { return join(numbers, shortest_number); }};
+          [](const std::vector<double> &numbers) { return list_text(numbers, shortest_number); }};
 }
 
 EntryType<unsigned int>
@@ -203,7 +203,7 @@ EntryType<std::vector<unsigned int>> integer_list_type(const std::vector<unsigne
                                                        const unsigned int lower)
 {
   const unsigned int upper = std::numeric_limits<unsigned int>::max();
-  return {join(values, write_integer),
+  return {list_text(values, write_integer),
           "list of " + integer_range_text(lower, upper),
           "",
           true,
@@ -217,7 +217,8 @@ EntryType<std::vector<unsigned int>> integer_list_type(const std::vector<unsigne
               numbers.push_back(read_integer(item, lower, upper));
             return numbers;
           },
-          [](const std::vector<unsigned int> &numbers) { return join(numbers, write_integer); }};
+          [](const std::vector<unsigned int> &numbers)
+          { return list_text(numbers, write_integer); }};
 }
 
 EntryType<bool> truth_type(const bool value)
@@ -245,7 +246,7 @@ EntryType<std::string> text_type(const std::string &value)
 
 EntryType<std::vector<std::string>> word_list_type(const std::vector<std::string> &values)
 {
-  return {join(values, itself),
+  return {joined(values),
           "list of words",
           "",
           true,
@@ -256,13 +257,13 @@ EntryType<std::vector<std::string>> word_list_type(const std::vector<std::string
             refuse_empty_items(items);
             return items;
           },
-          [](const std::vector<std::string> &words) { return join(words, itself); }};
+          joined};
 }
 
 EntryType<std::string> choice_type(const std::string &value,
                                    const std::vector<std::string> &choices)
 {
-  const std::string list = join(choices, itself);
+  const std::string list = joined(choices);
   return {value,
           list,
           "",
