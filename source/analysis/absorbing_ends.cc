@@ -5,11 +5,12 @@
 #include <continua/analysis/tube_wave_case.h>
 #include <continua/base/input_error.h>
 #include <continua/mesh/round_section.h>
-#include <continua/theory/constants.h>
 #include <continua/theory/impedance_fit.h>
 #include <continua/theory/korteweg.h>
 #include <continua/theory/matched_impedance.h>
 #include <continua/vessel/tube_law.h>
+
+#include <deal.II/base/numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,11 +30,11 @@ constexpr unsigned int n_per_decade = 12, fewest_samples = 24;
 /// [Hz]: the pressure wave ends near it.
 double loaded_ring_frequency(const TubeSection &section)
 {
-  const double stiffness = section.membrane_modulus(2. * pi).real() * section.wall_thickness() /
-                           (section.inner_radius * section.inner_radius);
+  const double stiffness = section.membrane_modulus(2. * dealii::numbers::PI).real() *
+                           section.wall_thickness() / (section.inner_radius * section.inner_radius);
   const double mass = section.wall_density() * section.wall_thickness() +
                       0.25 * section.fluid.density * section.inner_radius;
-  return std::sqrt(stiffness / mass) / (2. * pi);
+  return std::sqrt(stiffness / mass) / (2. * dealii::numbers::PI);
 }
 
 struct Band
@@ -58,7 +59,7 @@ Band band_of(const AbsorbingEndParameters &asked,
                                               : resolved;
   band.lowest = asked.lowest_frequency > 0.
                     ? asked.lowest_frequency
-                    : std::min(1. / (2. * pi * time.end_time), 0.1 * band.highest);
+                    : std::min(1. / (2. * dealii::numbers::PI * time.end_time), 0.1 * band.highest);
   if (band.lowest >= band.highest)
     condition.refuse("Lowest frequency", "it is not below the highest frequency of the band",
                      "Give a lower one, or leave it out");
@@ -80,13 +81,13 @@ ImpedanceFit fit(const TubeSection &section,
   for (unsigned int i = 0; i < n; ++i)
     frequencies.push_back(band.lowest * std::pow(10., decades * i / (n - 1)));
   // Beside the axis of real frequencies, where all is smooth.
-  const double shift = 2. * pi * band.lowest;
+  const double shift = 2. * dealii::numbers::PI * band.lowest;
   try
   {
     const auto values = matched_impedances(section, wall, shift, frequencies);
     std::vector<ImpedanceSample> samples;
     for (unsigned int i = 0; i < n; ++i)
-      samples.push_back({{shift, 2. * pi * frequencies[i]},
+      samples.push_back({{shift, 2. * dealii::numbers::PI * frequencies[i]},
                          values[i],
                          band.is_weighted ? spectrum.from(frequencies[i]) : 1.});
     ImpedanceFit result = fit_impedance(samples, tolerance, 1. / time_step);
@@ -129,9 +130,10 @@ double area_of(const Case<dim> &input, const BoundaryCondition &condition)
     for (const unsigned int f : cell->face_indices())
       if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == condition.boundary_id &&
           condition.region_ids.count(cell->material_id()) > 0)
-        sum += cell->face(f)->measure() * (input.problem.model == Model::axisymmetric
-                                               ? 2. * pi * cell->face(f)->center()[1]
-                                               : 1.);
+        sum +=
+            cell->face(f)->measure() * (input.problem.model == Model::axisymmetric
+                                            ? 2. * dealii::numbers::PI * cell->face(f)->center()[1]
+                                            : 1.);
   return sum;
 }
 
@@ -186,7 +188,8 @@ void fit_tube_end(const AbsorbingEndParameters &asked,
   end.highest_frequency = band.highest;
   end.error = result.error;
   end.reference_frequency = std::clamp(spectrum.energy_frequency(), band.lowest, band.highest);
-  end.impedance = std::abs(impedance.value({0., 2. * pi * end.reference_frequency})(0, 0));
+  end.impedance =
+      std::abs(impedance.value({0., 2. * dealii::numbers::PI * end.reference_frequency})(0, 0));
   end.n_terms = impedance.terms.size();
   const double above = spectrum.from(band.highest);
   if (asked.highest_frequency > 0. && above > asked.tolerance)

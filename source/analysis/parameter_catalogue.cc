@@ -6,6 +6,7 @@
 #include <continua/analysis/measured_waves.h>
 #include <continua/analysis/refinement_study_parameters.h>
 #include <continua/base/input_error.h>
+#include <continua/base/joined.h>
 #include <continua/base/parameter_text.h>
 #include <continua/boundary/boundary_condition.h>
 #include <continua/materials/material.h>
@@ -34,14 +35,6 @@ struct Source
   std::string type_path; ///< the entry that picks a row of `types`
   std::vector<std::pair<std::string, std::string>> types;
 };
-
-std::string joined(const std::vector<std::string> &names)
-{
-  std::string text;
-  for (const std::string &name : names)
-    text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
 
 /// What the geometry calls its parts.
 template <int dim>

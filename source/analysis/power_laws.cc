@@ -3,6 +3,8 @@
 #include <continua/base/units.h>
 #include <continua/materials/power_law_fit.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -50,9 +52,10 @@ void PowerLaws::fit(Problem &problem, const TimeParameters &time, ParameterSecti
     const double highest =
         asked.highest_frequency > 0. ? asked.highest_frequency : 1. / (10. * smallest_step);
     // A run of a few steps has no band of its own.
-    const double lowest = asked.lowest_frequency > 0.
-                              ? asked.lowest_frequency
-                              : std::min(1. / (2. * M_PI * time.end_time), 0.1 * highest);
+    const double lowest =
+        asked.lowest_frequency > 0.
+            ? asked.lowest_frequency
+            : std::min(1. / (2. * dealii::numbers::PI * time.end_time), 0.1 * highest);
     series[problem.regions[region]] = fit(material, lowest, highest, section);
   }
 }

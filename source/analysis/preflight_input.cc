@@ -1,5 +1,6 @@
 #include <continua/analysis/preflight_input.h>
 
+#include <continua/mesh/coordinates.h>
 #include <continua/mesh/tube_extents.h>
 #include <continua/signal/energy_frequency.h>
 
@@ -73,17 +74,14 @@ std::array<double, 3> middle_of(const Case<dim> &input, const BoundaryCondition 
         centers.push_back(cell->face(f)->center());
         mean += centers.back();
       }
-  std::array<double, 3> point = {{0., 0., 0.}};
   if (centers.empty())
-    return point;
+    return {{0., 0., 0.}};
   mean /= centers.size();
   const auto closest = std::min_element(centers.begin(), centers.end(),
                                         [&mean](const Point<dim> &a, const Point<dim> &b) {
                                           return a.distance_square(mean) < b.distance_square(mean);
                                         });
-  for (unsigned int c = 0; c < dim; ++c)
-    point[c] = (*closest)[c];
-  return point;
+  return coordinates(*closest);
 }
 
 bool depends_on_time(const BoundaryCondition &condition)

@@ -4,6 +4,8 @@
 #include <continua/theory/tube_waves_closed_form.h>
 #include <continua/theory/womersley.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -106,7 +108,7 @@ double PreflightReport::value(const std::string &name) const
 
 double PreflightReport::reference_angular_frequency() const
 {
-  return 2. * M_PI * (frequency > 0. ? frequency : 1. / input.end_time);
+  return 2. * dealii::numbers::PI * (frequency > 0. ? frequency : 1. / input.end_time);
 }
 
 void PreflightReport::report_regions()
@@ -246,7 +248,8 @@ void PreflightReport::report_outlet(const PreflightInput::End &end, const std::s
       SectionWaves(end.section, omega)
           .korteweg(end.section.tethered ? Anchoring::throughout : Anchoring::expansion_joints);
   const double radius = end.section.inner_radius;
-  const double of_tube = end.section.fluid.density * speed / (M_PI * radius * radius);
+  const double of_tube =
+      end.section.fluid.density * speed / (dealii::numbers::PI * radius * radius);
   const Complex of_outlet = end.outlet->impedance.value(Complex(0., omega))(0, 0);
   add("reflection, " + which, std::abs((of_outlet - of_tube) / (of_outlet + of_tube)), "1",
       "'" + end.boundary + "': an outlet; the magnitude at the frequency, of a tube of " +
@@ -362,7 +365,7 @@ void PreflightReport::report_stiffest_mode()
   add("largest Courant number", courant, "1",
       "of sound and longitudinal waves in the shortest edge");
   // The shortest wave on the mesh has two nodes.
-  const double theta = std::min(M_PI * input.velocities_per_cell * courant, 1e6);
+  const double theta = std::min(dealii::numbers::PI * input.velocities_per_cell * courant, 1e6);
   const double radius = Amplification(input.step, theta / input.step.size()).spectral_radius();
   add("stiffest mode, factor per step", radius, "1",
       input.step.update == Update::midpoint ? "kept, as all modes" : "");

@@ -1,14 +1,9 @@
 #include <continua/base/parameter_file.h>
+#include <continua/base/parameter_printer.h>
 #include <continua/base/parameter_store.h>
 
-#include <deal.II/base/utilities.h>
-
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -17,92 +12,6 @@ namespace Continua
 {
 namespace
 {
-/// A cell of a markdown table.
-std::string cell(const std::string &text)
-{
-  std::string escaped;
-  for (const char letter : text)
-  {
-    if (letter == '|')
-      escaped += '\\';
-    escaped += letter;
-  }
-  return escaped;
-}
-
-std::string code_cell(const std::string &text)
-{
-  return text.empty() ? "" : "`" + cell(text) + "`";
-}
-
-void print_markdown(std::ostream &out, const ParameterStore &store)
-{
-  bool first = true;
-  for (const std::vector<std::string> &section : store.sections)
-  {
-    if (store.keys(section).empty())
-      continue;
-    out << (first ? "" : "\n") << "## " << (section.empty() ? "Top level" : join_path(section))
-        << "\n\n| Entry | Default | Values | Meaning |\n|---|---|---|---|\n";
-    first = false;
-    for (const ParameterStore::Declaration &entry : store.declarations)
-      if (entry.section == section)
-        out << "| " << code_cell(entry.key) << " | " << code_cell(entry.default_value) << " | "
-            << cell(entry.values) << " | " << cell(entry.documentation()) << " |\n";
-  }
-}
-
-void print_json(std::ostream &out, const ParameterStore &store)
-{
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const ParameterStore::Declaration &entry : store.declarations)
-  {
-    std::vector<std::string> path = entry.section;
-    path.push_back(entry.key);
-    nlohmann::ordered_json item;
-    item["path"] = join_path(path);
-    item["value"] = entry.value;
-    item["default"] = entry.default_value;
-    item["values"] = entry.values;
-    item["unit"] = entry.unit;
-    item["text"] = entry.documentation();
-    list.push_back(item);
-  }
-  out << list.dump(2) << '\n';
-}
-
-/// As ParameterHandler does, but what the user has not set stands as a comment: some entries are
-/// refused where they have no meaning, were it their default. Of the documentation all is set.
-void print_prm(std::ostream &out, ParameterStore &store)
-{
-  std::stringstream printed;
-  store.handler.print_parameters(printed, dealii::ParameterHandler::PRM |
-                                              dealii::ParameterHandler::KeepDeclarationOrder);
-  std::vector<std::string> path;
-  for (std::string line; std::getline(printed, line);)
-  {
-    const std::size_t start = std::min(line.find_first_not_of(' '), line.size());
-    const auto begins_with = [&](const std::string &word)
-    { return line.compare(start, word.size(), word) == 0; };
-    if (begins_with("subsection "))
-      path.push_back(dealii::Utilities::trim(line.substr(start + std::strlen("subsection "))));
-    else if (line.substr(start) == "end")
-      path.pop_back();
-    else if (begins_with("set ") && !store.is_documentation)
-    {
-      const std::size_t key = start + std::strlen("set ");
-      const ParameterText::Section *const section = store.text.find(path);
-      const ParameterText::Entry *const entry =
-          section == nullptr
-              ? nullptr
-              : section->entry(dealii::Utilities::trim(line.substr(key, line.find('=') - key)));
-      if (entry == nullptr || entry->value().empty())
-        line.insert(start, "# ");
-    }
-    out << line << '\n';
-  }
-}
-
 /// FNV-1a with 64 bit: G. Fowler, L. C. Noll, K.-P. Vo, as in IETF RFC 9923.
 std::string hash(const std::string &text)
 {
@@ -185,12 +94,10 @@ std::string ParameterFile::identity_text(const std::vector<std::string> &left_ou
   std::vector<std::string> lines;
   for (const ParameterStore::Declaration &entry : store->declarations)
   {
-    std::vector<std::string> names = entry.section;
-    names.push_back(entry.key);
-    const std::string path = join_path(names);
+    const std::string path = join_path(entry.path());
     if (std::none_of(left_out.begin(), left_out.end(),
                      [&path](const std::string &place) { return lies_in(path, place); }))
-      lines.push_back(path + "=" + entry.resolved + "\n");
+      lines.push_back(path + "=" + entry.one_form(store->value(entry)) + "\n");
   }
   // A table is part of the case by what it says, not by its name.
   for (const std::string &name : store->input_files)

@@ -16,12 +16,39 @@ std::string quoted_list(const std::vector<std::string> &names)
 }
 } // namespace
 
+std::vector<std::string> ParameterStore::Declaration::path() const
+{
+  std::vector<std::string> names = section;
+  names.push_back(key);
+  return names;
+}
+
 std::string ParameterStore::Declaration::documentation() const
 {
   // Some texts name a unit themselves, in the place where it is read best.
   if (unit.empty() || text.find('[') != std::string::npos)
     return text;
   return text + (text.empty() ? "[" : " [") + unit + "]";
+}
+
+std::string ParameterStore::Declaration::full_documentation() const
+{
+  Declaration described = *this;
+  if (values != "text" && values != "number")
+    described.text += " (" + values + ")";
+  return described.documentation();
+}
+
+void ParameterStore::enter(const std::vector<std::string> &section)
+{
+  for (const std::string &name : section)
+    handler.enter_subsection(name);
+}
+
+void ParameterStore::leave(const std::vector<std::string> &section)
+{
+  for (std::size_t i = 0; i < section.size(); ++i)
+    handler.leave_subsection();
 }
 
 void ParameterStore::declare_section(const std::vector<std::string> &path)
@@ -34,10 +61,8 @@ void ParameterStore::declare_section(const std::vector<std::string> &path)
     if (i < path.size())
       ancestor.push_back(path[i]);
   }
-  for (const std::string &name : path)
-    handler.enter_subsection(name);
-  for (std::size_t i = 0; i < path.size(); ++i)
-    handler.leave_subsection();
+  enter(path);
+  leave(path);
 }
 
 void ParameterStore::declare(const Declaration &declaration,
@@ -54,17 +79,22 @@ void ParameterStore::declare(const Declaration &declaration,
   else
     *existing = declaration;
 
-  for (const std::string &name : declaration.section)
-    handler.enter_subsection(name);
-  // In a parameter file there is no other place for what is accepted.
-  Declaration described = declaration;
-  if (declaration.values != "text" && declaration.values != "number")
-    described.text += " (" + declaration.values + ")";
+  enter(declaration.section);
   handler.declare_entry(declaration.key, declaration.default_value, pattern,
-                        described.documentation());
-  handler.set(declaration.key, declaration.value);
-  for (std::size_t i = 0; i < declaration.section.size(); ++i)
-    handler.leave_subsection();
+                        declaration.full_documentation());
+  leave(declaration.section);
+}
+
+void ParameterStore::set(const Declaration &declaration, const std::string &value)
+{
+  enter(declaration.section);
+  handler.set(declaration.key, value);
+  leave(declaration.section);
+}
+
+std::string ParameterStore::value(const Declaration &declaration) const
+{
+  return handler.get(declaration.section, declaration.key);
 }
 
 void ParameterStore::add_input_file(const std::string &path)
@@ -73,6 +103,13 @@ void ParameterStore::add_input_file(const std::string &path)
   { return std::find(files.begin(), files.end(), path) != files.end(); };
   if (!contains(input_files) && !contains(text.files()))
     input_files.push_back(path);
+}
+
+const ParameterText::Entry *ParameterStore::given(const std::vector<std::string> &section,
+                                                  const std::string &key) const
+{
+  const ParameterText::Section *const found = text.find(section);
+  return found == nullptr ? nullptr : found->entry(key);
 }
 
 bool ParameterStore::is_declared(const std::vector<std::string> &path) const

@@ -1,4 +1,5 @@
 #include <continua/base/atomic_file.h>
+#include <continua/base/joined.h>
 #include <continua/base/nearest_name.h>
 #include <continua/base/summary.h>
 
@@ -120,14 +121,6 @@ std::string text_of_failure(const ExpectedValue &expected, const double value)
                      " %";
   }
   return "FAILED: " + value_text + " is " + deviation_text + " off " + criterion(expected);
-}
-
-std::string joined(const std::vector<std::string> &words)
-{
-  std::string text;
-  for (const std::string &word : words)
-    text += (text.empty() ? "" : ", ") + word;
-  return text;
 }
 
 /// What became of one expected value.

@@ -1,5 +1,7 @@
 #include <continua/base/units.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <array>
 #include <cctype>
 #include <charconv>
@@ -49,7 +51,7 @@ constexpr std::array<Unit, 22> known_units{{
     {"%", 1e-2, Dimensions::none, false},
     {"1", 1., Dimensions::none, false},
     {"rad", 1., Dimensions::none, false},
-    {"deg", 3.14159265358979323846 / 180., Dimensions::none, false},
+    {"deg", dealii::numbers::PI / 180., Dimensions::none, false},
 }};
 
 struct Prefix

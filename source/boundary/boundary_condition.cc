@@ -1,5 +1,6 @@
 #include <continua/boundary/boundary_condition.h>
 
+#include <continua/base/joined.h>
 #include <continua/base/required_entry.h>
 
 #include <algorithm>
@@ -12,14 +13,6 @@ namespace Continua
 {
 namespace
 {
-std::string joined(const std::vector<std::string> &names)
-{
-  std::string text;
-  for (const std::string &name : names)
-    text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 using Kind = BoundaryPart::Kind;
 
 std::vector<Waveform> read_vector(ParameterSection &section,

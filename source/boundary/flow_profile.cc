@@ -1,5 +1,7 @@
 #include <continua/boundary/flow_profile.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <gsl/gsl_sf_bessel.h>
 
 #include <algorithm>
@@ -8,6 +10,8 @@
 
 namespace Continua
 {
+using dealii::numbers::PI;
+
 namespace
 {
 /// With the tail the error of a profile of Womersley number 140 is below 1e-4 of the mean velocity.
@@ -36,7 +40,7 @@ FlowProfile::FlowProfile(const Shape shape,
 double FlowProfile::mean_velocity(const double time) const
 {
   const double origin[3] = {0., 0., 0.};
-  return flow_rate(origin, time) / (M_PI * tube_radius * tube_radius);
+  return flow_rate(origin, time) / (PI * tube_radius * tube_radius);
 }
 
 void FlowProfile::tabulate(const FlowHistory &history)

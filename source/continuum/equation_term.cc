@@ -128,7 +128,8 @@ public:
                           TermContext &context) const override
   {
     double sum = 0.;
-    const std::vector<BulkBranch> &branches = context.problem.materials[region].compression.bulk_branches();
+    const std::vector<BulkBranch> &branches =
+        context.problem.materials[region].compression.bulk_branches();
     for (unsigned int k = 0; k < branches.size(); ++k)
       if (!std::isinf(branches[k].relaxation_time))
       {

@@ -1,23 +1,11 @@
 #include <continua/continuum/system_coefficients.h>
 
+#include <continua/base/nearly_equal.h>
 #include <continua/continuum/branch_history.h>
 #include <continua/continuum/bulk_history.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace Continua
 {
-bool nearly_equal(const std::vector<double> &a, const std::vector<double> &b)
-{
-  if (a.size() != b.size())
-    return false;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (std::abs(a[i] - b[i]) > 1e-12 * std::abs(a[i]))
-      return false;
-  return true;
-}
-
 bool SystemCoefficients::operator==(const SystemCoefficients &other) const
 {
   return nearly_equal(mass, other.mass) && nearly_equal(stiffness, other.stiffness) &&

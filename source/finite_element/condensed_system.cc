@@ -1,5 +1,7 @@
 #include <continua/finite_element/condensed_system.h>
 
+#include <continua/base/nearly_equal.h>
+#include <continua/linear_algebra/for_row.h>
 #include <continua/mesh/cells_in_tree_order.h>
 
 #include <deal.II/base/mpi.h>
@@ -21,21 +23,6 @@ using namespace dealii;
 
 namespace
 {
-/// One row of a Trilinos matrix: calls function(global column, value).
-template <typename Function>
-void for_row(const TrilinosWrappers::SparseMatrix &matrix,
-             const int local_row,
-             const Function &function)
-{
-  const Epetra_CrsMatrix &epetra = matrix.trilinos_matrix();
-  int n_entries = 0;
-  double *values = nullptr;
-  int *columns = nullptr;
-  epetra.ExtractMyRowView(local_row, n_entries, values, columns);
-  for (int k = 0; k < n_entries; ++k)
-    function(epetra.GCID(columns[k]), values[k]);
-}
-
 using Entries = std::vector<std::pair<int, double>>;
 
 /// Sorts by column and adds what stands in the same one.

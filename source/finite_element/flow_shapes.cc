@@ -3,6 +3,7 @@
 #include <continua/mesh/cells_in_tree_order.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
@@ -68,7 +69,7 @@ nodal_flow_shapes(const Space<dim> &space, const BoundaryCondition &condition)
 
   const std::size_t n_shapes = profile.shapes(0.).size();
   std::vector<double> means(n_shapes, 0.);
-  const double area = profile.fraction() * M_PI * profile.radius() * profile.radius();
+  const double area = profile.fraction() * numbers::PI * profile.radius() * profile.radius();
   for (const auto &[dof, shape] : shapes)
     for (std::size_t m = 0; m < n_shapes; ++m)
       means[m] += flow_of_node[dof] * shape[m] / area;

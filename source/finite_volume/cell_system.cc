@@ -1,10 +1,10 @@
 #include <continua/finite_volume/cell_system.h>
 
+#include <continua/base/nearly_equal.h>
 #include <continua/finite_volume/sparse_rows.h>
+#include <continua/linear_algebra/for_row.h>
 #include <continua/linear_algebra/matrix_product.h>
 #include <continua/mesh/ghost_exchange.h>
-
-#include <Epetra_CrsMatrix.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,19 +16,6 @@ using namespace dealii;
 namespace
 {
 using Matrix = TrilinosWrappers::SparseMatrix;
-
-/// One row of a Trilinos matrix: calls function(global column, value).
-template <typename Function>
-void for_row(const Matrix &matrix, const int local_row, const Function &function)
-{
-  const Epetra_CrsMatrix &epetra = matrix.trilinos_matrix();
-  int n_entries = 0;
-  double *values = nullptr;
-  int *columns = nullptr;
-  epetra.ExtractMyRowView(local_row, n_entries, values, columns);
-  for (int k = 0; k < n_entries; ++k)
-    function(epetra.GCID(columns[k]), values[k]);
-}
 } // namespace
 
 bool CellCoefficients::operator==(const CellCoefficients &other) const

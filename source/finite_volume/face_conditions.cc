@@ -4,6 +4,7 @@
 #include <continua/signal/jump.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
 
 #include <algorithm>
 #include <array>
@@ -93,7 +94,7 @@ void FaceConditions<dim>::set_flow_shapes(const unsigned int condition)
   const FlowProfile &profile = *conditions[condition].normal.flow;
   const std::size_t n_shapes = profile.shapes(0.).size();
   std::vector<double> means(n_shapes, 0.);
-  const double section = profile.fraction() * M_PI * profile.radius() * profile.radius();
+  const double section = profile.fraction() * numbers::PI * profile.radius() * profile.radius();
   for (Face &face : boundary_faces)
     if (face.condition == condition)
     {

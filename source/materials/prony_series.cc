@@ -2,6 +2,8 @@
 
 #include <continua/base/quiet_gsl.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit_nlinear.h>
 
@@ -15,6 +17,8 @@
 
 namespace Continua
 {
+using dealii::numbers::PI;
+
 namespace
 {
 struct FreeWorkspace
@@ -43,7 +47,7 @@ struct Samples
       if (!(moduli.back().real() > 0.) || !std::isfinite(std::abs(moduli.back())))
       {
         std::ostringstream text;
-        text << "the law has no positive storage modulus at " << omega / (2. * M_PI) << " Hz";
+        text << "the law has no positive storage modulus at " << omega / (2. * PI) << " Hz";
         throw std::domain_error(text.str());
       }
     }
@@ -199,7 +203,7 @@ PronySeries fit(const ComplexModulus &law,
                 const double sufficient,
                 const double hopeless = std::numeric_limits<double>::infinity())
 {
-  const double lowest = 2. * M_PI * lowest_frequency, highest = 2. * M_PI * highest_frequency;
+  const double lowest = 2. * PI * lowest_frequency, highest = 2. * PI * highest_frequency;
   // The error has about as many extrema as there are unknowns: some samples to each, and for the
   // error that is reported ten times as many.
   const unsigned int n_unknowns = 1 + 2 * n_branches;

@@ -1,5 +1,7 @@
 #include <continua/mesh/region_expression.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <muParser.h>
 
 #include <cmath>
@@ -8,6 +10,8 @@
 
 namespace Continua
 {
+using dealii::numbers::PI;
+
 namespace
 {
 double if_function(const double condition, const double a, const double b)
@@ -40,7 +44,7 @@ RegionExpression::RegionExpression(const std::string &text) : parser(std::make_u
     expression.DefineVar("x", &parser->x);
     expression.DefineVar("y", &parser->y);
     expression.DefineVar("z", &parser->z);
-    expression.DefineConst("pi", M_PI);
+    expression.DefineConst("pi", PI);
     expression.DefineConst("e", M_E);
     expression.DefineFun("if", if_function);
     expression.DefineFun("pow", power);

@@ -1,5 +1,6 @@
 #include <continua/mesh/round_section.h>
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_values.h>
@@ -33,7 +34,7 @@ RoundSection find_round_section(const Triangulation<dim> &triangulation,
         continue;
       values.reinit(cell, f);
       for (const unsigned int q : values.quadrature_point_indices())
-        area += values.JxW(q) * (dim == 2 ? 2. * M_PI * values.quadrature_point(q)[1] : 1.);
+        area += values.JxW(q) * (dim == 2 ? 2. * numbers::PI * values.quadrature_point(q)[1] : 1.);
       for (const unsigned int v : cell->face(f)->vertex_indices())
       {
         const Point<dim> &vertex = cell->face(f)->vertex(v);
@@ -50,7 +51,7 @@ RoundSection find_round_section(const Triangulation<dim> &triangulation,
     throw std::invalid_argument("the boundary does not lie in one plane across the x axis");
   // Polygons, of meshes without curved cells, have less area than the disc.
   constexpr double tolerance = 0.05;
-  const double measured = area / (M_PI * radius * radius);
+  const double measured = area / (numbers::PI * radius * radius);
   for (const double fraction : {1., 0.5, 0.25})
     if (std::abs(measured - fraction) < tolerance * fraction)
       return {radius, fraction};

@@ -1,5 +1,6 @@
 #include <continua/postprocess/name_choice.h>
 
+#include <continua/base/joined.h>
 #include <continua/base/nearest_name.h>
 
 #include <algorithm>
@@ -8,12 +9,9 @@ namespace Continua
 {
 std::string choices(const std::string &name, const std::vector<std::string> &candidates)
 {
-  std::string list;
-  for (const std::string &candidate : candidates)
-    list += (list.empty() ? "" : ", ") + candidate;
   const std::string near = nearest_name(name, candidates);
   return (near.empty() ? "" : "Did you mean '" + near + "'? ") +
-         "There are: " + (list.empty() ? "none" : list);
+         "There are: " + (candidates.empty() ? "none" : joined(candidates));
 }
 
 unsigned int find_name(const ParameterSection &section,

@@ -4,6 +4,8 @@
 #include <continua/base/undefined.h>
 #include <continua/signal/gsl_release.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
@@ -17,6 +19,8 @@
 
 namespace Continua
 {
+using dealii::numbers::PI;
+
 namespace
 {
 
@@ -124,7 +128,7 @@ void search_frequencies(const Samples &samples, SineModel &model)
     for (std::size_t k = 0; k < model.components.size(); ++k)
       if (k != j)
         reach = std::min(reach, 0.5 * std::abs(start.components[k].angular - centre));
-    const double step = 0.25 * 2. * M_PI;
+    const double step = 0.25 * 2. * PI;
     const int n_steps = static_cast<int>(reach / step);
     Component best = model.components[j];
     for (int i = -n_steps; i <= n_steps; ++i)
@@ -247,12 +251,12 @@ DampedSine to_damped_sine(Component component,
   }
   DampedSine result;
   const double angular_frequency = component.angular / duration;
-  result.frequency = angular_frequency / (2. * M_PI);
+  result.frequency = angular_frequency / (2. * PI);
   result.decay_rate = component.decay / duration;
   result.amplitude = scale * std::hypot(component.cosine, component.sine) *
                      std::exp(result.decay_rate * first_time);
   result.phase = std::remainder(
-      std::atan2(component.cosine, component.sine) - angular_frequency * first_time, 2. * M_PI);
+      std::atan2(component.cosine, component.sine) - angular_frequency * first_time, 2. * PI);
   return result;
 }
 } // namespace
@@ -304,7 +308,7 @@ DampedSineFit fit_damped_sines(const std::vector<double> &times,
   for (const double frequency : start_frequencies)
   {
     Component component;
-    component.angular = 2. * M_PI * frequency * duration;
+    component.angular = 2. * PI * frequency * duration;
     model.components.push_back(component);
   }
   const QuietGsl quiet;

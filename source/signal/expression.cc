@@ -1,5 +1,7 @@
 #include <continua/signal/expression.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <muParser.h>
 
 #include <cctype>
@@ -9,6 +11,8 @@
 
 namespace Continua
 {
+using dealii::numbers::PI;
+
 namespace
 {
 const std::string symbols = "the variables are x, y, z, t, the constants pi, e";
@@ -107,7 +111,7 @@ struct Expression::Parser
     parser.DefineVar("y", &variables[1]);
     parser.DefineVar("z", &variables[2]);
     parser.DefineVar("t", &variables[3]);
-    parser.DefineConst("pi", M_PI);
+    parser.DefineConst("pi", PI);
     parser.DefineConst("e", M_E);
     parser.DefineFun("if", if_function);
     parser.DefineFun("pow", power);

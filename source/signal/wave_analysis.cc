@@ -3,6 +3,8 @@
 #include <continua/signal/fourier_transform.h>
 #include <continua/signal/wave_analysis.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -11,6 +13,8 @@
 
 namespace Continua
 {
+using dealii::numbers::PI;
+
 namespace
 {
 constexpr ByArrival nothing = {undefined, undefined, undefined, undefined};
@@ -84,7 +88,7 @@ double window(const double distance)
   const double edge = std::min(place, 1. - place);
   if (edge <= 0.)
     return 0.;
-  return edge >= taper ? 1. : 0.5 * (1. - std::cos(M_PI * edge / taper));
+  return edge >= taper ? 1. : 0.5 * (1. - std::cos(PI * edge / taper));
 }
 
 /// The transform of the pulse, on a uniform grid that begins at the record's first time.
@@ -129,7 +133,7 @@ double phase_delay(const std::vector<std::complex<double>> &reference,
   {
     if (std::abs(reference[k]) < bandwidth_level * largest)
       break;
-    const double angular_frequency = 2. * M_PI * k * frequency_step;
+    const double angular_frequency = 2. * PI * k * frequency_step;
     const std::complex<double> cross =
         spectrum[k] * std::conj(reference[k]) * std::polar(1., angular_frequency * peak_delay);
     numerator -= std::abs(cross) * std::arg(cross) * angular_frequency;

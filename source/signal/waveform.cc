@@ -2,6 +2,8 @@
 #include <continua/signal/time_table.h>
 #include <continua/signal/waveform.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +11,8 @@
 
 namespace Continua
 {
+using dealii::numbers::PI;
+
 namespace
 {
 std::shared_ptr<const TimeTable>
@@ -59,7 +63,7 @@ read_sine_squared(ParameterSection &section, const std::string &key, const Dimen
     const double phase = (time - start) / duration;
     if (phase <= 0. || phase >= 1.)
       return 0.;
-    const double sine = std::sin(M_PI * phase);
+    const double sine = std::sin(PI * phase);
     return amplitude * sine * sine;
   };
 }
@@ -226,7 +230,7 @@ double Waveform::operator()(const double *point, const double time) const
     value *= (*of_time)(time);
   if (ramp > 0. && time < ramp)
   {
-    const double sine = time > 0. ? std::sin(0.5 * M_PI * time / ramp) : 0.;
+    const double sine = time > 0. ? std::sin(0.5 * PI * time / ramp) : 0.;
     value *= sine * sine;
   }
   return value;

@@ -1,14 +1,17 @@
 #include <continua/theory/closed_form_waves.h>
 
-#include <continua/theory/constants.h>
 #include <continua/theory/tube_waves_closed_form.h>
 #include <continua/theory/womersley.h>
+
+#include <deal.II/base/numbers.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace Continua
 {
+using dealii::numbers::PI;
+
 const Words<WaveLevel> &wave_level_words()
 {
   static const Words<WaveLevel> words = {{"exact", WaveLevel::exact},
@@ -27,7 +30,7 @@ ClosedFormWaves::ClosedFormWaves(const TubeSection &section,
 
 void ClosedFormWaves::evaluate(const double frequency, std::vector<WaveMode> &modes) const
 {
-  const Complex omega(2. * pi * frequency, -shift);
+  const Complex omega(2. * PI * frequency, -shift);
   const double radius = section.inner_radius, thickness = section.wall_thickness();
   const Material &fluid = section.fluid;
   const Womersley flow(radius, fluid.density, fluid.shear.viscosity);
@@ -56,7 +59,7 @@ void ClosedFormWaves::evaluate(const double frequency, std::vector<WaveMode> &mo
   mode.junction[WaveMode::flow_rate] = flow.flow_rate(omega, gradient);
   mode.wall_shear_stress = -flow.wall_shear_stress(omega, gradient);
   mode.wall_displacement =
-      mode.wave_number * mode.junction[WaveMode::flow_rate] / (2. * pi * radius * omega);
+      mode.wave_number * mode.junction[WaveMode::flow_rate] / (2. * PI * radius * omega);
   mode.hoop_stress = radius / thickness;
   modes.assign(1, mode);
 }

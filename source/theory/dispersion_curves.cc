@@ -3,6 +3,8 @@
 #include <continua/base/input_error.h>
 #include <continua/theory/constants.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <gsl/gsl_spline.h>
 
 #include <array>
@@ -11,6 +13,8 @@
 
 namespace Continua
 {
+using dealii::numbers::PI;
+
 namespace
 {
 using Complex = std::complex<double>;
@@ -62,7 +66,7 @@ DispersionCurves::DispersionCurves(const TubeSection &section,
     : dispersion(section)
 {
   // Fine where the decay of the transform sets the scale, then a fixed part of the frequency.
-  const double finest = shift / (2. * pi) / 3.;
+  const double finest = shift / (2. * PI) / 3.;
   for (double frequency = 0.; frequency < highest_frequency;
        frequency += std::max(finest, 0.1 * frequency))
     frequencies.push_back(frequency);
@@ -121,7 +125,7 @@ DispersionCurves::follow(const ExactDispersion::Family family,
   const auto foreseen = [&](const double frequency)
   {
     if (known.empty())
-      return dispersion.guess(family, Complex(2. * pi * frequency, -shift));
+      return dispersion.guess(family, Complex(2. * PI * frequency, -shift));
     const unsigned int n = std::min<unsigned int>(3, known.size()), first = known.size() - n;
     Complex sum = 0.;
     for (unsigned int i = first; i < known.size(); ++i)
@@ -146,7 +150,7 @@ DispersionCurves::follow(const ExactDispersion::Family family,
       const double last = known.empty() ? 0. : known_frequencies.back();
       const double frequency =
           target == 0 ? frequencies[0] : std::min(frequencies[target], last + step * (1. + 1e-12));
-      const Complex omega(2. * pi * frequency, -shift), start = foreseen(frequency);
+      const Complex omega(2. * PI * frequency, -shift), start = foreseen(frequency);
       Complex root;
       // The first guess is that of a thin wall.
       const double tolerance = known.empty() ? 0.6 : 0.1;
@@ -178,7 +182,7 @@ DispersionCurves::follow(const ExactDispersion::Family family,
         break;
     }
     curve.push_back(
-        dispersion.mode(family, Complex(2. * pi * frequencies[target], -shift), known.back()));
+        dispersion.mode(family, Complex(2. * PI * frequencies[target], -shift), known.back()));
   }
   return curve;
 }

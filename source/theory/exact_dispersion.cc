@@ -4,6 +4,8 @@
 #include <continua/theory/constants.h>
 #include <continua/theory/womersley.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -11,6 +13,8 @@
 
 namespace Continua
 {
+using dealii::numbers::PI;
+
 namespace
 {
 using Complex = std::complex<double>;
@@ -446,7 +450,7 @@ WaveMode ExactDispersion::uncertain_mode(const Family family,
   mode.hoop_stress = 0.;
   mode.junction.fill(0.);
   mode.junction[WaveMode::traction] = scaled(traction);
-  mode.junction[WaveMode::flow_rate] = imaginary * omega * pi * radius * radius * scaled(mean_u_z);
+  mode.junction[WaveMode::flow_rate] = imaginary * omega * PI * radius * radius * scaled(mean_u_z);
 
   // The wall's quantities by Gauss's rule in each layer.
   double area = 0., first_moment = 0., second_moment = 0.;
@@ -455,8 +459,8 @@ WaveMode ExactDispersion::uncertain_mode(const Family family,
     {
       const double r = radii[i] + gauss_points[q] * section.layer_thicknesses[i];
       const double weight = gauss_weights[q] * section.layer_thicknesses[i];
-      area += 2. * pi * r * weight;
-      first_moment += 2. * pi * r * r * weight;
+      area += 2. * PI * r * weight;
+      first_moment += 2. * PI * r * r * weight;
     }
   const double middle = area > 0. ? first_moment / area : 0.;
   for (unsigned int i = 0; i < section.layers.size(); ++i)
@@ -466,7 +470,7 @@ WaveMode ExactDispersion::uncertain_mode(const Family family,
     {
       const double r = radii[i] + gauss_points[q] * section.layer_thicknesses[i];
       const double weight = gauss_weights[q] * section.layer_thicknesses[i];
-      const double ring = 2. * pi * r * weight, arm = r - middle;
+      const double ring = 2. * PI * r * weight, arm = r - middle;
       const Columns columns = wall_columns(wall, Ball(r));
       const auto value = [&](const Ball Column::*what)
       { return scaled(sum(columns, n_core + 4 * i, what)); };

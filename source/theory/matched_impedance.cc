@@ -1,11 +1,14 @@
 #include <continua/theory/matched_impedance.h>
 
-#include <continua/theory/constants.h>
 #include <continua/theory/dispersion_curves.h>
 #include <continua/theory/scaled_system.h>
 
+#include <deal.II/base/numbers.h>
+
 namespace Continua
 {
+using dealii::numbers::PI;
+
 namespace
 {
 using Complex = std::complex<double>;
@@ -76,7 +79,7 @@ std::vector<dealii::FullMatrix<Complex>> matched_impedances(const TubeSection &s
   {
     curves.evaluate(frequency, modes);
     impedances.push_back(
-        matched_impedance(modes, wall, Complex(2. * pi * frequency, -shift), section.wall_area()));
+        matched_impedance(modes, wall, Complex(2. * PI * frequency, -shift), section.wall_area()));
   }
   return impedances;
 }

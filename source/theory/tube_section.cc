@@ -1,5 +1,7 @@
 #include <continua/theory/tube_section.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 
 namespace Continua
@@ -53,7 +55,7 @@ double TubeSection::wall_thickness() const
 double TubeSection::wall_area() const
 {
   const double thickness = wall_thickness();
-  return 3.14159265358979323846 * thickness * (2. * inner_radius + thickness);
+  return dealii::numbers::PI * thickness * (2. * inner_radius + thickness);
 }
 
 std::complex<double> TubeSection::membrane_modulus(const std::complex<double> &omega) const

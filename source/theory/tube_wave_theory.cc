@@ -5,6 +5,8 @@
 #include <continua/theory/scaled_system.h>
 #include <continua/theory/tube_wave_theory.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <gsl/gsl_spline.h>
 
 #include <algorithm>
@@ -14,6 +16,8 @@
 
 namespace Continua
 {
+using dealii::numbers::PI;
+
 namespace
 {
 using Complex = std::complex<double>;
@@ -160,7 +164,7 @@ TubeWaveTheory::TubeWaveTheory(const TubeWaveProblem &problem,
     {
       const double young = segment.section.membrane_modulus(Complex(0., -shift)).real();
       const double ring_frequency = std::sqrt(young / segment.section.wall_density()) /
-                                    (2. * pi * segment.section.inner_radius);
+                                    (2. * PI * segment.section.inner_radius);
       last = std::min(
           last, static_cast<unsigned int>((is_membrane ? 0.5 : 2.) * ring_frequency * period));
     }
@@ -171,7 +175,7 @@ TubeWaveTheory::TubeWaveTheory(const TubeWaveProblem &problem,
   {
     const double share =
         n <= first_faded ? 0. : static_cast<double>(n - first_faded) / (last + 1 - first_faded);
-    spectrum.push_back(samples[n] * 0.5 * (1. + std::cos(pi * share)));
+    spectrum.push_back(samples[n] * 0.5 * (1. + std::cos(PI * share)));
   }
 
   compute_sections();
@@ -193,7 +197,7 @@ TubeWaveTheory::transform_inlet(const std::function<double(double)> &inlet,
     if (beyond <= 0.)
       samples[j] = inlet(time) * weight;
     else if (beyond < fade)
-      samples[j] = value_at_end * 0.5 * (1. + std::cos(pi * beyond / fade)) * weight;
+      samples[j] = value_at_end * 0.5 * (1. + std::cos(PI * beyond / fade)) * weight;
   }
   samples[0] *= 0.5;
   return fourier_transform(samples);
@@ -289,7 +293,7 @@ TubeWaveTheory::Amplitudes TubeWaveTheory::amplitudes(
   {
     const double radius = problem.segments[segment].section.inner_radius;
     return (forward ? 1. : WaveMode::parity[quantities[row]]) *
-           joint_value(modes[segment][family], quantities[row], pi * radius * radius, omega);
+           joint_value(modes[segment][family], quantities[row], PI * radius * radius, omega);
   };
 
   // From the far end: backward waves at a segment's end = reflection x forward waves at its start.
@@ -381,7 +385,7 @@ std::vector<WaveHistory> TubeWaveTheory::histories(const std::vector<double> &st
   for (unsigned int n = 0; n < spectrum.size(); ++n)
   {
     const double frequency = n / period;
-    const Complex omega(2. * pi * frequency, -shift);
+    const Complex omega(2. * PI * frequency, -shift);
     evaluate(frequency, modes);
     const Amplitudes solution = amplitudes(spectrum[n], modes, omega);
     for (unsigned int i = 0; i < stations.size(); ++i)

@@ -2,12 +2,16 @@
 
 #include <continua/theory/constants.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 namespace Continua
 {
+using dealii::numbers::PI;
+
 Womersley::Womersley(const double radius, const double density, const double viscosity)
     : radius(radius), density(density), viscosity(viscosity)
 {
@@ -18,7 +22,7 @@ Womersley::Womersley(const double radius, const double density, const double vis
 
 double Womersley::area() const
 {
-  return pi * radius * radius;
+  return PI * radius * radius;
 }
 
 double Womersley::number(const double omega) const

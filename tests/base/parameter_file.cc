@@ -2,6 +2,7 @@
 
 #include "../unit_test.h"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -187,6 +188,33 @@ void test_values()
                      contains(printed, "\n    set Young's modulus"));
   check::is_true("printed text with unit", contains(printed, "# Time step (number > 0) [s]"));
   check::is_true("printed empty member of a family", contains(printed, "subsection fluid"));
+}
+
+void test_empty_values()
+{
+  ParameterFile parameters = file("subsection Materials\n  subsection wall\n"
+                                  "    set Relaxation times =\n  end\nend\n"
+                                  "subsection Time\n  set End time =\nend\n"
+                                  "subsection Family\n  subsection member\n  end\nend\n");
+  const auto read = [](ParameterFile &one, Everything &values)
+  {
+    values.read(one.root());
+    one.root().subsection("Family").subsection("member");
+    one.root().subsection("Other family");
+    one.refuse_unknown();
+  };
+  Everything e;
+  read(parameters, e);
+  check::is_true("a list that the file empties", e.times.empty());
+  check::is_true("an empty text leaves 'none' as it is", std::isinf(e.end_time));
+  const std::string printed = print(parameters, ParameterFile::Style::prm);
+  check::is_true("a section without entries that the file has",
+                 contains(printed, "  subsection member\n  end\n"));
+  check::is_true("one that it does not have", !contains(printed, "Other family"));
+  ParameterFile again(write("empty.prm", printed));
+  Everything f;
+  read(again, f);
+  check::is_true("printed file reads back", equal(e, f));
 }
 
 void test_documentation()
@@ -425,6 +453,7 @@ UNIT_TEST(parameter_file)
   std::filesystem::remove_all(directory);
   std::filesystem::create_directory(directory);
   test_values();
+  test_empty_values();
   test_documentation();
   test_includes();
   test_text_errors();

@@ -183,7 +183,7 @@ struct Tube
     DistributedVector mass_residual = space.pressure_vector(), compressed = mass_residual;
     body->add_divergence(balanced, mass_residual);
     body->multiply_pressure_mass(0, compressed, pressure);
-    mass_residual.add(liquid.inverse_bulk_modulus / step.pressure_time, compressed);
+    mass_residual.add(liquid.inverse_bulk_modulus() / step.pressure_time, compressed);
     return {(residual.linfty_norm() + mass_residual.linfty_norm()) / scale, virtual_power};
   }
 

@@ -11,12 +11,13 @@
 namespace Continua
 {
 /**
- * The text of a `.prm` file with its includes and the command line's overrides: first read as text
- * (each entry with its file and line), then declared and handed out by ParameterSection, checked
- * for leftovers, and printed resolved. Syntax as deal.II's ParameterHandler: `subsection NAME`,
- * `set KEY = VALUE`, `end`, `#` comments, a backslash at the end of a line continues it, and
- * `include FILE` relative to the including file. An entry in an including file overrides that of
- * the included one wherever it stands; a key set twice in one file is an error.
+ * A `.prm` file with its includes and the command line's overrides: first read as text (each entry
+ * with its file and line), then declared by ParameterSection in deal.II's ParameterHandler, which
+ * alone holds the values, checked for leftovers, and printed resolved. Syntax as deal.II's
+ * ParameterHandler: `subsection NAME`, `set KEY = VALUE`, `end`, `#` comments, a backslash at the
+ * end of a line continues it, and `include FILE` relative to the including file. An entry in an
+ * including file overrides that of the included one wherever it stands; a key set twice in one file
+ * is an error.
  */
 class ParameterFile
 {
@@ -49,9 +50,10 @@ public:
   };
   /// Every declared entry with its value: the resolved parameters. prm has each text as a comment,
   /// and each entry that the user did not set (but of an empty file), and can be read again from
-  /// any directory (input files are named by their absolute paths); json is a list of objects with
-  /// path, value, default, values (what is accepted), unit and text; markdown is a table a section
-  /// for the manual.
+  /// any directory (input files are named by their absolute paths), also by a plain
+  /// ParameterHandler that has declared the entries; json is a list of objects with path, value,
+  /// default, values (what is accepted), unit and text; markdown is a table a section for the
+  /// manual.
   void print(std::ostream &out, Style style) const;
 
   /// All resolved entries but those that are, or lie in, one of `left_out` ("Output", "Time/End

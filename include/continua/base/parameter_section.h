@@ -32,8 +32,9 @@ struct Range
 
 /**
  * One subsection of a parameter file. Each `add` declares an entry (name, default = the variable's
- * value, pattern, text with unit) and at once gives the variable the value that the file or the
- * command line sets, or throws an InputError with file, line, key and remedy. What a file sets and
+ * value, pattern, text with unit) in deal.II's ParameterHandler, sets there what the file or the
+ * command line gives, or throws an InputError with file, line, key and remedy; and at once the
+ * variable gets the value that the handler holds. What a file sets and
  * nobody has declared is refused at the end by ParameterFile::refuse_unknown(). A cheap handle:
  * copies refer to the same section of the same file, which must outlive them (it may be moved).
  *

@@ -5,6 +5,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,12 @@ namespace Continua
 {
 /**
  * What the sections of one parameter file share: the user's text, what has been declared, and
- * deal.II's ParameterHandler with both. Internal to ParameterFile and ParameterSection.
+ * deal.II's ParameterHandler, which alone holds the values. Internal to ParameterFile and
+ * ParameterSection.
  */
 struct ParameterStore
 {
+  /// What an entry is, but for its value.
   struct Declaration
   {
     std::vector<std::string> section;
@@ -24,12 +27,16 @@ struct ParameterStore
     std::string values;        ///< what is accepted, in words: "number > 0"
     std::string unit;          ///< "Pa", "1"; empty for what is no quantity
     std::string text;          ///< without the unit
-    std::string value;         ///< as the user wrote it, or the default
-    std::string
-        resolved; ///< the value in one form only, in SI: two ways to write one value have the same
+    /// Brings the text of a value into one form only, in SI: two ways to write one value have the
+    /// same.
+    std::function<std::string(const std::string &)> one_form;
 
+    /// The section and the key.
+    std::vector<std::string> path() const;
     /// The documentation of a quantity ends with its unit.
     std::string documentation() const;
+    /// That with what is accepted, for which a parameter file has no other place.
+    std::string full_documentation() const;
   };
 
   ParameterText text;
@@ -37,13 +44,19 @@ struct ParameterStore
   std::vector<Declaration> declarations;          ///< in the order in which they were declared
   std::vector<std::vector<std::string>> sections; ///< those declared, parents before children
   std::vector<std::string> input_files;           ///< besides those of `text`
-  dealii::ParameterHandler handler;
 
   void declare_section(const std::vector<std::string> &path);
-  /// A second declaration of an entry replaces the first.
+  /// Declares an entry, whose value is then its default. A second declaration replaces the first.
   void declare(const Declaration &declaration, const dealii::Patterns::PatternBase &pattern);
+  /// Gives a declared entry its value; the pattern accepts it.
+  void set(const Declaration &declaration, const std::string &value);
+  /// The value of a declared entry: what set() gave it, or the default.
+  std::string value(const Declaration &declaration) const;
   void add_input_file(const std::string &path);
 
+  /// What the user's text sets; null if it does not have the entry.
+  const ParameterText::Entry *given(const std::vector<std::string> &section,
+                                    const std::string &key) const;
   bool is_declared(const std::vector<std::string> &path) const;
   bool is_declared(const std::vector<std::string> &path, const std::string &key) const;
   /// The keys and the subsections declared in a section.
@@ -53,11 +66,15 @@ struct ParameterStore
   std::vector<InputError> unknown() const;
 
 private:
+  void enter(const std::vector<std::string> &section);
+  void leave(const std::vector<std::string> &section);
   void find_unknown(const ParameterText::Section &section,
                     const std::vector<std::string> &path,
                     std::vector<InputError> &errors) const;
   /// "Did you mean ...?" or what there is instead.
   std::string suggestion(const std::vector<std::string> &path, const std::string &name) const;
+
+  dealii::ParameterHandler handler;
 };
 } // namespace Continua
 

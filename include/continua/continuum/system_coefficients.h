@@ -24,9 +24,6 @@ struct SystemCoefficients
   /// for compressibility) or of a steady flow, where dp/dt = 0 and compressibility has no part.
   void set_steady(const std::vector<Material> &materials);
 };
-
-/// Whether two lists of coefficients are equal but for round-off.
-bool nearly_equal(const std::vector<double> &a, const std::vector<double> &b);
 } // namespace Continua
 
 #endif

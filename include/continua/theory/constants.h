@@ -5,7 +5,6 @@
 
 namespace Continua
 {
-constexpr double pi = 3.14159265358979323846;
 /// The imaginary unit.
 constexpr std::complex<double> imaginary(0., 1.);
 } // namespace Continua

@@ -1,0 +1,154 @@
+#include <continua/base/parameter_printer.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace Continua
+{
+namespace
+{
+using Path = std::vector<std::string>;
+
+/// A cell of a markdown table.
+std::string cell(const std::string &text)
+{
+  std::string escaped;
+  for (const char letter : text)
+  {
+    if (letter == '|')
+      escaped += '\\';
+    escaped += letter;
+  }
+  return escaped;
+}
+
+std::string code_cell(const std::string &text)
+{
+  return text.empty() ? "" : "`" + cell(text) + "`";
+}
+
+std::string blanks(const std::size_t n)
+{
+  return std::string(n, ' ');
+}
+
+/// Whether the line sets the entry. One without a value and without a default is not set.
+bool stands_as_set(const ParameterStore &store, const ParameterStore::Declaration &entry)
+{
+  if (store.is_documentation)
+    return true;
+  const ParameterText::Entry *const given = store.given(entry.section, entry.key);
+  return given != nullptr && !(given->value().empty() && entry.default_value.empty());
+}
+
+void print_prm_entries(std::ostream &out,
+                       const ParameterStore &store,
+                       const std::vector<const ParameterStore::Declaration *> &entries,
+                       const std::string &indent)
+{
+  constexpr unsigned int width = 78;
+  std::size_t longest_key = 0, longest_value = 0;
+  for (const ParameterStore::Declaration *const entry : entries)
+  {
+    longest_key = std::max(longest_key, entry->key.size());
+    longest_value = std::max(longest_value, store.value(*entry).size());
+  }
+  bool first = true;
+  for (const ParameterStore::Declaration *const entry : entries)
+  {
+    if (const std::string text = entry->full_documentation(); !text.empty())
+    {
+      out << (first ? "" : "\n");
+      first = false;
+      for (const std::string &line :
+           dealii::Utilities::break_text_into_lines(text, width - indent.size() - 2))
+        out << indent << "# " << line << '\n';
+    }
+    const std::string value = store.value(*entry);
+    out << indent << (stands_as_set(store, *entry) ? "" : "# ") << "set " << entry->key
+        << blanks(longest_key - entry->key.size() + 1) << "= " << value;
+    if (value != entry->default_value)
+      out << blanks(longest_value - value.size() + 1) << "# default: " << entry->default_value;
+    out << '\n';
+  }
+}
+
+/// A section that the user has not opened is there for its entries only.
+bool is_printed(const ParameterStore &store, const Path &section)
+{
+  return store.text.find(section) != nullptr ||
+         std::any_of(store.declarations.begin(), store.declarations.end(),
+                     [&section](const ParameterStore::Declaration &entry)
+                     {
+                       return entry.section.size() >= section.size() &&
+                              std::equal(section.begin(), section.end(), entry.section.begin());
+                     });
+}
+
+void print_prm_section(std::ostream &out, const ParameterStore &store, const Path &section)
+{
+  const std::string indent = blanks(2 * section.size());
+  std::vector<const ParameterStore::Declaration *> entries;
+  for (const ParameterStore::Declaration &entry : store.declarations)
+    if (entry.section == section)
+      entries.push_back(&entry);
+  print_prm_entries(out, store, entries, indent);
+
+  bool first = true;
+  for (const std::string &name : store.subsections(section))
+  {
+    Path child = section;
+    child.push_back(name);
+    if (!is_printed(store, child))
+      continue;
+    out << (first && !entries.empty() ? "\n\n" : "") << indent << "subsection " << name << '\n';
+    first = false;
+    print_prm_section(out, store, child);
+    out << indent << "end\n\n" << (section.empty() ? "\n" : "");
+  }
+}
+} // namespace
+
+void print_prm(std::ostream &out, const ParameterStore &store)
+{
+  out << "# Listing of Parameters\n# ---------------------\n";
+  print_prm_section(out, store, {});
+}
+
+void print_json(std::ostream &out, const ParameterStore &store)
+{
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const ParameterStore::Declaration &entry : store.declarations)
+  {
+    nlohmann::ordered_json item;
+    item["path"] = join_path(entry.path());
+    item["value"] = store.value(entry);
+    item["default"] = entry.default_value;
+    item["values"] = entry.values;
+    item["unit"] = entry.unit;
+    item["text"] = entry.documentation();
+    list.push_back(item);
+  }
+  out << list.dump(2) << '\n';
+}
+
+void print_markdown(std::ostream &out, const ParameterStore &store)
+{
+  bool first = true;
+  for (const Path &section : store.sections)
+  {
+    if (store.keys(section).empty())
+      continue;
+    out << (first ? "" : "\n") << "## " << (section.empty() ? "Top level" : join_path(section))
+        << "\n\n| Entry | Default | Values | Meaning |\n|---|---|---|---|\n";
+    first = false;
+    for (const ParameterStore::Declaration &entry : store.declarations)
+      if (entry.section == section)
+        out << "| " << code_cell(entry.key) << " | " << code_cell(entry.default_value) << " | "
+            << cell(entry.values) << " | " << cell(entry.documentation()) << " |\n";
+  }
+}
+} // namespace Continua

@@ -1,0 +1,12 @@
+#include <continua/base/nearly_equal.h>
+
+#include "../unit_test.h"
+
+UNIT_TEST(nearly_equal)
+{
+  using Continua::nearly_equal;
+  check::is_true("rounding", nearly_equal({1., -3e9}, {1. + 1e-13, -3e9 - 1e-4}));
+  check::is_true("one entry differs", !nearly_equal({1., -3e9}, {1. + 1e-11, -3e9}));
+  check::is_true("zeros", nearly_equal({0.}, {0.}) && !nearly_equal({0.}, {1e-30}));
+  check::is_true("another size", !nearly_equal({1.}, {1., 0.}));
+}
