@@ -9,7 +9,7 @@ namespace Continua
 namespace
 {
 /// rho dU/dt.
-class Inertia : public EquationTerm
+class InertiaTerm : public EquationTerm
 {
 public:
   double power(const unsigned int region,
@@ -42,7 +42,7 @@ private:
 };
 
 /// The stress of the branches, 2 mu_k dev sym grad D_k.
-class BranchStress : public EquationTerm
+class BranchTerm : public EquationTerm
 {
 public:
   double power(const unsigned int region,
@@ -89,7 +89,7 @@ public:
 };
 
 /// The stress of the viscosity, 2 eta dev sym grad U.
-class ViscousStress : public EquationTerm
+class ViscosityTerm : public EquationTerm
 {
 public:
   double power(const unsigned int region,
@@ -108,7 +108,7 @@ public:
 };
 
 /// The pressure, with the springs of a volume change that relaxes.
-class Compression : public EquationTerm
+class CompressionTerm : public EquationTerm
 {
 public:
   double power(const unsigned int region,
@@ -167,10 +167,10 @@ std::unique_ptr<EquationTerm> make_term()
 const std::vector<EquationTermType> &equation_terms()
 {
   static const std::vector<EquationTermType> terms = {
-      {"kinetic", "kinetic energy taken", true, false, make_term<Inertia>},
-      {"strain", "strain energy taken", true, true, make_term<BranchStress>},
-      {"viscous", "energy dissipated", false, false, make_term<ViscousStress>},
-      {"compressive", "compressive energy taken", true, true, make_term<Compression>}};
+      {"kinetic", "kinetic energy taken", true, false, make_term<InertiaTerm>},
+      {"strain", "strain energy taken", true, true, make_term<BranchTerm>},
+      {"viscous", "energy dissipated", false, false, make_term<ViscosityTerm>},
+      {"compressive", "compressive energy taken", true, true, make_term<CompressionTerm>}};
   return terms;
 }
 } // namespace Continua
