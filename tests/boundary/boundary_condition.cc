@@ -42,7 +42,7 @@ UNIT_TEST(boundary_condition)
   check::is_true("fixed", fixed.normal.kind == Kind::velocity && fixed.normal.is_zero() &&
                               fixed.tangential.kind == Kind::velocity &&
                               fixed.tangential.is_zero());
-  check::is_true("names and ids", fixed.name == "inlet" && fixed.type == "fixed" &&
+  check::is_true("names and ids", fixed.name == "inlet" && fixed.type == BoundaryType::fixed &&
                                       fixed.boundary_id == 0 &&
                                       fixed.region_ids == std::set<unsigned int>{0});
   const BoundaryCondition velocity = inlet("set Type = velocity\nset Velocity = 2 m/s, x*t");
