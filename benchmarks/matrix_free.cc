@@ -9,7 +9,7 @@
 #include "matrix_free_product.h"
 #include "measurement.h"
 
-#include <continua/analysis/case.h>
+#include <continua/case/case.h>
 #include <continua/finite_element/region_operators.h>
 #include <continua/finite_element/space.h>
 #include <continua/linear_algebra/matrix_product.h>

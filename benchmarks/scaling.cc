@@ -12,8 +12,8 @@
 #include "communication.h"
 #include "measurement.h"
 
-#include <continua/analysis/case.h>
 #include <continua/base/log.h>
+#include <continua/case/case.h>
 #include <continua/postprocess/field_writer.h>
 
 #include <deal.II/base/mpi.h>

@@ -8,8 +8,8 @@
 
 #include "measurement.h"
 
-#include <continua/analysis/case.h>
 #include <continua/base/log.h>
+#include <continua/case/case.h>
 #include <continua/finite_volume/cell_wise_solver.h>
 
 #include <deal.II/base/mpi.h>

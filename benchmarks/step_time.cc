@@ -9,8 +9,8 @@
 #include "measurement.h"
 #include "naive_step.h"
 
-#include <continua/analysis/case.h>
 #include <continua/base/log.h>
+#include <continua/case/case.h>
 #include <continua/finite_element/taylor_hood_solver.h>
 
 #include <deal.II/base/mpi.h>

@@ -1,14 +1,14 @@
 #include <continua/analysis/case_run.h>
 #include <continua/analysis/checkpoint.h>
-#include <continua/analysis/comparison.h>
-#include <continua/analysis/documentation.h>
-#include <continua/analysis/material_laboratory.h>
-#include <continua/analysis/refinement_study.h>
-#include <continua/analysis/spin_coating_analysis.h>
 #include <continua/base/command_line.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
 #include <continua/base/version.h>
+#include <continua/laboratory/material_laboratory.h>
+#include <continua/laboratory/spin_coating_analysis.h>
+#include <continua/program/documentation.h>
+#include <continua/studies/comparison.h>
+#include <continua/studies/refinement_study.h>
 
 #include <deal.II/base/mpi.h>
 

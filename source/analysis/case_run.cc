@@ -1,9 +1,9 @@
 #include <continua/analysis/case_run.h>
 
-#include <continua/analysis/analyses.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
 #include <continua/base/version.h>
+#include <continua/program/analyses.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -1,9 +1,9 @@
 #include <continua/analysis/linear_wave_theory.h>
 
 #include <continua/analysis/dispersion_table.h>
-#include <continua/analysis/measured_waves.h>
-#include <continua/analysis/tube_wave_case.h>
 #include <continua/analysis/wave_report.h>
+#include <continua/case/measured_waves.h>
+#include <continua/case/tube_wave_case.h>
 #include <continua/postprocess/writing_rank.h>
 #include <continua/signal/energy_frequency.h>
 #include <continua/theory/korteweg.h>

@@ -1,10 +1,10 @@
 #include <continua/analysis/transient.h>
 
 #include <continua/analysis/linear_wave_theory.h>
-#include <continua/analysis/preflight_report.h>
 #include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
+#include <continua/case/preflight_report.h>
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,8 @@
 
 #include "../parameter_text.h"
 
-#include <continua/analysis/case.h>
 #include <continua/analysis/refinement_indicator.h>
+#include <continua/case/case.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -1,11 +1,11 @@
 #ifndef continua_analysis_run_h
 #define continua_analysis_run_h
 
-#include <continua/analysis/case.h>
 #include <continua/base/citations.h>
 #include <continua/base/log.h>
 #include <continua/base/output_directory.h>
 #include <continua/base/summary.h>
+#include <continua/case/case.h>
 #include <continua/continuum/continuum_solver.h>
 
 #include <memory>
