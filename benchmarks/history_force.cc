@@ -10,6 +10,7 @@
 #include <continua/base/log.h>
 #include <continua/case/case.h>
 #include <continua/finite_element/taylor_hood_solver.h>
+#include <continua/program/analyses.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -96,7 +97,7 @@ Tube::Tube(const std::string &parameter_file, const Wall &wall)
     : wall(wall),
       log(MPI_COMM_WORLD),
       file(parameter_file, overrides(wall)),
-      input(file, MPI_COMM_WORLD, false)
+      input(analyses().read_case<2>(file, MPI_COMM_WORLD))
 {
   body = std::make_unique<TaylorHoodSolver<2>>(*input.triangulation, input.problem,
                                                input.discretisation.taylor_hood, log);

@@ -11,6 +11,7 @@
 #include <continua/base/log.h>
 #include <continua/case/case.h>
 #include <continua/finite_volume/cell_wise_solver.h>
+#include <continua/program/analyses.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -40,7 +41,7 @@ measure(const std::string &source_directory, const std::string &cells, const std
                      {"Mesh/Cells=" + cells, "Cell-wise/Formulation=displacement",
                       "Cell-wise/Solution=" + solution, "Cell-wise/Tolerance=1e-8"});
   Log log(MPI_COMM_WORLD);
-  Case<2> input(file, MPI_COMM_WORLD, false);
+  Case<2> input = analyses().read_case<2>(file, MPI_COMM_WORLD);
   CellWiseSolver<2> body(*input.triangulation, input.problem, input.discretisation.cell_wise, log);
   body.initialise();
   const double size = input.time.time_step;

@@ -297,12 +297,12 @@ void AbsorbingEnds::add(Case<dim> &input, ParameterSection boundaries, const boo
       std::find_if(problem.conditions.begin(), problem.conditions.end(), is_absorbing);
   if (first == problem.conditions.end())
     return;
-  if (input.general.analysis == "steady")
+  if (input.analysis.is_steady())
     boundaries.subsection(first->name)
         .refuse("Type", "there is no wave in a state at rest that could leave",
                 "Use 'pressure' or 'resistance', or Analysis = transient");
   // Wave theory knows these ends without an impedance of the time domain.
-  if (input.general.analysis != "transient")
+  if (!input.analysis.is_transient())
     return;
   const TubeLaw *law = input.geometry->tube_law();
   if (law == nullptr)

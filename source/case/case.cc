@@ -3,14 +3,10 @@
 
 #include <continua/boundary/flow_rates.h>
 #include <continua/boundary/outlets.h>
-#include <continua/case/possible_quantities.h>
 #include <continua/case/preflight_input.h>
 #include <continua/continuum/field_list.h>
 #include <continua/mesh/distortion.h>
 #include <continua/mesh/regions_of_boundary.h>
-#include <continua/program/analyses.h>
-#include <continua/studies/comparison_parameters.h>
-#include <continua/studies/refinement_study_parameters.h>
 
 #include <algorithm>
 
@@ -18,12 +14,13 @@ namespace Continua
 {
 using namespace dealii;
 
-void GeneralParameters::read(ParameterSection root)
+void GeneralParameters::read(ParameterSection root,
+                             const std::vector<std::pair<std::string, std::string>> &analyses)
 {
   root.add("Title", title, "What the run is called in summaries and legends.");
   std::vector<std::string> names;
   std::string text = "What is done:";
-  for (const auto &type : analysis_types())
+  for (const auto &type : analyses)
   {
     names.push_back(type.first);
     text += " " + type.first + " - " + type.second;
@@ -62,13 +59,13 @@ namespace
 /// What the user has measured at the stations of her probes.
 template <int dim>
 void read_measured_waves(const Probes<dim> &probes,
-                         const bool transient,
+                         const bool in_time,
                          std::map<std::string, MeasuredWaves> &waves)
 {
   for (const StationsProbe &probe : probes.stations())
   {
     const std::string file = MeasuredWaves::read_file(probe.section);
-    if (!file.empty() && !transient)
+    if (!file.empty() && !in_time)
       probe.section.refuse("Measured", "a state at rest has no wave to compare with",
                            "Remove the entry, or use another analysis");
     if (!file.empty())
@@ -78,31 +75,23 @@ void read_measured_waves(const Probes<dim> &probes,
 } // namespace
 
 template <int dim>
-Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator, const bool restart)
-    : communicator(communicator), restart(restart), probes(communicator)
+Case<dim>::Case(ParameterFile &file,
+                const GeneralParameters &general_parameters,
+                const AnalysisTraits<dim> &analysis,
+                const MPI_Comm communicator,
+                const bool restart)
+    : communicator(communicator),
+      restart(restart),
+      general(general_parameters),
+      analysis(analysis),
+      probes(communicator)
 {
   ParameterSection root = file.root();
-  general.read(root);
-  // Of a comparison this is one of the runs; the file of one may be run alone, too.
-  if (general.analysis == "comparison" || root.has_subsection("Comparison"))
-  {
-    ComparisonParameters comparison;
-    comparison.read(root);
-    if (general.analysis == "comparison")
-      general.analysis = comparison.analysis;
-  }
-  if (general.analysis == "refinement study" || root.has_subsection("Refinement study"))
-  {
-    RefinementStudyParameters study;
-    study.read(root);
-    if (general.analysis == "refinement study")
-      general.analysis = study.analysis;
-  }
+  general.analysis = analysis.name;
   problem.communicator = communicator;
   problem.model = model_of(general.model);
   const bool axisymmetric = problem.model == Model::axisymmetric;
-  const bool modal_analysis = general.analysis == "modal";
-  const bool transient = general.analysis != "steady" && !modal_analysis;
+  const bool in_time = analysis.motion == Motion::in_time;
 
   geometry = make_geometry<dim>(root.subsection("Geometry"), root.subsection("Mesh"), axisymmetric);
   mesh = MeshParameters::read(root.subsection("Mesh"));
@@ -124,26 +113,26 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator, const bool res
                         problem.regions, dim);
 
   discretisation.read(root, general.discretisation);
-  if (transient)
+  if (in_time)
     time.read(root.subsection("Time"));
-  else if (modal_analysis)
+  else if (analysis.is_modal())
     modal.read(root.subsection("Modal"));
   else
     rest.read(root.subsection("Steady"));
-  if (!modal_analysis)
+  if (!analysis.is_modal())
   {
     ParameterSection section = root.subsection("Adaptivity");
-    adaptation.read(section, transient);
+    adaptation.read(section, in_time);
     if (adaptation.uses("interface band") && !has_fluid_and_solid(*this))
       section.refuse("Indicator", "the body has no interface of fluid and solid",
                      "Choose another indicator");
   }
-  if (transient)
+  if (in_time)
     wave_theory.read(root.subsection("Wave theory"));
   output.read(root.subsection("Output"));
   probes.read(root.subsection("Probes"), problem.boundaries, problem.regions);
-  read_measured_waves(probes, transient, measured_waves);
-  if (!modal_analysis)
+  read_measured_waves(probes, in_time, measured_waves);
+  if (!analysis.is_modal())
     error_norms.read(root.subsection("Exact solution"));
   expected = read_expected(root.subsection("Expected"));
 
@@ -165,15 +154,16 @@ Case<dim>::Case(ParameterFile &file, const MPI_Comm communicator, const bool res
   file.refuse_unknown();
   check_case(*this, root);
   // Wave theory takes the laws themselves, and a run that goes on has its branches in a checkpoint.
-  if (general.analysis == "transient" && !restart)
+  if (analysis.is_transient() && !restart)
     power_laws.fit(problem, time, materials);
   set_flow_profiles(problem.conditions, root.subsection("Boundaries"), *triangulation,
-                    problem.materials, {!transient, time.end_time, time.time_step});
+                    problem.materials, {!in_time, time.end_time, time.time_step});
   problem.outlets = make_outlets(problem.conditions, root.subsection("Boundaries"), *triangulation,
                                  problem.materials);
   absorbing_ends.add(*this, root.subsection("Boundaries"), restart);
   probes.check(*triangulation, field_names<dim>(problem.model), pairs);
-  quantities = possible_quantities(*this);
+  power_laws.name_quantities(quantities);
+  analysis.name_quantities(*this, quantities);
   quantities.refuse_others(root.subsection("Expected"), expected);
 }
 

@@ -9,7 +9,7 @@ namespace Continua
 {
 namespace
 {
-constexpr double origin[3] = {0., 0., 0.};
+constexpr double middle_of_inlet[3] = {0., 0., 0.};
 
 template <int dim>
 const BoundaryCondition *
@@ -128,7 +128,7 @@ std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case)
     return "the inlet's Type is '" + inlet->type + "', not pressure or flow rate";
   if (waveform.depends_on_space())
     return "the inlet's value depends on the place";
-  wave_case.inlet = [waveform](const double time) { return waveform(origin, time); };
+  wave_case.inlet = [waveform](const double time) { return waveform(middle_of_inlet, time); };
 
   if (input.wave_theory.far_end == "matched")
     problem.outlet = TubeWaveProblem::Outlet::matched;

@@ -18,10 +18,9 @@ namespace Continua
 {
 using dealii::numbers::PI;
 
-MaterialLaboratory::MaterialLaboratory(ParameterFile &file)
+MaterialLaboratory::MaterialLaboratory(const AnalysisInput &input) : Analysis(input)
 {
   ParameterSection root = file.root();
-  general.read(root);
   // The default stands in every file that --print-parameters writes.
   if (general.model != GeneralParameters().model)
     root.refuse("Model", "the specimen of the laboratory has its own kinematics",
@@ -125,13 +124,9 @@ void MaterialLaboratory::name_quantities()
   LaboratoryTests<2>::name_quantities(laboratory, is_power_law(), quantities);
 }
 
-void MaterialLaboratory::perform(const CommandLine &command_line,
-                                 const MPI_Comm communicator,
-                                 const OutputDirectory &directory,
-                                 Log &log) const
+void MaterialLaboratory::compute(const OutputDirectory &directory, Log &log, Summary &summary)
 {
   const bool is_writer = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
-  Summary summary;
   summary.set_possible(quantities);
   summary.set("title", general.title);
   summary.set("status", "finished");

@@ -4,15 +4,15 @@
 #include <continua/base/summary.h>
 #include <continua/base/table_writer.h>
 #include <continua/base/version.h>
+#include <continua/postprocess/writing_rank.h>
 
 #include <algorithm>
 
 namespace Continua
 {
-SpinCoatingAnalysis::SpinCoatingAnalysis(ParameterFile &file)
+SpinCoatingAnalysis::SpinCoatingAnalysis(const AnalysisInput &input) : Analysis(input)
 {
   ParameterSection root = file.root(), geometry = root.subsection("Geometry");
-  general.read(root);
   std::string type = "tube";
   geometry.add_choice("Type", type, {"tube"}, "What is made by spin coating.");
   law = TubeLaw::read(geometry);
@@ -29,12 +29,11 @@ SpinCoatingAnalysis::SpinCoatingAnalysis(ParameterFile &file)
   quantities.refuse_others(root.subsection("Expected"), expected);
 }
 
-void SpinCoatingAnalysis::perform(const CommandLine &command_line,
-                                  const OutputDirectory &directory,
-                                  Log &log) const
+void SpinCoatingAnalysis::compute(const OutputDirectory &directory, Log &log, Summary &summary)
 {
+  if (!is_writing_rank(communicator))
+    return;
   const std::vector<SpinCoating::Row> rows = coating.table(law);
-  Summary summary;
   summary.set_possible(quantities);
   summary.set("title", general.title);
   summary.set("status", "finished");

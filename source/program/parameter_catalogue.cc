@@ -8,6 +8,7 @@
 #include <continua/laboratory/laboratory_parameters.h>
 #include <continua/materials/material.h>
 #include <continua/mesh/geometry.h>
+#include <continua/program/analyses.h>
 #include <continua/studies/comparison_parameters.h>
 #include <continua/studies/refinement_study_parameters.h>
 #include <continua/vessel/spin_coating.h>
@@ -145,53 +146,50 @@ std::vector<Source> sources()
        "",
        {}},
       {"Time",
-       "Of an analysis that steps through time.",
+       "The time steps, and the end.",
        {},
        [](Root root, const General &) { TimeParameters().read(root.subsection("Time")); },
        "",
        {}},
       {"Steady",
-       "Of a steady analysis of fluid and solid together, which is stepped to rest.",
+       "How a body of fluid and solid together is stepped to rest.",
        {},
        [](Root root, const General &) { RestParameters().read(root.subsection("Steady")); },
        "",
        {}},
       {"Modal",
-       "Which of a body's modes of vibration are sought, of `Analysis = modal`.",
+       "Which of a body's modes of vibration are sought.",
        {},
        [](Root root, const General &) { ModalParameters().read(root.subsection("Modal")); },
        "",
        {}},
       {"Comparison",
-       "Of `Analysis = comparison`: by which two ways, on which meshes, and what counts as "
-       "agreement.",
+       "By which two ways a case is computed, on which meshes, and what counts as agreement.",
        {},
        [](Root root, const General &) { ComparisonParameters().read(root); },
        "",
        {}},
       {"Refinement study",
-       "Of `Analysis = refinement study`: how the mesh becomes finer, how often, and to what "
-       "errors "
-       "are.",
+       "How the mesh becomes finer, how often, and to what errors are.",
        {},
        [](Root root, const General &) { RefinementStudyParameters().read(root); },
        "",
        {}},
       {"Spin coating",
-       "How a tube is made, of `Analysis = spin coating`.",
+       "How a tube is made.",
        {},
        [](Root root, const General &) { SpinCoating::read(root.subsection("Spin coating")); },
        "",
        {}},
       {"Laboratory",
-       "What is reported of a material, and its simulated tests, of `Analysis = material`.",
+       "What is reported of a material, and its simulated tests.",
        {},
        [](Root root, const General &)
        { LaboratoryParameters().read(root.subsection("Laboratory")); },
        "",
        {}},
       {"Wave theory",
-       "Linear waves of a tube, beside a run or as an analysis of their own.",
+       "Linear waves of a tube, as an analysis of their own or beside a transient one.",
        {},
        [](Root root, const General &)
        { WaveTheoryParameters().read(root.subsection("Wave theory")); },
@@ -203,7 +201,8 @@ std::vector<Source> sources()
        [](Root root, const General &general)
        {
          // As Case reads it.
-         AdaptationParameters().read(root.subsection("Adaptivity"), general.analysis != "steady");
+         const Motion motion = analyses().row(general.analysis).traits_2d.motion;
+         AdaptationParameters().read(root.subsection("Adaptivity"), motion != Motion::at_rest);
        },
        "",
        {}},
@@ -276,7 +275,7 @@ Entries declared(const Source &source, const Overrides &overrides)
   try
   {
     GeneralParameters general;
-    general.read(file.root());
+    general.read(file.root(), analyses().types());
     source.read(file.root(), general);
   }
   catch (const InputError &)
@@ -353,7 +352,7 @@ void add_names(const Overrides &overrides,
 {
   ParameterFile file("", with(overrides, "Model", model));
   GeneralParameters general;
-  general.read(file.root());
+  general.read(file.root(), analyses().types());
   const std::string names = names_of_geometry(file.root(), general);
   for (std::string &line : lines)
     if (line.size() > names.size() &&
@@ -391,6 +390,16 @@ make_part(const Source &source, const std::string &type, const std::string &desc
   return part;
 }
 
+/// " Read with Analysis = modal."; empty where the table of analyses does not list the section.
+std::string of_analyses(const std::string &section)
+{
+  std::string text;
+  for (const AnalysisRow &row : analyses().rows())
+    if (std::find(row.sections.begin(), row.sections.end(), section) != row.sections.end())
+      text += (text.empty() ? " Read with Analysis = " : ", ") + row.name;
+  return text.empty() ? "" : text + ".";
+}
+
 std::vector<CatalogueSection> make_catalogue()
 {
   Entries listed;
@@ -404,9 +413,10 @@ std::vector<CatalogueSection> make_catalogue()
   std::vector<CatalogueSection> catalogue;
   for (const Source &source : sources())
   {
-    CatalogueSection section{source.title, "", {"", source.introduction, {}, {}, {}}, {}};
+    const std::string introduction = source.introduction + of_analyses(source.title);
+    CatalogueSection section{source.title, "", {"", introduction, {}, {}, {}}, {}};
     if (source.types.empty())
-      section.shared = make_part(source, "", source.introduction);
+      section.shared = make_part(source, "", introduction);
     else
     {
       section.type_key = split(source.type_path, "/").back();

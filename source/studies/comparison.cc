@@ -17,26 +17,22 @@ namespace Continua
 {
 using namespace dealii;
 
-Comparison::Comparison(ParameterFile &file,
-                       const CommandLine &command_line,
-                       const MPI_Comm communicator)
-    : command_line(command_line), communicator(communicator)
+Comparison::Comparison(const AnalysisInput &input) : Analysis(input), analyses(input.analyses)
 {
-  general.read(file.root());
   parameters.read(file.root());
   dimension = n_dimensions(model_of(general.model));
   if (dimension == 2)
-    read_ways<2>(file);
+    read_ways<2>();
   else
-    read_ways<3>(file);
+    read_ways<3>();
   input_files = file.input_files();
 }
 
 template <int dim>
-void Comparison::read_ways(ParameterFile &file)
+void Comparison::read_ways()
 {
   // The file alone first: what is wrong with it is not said of one of the ways.
-  const Case<dim> input(file, communicator, false);
+  const Case<dim> input = analyses.read_case<dim>(file, communicator, false, parameters.analysis);
   volume = GridTools::volume(*input.triangulation);
   const ParameterSection section = file.root().subsection("Comparison");
   for (unsigned int way = 0; way < 2; ++way)
@@ -81,9 +77,9 @@ Comparison::Way Comparison::read_way(const unsigned int way) const
   result.command_line.restart = false;
   set_entry(result.command_line, "Analysis", parameters.analysis);
   set_entry(result.command_line, parameters.entry, parameters.values[way]);
-  ParameterFile file(command_line.parameter_file, result.command_line.overrides);
-  const Case<dim> input(file, communicator, false);
-  result.identity = file.identity({"Comparison"});
+  ParameterFile file_of_way(command_line.parameter_file, result.command_line.overrides);
+  const Case<dim> input = analyses.read_case<dim>(file_of_way, communicator);
+  result.identity = file_of_way.identity({"Comparison"});
   result.quantities = input.quantities;
   result.refinements = input.mesh.refinements;
   if (parameters.analysis == "transient")
@@ -136,7 +132,7 @@ std::vector<Comparison::Plan> Comparison::plans(const std::string &output) const
   return result;
 }
 
-void Comparison::perform(const OutputDirectory &directory, Log &log) const
+void Comparison::compute(const OutputDirectory &directory, Log &log, Summary &summary)
 {
   const std::vector<Plan> all = plans(directory.path());
   std::vector<PlannedRun> planned;
@@ -145,7 +141,7 @@ void Comparison::perform(const OutputDirectory &directory, Log &log) const
     planned.push_back(plan.run);
   bool asked_known[2] = {false, false};
   const std::vector<RunResult> results =
-      RunSeries(communicator, dimension, command_line, input_files, volume)
+      RunSeries(analyses, communicator, dimension, command_line, input_files, volume)
           .perform(planned, directory, log,
                    [&](const RunResult &run, const unsigned int number)
                    {
@@ -162,18 +158,18 @@ void Comparison::perform(const OutputDirectory &directory, Log &log) const
     runs.back().mesh = all[i].mesh;
     runs.back().time_step = all[i].time_step;
   }
-  report(runs, results, directory, log);
+  report(runs, results, directory, log, summary);
 }
 
 void Comparison::report(const std::vector<ComparedRun> &runs,
                         const std::vector<RunResult> &results,
                         const OutputDirectory &directory,
-                        Log &log) const
+                        Log &log,
+                        Summary &summary) const
 {
   const ComparisonReport comparison(parameters, {ways[0].orders, ways[1].orders}, runs);
   for (const std::string &line : comparison.lines())
     log.line(line);
-  Summary summary;
   summary.set_possible(quantities);
   const std::string failed =
       begin_summary(summary, general.title, "comparison", command_line, communicator, results);

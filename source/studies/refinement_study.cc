@@ -14,26 +14,23 @@ namespace Continua
 {
 using namespace dealii;
 
-RefinementStudy::RefinementStudy(ParameterFile &file,
-                                 const CommandLine &command_line,
-                                 const MPI_Comm communicator)
-    : command_line(command_line), communicator(communicator)
+RefinementStudy::RefinementStudy(const AnalysisInput &input)
+    : Analysis(input), analyses(input.analyses)
 {
-  general.read(file.root());
   parameters.read(file.root());
   dimension = n_dimensions(model_of(general.model));
   if (dimension == 2)
-    read_ways<2>(file);
+    read_ways<2>();
   else
-    read_ways<3>(file);
+    read_ways<3>();
   input_files = file.input_files();
 }
 
 template <int dim>
-void RefinementStudy::read_ways(ParameterFile &file)
+void RefinementStudy::read_ways()
 {
   // The file alone first: what is wrong with it is not said of one of the ways.
-  const Case<dim> input(file, communicator, false);
+  const Case<dim> input = analyses.read_case<dim>(file, communicator, false, parameters.analysis);
   volume = GridTools::volume(*input.triangulation);
   const ParameterSection section = file.root().subsection("Refinement study");
   for (const std::string &name : parameters.ways)
@@ -58,9 +55,9 @@ RefinementStudy::Way RefinementStudy::read_way(const std::string &name) const
   result.command_line = command_line;
   result.command_line.restart = false;
   set_entry(result.command_line, "Analysis", parameters.analysis);
-  ParameterFile file(command_line.parameter_file, result.command_line.overrides);
-  const Case<dim> input(file, communicator, false);
-  result.identity = name + " " + file.identity({"Refinement study"});
+  ParameterFile file_of_way(command_line.parameter_file, result.command_line.overrides);
+  const Case<dim> input = analyses.read_case<dim>(file_of_way, communicator);
+  result.identity = name + " " + file_of_way.identity({"Refinement study"});
   result.quantities = input.quantities;
   result.refinements = input.mesh.refinements;
   result.adaptation = input.adaptation;
@@ -159,7 +156,7 @@ PlannedRun RefinementStudy::plan(const unsigned int way,
   return result;
 }
 
-void RefinementStudy::perform(const OutputDirectory &directory, Log &log) const
+void RefinementStudy::compute(const OutputDirectory &directory, Log &log, Summary &summary)
 {
   // Cycle by cycle, so that what fails or is misspelt shows early.
   std::vector<PlannedRun> plans;
@@ -175,7 +172,7 @@ void RefinementStudy::perform(const OutputDirectory &directory, Log &log) const
     }
   bool asked_known = false;
   const std::vector<RunResult> results =
-      RunSeries(communicator, dimension, command_line, input_files, volume)
+      RunSeries(analyses, communicator, dimension, command_line, input_files, volume)
           .perform(plans, directory, log,
                    [&](const RunResult &run, unsigned int)
                    {
@@ -189,7 +186,6 @@ void RefinementStudy::perform(const OutputDirectory &directory, Log &log) const
   const RefinementReport study(parameters, dimension, runs);
   for (const std::string &line : study.lines())
     log.line(line);
-  Summary summary;
   summary.set_possible(quantities);
   const std::string failed = begin_summary(summary, general.title, "refinement study", command_line,
                                            communicator, results);

@@ -1,6 +1,5 @@
 #include <continua/studies/run_series.h>
 
-#include <continua/analysis/case_run.h>
 #include <continua/base/atomic_file.h>
 #include <continua/base/collective.h>
 #include <continua/base/input_error.h>
@@ -10,8 +9,6 @@
 #include <continua/postprocess/writing_rank.h>
 
 #include <deal.II/base/mpi.h>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -122,12 +119,14 @@ void set_entry(CommandLine &command_line, const std::string &path, const std::st
   all.push_back(text);
 }
 
-RunSeries::RunSeries(const MPI_Comm communicator,
+RunSeries::RunSeries(const AnalysisTable &analyses,
+                     const MPI_Comm communicator,
                      const unsigned int dimension,
                      const CommandLine &command_line,
                      const std::vector<std::string> &input_files,
                      const double volume)
-    : communicator(communicator),
+    : analyses(analyses),
+      communicator(communicator),
       dimension(dimension),
       command_line(command_line),
       input_files(input_files),
@@ -177,9 +176,13 @@ RunSeries::perform(const std::vector<PlannedRun> &plans,
   std::vector<RunResult> runs;
   for (unsigned int i = 0; i < plans.size(); ++i)
   {
-    const std::string failure =
-        folders[i] == nullptr ? std::string() : perform(plans[i], *folders[i], watch);
-    runs.push_back(result(plans[i]));
+    Summary summary;
+    std::string failure;
+    if (folders[i] == nullptr)
+      summary = summary_in_folder(plans[i]);
+    else
+      failure = perform(plans[i], *folders[i], watch, summary);
+    runs.push_back(result(plans[i], summary));
     RunResult &run = runs.back();
     run.failure = failure;
     log.line(run.name + (!failure.empty()        ? ": failed"
@@ -201,14 +204,17 @@ RunSeries::perform(const std::vector<PlannedRun> &plans,
 
 std::string RunSeries::perform(const PlannedRun &plan,
                                const OutputDirectory &directory,
-                               const MPI_Comm watch) const
+                               const MPI_Comm watch,
+                               Summary &summary) const
 {
+  CommandLine of_run = plan.command_line;
+  of_run.text = text_of(of_run);
   try
   {
-    if (dimension == 2)
-      run_case<2>(plan, directory);
-    else
-      run_case<3>(plan, directory);
+    ParameterFile file(of_run.parameter_file, of_run.overrides);
+    const std::unique_ptr<Analysis> analysis = analyses.make(file, of_run, communicator);
+    Log log(communicator, false);
+    analysis->perform(directory, log, summary);
   }
   catch (const Interrupted &)
   {
@@ -226,40 +232,46 @@ std::string RunSeries::perform(const PlannedRun &plan,
   return "";
 }
 
-template <int dim>
-void RunSeries::run_case(const PlannedRun &plan, const OutputDirectory &directory) const
+Summary RunSeries::summary_in_folder(const PlannedRun &plan) const
 {
-  CommandLine of_run = plan.command_line;
-  of_run.text = text_of(of_run);
-  ParameterFile file(of_run.parameter_file, of_run.overrides);
-  Case<dim> input(file, communicator, false);
-  Log log(communicator, false);
-  begin_output(file, of_run, communicator, input.general.title, directory, log);
-  perform_case(input, file, of_run, directory, log);
+  return Summary::read(
+      content_of(plan.command_line.output_directory + "/summary.json", communicator));
 }
 
-RunResult RunSeries::result(const PlannedRun &plan) const
+RunResult RunSeries::result(const PlannedRun &plan, const Summary &summary) const
 {
+  double n_dofs = 0.;
+  for (const auto &[field, number] : summary.numbers_of("degrees of freedom"))
+    n_dofs += number;
+  // Ranks have their own wall times, and quantities of waves are known to rank 0 alone.
+  std::vector<double> numbers = {
+      summary.number_of("cells"), n_dofs, summary.numbers_of("wall time [s]")["total"],
+      summary.number_of("steps"),
+      summary.number_of("linear iterations") + summary.number_of("corrections")};
+  const std::size_t n_numbers = numbers.size();
+  std::vector<std::string> names;
+  for (const Quantity &quantity : summary.quantities())
+    if (std::isfinite(quantity.value))
+    {
+      numbers.push_back(quantity.value);
+      names.insert(names.end(), {quantity.name, quantity.unit, quantity.probe});
+    }
+  numbers = broadcast(communicator, numbers);
+  names = broadcast(communicator, names);
+
   RunResult run;
   run.name = plan.name;
-  const std::string text =
-      content_of(plan.command_line.output_directory + "/summary.json", communicator);
-  if (text.empty())
-    return run;
-  const nlohmann::json summary = nlohmann::json::parse(text);
-  run.n_cells = summary.value("cells", 0.);
-  run.n_steps = summary.value("steps", 0.);
-  run.iterations = summary.value("linear iterations", 0.) + summary.value("corrections", 0.);
+  run.n_cells = numbers[0];
+  run.n_dofs = numbers[1];
+  run.wall_time = numbers[2];
+  run.n_steps = numbers[3];
+  run.iterations = numbers[4];
   run.cell_size = run.n_cells > 0. ? std::pow(volume / run.n_cells, 1. / dimension) : 0.;
-  if (summary.count("degrees of freedom") > 0)
-    for (const auto &field : summary["degrees of freedom"])
-      run.n_dofs += field.get<double>();
-  if (summary.count("wall time [s]") > 0)
-    run.wall_time = summary["wall time [s]"].value("total", 0.);
-  for (const auto &quantity : summary["quantities"])
-    if (quantity["value"].is_number())
-      run.quantities.push_back(
-          {quantity["name"], quantity["value"], quantity["unit"], quantity["probe"]});
+  for (std::size_t i = n_numbers; i < numbers.size(); ++i)
+  {
+    const std::size_t name = 3 * (i - n_numbers);
+    run.quantities.push_back({names[name], numbers[i], names[name + 1], names[name + 2]});
+  }
   return run;
 }
 

@@ -7,6 +7,7 @@
 
 #include <continua/base/archive.h>
 #include <continua/case/case.h>
+#include <continua/program/analyses.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
@@ -47,7 +48,7 @@ UNIT_TEST(absorbing_ends)
   {
     const std::string name = axisymmetric ? "pipe: " : "channel: ";
     ParameterFile file = parameters_of(channel(axisymmetric));
-    const Case<2> input(file, MPI_COMM_WORLD, false);
+    const Case<2> input = analyses().read_case<2>(file, MPI_COMM_WORLD);
     check::is_true(name + "one outlet", input.problem.outlets.size() == 1);
     const Outlet &outlet = input.problem.outlets.at(0);
     check::equal(name + "its name", outlet.name, "right");
@@ -65,7 +66,7 @@ UNIT_TEST(absorbing_ends)
   {
     // Beside a clamped wall.
     ParameterFile file = parameters_of(tube_text::tube(tube_text::pulse(), absorbing));
-    const Case<2> input(file, MPI_COMM_WORLD, false);
+    const Case<2> input = analyses().read_case<2>(file, MPI_COMM_WORLD);
     const Outlet &outlet = input.problem.outlets.at(0);
     Log log(MPI_COMM_WORLD, false);
     Summary summary;
@@ -85,7 +86,7 @@ UNIT_TEST(absorbing_ends)
   {
     // A run that goes on: the impedance of liquid and wall is what its checkpoint has.
     ParameterFile file = parameters_of(tube_text::tube(tube_text::pulse(), absorbing, absorbing));
-    Case<2> input(file, MPI_COMM_WORLD, true);
+    Case<2> input = analyses().read_case<2>(file, MPI_COMM_WORLD, true);
     Outlet &outlet = input.problem.outlets.at(0);
     check::is_true("goes on: two ports",
                    outlet.impedance.n_ports() == 2 && outlet.conditions.size() == 2);

@@ -6,6 +6,7 @@
 
 #include <continua/case/case.h>
 #include <continua/case/preflight_input.h>
+#include <continua/program/analyses.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -18,7 +19,7 @@ using namespace Continua;
 PreflightInput input_of(const std::string &text)
 {
   ParameterFile file = parameters_of(text);
-  const Case<2> input(file, MPI_COMM_WORLD, false);
+  const Case<2> input = analyses().read_case<2>(file, MPI_COMM_WORLD);
   return preflight_input(input);
 }
 } // namespace
@@ -103,7 +104,9 @@ UNIT_TEST(preflight_input)
   check::relative("its cells", solid.regions[0].largest_cell + solid.regions[0].smallest_cell, 3.,
                   1e-12);
   ParameterFile of_tube = parameters_of(tube_text::tube(tube_text::pulse()));
-  check::is_true("fluid and solid", has_fluid_and_solid(Case<2>(of_tube, MPI_COMM_WORLD, false)));
+  check::is_true("fluid and solid",
+                 has_fluid_and_solid(analyses().read_case<2>(of_tube, MPI_COMM_WORLD)));
   ParameterFile of_box = parameters_of(box);
-  check::is_true("a solid alone", !has_fluid_and_solid(Case<2>(of_box, MPI_COMM_WORLD, false)));
+  check::is_true("a solid alone",
+                 !has_fluid_and_solid(analyses().read_case<2>(of_box, MPI_COMM_WORLD)));
 }

@@ -6,6 +6,7 @@
 
 #include <continua/case/case.h>
 #include <continua/case/tube_wave_case.h>
+#include <continua/program/analyses.h>
 #include <continua/vessel/tube_law.h>
 
 #include <deal.II/base/mpi.h>
@@ -19,7 +20,7 @@ using namespace Continua;
 TubeWaveProblem problem_of(const std::string &text)
 {
   ParameterFile file = parameters_of(text);
-  const Case<2> input(file, MPI_COMM_WORLD, false);
+  const Case<2> input = analyses().read_case<2>(file, MPI_COMM_WORLD);
   TubeWaveCase wave_case;
   check::equal("covered", make_tube_wave_case(input, wave_case), "");
   return wave_case.problem;

@@ -3,7 +3,7 @@
 #include "../parameter_text.h"
 
 #include <continua/base/csv_table.h>
-#include <continua/laboratory/material_laboratory.h>
+#include <continua/program/analyses.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -51,11 +51,12 @@ UNIT_TEST(material_laboratory)
       "subsection Time\nset Scheme = crank nicolson\nset Time step = 1 ms\nset End time = 1 s\n"
       "end\n"
       "subsection Expected\nset harmonic at 1 Hz: periods = 2 +- 0\nend\n");
-  const MaterialLaboratory laboratory(file);
+  const std::unique_ptr<Analysis> laboratory = analyses().make(file, CommandLine(), MPI_COMM_WORLD);
   const std::string folder = "material_laboratory";
   const OutputDirectory directory(folder, OutputDirectory::Mode::overwrite, MPI_COMM_WORLD);
   Log log(MPI_COMM_WORLD, false);
-  laboratory.perform(CommandLine(), MPI_COMM_WORLD, directory, log);
+  Summary summary;
+  laboratory->perform(directory, log, summary);
 
   const std::vector<std::vector<double>> moduli = rows_of(directory.file("modulus.csv"));
   check::absolute("rows of two decades", moduli.size(), 11., 0.);

@@ -1,7 +1,6 @@
 // The printed documentation: complete, and in three forms.
 
 #include <continua/boundary/boundary_condition.h>
-#include <continua/case/case.h>
 #include <continua/materials/material.h>
 #include <continua/mesh/geometry.h>
 #include <continua/program/analyses.h>
@@ -75,7 +74,7 @@ void check_complete(const std::string &name, const std::string &text)
 {
   std::ofstream("documentation-test.prm") << text;
   ParameterFile file("documentation-test.prm");
-  const Case<dim> input(file, MPI_COMM_WORLD, false);
+  const Case<dim> input = analyses().read_case<dim>(file, MPI_COMM_WORLD);
   std::stringstream run;
   file.print(run, ParameterFile::Style::json);
   bool all = true;
@@ -124,7 +123,7 @@ UNIT_TEST(documentation)
   check_types("Geometry and mesh", geometry_types<2>());
   check_types("Materials", material_types());
   check_types("Boundaries", boundary_types());
-  for (const auto &type : analysis_types())
+  for (const auto &type : analyses().types())
     check::is_true("analysis " + type.first,
                    contains(entry("Analysis")["values"].get<std::string>(), type.first));
 

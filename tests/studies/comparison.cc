@@ -1,8 +1,7 @@
 // A comparison goes on after a restart: what is finished stays, what is another case is run again.
 
-#include <continua/analysis/case_run.h>
 #include <continua/base/input_error.h>
-#include <continua/studies/comparison.h>
+#include <continua/program/analyses.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -75,11 +74,12 @@ std::string compare(CommandLine command_line, const OutputDirectory::Mode mode)
   try
   {
     ParameterFile file(parameter_file, command_line.overrides);
-    const Comparison comparison(file, command_line, MPI_COMM_WORLD);
+    const std::unique_ptr<Analysis> comparison =
+        analyses().make(file, command_line, MPI_COMM_WORLD);
     const OutputDirectory directory(output, mode, MPI_COMM_WORLD, file.input_files());
     Log log(MPI_COMM_WORLD);
-    begin_output(file, command_line, MPI_COMM_WORLD, comparison.title(), directory, log);
-    comparison.perform(directory, log);
+    Summary summary;
+    comparison->perform(directory, log, summary);
   }
   catch (const std::exception &)
   {

@@ -4,6 +4,7 @@
 #include "../parameter_text.h"
 #include "../postprocess/text_file.h"
 
+#include <continua/program/analyses.h>
 #include <continua/studies/run_series.h>
 
 #include <deal.II/base/mpi.h>
@@ -87,7 +88,7 @@ UNIT_TEST(run_series)
                                     series.restart ? OutputDirectory::Mode::restart
                                                    : OutputDirectory::Mode::overwrite,
                                     MPI_COMM_WORLD);
-    return RunSeries(MPI_COMM_WORLD, 2, series, {series.parameter_file}, 0.1)
+    return RunSeries(analyses(), MPI_COMM_WORLD, 2, series, {series.parameter_file}, 0.1)
         .perform(plans, directory, log,
                  [&finished](const RunResult &run, const unsigned int number)
                  { finished += std::to_string(number) + " " + run.name + "; "; });
@@ -113,4 +114,15 @@ UNIT_TEST(run_series)
                  std::filesystem::last_write_time("run_series/limit-3-m-s/summary.json") ==
                          written &&
                      again[0].n_steps == 4.);
+  // Results come from memory first, and then from the folder.
+  bool equal = again[0].n_cells == runs[0].n_cells && again[0].n_dofs == runs[0].n_dofs &&
+               again[0].wall_time == runs[0].wall_time && !runs[0].quantities.empty() &&
+               again[0].quantities.size() == runs[0].quantities.size();
+  for (std::size_t i = 0; equal && i < runs[0].quantities.size(); ++i)
+  {
+    const Quantity &first_time = runs[0].quantities[i], &taken = again[0].quantities[i];
+    equal = first_time.name == taken.name && first_time.value == taken.value &&
+            first_time.unit == taken.unit && first_time.probe == taken.probe;
+  }
+  check::is_true("it states the same, to all digits", equal);
 }

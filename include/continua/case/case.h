@@ -6,6 +6,7 @@
 #include <continua/base/parameter_file.h>
 #include <continua/base/quantity_names.h>
 #include <continua/case/absorbing_ends.h>
+#include <continua/case/analysis_traits.h>
 #include <continua/case/discretisation.h>
 #include <continua/case/measured_waves.h>
 #include <continua/case/modal_parameters.h>
@@ -23,6 +24,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Continua
@@ -36,7 +38,9 @@ struct GeneralParameters
   std::string discretisation = "taylor hood";
   std::string convection = "none";
 
-  void read(ParameterSection root);
+  /// `analyses`: name and description of those that exist. Throws InputError.
+  void read(ParameterSection root,
+            const std::vector<std::pair<std::string, std::string>> &analyses);
 };
 
 /// How a body of fluid and solid is brought to rest in a steady analysis.
@@ -51,20 +55,39 @@ struct RestParameters
 };
 
 /**
- * A parameter file, read and checked: every struct of the run, the coarse mesh with its names, and
- * the physical problem. No work is done yet but the coarse mesh; whatever is wrong with the input
- * has been said by an InputError.
+ * A parameter file, read and checked: the parameters of each concept, the coarse mesh with the
+ * names of its parts, and the physical problem. The constructor finds whatever is wrong with the
+ * input and throws an InputError.
+ *
+ * Reading is not only reading. In this order the constructor also
+ * - makes the geometry and the coarse mesh (gmsh may run for that), and moves its vertices where
+ *   Mesh/Distortion asks for it;
+ * - reads every table and every mesh that the file names;
+ * - fits a law to each relaxation table, and in a transient analysis Prony series to power laws;
+ * - computes the profiles of flow rates and the areas of outlets by integrals over the coarse mesh;
+ * - in a transient analysis computes the impedance of each absorbing end of a tube at the
+ *   frequencies of the run's band, and fits a sum of first-order responses to it, which can take
+ *   seconds;
+ * - looks for the cell of the coarse mesh that holds each probe.
+ *
+ * It neither refines the mesh, nor numbers unknowns, nor writes a file.
  */
 template <int dim>
 struct Case
 {
-  /// `restart`: the run goes on from a checkpoint, which has what the first part derived from the
-  /// input.
-  Case(ParameterFile &file, MPI_Comm communicator, bool restart);
+  /// `general`: the entries at the top of the file, which are read already. `analysis`: for which
+  /// the case is read; of a study that of its runs. `restart`: the run goes on from a checkpoint,
+  /// which holds what the first part has fitted: nothing is fitted again.
+  Case(ParameterFile &file,
+       const GeneralParameters &general,
+       const AnalysisTraits<dim> &analysis,
+       MPI_Comm communicator,
+       bool restart);
 
   MPI_Comm communicator;
   bool restart;
   GeneralParameters general;
+  AnalysisTraits<dim> analysis;
   MeshParameters mesh;
   AdaptationParameters adaptation;
   DiscretisationParameters discretisation;
@@ -73,7 +96,7 @@ struct Case
   WaveTheoryParameters wave_theory;
   OutputParameters output;
   std::vector<ExpectedValue> expected;
-  QuantityNames quantities; ///< that a run can state
+  QuantityNames quantities; ///< that the analysis can state
   ErrorNorms<dim> error_norms;
   Probes<dim> probes;
   std::map<std::string, MeasuredWaves> measured_waves; ///< by the probe whose stations they are at

@@ -1,10 +1,10 @@
 #ifndef continua_laboratory_material_laboratory_h
 #define continua_laboratory_material_laboratory_h
 
+#include <continua/analysis/analysis.h>
 #include <continua/base/log.h>
 #include <continua/base/output_directory.h>
 #include <continua/base/summary.h>
-#include <continua/case/case.h>
 #include <continua/laboratory/laboratory_parameters.h>
 #include <continua/materials/prony_series.h>
 #include <continua/materials/relaxation_test.h>
@@ -20,21 +20,13 @@ namespace Continua
  * those that are fitted to it, beside a relaxation table the law found (relaxation-table.csv), and
  * simulates material tests with one element (LaboratoryTests).
  */
-class MaterialLaboratory
+class MaterialLaboratory : public Analysis
 {
 public:
   /// Throws InputError.
-  explicit MaterialLaboratory(ParameterFile &file);
-
-  /// On every rank alike; rank 0 of the communicator writes.
-  void perform(const CommandLine &command_line,
-               MPI_Comm communicator,
-               const OutputDirectory &directory,
-               Log &log) const;
-  const std::string &title() const { return general.title; }
+  explicit MaterialLaboratory(const AnalysisInput &input);
 
 private:
-  GeneralParameters general;
   std::string name; ///< of the material
   Material material;
   RelaxationTest table; ///< of a power law, if it has one
@@ -44,6 +36,8 @@ private:
   std::vector<ExpectedValue> expected;
   QuantityNames quantities; ///< that the laboratory can state
 
+  /// On every rank alike; rank 0 of the communicator writes.
+  void compute(const OutputDirectory &directory, Log &log, Summary &summary) override;
   bool is_power_law() const { return material.power_law_modulus > 0.; }
   void read_material_of(ParameterSection materials);
   void check_loading_time(const ParameterSection &section) const;

@@ -1,9 +1,9 @@
 #ifndef continua_laboratory_spin_coating_analysis_h
 #define continua_laboratory_spin_coating_analysis_h
 
+#include <continua/analysis/analysis.h>
 #include <continua/base/log.h>
 #include <continua/base/output_directory.h>
-#include <continua/case/case.h>
 #include <continua/vessel/spin_coating.h>
 #include <continua/vessel/tube_law.h>
 
@@ -15,21 +15,20 @@ namespace Continua
  * of solution, the time it takes and the ranges of the speeds. There is neither a mesh nor a
  * material.
  */
-class SpinCoatingAnalysis
+class SpinCoatingAnalysis : public Analysis
 {
 public:
   /// Throws InputError.
-  explicit SpinCoatingAnalysis(ParameterFile &file);
-
-  void perform(const CommandLine &command_line, const OutputDirectory &directory, Log &log) const;
-  const std::string &title() const { return general.title; }
+  explicit SpinCoatingAnalysis(const AnalysisInput &input);
 
 private:
-  GeneralParameters general;
   TubeLaw law;
   SpinCoating coating;
   std::vector<ExpectedValue> expected;
   QuantityNames quantities; ///< that the analysis can state
+
+  /// Rank 0 does it alone.
+  void compute(const OutputDirectory &directory, Log &log, Summary &summary) override;
 };
 } // namespace Continua
 

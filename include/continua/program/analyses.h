@@ -1,20 +1,12 @@
 #ifndef continua_program_analyses_h
 #define continua_program_analyses_h
 
-#include <continua/analysis/run.h>
-
-#include <string>
-#include <utility>
-#include <vector>
+#include <continua/analysis/analysis_table.h>
 
 namespace Continua
 {
-/// The analyses that exist: name and a line of description, for the manual and `Analysis`.
-std::vector<std::pair<std::string, std::string>> analysis_types();
-
-/// Performs the analysis that the case asks for.
-template <int dim>
-void perform_analysis(Run<dim> &run);
+/// The analyses that exist. The program, the entry Analysis and the manual know them from here.
+const AnalysisTable &analyses();
 } // namespace Continua
 
 #endif

@@ -1,6 +1,7 @@
 #ifndef continua_studies_comparison_h
 #define continua_studies_comparison_h
 
+#include <continua/analysis/analysis_table.h>
 #include <continua/base/log.h>
 #include <continua/base/output_directory.h>
 #include <continua/case/case.h>
@@ -19,17 +20,11 @@ namespace Continua
  * its own, and reports what they say of the same quantities (ComparisonReport). A run that fails is
  * reported with its reason; the others go on.
  */
-class Comparison
+class Comparison : public Analysis
 {
 public:
   /// Reads the case by either way, without its finer meshes. Throws InputError.
-  Comparison(ParameterFile &file, const CommandLine &command_line, MPI_Comm communicator);
-
-  /// Collective. With --restart the runs that the folder holds are taken as they are, if they were
-  /// finished by this program with the same input and as many ranks. Throws RunError at the end if
-  /// a run failed.
-  void perform(const OutputDirectory &directory, Log &log) const;
-  const std::string &title() const { return general.title; }
+  explicit Comparison(const AnalysisInput &input);
 
 private:
   /// One of the two ways to compute the case.
@@ -51,9 +46,7 @@ private:
     double time_step; ///< [s]; 0: none
   };
 
-  CommandLine command_line;
-  MPI_Comm communicator;
-  GeneralParameters general;
+  const AnalysisTable &analyses;
   ComparisonParameters parameters;
   std::vector<std::string> input_files;
   unsigned int dimension;
@@ -61,8 +54,11 @@ private:
   std::vector<Way> ways;
   QuantityNames quantities; ///< that the comparison can state
 
+  /// With --restart the runs that are finished are taken as they are; see RunSeries. Throws
+  /// RunError at the end if a run failed.
+  void compute(const OutputDirectory &directory, Log &log, Summary &summary) override;
   template <int dim>
-  void read_ways(ParameterFile &file);
+  void read_ways();
   template <int dim>
   Way read_way(unsigned int way) const;
   Plan plan(unsigned int way, unsigned int mesh, const std::string &output) const;
@@ -71,7 +67,8 @@ private:
   void report(const std::vector<ComparedRun> &runs,
               const std::vector<RunResult> &results,
               const OutputDirectory &directory,
-              Log &log) const;
+              Log &log,
+              Summary &summary) const;
 };
 } // namespace Continua
 

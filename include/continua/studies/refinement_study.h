@@ -1,6 +1,7 @@
 #ifndef continua_studies_refinement_study_h
 #define continua_studies_refinement_study_h
 
+#include <continua/analysis/analysis_table.h>
 #include <continua/case/case.h>
 #include <continua/studies/refinement_report.h>
 #include <continua/studies/refinement_study_parameters.h>
@@ -15,16 +16,11 @@ namespace Continua
  * divided everywhere or where the indicator asks for it, each run in a folder of its own, and
  * reports the errors of its quantities over the unknowns (RefinementReport).
  */
-class RefinementStudy
+class RefinementStudy : public Analysis
 {
 public:
   /// Reads the case by each way, without its finer meshes. Throws InputError.
-  RefinementStudy(ParameterFile &file, const CommandLine &command_line, MPI_Comm communicator);
-
-  /// Collective. With --restart the runs that are finished are taken as they are; see RunSeries.
-  /// Throws RunError at the end if a run failed.
-  void perform(const OutputDirectory &directory, Log &log) const;
-  const std::string &title() const { return general.title; }
+  explicit RefinementStudy(const AnalysisInput &input);
 
 private:
   /// The file by one of the ways.
@@ -38,9 +34,7 @@ private:
     TimeParameters time;
   };
 
-  CommandLine command_line;
-  MPI_Comm communicator;
-  GeneralParameters general;
+  const AnalysisTable &analyses;
   RefinementStudyParameters parameters;
   std::vector<std::string> input_files;
   unsigned int dimension;
@@ -48,8 +42,11 @@ private:
   std::vector<Way> ways;
   QuantityNames quantities; ///< that the study can state
 
+  /// With --restart the runs that are finished are taken as they are; see RunSeries. Throws
+  /// RunError at the end if a run failed.
+  void compute(const OutputDirectory &directory, Log &log, Summary &summary) override;
   template <int dim>
-  void read_ways(ParameterFile &file);
+  void read_ways();
   template <int dim>
   Way read_way(const std::string &name) const;
   void check(const Way &way, const std::string &name, const ParameterSection &section) const;

@@ -1,6 +1,7 @@
 #ifndef continua_studies_run_series_h
 #define continua_studies_run_series_h
 
+#include <continua/analysis/analysis_table.h>
 #include <continua/base/command_line.h>
 #include <continua/base/log.h>
 #include <continua/base/output_directory.h>
@@ -22,7 +23,7 @@ struct PlannedRun
   std::string identity;     ///< of the case, and of what else its results depend on
 };
 
-/// What one run left, as its summary.json says.
+/// What one run states in its summary.
 struct RunResult
 {
   std::string name;       ///< of its folder: "taylor-hood-0"
@@ -52,19 +53,20 @@ void set_entry(CommandLine &command_line, const std::string &path, const std::st
 class RunSeries
 {
 public:
-  /// `input_files`: of the parameter file, which no output folder may hold. `volume`: of the mesh
-  /// [m^dim].
-  RunSeries(MPI_Comm communicator,
+  /// `analyses`: those that there are. `input_files`: of the parameter file, which no output folder
+  /// may hold. `volume`: of the mesh [m^dim].
+  RunSeries(const AnalysisTable &analyses,
+            MPI_Comm communicator,
             unsigned int dimension,
             const CommandLine &command_line,
             const std::vector<std::string> &input_files,
             double volume);
 
   /**
-   * Performs the runs in their order; collective. With --restart the runs that the folder holds are
-   * taken as they are, if they were finished by this program with the same input and as many ranks.
-   * `finished` is called for each that did not fail, with its number. Returns the results on all
-   * ranks.
+   * Performs the runs in their order; collective. Returns what each run has stated, the same on all
+   * ranks. With --restart the runs that the folder holds are taken as they are, if they were
+   * finished by this program with the same input and as many ranks: what they stated stands in
+   * their folder. `finished` is called for each that did not fail, with its number.
    */
   std::vector<RunResult>
   perform(const std::vector<PlannedRun> &plans,
@@ -73,6 +75,7 @@ public:
           const std::function<void(const RunResult &, unsigned int)> &finished) const;
 
 private:
+  const AnalysisTable &analyses;
   MPI_Comm communicator;
   unsigned int dimension;
   CommandLine command_line;
@@ -81,13 +84,15 @@ private:
 
   /// What identifies the input, the program and the ranks of a run.
   std::string identity(const PlannedRun &plan) const;
-  /// Performs the run and returns why it failed; empty if it did not.
-  std::string
-  perform(const PlannedRun &plan, const OutputDirectory &directory, MPI_Comm watch) const;
-  template <int dim>
-  void run_case(const PlannedRun &plan, const OutputDirectory &directory) const;
-  /// What the folder of a run says of it; the same on all ranks.
-  RunResult result(const PlannedRun &plan) const;
+  /// Performs the run, fills its summary and returns why it failed; empty if it did not.
+  std::string perform(const PlannedRun &plan,
+                      const OutputDirectory &directory,
+                      MPI_Comm watch,
+                      Summary &summary) const;
+  /// The summary that stands in the folder of a run, the same on all ranks.
+  Summary summary_in_folder(const PlannedRun &plan) const;
+  /// What rank 0 finds in the summary of a run, the same on all ranks.
+  RunResult result(const PlannedRun &plan, const Summary &summary) const;
 };
 
 /// A summary with what is known before the runs, and with those that failed, if any: returns their
