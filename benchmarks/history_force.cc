@@ -7,10 +7,11 @@
 
 #include "measurement.h"
 
-#include <continua/analysis/case.h>
 #include <continua/base/log.h>
+#include <continua/case/case.h>
 #include <continua/continuum/discrete_continuum.h>
 #include <continua/finite_element/taylor_hood.h>
+#include <continua/program/analyses.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -97,7 +98,7 @@ Tube::Tube(const std::string &parameter_file, const Wall &wall)
     : wall(wall),
       log(MPI_COMM_WORLD),
       file(parameter_file, overrides(wall)),
-      input(file, MPI_COMM_WORLD, false)
+      input(analyses().read_case<2>(file, MPI_COMM_WORLD))
 {
   body = std::make_unique<DiscreteContinuum<2>>(
       std::make_unique<TaylorHood<2>>(*input.triangulation, input.problem,

@@ -9,10 +9,11 @@
 #include "matrix_free_product.h"
 #include "measurement.h"
 
-#include <continua/analysis/case.h>
+#include <continua/case/case.h>
 #include <continua/finite_element/region_operators.h>
 #include <continua/finite_element/space.h>
 #include <continua/linear_algebra/matrix_product.h>
+#include <continua/program/analyses.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -137,7 +138,7 @@ void bench(const std::string &source_directory, const std::string &cells, Report
   }
   ParameterFile file(source_directory + "/parameter_files/verification/elastic-tube-3d.prm",
                      overrides);
-  Case<3> input(file, MPI_COMM_WORLD, false);
+  Case<3> input = analyses().read_case<3>(file, MPI_COMM_WORLD);
   const Problem &problem = input.problem;
   Space<3> space(*input.triangulation, input.discretisation.taylor_hood.space, problem.model,
                  problem.regions.size());

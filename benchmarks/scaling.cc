@@ -12,9 +12,10 @@
 #include "communication.h"
 #include "measurement.h"
 
-#include <continua/analysis/case.h>
 #include <continua/base/log.h>
+#include <continua/case/case.h>
 #include <continua/postprocess/field_writer.h>
+#include <continua/program/analyses.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
@@ -105,8 +106,8 @@ void measure_tube(ParameterFile &file, const std::string &folder, Values &values
   Log log(MPI_COMM_WORLD, false);
   std::unique_ptr<Case<dim>> input;
   std::unique_ptr<ContinuumSolver<dim>> solver;
-  values["coarse mesh [s]"] =
-      common_time([&]() { input = std::make_unique<Case<dim>>(file, MPI_COMM_WORLD, false); });
+  values["coarse mesh [s]"] = common_time(
+      [&]() { input.reset(new Case<dim>(analyses().read_case<dim>(file, MPI_COMM_WORLD))); });
   values["set-up [s]"] = common_time(
       [&]()
       {
@@ -192,7 +193,7 @@ void measure(const std::vector<std::string> &arguments)
     const std::vector<std::string> overrides(arguments.begin() + 2, arguments.end());
     ParameterFile general_file(arguments.at(0), overrides);
     GeneralParameters general;
-    general.read(general_file.root());
+    general.read(general_file.root(), analyses().types());
     ParameterFile file(arguments.at(0), overrides);
     if (n_dimensions(model_of(general.model)) == 2)
       measure_tube<2>(file, arguments.at(1), values);

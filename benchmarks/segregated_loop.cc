@@ -8,10 +8,11 @@
 
 #include "measurement.h"
 
-#include <continua/analysis/case.h>
 #include <continua/base/log.h>
+#include <continua/case/case.h>
 #include <continua/continuum/discrete_continuum.h>
 #include <continua/finite_volume/cell_wise.h>
+#include <continua/program/analyses.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -41,7 +42,7 @@ measure(const std::string &source_directory, const std::string &cells, const std
                      {"Mesh/Cells=" + cells, "Cell-wise/Formulation=displacement",
                       "Cell-wise/Solution=" + solution, "Cell-wise/Tolerance=1e-8"});
   Log log(MPI_COMM_WORLD);
-  Case<2> input(file, MPI_COMM_WORLD, false);
+  Case<2> input = analyses().read_case<2>(file, MPI_COMM_WORLD);
   DiscreteContinuum<2> body(std::make_unique<CellWise<2>>(*input.triangulation, input.problem,
                                                           input.discretisation.cell_wise, log),
                             input.problem, log);

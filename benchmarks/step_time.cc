@@ -9,10 +9,11 @@
 #include "measurement.h"
 #include "naive_step.h"
 
-#include <continua/analysis/case.h>
 #include <continua/base/log.h>
+#include <continua/case/case.h>
 #include <continua/continuum/discrete_continuum.h>
 #include <continua/finite_element/taylor_hood.h>
+#include <continua/program/analyses.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -91,7 +92,7 @@ Bench<dim>::Bench(const std::string &source_directory, const Sizes &sizes)
           {"Mesh/Cells=" + sizes.cells, "Mesh/Refinements=" + std::to_string(sizes.refinements)}),
       log(MPI_COMM_WORLD),
       file(parameter_file, overrides),
-      input(file, MPI_COMM_WORLD, false)
+      input(analyses().read_case<dim>(file, MPI_COMM_WORLD))
 {
   input.triangulation->refine_global(input.mesh.refinements);
   measure_naive();

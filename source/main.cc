@@ -1,20 +1,17 @@
-#include <continua/analysis/case_run.h>
 #include <continua/analysis/checkpoint.h>
-#include <continua/analysis/comparison.h>
-#include <continua/analysis/documentation.h>
-#include <continua/analysis/material_laboratory.h>
-#include <continua/analysis/refinement_study.h>
-#include <continua/analysis/spin_coating_analysis.h>
 #include <continua/base/command_line.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
 #include <continua/base/version.h>
+#include <continua/postprocess/writing_rank.h>
+#include <continua/program/analyses.h>
+#include <continua/program/documentation.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <filesystem>
-#include <functional>
 #include <iostream>
+#include <memory>
 
 namespace
 {
@@ -36,16 +33,12 @@ std::string output_path(const CommandLine &command_line)
   return "output/" + std::filesystem::path(command_line.parameter_file).stem().string();
 }
 
-/// What every analysis has around it once its input is read: to print or validate only, or an
-/// output folder with the input and a log. `has_checkpoint`: whether a restart goes on from one.
-void with_output(ParameterFile &file,
-                 const CommandLine &command_line,
-                 const MPI_Comm communicator,
-                 const std::string &title,
-                 const bool has_checkpoint,
-                 const std::function<void(const OutputDirectory &, Log &)> &perform)
+/// Reads what the file asks for and performs it; --print-parameters and --validate only read.
+void perform_file(const CommandLine &command_line, const MPI_Comm communicator)
 {
-  const bool is_writer = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+  const bool is_writer = is_writing_rank(communicator);
+  ParameterFile file(command_line.parameter_file, command_line.overrides);
+  const std::unique_ptr<Analysis> analysis = analyses().make(file, command_line, communicator);
   if (!command_line.print_parameters.empty())
   {
     if (is_writer)
@@ -64,87 +57,29 @@ void with_output(ParameterFile &file,
                                                            : OutputDirectory::Mode::fresh,
                                   communicator, file.input_files());
   // Before anything is written: a checkpoint that cannot be used leaves the folder as it is.
-  if (command_line.restart && has_checkpoint)
+  if (command_line.restart && analysis->has_checkpoints())
     Checkpoint(communicator, directory, file).read();
   Log log(communicator);
-  begin_output(file, command_line, communicator, title, directory, log);
-  perform(directory, log);
+  Summary summary;
+  analysis->perform(directory, log, summary);
 }
 
-template <int dim>
-void run_case(ParameterFile &file, const CommandLine &command_line, const MPI_Comm communicator)
+void perform(const CommandLine &command_line, const MPI_Comm communicator)
 {
-  Case<dim> input(file, communicator, command_line.restart);
-  with_output(file, command_line, communicator, input.general.title,
-              input.general.analysis == "transient",
-              [&](const OutputDirectory &directory, Log &log)
-              { perform_case(input, file, command_line, directory, log); });
-}
-
-/// A comparison or a refinement study.
-template <typename Series>
-void run_series(ParameterFile &file, const CommandLine &command_line, const MPI_Comm communicator)
-{
-  const Series series(file, command_line, communicator);
-  with_output(file, command_line, communicator, series.title(), false,
-              [&](const OutputDirectory &directory, Log &log) { series.perform(directory, log); });
-}
-
-void run_spin_coating(ParameterFile &file,
-                      const CommandLine &command_line,
-                      const MPI_Comm communicator)
-{
-  const SpinCoatingAnalysis analysis(file);
-  with_output(file, command_line, communicator, analysis.title(), false,
-              [&](const OutputDirectory &directory, Log &log)
-              {
-                if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-                  analysis.perform(command_line, directory, log);
-              });
-}
-
-void run_material_laboratory(ParameterFile &file,
-                             const CommandLine &command_line,
-                             const MPI_Comm communicator)
-{
-  const MaterialLaboratory laboratory(file);
-  with_output(file, command_line, communicator, laboratory.title(), false,
-              [&](const OutputDirectory &directory, Log &log)
-              { laboratory.perform(command_line, communicator, directory, log); });
-}
-
-int run(const CommandLine &command_line, const MPI_Comm communicator)
-{
-  const bool is_writer = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+  const bool is_writer = is_writing_rank(communicator);
   if (command_line.help || command_line.version)
   {
     if (is_writer)
       std::cout << (command_line.help ? CommandLine::usage()
                                       : "Continua " + version() + " (" + revision() + ")\n");
-    return status_done;
   }
-  if (command_line.parameter_file.empty())
+  else if (command_line.parameter_file.empty())
   {
     if (is_writer)
       print_documentation(std::cout, style_of(command_line.print_parameters));
-    return status_done;
   }
-  ParameterFile file(command_line.parameter_file, command_line.overrides);
-  GeneralParameters general;
-  general.read(file.root());
-  if (general.analysis == "spin coating")
-    run_spin_coating(file, command_line, communicator);
-  else if (general.analysis == "comparison")
-    run_series<Comparison>(file, command_line, communicator);
-  else if (general.analysis == "refinement study")
-    run_series<RefinementStudy>(file, command_line, communicator);
-  else if (general.analysis == "material")
-    run_material_laboratory(file, command_line, communicator);
-  else if (n_dimensions(model_of(general.model)) == 2)
-    run_case<2>(file, command_line, communicator);
   else
-    run_case<3>(file, command_line, communicator);
-  return status_done;
+    perform_file(command_line, communicator);
 }
 } // namespace
 
@@ -159,7 +94,8 @@ int main(int argc, char **argv)
   const bool is_writer = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   try
   {
-    return run(CommandLine::parse(argc, argv), communicator);
+    perform(CommandLine::parse(argc, argv), communicator);
+    return status_done;
   }
   catch (const Continua::InputError &error)
   {

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The numbers of the pre-flight report for the tube of tests/analysis/preflight_report.cc, computed with mpmath.
+"""The numbers of the pre-flight report for the tube of tests/case/preflight_report.cc, computed with mpmath.
 
     scripts/references/preflight.py
 

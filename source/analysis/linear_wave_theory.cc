@@ -1,9 +1,9 @@
 #include <continua/analysis/linear_wave_theory.h>
 
 #include <continua/analysis/dispersion_table.h>
-#include <continua/analysis/measured_waves.h>
-#include <continua/analysis/tube_wave_case.h>
 #include <continua/analysis/wave_report.h>
+#include <continua/case/measured_waves.h>
+#include <continua/case/tube_wave_case.h>
 #include <continua/postprocess/writing_rank.h>
 #include <continua/signal/energy_frequency.h>
 #include <continua/theory/korteweg.h>
@@ -112,29 +112,63 @@ impedances_of(const Case<dim> &input, const std::vector<double> &positions, cons
 template <int dim>
 void LinearWaveTheory<dim>::check(const Case<dim> &input, ParameterSection root)
 {
-  const bool alone = input.general.analysis == "linear wave theory";
   TubeWaveCase wave_case;
   const std::string problem = make_tube_wave_case(input, wave_case);
-  if (alone)
-  {
-    if (!problem.empty())
-      root.refuse("Analysis", "linear wave theory does not cover this case: " + problem,
-                  "Use a 'tube' with a pressure or flow-rate inlet, or another analysis");
-    if (input.probes.stations().empty())
-      root.subsection("Probes").refuse("", "linear wave theory has no station to speak of",
-                                       "Add a probe with Stations and Fields");
-    if (!input.error_norms.empty())
-      root.subsection("Exact solution")
-          .refuse("", "linear wave theory has no fields to compare with", "Remove the section");
-  }
-  else if (input.wave_theory.overlay_given && !problem.empty())
+  if (!problem.empty())
+    root.refuse("Analysis", "linear wave theory does not cover this case: " + problem,
+                "Use a 'tube' with a pressure or flow-rate inlet, or another analysis");
+  if (input.probes.stations().empty())
+    root.subsection("Probes").refuse("", "linear wave theory has no station to speak of",
+                                     "Add a probe with Stations and Fields");
+  if (!input.error_norms.empty())
+    root.subsection("Exact solution")
+        .refuse("", "linear wave theory has no fields to compare with", "Remove the section");
+  if (input.time.is_adaptive())
+    root.subsection("Time").refuse(
+        "Time step control", "linear wave theory makes no steps in time",
+        "Remove the entry: Time step is the interval of the theory's table");
+}
+
+template <int dim>
+void LinearWaveTheory<dim>::check_overlay(const Case<dim> &input, ParameterSection root)
+{
+  TubeWaveCase wave_case;
+  const std::string problem = make_tube_wave_case(input, wave_case);
+  if (input.wave_theory.overlay_given && !problem.empty())
     root.subsection("Wave theory")
         .refuse("Overlay", "linear wave theory does not cover this case: " + problem,
                 "Set Overlay = false");
-  if (!alone && input.wave_theory.far_end != FarEnd::as_boundary)
+  if (input.wave_theory.far_end != FarEnd::as_boundary)
     root.subsection("Wave theory")
         .refuse("Far end", "theory beside a run must have the run's own far end",
                 "Leave the entry out, or set Analysis = linear wave theory");
+}
+
+template <int dim>
+void LinearWaveTheory<dim>::name_quantities(const Case<dim> &input, QuantityNames &names)
+{
+  const bool simulated = input.analysis.is_transient();
+  TubeWaveCase wave_case;
+  const bool has_theory =
+      (!simulated || input.wave_theory.overlay) && make_tube_wave_case(input, wave_case).empty();
+  for (const StationsProbe &probe : input.probes.stations())
+  {
+    std::set<WaveReport::Source> sources;
+    if (simulated)
+      sources.insert(WaveReport::Source::simulated);
+    if (has_theory)
+      sources.insert(WaveReport::Source::theory);
+    if (input.measured_waves.count(probe.name) > 0)
+      sources.insert(WaveReport::Source::measured);
+    // Of the impedances only their presence counts here.
+    const bool is_tube = input.geometry->tube_law() != nullptr;
+    const WaveStations stations{probe.name,
+                                probe.positions,
+                                probe.fields,
+                                {},
+                                std::vector<double>(is_tube ? probe.positions.size() : 0, 1.)};
+    WaveReport::name_quantities(stations, sources, names);
+  }
 }
 
 template <int dim>

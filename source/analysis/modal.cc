@@ -3,6 +3,7 @@
 #include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/base/table_writer.h>
+#include <continua/case/case_checks.h>
 #include <continua/postprocess/field_writer.h>
 
 #include <deal.II/base/mpi.h>
@@ -278,6 +279,73 @@ void Modal<dim>::add_quantities(const unsigned int number, const Mode &mode)
                      mode.inertia_shares[m], "1", ""});
 }
 
+template <int dim>
+void Modal<dim>::check(const Case<dim> &input, ParameterSection root)
+{
+  for (unsigned int region = 0; region < input.problem.materials.size(); ++region)
+  {
+    const Material &material = input.problem.materials[region];
+    ParameterSection section =
+        root.subsection("Materials").subsection(input.problem.regions[region]);
+    if (!material.is_solid())
+      section.refuse("Type", "a modal analysis is of solids, which a fluid is not",
+                     "Use Analysis = transient");
+    if (material.relaxes())
+      section.refuse("Type",
+                     "this solid relaxes, so that its stiffness depends on the frequency and its "
+                     "vibrations die away",
+                     "Use hookean with the modulus at the frequency in question, or Analysis = "
+                     "transient");
+  }
+  ParameterSection boundaries = root.subsection("Boundaries");
+  for (const BoundaryCondition &condition : input.problem.conditions)
+    if (condition.type == BoundaryType::absorbing)
+      boundaries.subsection(condition.name)
+          .refuse("Type", "an end that takes waves up has no vibrations that last",
+                  "Use 'free', 'roller' or 'fixed', or Analysis = transient");
+  ParameterSection modal = root.subsection("Modal");
+  if (input.modal.highest() && !input.discretisation.is_cell_wise())
+    modal.refuse("Which",
+                 "the highest modes of the finite elements are not sought: with an incompressible "
+                 "material they have no bound",
+                 "Set Discretisation = cell-wise, or Which = lowest");
+  if (!input.modal.highest() && input.modal.shift == 0. && !is_held(input.problem))
+    boundaries.refuse("",
+                      "nothing holds the body, so that it can move without vibrating: the "
+                      "frequency 0 Hz is a mode's",
+                      "Make a boundary 'fixed' or 'roller', or give Modal/Shift a frequency, such "
+                      "as half of the first mode's");
+  ParameterSection linear_solver = root.subsection("Linear solver");
+  if (!input.discretisation.is_cell_wise() &&
+      input.discretisation.taylor_hood.linear_solver.type == LinearSolverType::iterative)
+    linear_solver.refuse("Type", "vibrations have an indefinite matrix, which is solved directly",
+                         "Use automatic or direct");
+  if (input.modal.shift > 0. &&
+      input.discretisation.taylor_hood.linear_solver.direct_solver == DirectSolver::cholmod)
+    linear_solver.refuse("Direct solver", "cholmod does not pivot, which a shift needs",
+                         "Use automatic or mumps");
+}
+
+template <int dim>
+void Modal<dim>::name_quantities(const Case<dim> &input, QuantityNames &names)
+{
+  const bool axisymmetric = input.problem.model == Model::axisymmetric;
+  const std::string axes = dim == 2 ? "xy" : "xyz";
+  names.add("mass");
+  names.add("largest residual");
+  for (const char axis : axes)
+    names.add(std::string("share of mass along ") + axis);
+  for (unsigned int k = 1; k <= input.modal.n_modes; ++k)
+  {
+    const std::string mode = "mode " + std::to_string(k) + " ";
+    names.add(mode + "frequency");
+    names.add(mode + "growth rate");
+    for (const char axis : axisymmetric ? std::string("x") : axes)
+      names.add(mode + "share of mass along " + axis);
+    for (const char axis : axisymmetric ? std::string() : dim == 2 ? std::string("z") : axes)
+      names.add(mode + "share of inertia about " + axis);
+  }
+}
 template <int dim>
 void Modal<dim>::perform()
 {

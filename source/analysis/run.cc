@@ -2,6 +2,7 @@
 
 #include <continua/analysis/refinement_indicator.h>
 #include <continua/base/version.h>
+#include <continua/continuum/field_list.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -20,12 +21,14 @@ Run<dim>::Run(Case<dim> &input,
               const ParameterFile &file,
               const CommandLine &command_line,
               const OutputDirectory &directory,
-              Log &log)
+              Log &log,
+              Summary &summary)
     : input(input),
       file(file),
       command_line(command_line),
       directory(directory),
       log(log),
+      summary(summary),
       is_writer(Utilities::MPI::this_mpi_process(input.communicator) == 0)
 {
   summary.set_possible(input.quantities);
@@ -142,6 +145,20 @@ void Run<dim>::finish(const unsigned int n_steps, const double time)
   for (const std::string &verdict : summary.check(input.expected, all_passed))
     log.line(verdict);
   write_summary("finished");
+}
+
+template <int dim>
+void Run<dim>::name_quantities(const Case<dim> &input, QuantityNames &names)
+{
+  const Problem &problem = input.problem;
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+    if (problem.materials[region].has_power_law())
+      names.add("Prony fit error", problem.regions[region]);
+  for (const BoundaryCondition &condition : problem.conditions)
+    if (condition.type == BoundaryType::absorbing)
+      names.add("absorbing end fit error", condition.name);
+  input.probes.name_quantities(field_names<dim>(problem.model), input.analysis.is_steady(), names);
+  input.error_norms.name_quantities(names);
 }
 
 template <int dim>

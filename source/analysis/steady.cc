@@ -3,13 +3,70 @@
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
 #include <continua/base/table_writer.h>
+#include <continua/case/case_checks.h>
 #include <continua/postprocess/field_writer.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace Continua
 {
+template <int dim>
+void Steady<dim>::check(const Case<dim> &input, ParameterSection root)
+{
+  const std::vector<Material> &materials = input.problem.materials;
+  // A power law relaxes for ever.
+  for (unsigned int region = 0; region < materials.size(); ++region)
+    if (materials[region].has_power_law())
+      root.subsection("Materials")
+          .subsection(input.problem.regions[region])
+          .refuse("Type",
+                  "the stress of a power law relaxes to zero, so that it has no state at rest",
+                  "Use a law with a long-term modulus, or Analysis = transient");
+  const bool has_solid =
+      std::any_of(materials.begin(), materials.end(),
+                  [](const Material &material) { return !material.shear.branches.empty(); });
+  for (unsigned int region = 0; region < materials.size(); ++region)
+    if (!materials[region].shear.branches.empty() &&
+        (materials[region].long_term_shear_modulus() == 0. ||
+         std::isinf(materials[region].long_term_inverse_bulk_modulus())))
+      root.subsection("Materials")
+          .subsection(input.problem.regions[region])
+          .refuse("Type",
+                  "the stress of this solid relaxes to zero, so that it has no state at rest",
+                  "Use a law with a long-term modulus, or Analysis = transient");
+  for (const BoundaryCondition &condition : input.problem.conditions)
+    for (const BoundaryPart *part : {&condition.normal, &condition.tangential})
+      if (part->kind == BoundaryPart::Kind::velocity)
+      {
+        const bool touches_solid = std::any_of(
+            condition.region_ids.begin(), condition.region_ids.end(),
+            [&](const unsigned int region) { return !materials[region].shear.branches.empty(); });
+        if (touches_solid && !part->is_zero())
+          root.subsection("Boundaries")
+              .subsection(condition.name)
+              .refuse("", "a solid at rest cannot have a prescribed velocity",
+                      "Prescribe zero, or use Analysis = transient");
+      }
+  if (!is_held(input.problem))
+    root.subsection("Boundaries")
+        .refuse("", "nothing holds the body: no boundary has a prescribed velocity",
+                "Make one boundary 'fixed' or 'roller'");
+  ParameterSection initial_state = root.subsection("Initial state");
+  for (const char *key : {"Velocity", "Displacement", "Pressure"})
+    if (has_solid && initial_state.given(key))
+      initial_state.refuse(key, "a steady analysis has no initial state",
+                           "Remove the entry, or use Analysis = transient");
+}
+
+template <int dim>
+void Steady<dim>::name_quantities(const Case<dim> &input, QuantityNames &names)
+{
+  Run<dim>::name_quantities(input, names);
+  LoopRecord<dim>::name_quantities(names);
+}
+
 template <int dim>
 void Steady<dim>::perform()
 {
@@ -95,7 +152,7 @@ void Steady<dim>::step_to_rest()
     euler.balance_time = 0.;
     euler.time = 0.;
     const StepReport report = run.solver->advance(euler);
-    loop.record(report, (step + 1) * rest.time_step, run.log);
+    loop.take(report, (step + 1) * rest.time_step, run.log);
     ++n_steps;
     largest_velocity = std::max(largest_velocity, report.largest_velocity);
     if (report.largest_change <= rest.tolerance * largest_velocity)

@@ -1,10 +1,10 @@
 #include <continua/analysis/transient.h>
 
 #include <continua/analysis/linear_wave_theory.h>
-#include <continua/analysis/preflight_report.h>
 #include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
+#include <continua/case/preflight_report.h>
 
 #include <algorithm>
 #include <array>
@@ -16,38 +16,30 @@ namespace Continua
 {
 using namespace dealii;
 
-namespace
-{
-/// A power law relaxes, also when its branches are still in the checkpoint.
-std::vector<bool> relaxing_regions(const std::vector<Material> &materials)
-{
-  std::vector<bool> relaxing;
-  for (const Material &material : materials)
-    relaxing.push_back(material.relaxes());
-  return relaxing;
-}
-} // namespace
-
 template <int dim>
 Transient<dim>::Transient(Run<dim> &run)
     : run(run),
       time_control(run.input.time),
-      power(run.input.communicator,
-            run.input.problem.regions,
-            relaxing_regions(run.input.problem.materials),
-            run.input.problem.outlets,
-            run.input.adaptation.changes_mesh()),
-      fields(run.input.communicator,
-             run.directory.path(),
-             run.input.output.subdivisions_for(run.input.discretisation.velocities_per_cell()),
-             run.input.output.higher_order_cells,
-             run.input.output.files_per_state),
+      records(make_records(run.input, run.directory.path())),
       checkpoint(run.input.communicator, run.directory, run.file),
       probe_schedule(run.input.output.probe_schedule(run.input.time.end_time)),
-      power_schedule(run.input.output.power_schedule(run.input.time.end_time)),
-      field_schedule(run.input.output.field_schedule(run.input.time.end_time)),
       checkpoint_schedule(run.input.output.checkpoint_schedule(run.input.time.end_time))
 {
+}
+
+template <int dim>
+void Transient<dim>::check(const Case<dim> &input, ParameterSection root)
+{
+  LinearWaveTheory<dim>::check_overlay(input, root);
+}
+
+template <int dim>
+void Transient<dim>::name_quantities(const Case<dim> &input, QuantityNames &names)
+{
+  Run<dim>::name_quantities(input, names);
+  name_quantities_of_records(input, names);
+  LinearWaveTheory<dim>::name_quantities(input, names);
+  names.add("weak divergence at the end");
 }
 
 template <int dim>
@@ -76,12 +68,8 @@ void Transient<dim>::perform()
   run.log.end_progress();
   if (run.input.output.checkpoint_at_end)
     write_checkpoint();
-  power.finish(*run.solver, run.summary);
-  loop.finish(run.summary);
-  step_record.finish(time_control, run.summary, run.log);
-  if (run.input.adaptation.changes_mesh())
-    meshes.finish(time_control.time(), run.summary);
-  fields.finish(run.summary);
+  for (const ScheduledRecord<dim> &entry : records)
+    entry.record->finish({*run.solver, time_control, run.summary, run.log});
   LinearWaveTheory<dim>(run).compare();
   run.summary.add({"weak divergence at the end", run.solver->divergence(), "1/s", ""});
   if (run.input.time.scheme == Scheme::crank_nicolson && run.input.time.smooth_start)
@@ -94,17 +82,14 @@ void Transient<dim>::start()
 {
   run.initialise();
   adapt_before_start();
-  meshes.start(run.solver->sizes(), 0.);
   report_initial_jumps();
   run.input.probes.open(run.directory.file("probes.csv"));
-  power.open(run.directory.file("power.csv"));
-  power.start(*run.solver);
-  if (time_control.is_adaptive())
-    largest_energy = run.solver->energy().sum();
   if (probe_schedule.due(0., 0.))
     run.input.probes.record(0.);
-  if (field_schedule.due(0., 0.))
-    fields.write(*run.solver, 0.);
+  if (time_control.is_adaptive())
+    largest_energy = run.solver->energy().sum();
+  for (const ScheduledRecord<dim> &entry : records)
+    entry.record->open(*run.solver, run.directory.path(), entry.schedule.due(0., 0.));
 }
 
 template <int dim>
@@ -184,11 +169,9 @@ void Transient<dim>::restart()
   run.initialise(mesh_file);
   time_control.load(archive);
   run.solver->load(archive);
-  power.load(archive);
-  loop.load(archive);
-  step_record.load(archive);
+  for (const ScheduledRecord<dim> &entry : records)
+    entry.record->load(archive);
   largest_energy = archive.value("largest energy");
-  meshes.load(archive);
   const double time = time_control.time();
   n_restarts = archive.integer("restarts") + 1;
   earlier_wall_time = archive.value("wall time");
@@ -211,8 +194,8 @@ void Transient<dim>::restart()
     run.log.warning("probes.csv has " + std::to_string(run.input.probes.times().size()) +
                     " rows up to the restart, the run that is continued had written " +
                     std::to_string(n_rows));
-  power.open(run.directory.file("power.csv"), kept(power_schedule));
-  fields.resume(kept(field_schedule));
+  for (const ScheduledRecord<dim> &entry : records)
+    entry.record->resume(run.directory.path(), kept(entry.schedule));
   // The mesh does not change at the end of a run; if the run goes on it does.
   if (archive.integer("adaptation is due") == 1 && !time_control.at_end())
     adapt();
@@ -251,7 +234,8 @@ template <int dim>
 StepReport Transient<dim>::advance(const Step &part)
 {
   const StepReport report = run.solver->advance(part);
-  step_record.attempt(report);
+  for (const ScheduledRecord<dim> &entry : records)
+    entry.record->attempt(report);
   return report;
 }
 
@@ -295,12 +279,12 @@ void Transient<dim>::step()
     report = advance(steps.front());
   }
   const double time = time_control.time(), size = time_control.last_size();
-  step_record.take(size);
   for (const Step &part : steps)
   {
     if (&part != &steps.front())
       report = advance(part);
-    loop.record(report, part.time, run.log);
+    for (const ScheduledRecord<dim> &entry : records)
+      entry.record->take(report, part.time, run.log);
     if (report.largest_velocity > run.input.time.velocity_limit)
     {
       std::ostringstream text;
@@ -309,18 +293,15 @@ void Transient<dim>::step()
            << " m/s, above Time/Velocity limit = " << run.input.time.velocity_limit << " m/s";
       throw RunError(text.str());
     }
-    TimerOutput::Scope scope(run.log.timer(), "power ledger");
-    power.record(*run.solver, part, &part == &steps.back() && power_schedule.due(time, size));
+    const bool is_whole = &part == &steps.back();
+    for (const ScheduledRecord<dim> &entry : records)
+      entry.record->record({*run.solver, part, time, size, is_whole,
+                            is_whole && entry.schedule.due(time, size), run.log});
   }
   if (probe_schedule.due(time, size))
   {
     TimerOutput::Scope scope(run.log.timer(), "probes");
     run.input.probes.record(time);
-  }
-  if (field_schedule.due(time, size))
-  {
-    TimerOutput::Scope scope(run.log.timer(), "fields");
-    fields.write(*run.solver, time);
   }
   last_size = size;
   if (adaptation_is_due() && !time_control.at_end())
@@ -375,9 +356,9 @@ void Transient<dim>::adapt()
   mesh_has_changed = true;
   time_control.restart();
   const Energy energy_after = run.solver->energy();
-  power.record_transfer(energy_before, energy_after);
+  for (const ScheduledRecord<dim> &entry : records)
+    entry.record->change_mesh({*run.solver, time_control.time(), energy_before, energy_after});
   const double before = energy_before.sum(), after = energy_after.sum();
-  meshes.change(run.solver->sizes(), time_control.time(), before, after);
   std::ostringstream text;
   text << "t = " << time_control.time() << " s: mesh of " << run.solver->sizes().n_cells
        << " cells";
@@ -403,7 +384,8 @@ void Transient<dim>::write_checkpoint()
   TimerOutput::Scope scope(run.log.timer(), "checkpoint");
   // A run that is killed goes on from here: what stands before must be on the disk.
   run.input.probes.flush_to_disk();
-  power.flush_to_disk();
+  for (const ScheduledRecord<dim> &entry : records)
+    entry.record->flush_to_disk();
   checkpoint.write(
       time_control.n_steps(),
       [this](ArchiveWriter &archive)
@@ -415,11 +397,9 @@ void Transient<dim>::write_checkpoint()
         archive.add("adaptation is due", static_cast<unsigned long>(
                                              adaptation_is_due() && time_control.at_end() ? 1 : 0));
         run.solver->save(archive);
-        power.save(archive);
-        loop.save(archive);
-        step_record.save(archive);
+        for (const ScheduledRecord<dim> &entry : records)
+          entry.record->save(archive);
         archive.add("largest energy", largest_energy);
-        meshes.save(archive);
         archive.add("rows of probes.csv",
                     static_cast<unsigned long>(run.input.probes.times().size()));
         archive.add("restarts", n_restarts);

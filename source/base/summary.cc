@@ -250,6 +250,22 @@ const std::vector<Quantity> &Summary::quantities() const
   return implementation->quantities;
 }
 
+double Summary::number_of(const std::string &key) const
+{
+  const auto entry = implementation->entries.find(key);
+  return entry != implementation->entries.end() && entry->is_number() ? entry->get<double>() : 0.;
+}
+
+std::map<std::string, double> Summary::numbers_of(const std::string &key) const
+{
+  std::map<std::string, double> values;
+  if (const auto entry = implementation->entries.find(key); entry != implementation->entries.end())
+    for (const auto &[name, value] : entry->items())
+      if (value.is_number())
+        values[name] = value.get<double>();
+  return values;
+}
+
 void Summary::set_possible(const QuantityNames &names)
 {
   implementation->possible = names;
@@ -296,6 +312,22 @@ std::vector<std::string> Summary::check(const std::vector<ExpectedValue> &expect
                         label(quantity.name, quantity.probe) +
                         ", so that Expected cannot ask for it");
   return lines;
+}
+
+Summary Summary::read(const std::string &text)
+{
+  Summary summary;
+  Json document = Json::parse(text);
+  for (const Json &quantity : document.at("quantities"))
+    summary.add(
+        {quantity.at("name"),
+         quantity.at("value").is_number() ? quantity.at("value").get<double>() : std::nan(""),
+         quantity.at("unit"), quantity.at("probe")});
+  summary.implementation->checks = document.at("checks");
+  document.erase("quantities");
+  document.erase("checks");
+  summary.implementation->entries = document;
+  return summary;
 }
 
 void Summary::write(const std::string &file) const

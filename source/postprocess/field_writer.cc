@@ -98,6 +98,36 @@ FieldWriter<dim>::FieldWriter(const MPI_Comm communicator,
 }
 
 template <int dim>
+void FieldWriter<dim>::open(ContinuumSolver<dim> &solver,
+                            const std::string & /*folder*/,
+                            const bool is_due)
+{
+  if (is_due)
+    write(solver, 0.);
+}
+
+template <int dim>
+void FieldWriter<dim>::resume(const std::string & /*folder*/, const double time)
+{
+  resume(time);
+}
+
+template <int dim>
+void FieldWriter<dim>::record(const RecordedStep<dim> &step)
+{
+  if (!step.is_due)
+    return;
+  dealii::TimerOutput::Scope scope(step.log.timer(), "fields");
+  write(step.solver, step.time);
+}
+
+template <int dim>
+void FieldWriter<dim>::finish(const RecordedEnd<dim> &end)
+{
+  finish(end.summary);
+}
+
+template <int dim>
 void FieldWriter<dim>::resume(const double restart_time)
 {
   // Times in the list are those of the steps but for round-off.

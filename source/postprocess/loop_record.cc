@@ -5,7 +5,8 @@
 
 namespace Continua
 {
-void LoopRecord::record(const StepReport &report, const double time, Log &log)
+template <int dim>
+void LoopRecord<dim>::take(const StepReport &report, const double time, Log &log)
 {
   ++n_steps;
   n_corrections += report.corrections;
@@ -24,7 +25,8 @@ void LoopRecord::record(const StepReport &report, const double time, Log &log)
     log.detail(text.str());
 }
 
-void LoopRecord::finish(Summary &summary) const
+template <int dim>
+void LoopRecord<dim>::finish(Summary &summary) const
 {
   if (n_linear > 0)
   {
@@ -44,14 +46,16 @@ void LoopRecord::finish(Summary &summary) const
   summary.add({"steps that reached the cap", static_cast<double>(n_capped), "1", ""});
 }
 
-void LoopRecord::name_quantities(QuantityNames &names)
+template <int dim>
+void LoopRecord<dim>::name_quantities(QuantityNames &names)
 {
   for (const char *const name : {"corrections a step (mean)", "corrections a step (maximum)",
                                  "largest residual", "steps that reached the cap"})
     names.add(name);
 }
 
-void LoopRecord::save(ArchiveWriter &archive) const
+template <int dim>
+void LoopRecord<dim>::save(ArchiveWriter &archive) const
 {
   archive.add("loop: steps", n_steps);
   archive.add("loop: corrections", n_corrections);
@@ -62,7 +66,8 @@ void LoopRecord::save(ArchiveWriter &archive) const
   archive.add("loop: largest residual", largest_residual);
 }
 
-void LoopRecord::load(const ArchiveReader &archive)
+template <int dim>
+void LoopRecord<dim>::load(const ArchiveReader &archive)
 {
   n_steps = archive.integer("loop: steps");
   n_corrections = archive.integer("loop: corrections");
@@ -72,4 +77,7 @@ void LoopRecord::load(const ArchiveReader &archive)
   most_linear = archive.integer("loop: most linear iterations");
   largest_residual = archive.value("loop: largest residual");
 }
+
+template class LoopRecord<2>;
+template class LoopRecord<3>;
 } // namespace Continua

@@ -6,7 +6,8 @@
 
 namespace Continua
 {
-void MeshRecord::set(const SolverSizes &sizes)
+template <int dim>
+void MeshRecord<dim>::set(const SolverSizes &sizes)
 {
   cells.present = sizes.n_cells;
   unknowns.present = 0.;
@@ -16,16 +17,18 @@ void MeshRecord::set(const SolverSizes &sizes)
     count->largest = std::max(count->largest, count->present);
 }
 
-void MeshRecord::start(const SolverSizes &sizes, const double time)
+template <int dim>
+void MeshRecord<dim>::start(const SolverSizes &sizes, const double time)
 {
   start_time = last_time = time;
   set(sizes);
 }
 
-void MeshRecord::change(const SolverSizes &sizes,
-                        const double time,
-                        const double energy_before,
-                        const double energy_after)
+template <int dim>
+void MeshRecord<dim>::change(const SolverSizes &sizes,
+                             const double time,
+                             const double energy_before,
+                             const double energy_after)
 {
   for (Count *count : {&cells, &unknowns})
     count->times_time += (time - last_time) * count->present;
@@ -37,7 +40,8 @@ void MeshRecord::change(const SolverSizes &sizes,
   set(sizes);
 }
 
-void MeshRecord::finish(const double time, Summary &summary) const
+template <int dim>
+void MeshRecord<dim>::finish(const double time, Summary &summary) const
 {
   summary.add({"mesh changes", n_changes, "1", ""});
   summary.add({"largest relative energy change by transfer", largest_energy_change, "1", ""});
@@ -53,7 +57,8 @@ void MeshRecord::finish(const double time, Summary &summary) const
   add("unknowns", unknowns);
 }
 
-void MeshRecord::name_quantities(QuantityNames &names)
+template <int dim>
+void MeshRecord<dim>::name_quantities(QuantityNames &names)
 {
   names.add("mesh changes");
   names.add("largest relative energy change by transfer");
@@ -64,7 +69,8 @@ void MeshRecord::name_quantities(QuantityNames &names)
   }
 }
 
-void MeshRecord::save(ArchiveWriter &archive) const
+template <int dim>
+void MeshRecord<dim>::save(ArchiveWriter &archive) const
 {
   archive.add("mesh record",
               std::vector<double>{start_time, last_time, cells.present, cells.largest,
@@ -72,7 +78,8 @@ void MeshRecord::save(ArchiveWriter &archive) const
                                   unknowns.times_time, n_changes, largest_energy_change});
 }
 
-void MeshRecord::load(const ArchiveReader &archive)
+template <int dim>
+void MeshRecord<dim>::load(const ArchiveReader &archive)
 {
   const std::vector<double> values = archive.values("mesh record");
   if (values.size() != 10)
@@ -84,4 +91,7 @@ void MeshRecord::load(const ArchiveReader &archive)
   n_changes = values[8];
   largest_energy_change = values[9];
 }
+
+template class MeshRecord<2>;
+template class MeshRecord<3>;
 } // namespace Continua

@@ -78,6 +78,40 @@ std::vector<std::string> PowerRecord<dim>::header() const
 }
 
 template <int dim>
+void PowerRecord<dim>::open(ContinuumSolver<dim> &solver,
+                            const std::string &folder,
+                            const bool /*is_due*/)
+{
+  open(folder + "/power.csv");
+  start(solver);
+}
+
+template <int dim>
+void PowerRecord<dim>::resume(const std::string &folder, const double time)
+{
+  open(folder + "/power.csv", time);
+}
+
+template <int dim>
+void PowerRecord<dim>::record(const RecordedStep<dim> &step)
+{
+  dealii::TimerOutput::Scope scope(step.log.timer(), "power ledger");
+  record(step.solver, step.part, step.is_due);
+}
+
+template <int dim>
+void PowerRecord<dim>::change_mesh(const MeshChange<dim> &change)
+{
+  record_transfer(change.before, change.after);
+}
+
+template <int dim>
+void PowerRecord<dim>::finish(const RecordedEnd<dim> &end)
+{
+  finish(end.solver, end.summary);
+}
+
+template <int dim>
 void PowerRecord<dim>::open(const std::string &file)
 {
   on_writing_rank(communicator, [&]() { table = std::make_unique<TableWriter>(file, header()); });

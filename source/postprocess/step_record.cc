@@ -6,20 +6,27 @@
 
 namespace Continua
 {
-void StepRecord::attempt(const StepReport &report)
+template <int dim>
+void StepRecord<dim>::attempt(const StepReport &report)
 {
   if (report.factored)
     ++n_factored;
 }
 
-void StepRecord::take(const double size)
+template <int dim>
+void StepRecord<dim>::record(const RecordedStep<dim> &step)
 {
-  smallest = std::min(smallest, size);
-  largest = std::max(largest, size);
+  if (!step.is_whole)
+    return;
+  smallest = std::min(smallest, step.size);
+  largest = std::max(largest, step.size);
 }
 
-void StepRecord::finish(const TimeControl &control, Summary &summary, Log &log) const
+template <int dim>
+void StepRecord<dim>::finish(const RecordedEnd<dim> &end)
 {
+  const TimeControl &control = end.time_control;
+  Summary &summary = end.summary;
   // No quantity: a restart makes one more.
   summary.set("matrices factored", static_cast<double>(n_factored));
   if (!control.is_adaptive() || control.n_steps() == 0)
@@ -37,29 +44,36 @@ void StepRecord::finish(const TimeControl &control, Summary &summary, Log &log) 
   std::ostringstream text;
   text << n_steps << " time steps of " << smallest << " s to " << largest << " s; " << n_rejected
        << " more were rejected";
-  log.line(text.str());
+  end.log.line(text.str());
   if (n_above > 0)
-    log.warning(std::to_string(n_above) +
-                " steps of the smallest size have a larger local error than Time/Error tolerance");
+    end.log.warning(
+        std::to_string(n_above) +
+        " steps of the smallest size have a larger local error than Time/Error tolerance");
 }
 
-void StepRecord::name_quantities(QuantityNames &names)
+template <int dim>
+void StepRecord<dim>::name_quantities(QuantityNames &names)
 {
   for (const char *const name : {"steps rejected", "steps above the tolerance",
                                  "smallest time step", "largest time step", "mean time step"})
     names.add(name);
 }
 
-void StepRecord::save(ArchiveWriter &archive) const
+template <int dim>
+void StepRecord<dim>::save(ArchiveWriter &archive) const
 {
   archive.add("step record", std::vector<double>{double(n_factored), smallest, largest});
 }
 
-void StepRecord::load(const ArchiveReader &archive)
+template <int dim>
+void StepRecord<dim>::load(const ArchiveReader &archive)
 {
   const std::vector<double> values = archive.values("step record");
   n_factored = static_cast<unsigned long>(values.at(0));
   smallest = values.at(1);
   largest = values.at(2);
 }
+
+template class StepRecord<2>;
+template class StepRecord<3>;
 } // namespace Continua

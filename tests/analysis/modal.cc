@@ -6,6 +6,7 @@
 #include "column_text.h"
 
 #include <continua/analysis/modal.h>
+#include <continua/program/analyses.h>
 
 #include <algorithm>
 
@@ -20,10 +21,10 @@ struct Analysis
 {
   explicit Analysis(const std::string &text)
       : file(parameters_of(text)),
-        input(file, MPI_COMM_WORLD, false),
+        input(analyses().read_case<2>(file, MPI_COMM_WORLD)),
         directory("modal", OutputDirectory::Mode::overwrite, MPI_COMM_WORLD),
         log(MPI_COMM_WORLD, false),
-        run(input, file, command_line, directory, log)
+        run(input, file, command_line, directory, log, summary)
   {
     Modal<2>(run).perform();
   }
@@ -33,6 +34,7 @@ struct Analysis
   CommandLine command_line;
   OutputDirectory directory;
   Log log;
+  Summary summary;
   Run<2> run;
 };
 

@@ -4,8 +4,9 @@
 
 #include "../parameter_text.h"
 
-#include <continua/analysis/case.h>
 #include <continua/analysis/refinement_indicator.h>
+#include <continua/case/case.h>
+#include <continua/program/analyses.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -38,7 +39,7 @@ std::pair<double, double> largest(const std::string &field)
       "subsection Adaptivity\nset Every n steps = 1\nset Indicator = kelly\n"
       "set Indicator field = " +
       field + "\nend\n");
-  Case<2> input(file, MPI_COMM_WORLD, false);
+  Case<2> input = analyses().read_case<2>(file, MPI_COMM_WORLD);
   Log log(MPI_COMM_WORLD, false);
   const auto solver =
       make_solver<2>(*input.triangulation, input.problem, input.discretisation, log);

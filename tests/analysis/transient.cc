@@ -5,9 +5,8 @@
 #include "../postprocess/text_file.h"
 #include "column_text.h"
 
-#include <continua/analysis/case_run.h>
-#include <continua/analysis/transient.h>
 #include <continua/base/input_error.h>
+#include <continua/program/analyses.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -39,13 +38,14 @@ double perform(const std::string &text, const bool restart)
   ParameterFile file = parameters_of(text);
   CommandLine command_line;
   command_line.restart = restart;
-  Case<2> input(file, MPI_COMM_WORLD, restart);
+  const std::unique_ptr<Analysis> analysis = analyses().make(file, command_line, MPI_COMM_WORLD);
   const OutputDirectory directory(
       "transient", restart ? OutputDirectory::Mode::restart : OutputDirectory::Mode::overwrite,
       MPI_COMM_WORLD);
   Log log(MPI_COMM_WORLD, false);
-  perform_case(input, file, command_line, directory, log);
-  return input.probes.values(0).back();
+  Summary summary;
+  analysis->perform(directory, log, summary);
+  return quantity(summary, "final displacement x");
 }
 
 double n_rows(const std::string &file)

@@ -5,6 +5,7 @@
 
 #include "../unit_test.h"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -178,6 +179,20 @@ UNIT_TEST(summary)
   ]
 }
 )");
+  check::absolute("a number", small.number_of("wall time"), 0.25, 0.);
+  check::is_true("numbers with names",
+                 small.numbers_of("dofs") ==
+                     std::map<std::string, double>{{"pressure", 451.}, {"velocity", 3362.}});
+  check::is_true("what was not set", small.number_of("steps") == 0. &&
+                                         small.numbers_of("steps").empty() &&
+                                         small.number_of("version") == 0.);
+  const Summary again = Summary::read(written(small));
+  check::equal("read and written", written(again), written(small));
+  check::absolute("a number that was read", again.number_of("cells"), 800., 0.);
+  check::is_true("quantities that were read", again.quantities().size() == 2 &&
+                                                  again.quantities()[0].value == 3.2 &&
+                                                  again.quantities()[0].probe == "tip" &&
+                                                  std::isnan(again.quantities()[1].value));
   check::throws<RunError>(
       "no folder", [&small]() { small.write("no-such-folder/summary.json"); }, "No such file");
 }

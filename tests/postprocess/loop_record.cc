@@ -24,24 +24,24 @@ UNIT_TEST(loop_record)
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   Log log(MPI_COMM_WORLD, false);
   {
-    LoopRecord none;
-    none.record({}, 0.1, log);
+    LoopRecord<2> none;
+    none.take({}, 0.1, log);
     Summary summary;
     none.finish(summary);
     check::is_true("no loop", summary.quantities().empty());
   }
-  LoopRecord record;
+  LoopRecord<2> record;
   StepReport report;
   report.corrections = 4;
   report.residual = 2e-9;
-  record.record(report, 0.1, log);
+  record.take(report, 0.1, log);
   report.corrections = 0;
-  record.record(report, 0.2, log);
+  record.take(report, 0.2, log);
   check::is_true("no warning", log.warnings().empty());
   report.corrections = 50;
   report.residual = 3e-4;
   report.cap_reached = true;
-  record.record(report, 0.3, log);
+  record.take(report, 0.3, log);
   check::equal("warning", log.warnings().at(0),
                "the loop of the step to t = 0.3 s ended at its cap of 50 corrections with a "
                "residual of 0.0003; the summary counts such steps, log.txt has them all");
@@ -49,9 +49,9 @@ UNIT_TEST(loop_record)
   ArchiveWriter writer;
   record.save(writer);
   writer.write("loop-record-test.bin");
-  LoopRecord again;
+  LoopRecord<2> again;
   again.load(ArchiveReader("loop-record-test.bin"));
-  again.record(report, 0.4, log);
+  again.take(report, 0.4, log);
   check::is_true("one warning for all", log.warnings().size() == 1);
   Summary summary;
   again.finish(summary);

@@ -30,13 +30,13 @@ double quantity(const Summary &summary, const std::string &name)
 
 UNIT_TEST(mesh_record)
 {
-  MeshRecord first;
+  MeshRecord<2> first;
   first.start(sizes(100), 0.);
   first.change(sizes(300), 1., 2., 1.9);
   ArchiveWriter writer;
   first.save(writer);
   writer.write("mesh-record-test");
-  MeshRecord record;
+  MeshRecord<2> record;
   record.load(ArchiveReader("mesh-record-test"));
   std::filesystem::remove("mesh-record-test");
   record.change(sizes(50), 3., 4., 4.04);

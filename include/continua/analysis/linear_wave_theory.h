@@ -2,7 +2,7 @@
 #define continua_analysis_linear_wave_theory_h
 
 #include <continua/analysis/run.h>
-#include <continua/analysis/tube_wave_case.h>
+#include <continua/case/tube_wave_case.h>
 
 #include <vector>
 
@@ -25,8 +25,12 @@ public:
   /// measurements. Nothing if no probe has stations.
   void compare();
 
-  /// Before any work: whether what is asked for can be had. Throws InputError.
+  /// Whether theory covers the case and has something to say of it. Throws InputError.
   static void check(const Case<dim> &input, ParameterSection root);
+  /// The same for theory beside a run. Throws InputError.
+  static void check_overlay(const Case<dim> &input, ParameterSection root);
+  /// Of the analysis, and of compare().
+  static void name_quantities(const Case<dim> &input, QuantityNames &names);
 
 private:
   Run<dim> &run;

@@ -39,6 +39,10 @@ public:
   explicit Modal(Run<dim> &run) : run(run) {}
   void perform();
 
+  /// Free vibrations are those of elastic solids that give no energy away. Throws InputError.
+  static void check(const Case<dim> &input, ParameterSection root);
+  static void name_quantities(const Case<dim> &input, QuantityNames &names);
+
 private:
   Run<dim> &run;
   std::unique_ptr<VibrationOperator<dim>> vibration;

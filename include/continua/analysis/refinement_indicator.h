@@ -1,7 +1,7 @@
 #ifndef continua_analysis_refinement_indicator_h
 #define continua_analysis_refinement_indicator_h
 
-#include <continua/analysis/case.h>
+#include <continua/case/case.h>
 #include <continua/continuum/continuum_solver.h>
 
 namespace Continua

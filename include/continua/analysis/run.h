@@ -1,11 +1,11 @@
 #ifndef continua_analysis_run_h
 #define continua_analysis_run_h
 
-#include <continua/analysis/case.h>
 #include <continua/base/citations.h>
 #include <continua/base/log.h>
 #include <continua/base/output_directory.h>
 #include <continua/base/summary.h>
+#include <continua/case/case.h>
 #include <continua/continuum/continuum_solver.h>
 
 #include <memory>
@@ -14,8 +14,9 @@
 namespace Continua
 {
 /**
- * What every analysis has in common: the case, its solver on the refined mesh, where it writes, and
- * the summary that it ends with.
+ * One computation of one case: the case, its solver on the refined mesh, where it writes, and the
+ * summary that it ends with. All analyses of a case have this in common; Transient, Steady, Modal
+ * and LinearWaveTheory perform a run.
  */
 template <int dim>
 class Run
@@ -25,7 +26,8 @@ public:
       const ParameterFile &file,
       const CommandLine &command_line,
       const OutputDirectory &directory,
-      Log &log);
+      Log &log,
+      Summary &summary);
 
   /// Refines the mesh as the file asks, sets the solver up and attaches the probes. `mesh_file`:
   /// instead, the mesh of a checkpoint.
@@ -41,14 +43,16 @@ public:
   /// The summary of a run that failed, or was interrupted, with the reason.
   void fail(const std::string &reason);
   void interrupt(const std::string &reason);
+  /// The names of the quantities that initialise() and finish() add.
+  static void name_quantities(const Case<dim> &input, QuantityNames &names);
 
   Case<dim> &input;
   const ParameterFile &file;
   const CommandLine &command_line;
   const OutputDirectory &directory;
   Log &log;
+  Summary &summary;
   std::unique_ptr<ContinuumSolver<dim>> solver;
-  Summary summary;
   Citations citations;
   bool is_writer; ///< rank 0
 

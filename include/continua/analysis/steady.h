@@ -18,10 +18,15 @@ public:
   explicit Steady(Run<dim> &run) : run(run) {}
   void perform();
 
+  /// A state at rest needs something that holds the body, and has no use for what moves it. Throws
+  /// InputError.
+  static void check(const Case<dim> &input, ParameterSection root);
+  static void name_quantities(const Case<dim> &input, QuantityNames &names);
+
 private:
   Run<dim> &run;
   unsigned int n_steps = 0;
-  LoopRecord loop;
+  LoopRecord<dim> loop;
 
   void solve();
   void step_to_rest();

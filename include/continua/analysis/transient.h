@@ -2,20 +2,17 @@
 #define continua_analysis_transient_h
 
 #include <continua/analysis/checkpoint.h>
+#include <continua/analysis/record_table.h>
 #include <continua/analysis/run.h>
-#include <continua/postprocess/field_writer.h>
-#include <continua/postprocess/loop_record.h>
-#include <continua/postprocess/mesh_record.h>
-#include <continua/postprocess/power_record.h>
-#include <continua/postprocess/step_record.h>
 #include <continua/time_integration/time_control.h>
 
 #include <chrono>
 #include <string>
+#include <vector>
 
 namespace Continua
 {
-/// Steps through time, with probes, power ledger, fields, adaptive mesh and checkpoints on the way.
+/// Steps through time, with probes, records, adaptive mesh and checkpoints on the way.
 template <int dim>
 class Transient
 {
@@ -23,16 +20,16 @@ public:
   explicit Transient(Run<dim> &run);
   void perform();
 
+  /// Whether wave theory can stand beside the run as the file asks. Throws InputError.
+  static void check(const Case<dim> &input, ParameterSection root);
+  static void name_quantities(const Case<dim> &input, QuantityNames &names);
+
 private:
   Run<dim> &run;
   TimeControl time_control;
-  PowerRecord<dim> power;
-  LoopRecord loop;
-  StepRecord step_record;
-  MeshRecord meshes;
-  FieldWriter<dim> fields;
+  std::vector<ScheduledRecord<dim>> records;
   Checkpoint checkpoint;
-  Schedule probe_schedule, power_schedule, field_schedule, checkpoint_schedule;
+  Schedule probe_schedule, checkpoint_schedule;
   bool mesh_has_changed = false;
   double last_size = 0.;      ///< [s] of the step that led here
   double largest_energy = 0.; ///< of the body so far, where the time step adapts [J]

@@ -52,6 +52,10 @@ public:
   /// A quantity of the same name and probe replaces the earlier one.
   void add(const Quantity &quantity);
   const std::vector<Quantity> &quantities() const;
+  /// What was set as a number under this key; 0 if nothing was.
+  double number_of(const std::string &key) const;
+  /// What was set as numbers with names under this key; none if nothing was.
+  std::map<std::string, double> numbers_of(const std::string &key) const;
   /// The names that Expected was checked with before the run.
   void set_possible(const QuantityNames &names);
 
@@ -68,6 +72,9 @@ public:
    */
   std::vector<std::string> check(const std::vector<ExpectedValue> &expected, bool &all_passed);
 
+  /// The summary that write() has written; `text`: of the file. A number that was not finite is
+  /// NaN.
+  static Summary read(const std::string &text);
   /// Writes the file (atomically: a temporary file, then rename); RunError when the disk refuses.
   void write(const std::string &file) const;
 

@@ -1,8 +1,7 @@
 #ifndef continua_postprocess_field_writer_h
 #define continua_postprocess_field_writer_h
 
-#include <continua/base/summary.h>
-#include <continua/continuum/continuum_solver.h>
+#include <continua/postprocess/record.h>
 
 #include <mpi.h>
 
@@ -20,7 +19,7 @@ namespace Continua
  * Methods are collective and throw RunError on all ranks when the disk refuses.
  */
 template <int dim>
-class FieldWriter
+class FieldWriter : public Record<dim>
 {
 public:
   /// `folder`: the output folder, with a folder `fields` in it. `subdivisions` of each cell in each
@@ -31,6 +30,12 @@ public:
               unsigned int subdivisions,
               bool higher_order_cells,
               unsigned int files_per_state = 0);
+
+  // As a record of a run: the states for which its schedule asks.
+  void open(ContinuumSolver<dim> &solver, const std::string &folder, bool is_due) override;
+  void resume(const std::string &folder, double time) override;
+  void record(const RecordedStep<dim> &step) override;
+  void finish(const RecordedEnd<dim> &end) override;
 
   /// Continues after a restart at `restart_time` [s]: entries up to it are kept, files of later
   /// states are removed.

@@ -1,17 +1,30 @@
 #ifndef continua_postprocess_mesh_record_h
 #define continua_postprocess_mesh_record_h
 
-#include <continua/base/archive.h>
-#include <continua/base/summary.h>
-#include <continua/continuum/continuum_solver.h>
+#include <continua/postprocess/record.h>
 
 namespace Continua
 {
 /// The meshes of a run whose mesh follows the solution: how many, how large, and what carrying the
 /// state from one to the next did to the energy.
-class MeshRecord
+template <int dim>
+class MeshRecord : public Record<dim>
 {
 public:
+  void open(ContinuumSolver<dim> &solver, const std::string & /*folder*/, bool /*is_due*/) override
+  {
+    start(solver.sizes(), 0.);
+  }
+  void change_mesh(const MeshChange<dim> &change_of_mesh) override
+  {
+    change(change_of_mesh.solver.sizes(), change_of_mesh.time, change_of_mesh.before.sum(),
+           change_of_mesh.after.sum());
+  }
+  void finish(const RecordedEnd<dim> &end) override
+  {
+    finish(end.time_control.time(), end.summary);
+  }
+
   /// The first mesh, at `time` [s].
   void start(const SolverSizes &sizes, double time);
   /// A new one, with the energies before and after the transfer [J].
@@ -26,8 +39,8 @@ public:
   static void name_quantities(QuantityNames &names);
 
   /// The numbers so far, for a restart.
-  void save(ArchiveWriter &archive) const;
-  void load(const ArchiveReader &archive);
+  void save(ArchiveWriter &archive) const override;
+  void load(const ArchiveReader &archive) override;
 
 private:
   struct Count

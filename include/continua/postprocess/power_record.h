@@ -1,11 +1,9 @@
 #ifndef continua_postprocess_power_record_h
 #define continua_postprocess_power_record_h
 
-#include <continua/base/archive.h>
-#include <continua/base/summary.h>
 #include <continua/base/table_writer.h>
 #include <continua/boundary/outlet.h>
-#include <continua/continuum/continuum_solver.h>
+#include <continua/postprocess/record.h>
 
 #include <mpi.h>
 
@@ -22,7 +20,7 @@ namespace Continua
  * the file.
  */
 template <int dim>
-class PowerRecord
+class PowerRecord : public Record<dim>
 {
 public:
   /// `regions`: names by material id; with more than one, each has its own columns. `relaxes`: of
@@ -34,6 +32,13 @@ public:
               const std::vector<bool> &relaxes = {},
               const std::vector<Outlet> &outlets = {},
               bool mesh_changes = false);
+
+  // As a record of a run: power.csv.
+  void open(ContinuumSolver<dim> &solver, const std::string &folder, bool is_due) override;
+  void resume(const std::string &folder, double time) override;
+  void record(const RecordedStep<dim> &step) override;
+  void change_mesh(const MeshChange<dim> &change) override;
+  void finish(const RecordedEnd<dim> &end) override;
 
   /// Starts the file. Throws RunError on all ranks.
   void open(const std::string &file);
@@ -75,11 +80,11 @@ public:
   /// Writes what is buffered of the file. Throws RunError on all ranks.
   void flush();
   /// As flush(), and waits until the disk has it.
-  void flush_to_disk();
+  void flush_to_disk() override;
 
   /// The sums and maxima of the steps so far, for a restart.
-  void save(ArchiveWriter &archive) const;
-  void load(const ArchiveReader &archive);
+  void save(ArchiveWriter &archive) const override;
+  void load(const ArchiveReader &archive) override;
 
 private:
   struct Totals

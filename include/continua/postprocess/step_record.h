@@ -1,11 +1,7 @@
 #ifndef continua_postprocess_step_record_h
 #define continua_postprocess_step_record_h
 
-#include <continua/base/archive.h>
-#include <continua/base/log.h>
-#include <continua/base/summary.h>
-#include <continua/continuum/continuum_solver.h>
-#include <continua/time_integration/time_control.h>
+#include <continua/postprocess/record.h>
 
 #include <limits>
 
@@ -13,25 +9,26 @@ namespace Continua
 {
 /// What became of the steps of a run: how many matrices they took, and, where the time step adapts,
 /// their sizes and rejections.
-class StepRecord
+template <int dim>
+class StepRecord : public Record<dim>
 {
 public:
   /// Takes the report of a step, or part of one, whether it stands or not.
-  void attempt(const StepReport &report);
-  /// Takes a step that stands, by its size [s].
-  void take(double size);
+  void attempt(const StepReport &report) override;
+  /// Takes the size of a step that stands.
+  void record(const RecordedStep<dim> &step) override;
   /**
    * Sets `matrices factored` in the summary. Of an adaptive step adds `steps rejected`, `steps
    * above the tolerance`, `smallest time step`, `largest time step` and `mean time step`; tells of
    * them in one line, and warns of steps that stand with a larger error than the tolerance.
    */
-  void finish(const TimeControl &control, Summary &summary, Log &log) const;
+  void finish(const RecordedEnd<dim> &end) override;
   /// The names of what finish() adds.
   static void name_quantities(QuantityNames &names);
 
   /// The numbers so far, for a restart.
-  void save(ArchiveWriter &archive) const;
-  void load(const ArchiveReader &archive);
+  void save(ArchiveWriter &archive) const override;
+  void load(const ArchiveReader &archive) override;
 
 private:
   unsigned long n_factored = 0;

@@ -1,0 +1,59 @@
+#ifndef continua_analysis_analysis_h
+#define continua_analysis_analysis_h
+
+#include <continua/base/command_line.h>
+#include <continua/base/log.h>
+#include <continua/base/output_directory.h>
+#include <continua/base/parameter_file.h>
+#include <continua/base/summary.h>
+#include <continua/case/case.h>
+
+#include <mpi.h>
+
+#include <string>
+
+namespace Continua
+{
+class AnalysisTable;
+
+/// What an analysis is made of. All but the command line and `general` must outlive it.
+struct AnalysisInput
+{
+  ParameterFile &file;
+  const GeneralParameters &general; ///< of the file, which are read already
+  const CommandLine &command_line;
+  MPI_Comm communicator;
+  const AnalysisTable &analyses; ///< all that there are, for a study that performs others
+};
+
+/**
+ * What a parameter file asks for. The constructor of a derived class reads and checks the input and
+ * throws InputError; perform() does the work.
+ */
+class Analysis
+{
+public:
+  explicit Analysis(const AnalysisInput &input);
+  virtual ~Analysis() = default;
+  Analysis(const Analysis &) = delete;
+  Analysis &operator=(const Analysis &) = delete;
+
+  /// Whether --restart goes on from a checkpoint in the output folder.
+  virtual bool has_checkpoints() const { return false; }
+  /// Opens the log in the folder, leaves there the resolved parameters and the user's files, and
+  /// performs the analysis. `summary` is filled on the way, also of an analysis that fails; rank 0
+  /// has all of it. Collective; throws RunError or Interrupted.
+  void perform(const OutputDirectory &directory, Log &log, Summary &summary);
+
+protected:
+  ParameterFile &file;
+  CommandLine command_line;
+  MPI_Comm communicator;
+  GeneralParameters general;
+
+private:
+  virtual void compute(const OutputDirectory &directory, Log &log, Summary &summary) = 0;
+};
+} // namespace Continua
+
+#endif

@@ -1,0 +1,32 @@
+#ifndef continua_analysis_record_table_h
+#define continua_analysis_record_table_h
+
+#include <continua/case/case.h>
+#include <continua/postprocess/record.h>
+#include <continua/postprocess/schedule.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/// A record of a transient run, and the states that it takes.
+template <int dim>
+struct ScheduledRecord
+{
+  std::unique_ptr<Record<dim>> record;
+  Schedule schedule;
+};
+
+/// The records of a transient run, in the order of their table in record_table.cc. `folder`: of the
+/// output.
+template <int dim>
+std::vector<ScheduledRecord<dim>> make_records(const Case<dim> &input, const std::string &folder);
+
+/// The names of the quantities that these records add.
+template <int dim>
+void name_quantities_of_records(const Case<dim> &input, QuantityNames &names);
+} // namespace Continua
+
+#endif

@@ -1,0 +1,112 @@
+#ifndef continua_case_case_h
+#define continua_case_case_h
+
+#include <continua/base/command_line.h>
+#include <continua/base/expected_value.h>
+#include <continua/base/parameter_file.h>
+#include <continua/base/quantity_names.h>
+#include <continua/case/absorbing_ends.h>
+#include <continua/case/analysis_traits.h>
+#include <continua/case/discretisation.h>
+#include <continua/case/measured_waves.h>
+#include <continua/case/modal_parameters.h>
+#include <continua/case/power_laws.h>
+#include <continua/case/wave_theory_parameters.h>
+#include <continua/continuum/problem.h>
+#include <continua/mesh/adaptation.h>
+#include <continua/mesh/geometry.h>
+#include <continua/mesh/mesh_parameters.h>
+#include <continua/postprocess/error_norms.h>
+#include <continua/postprocess/output_parameters.h>
+#include <continua/postprocess/probes.h>
+#include <continua/time_integration/time_control.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Continua
+{
+/// The entries at the top of a parameter file, which decide what else is read.
+struct GeneralParameters
+{
+  std::string title;
+  std::string analysis = "transient";
+  std::string model = "plane strain";
+  std::string discretisation = "taylor hood";
+  std::string convection = "none";
+
+  /// `analyses`: name and description of those that exist. Throws InputError.
+  void read(ParameterSection root,
+            const std::vector<std::pair<std::string, std::string>> &analyses);
+};
+
+/// How a body of fluid and solid is brought to rest in a steady analysis.
+struct RestParameters
+{
+  double time_step = 1.; ///< [s]
+  double tolerance =
+      1e-8; ///< largest change of the velocity in a step over the largest velocity of all steps
+  unsigned int maximum_steps = 1000;
+
+  void read(ParameterSection section);
+};
+
+/**
+ * A parameter file, read and checked: the parameters of each concept, the coarse mesh with the
+ * names of its parts, and the physical problem. The constructor finds whatever is wrong with the
+ * input and throws an InputError.
+ *
+ * Reading is not only reading. In this order the constructor also
+ * - makes the geometry and the coarse mesh (gmsh may run for that), and moves its vertices where
+ *   Mesh/Distortion asks for it;
+ * - reads every table and every mesh that the file names;
+ * - fits a law to each relaxation table, and in a transient analysis Prony series to power laws;
+ * - computes the profiles of flow rates and the areas of outlets by integrals over the coarse mesh;
+ * - in a transient analysis computes the impedance of each absorbing end of a tube at the
+ *   frequencies of the run's band, and fits a sum of first-order responses to it, which can take
+ *   seconds;
+ * - looks for the cell of the coarse mesh that holds each probe.
+ *
+ * It neither refines the mesh, nor numbers unknowns, nor writes a file.
+ */
+template <int dim>
+struct Case
+{
+  /// `general`: the entries at the top of the file, which are read already. `analysis`: for which
+  /// the case is read; of a study that of its runs. `restart`: the run goes on from a checkpoint,
+  /// which holds what the first part has fitted: nothing is fitted again.
+  Case(ParameterFile &file,
+       const GeneralParameters &general,
+       const AnalysisTraits<dim> &analysis,
+       MPI_Comm communicator,
+       bool restart);
+
+  MPI_Comm communicator;
+  bool restart;
+  GeneralParameters general;
+  AnalysisTraits<dim> analysis;
+  MeshParameters mesh;
+  AdaptationParameters adaptation;
+  DiscretisationParameters discretisation;
+  TimeParameters time;
+  RestParameters rest;
+  WaveTheoryParameters wave_theory;
+  OutputParameters output;
+  std::vector<ExpectedValue> expected;
+  QuantityNames quantities; ///< that the analysis can state
+  ErrorNorms<dim> error_norms;
+  Probes<dim> probes;
+  std::map<std::string, MeasuredWaves> measured_waves; ///< by the probe whose stations they are at
+  std::unique_ptr<Geometry<dim>> geometry;
+  std::unique_ptr<dealii::parallel::TriangulationBase<dim>> triangulation; ///< coarse
+  Problem problem;
+  PowerLaws power_laws;         ///< what the branches of `problem` come from in a run in time
+  AbsorbingEnds absorbing_ends; ///< what some of its outlets come from in a run in time
+  ModalParameters modal;
+};
+} // namespace Continua
+
+#endif

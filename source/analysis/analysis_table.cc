@@ -1,0 +1,87 @@
+#include <continua/analysis/analysis_table.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+
+namespace Continua
+{
+namespace
+{
+bool reads(const AnalysisRow &row, const std::string &section)
+{
+  return std::find(row.sections.begin(), row.sections.end(), section) != row.sections.end();
+}
+} // namespace
+
+AnalysisTable::AnalysisTable(std::vector<AnalysisRow> rows) : all_rows(std::move(rows)) {}
+
+std::vector<std::pair<std::string, std::string>> AnalysisTable::types() const
+{
+  std::vector<std::pair<std::string, std::string>> result;
+  for (const AnalysisRow &row : all_rows)
+    result.emplace_back(row.name, row.description);
+  return result;
+}
+
+const AnalysisRow &AnalysisTable::row(const std::string &name) const
+{
+  const auto place = std::find_if(all_rows.begin(), all_rows.end(),
+                                  [&name](const AnalysisRow &row) { return row.name == name; });
+  AssertThrow(place != all_rows.end(), dealii::ExcMessage("no analysis '" + name + "'"));
+  return *place;
+}
+
+void AnalysisTable::refuse_sections_of_others(ParameterSection root, const AnalysisRow &row) const
+{
+  for (const std::string &section : root.subsections())
+  {
+    std::string others;
+    bool is_read = reads(row, section);
+    for (const AnalysisRow &other : all_rows)
+      if (reads(other, section))
+      {
+        others += (others.empty() ? "" : " or ") + other.name;
+        is_read = is_read || (other.is_study() && row.has_case());
+      }
+    if (!is_read && !others.empty())
+      root.subsection(section).refuse("", "Analysis = " + row.name + " does not read this section",
+                                      "Remove it, or set Analysis = " + others);
+  }
+}
+
+std::unique_ptr<Analysis> AnalysisTable::make(ParameterFile &file,
+                                              const CommandLine &command_line,
+                                              const MPI_Comm communicator) const
+{
+  GeneralParameters general;
+  general.read(file.root(), types());
+  const AnalysisRow &chosen = row(general.analysis);
+  if (!chosen.is_study())
+    refuse_sections_of_others(file.root(), chosen);
+  return chosen.make({file, general, command_line, communicator, *this});
+}
+
+template <int dim>
+Case<dim> AnalysisTable::read_case(ParameterFile &file,
+                                   const MPI_Comm communicator,
+                                   const bool restart,
+                                   const std::string &analysis) const
+{
+  ParameterSection root = file.root();
+  GeneralParameters general;
+  general.read(root, types());
+  const AnalysisRow &chosen = row(analysis.empty() ? general.analysis : analysis);
+  refuse_sections_of_others(root, chosen);
+  // The file of a study may be run alone, too.
+  for (const AnalysisRow &study : all_rows)
+    if (study.is_study() && root.has_subsection(study.sections.front()))
+      study.read_section(root);
+  return Case<dim>(file, general, chosen.traits<dim>(), communicator, restart);
+}
+
+template Case<2>
+AnalysisTable::read_case(ParameterFile &, MPI_Comm, bool, const std::string &) const;
+template Case<3>
+AnalysisTable::read_case(ParameterFile &, MPI_Comm, bool, const std::string &) const;
+} // namespace Continua

@@ -1,0 +1,120 @@
+#include <continua/analysis/record_table.h>
+
+#include <continua/postprocess/field_writer.h>
+#include <continua/postprocess/loop_record.h>
+#include <continua/postprocess/mesh_record.h>
+#include <continua/postprocess/power_record.h>
+#include <continua/postprocess/step_record.h>
+
+namespace Continua
+{
+namespace
+{
+/// A power law relaxes, also when its branches are still in the checkpoint.
+std::vector<bool> relaxing_regions(const std::vector<Material> &materials)
+{
+  std::vector<bool> relaxing;
+  for (const Material &material : materials)
+    relaxing.push_back(material.relaxes());
+  return relaxing;
+}
+
+template <int dim>
+std::unique_ptr<Record<dim>> make_power_record(const Case<dim> &input, const std::string &)
+{
+  return std::make_unique<PowerRecord<dim>>(input.communicator, input.problem.regions,
+                                            relaxing_regions(input.problem.materials),
+                                            input.problem.outlets, input.adaptation.changes_mesh());
+}
+
+template <int dim>
+void name_power(const Case<dim> &input, QuantityNames &names)
+{
+  PowerRecord<dim>::name_quantities(input.problem.regions,
+                                    relaxing_regions(input.problem.materials),
+                                    input.problem.outlets, input.adaptation.changes_mesh(), names);
+}
+
+template <int dim>
+std::unique_ptr<Record<dim>> make_field_writer(const Case<dim> &input, const std::string &folder)
+{
+  return std::make_unique<FieldWriter<dim>>(
+      input.communicator, folder,
+      input.output.subdivisions_for(input.discretisation.velocities_per_cell()),
+      input.output.higher_order_cells, input.output.files_per_state);
+}
+
+/// The record of a run that has one.
+template <int dim, typename Type>
+std::unique_ptr<Record<dim>> make_record(const Case<dim> &, const std::string &)
+{
+  return std::make_unique<Type>();
+}
+
+template <int dim, typename Type>
+void name_quantities_of(const Case<dim> &, QuantityNames &names)
+{
+  Type::name_quantities(names);
+}
+
+template <int dim>
+struct RecordRow
+{
+  /// Whether a run of the case has it; null: each has.
+  bool (*applies)(const Case<dim> &);
+  std::unique_ptr<Record<dim>> (*make)(const Case<dim> &, const std::string &folder);
+  /// Null: it adds no quantities.
+  void (*name_quantities)(const Case<dim> &, QuantityNames &);
+  /// Which states it takes; null: none.
+  Schedule (OutputParameters::*schedule)(double end_time) const;
+};
+
+/// To add a record, add a row. The records are called in this order.
+template <int dim>
+const std::vector<RecordRow<dim>> &record_table()
+{
+  static const std::vector<RecordRow<dim>> rows = {
+      {nullptr, make_power_record<dim>, name_power<dim>, &OutputParameters::power_schedule},
+      {nullptr, make_record<dim, LoopRecord<dim>>, name_quantities_of<dim, LoopRecord<dim>>,
+       nullptr},
+      {nullptr, make_record<dim, StepRecord<dim>>,
+       [](const Case<dim> &input, QuantityNames &names)
+       {
+         if (input.time.is_adaptive())
+           StepRecord<dim>::name_quantities(names);
+       },
+       nullptr},
+      {[](const Case<dim> &input) { return input.adaptation.changes_mesh(); },
+       make_record<dim, MeshRecord<dim>>, name_quantities_of<dim, MeshRecord<dim>>, nullptr},
+      {nullptr, make_field_writer<dim>, nullptr, &OutputParameters::field_schedule}};
+  return rows;
+}
+} // namespace
+
+template <int dim>
+std::vector<ScheduledRecord<dim>> make_records(const Case<dim> &input, const std::string &folder)
+{
+  std::vector<ScheduledRecord<dim>> records;
+  for (const RecordRow<dim> &row : record_table<dim>())
+    if (row.applies == nullptr || row.applies(input))
+      records.push_back(
+          {row.make(input, folder),
+           row.schedule == nullptr
+               ? Schedule(0., Schedule::ZeroInterval::never, input.time.end_time, false, false)
+               : (input.output.*row.schedule)(input.time.end_time)});
+  return records;
+}
+
+template <int dim>
+void name_quantities_of_records(const Case<dim> &input, QuantityNames &names)
+{
+  for (const RecordRow<dim> &row : record_table<dim>())
+    if (row.name_quantities != nullptr && (row.applies == nullptr || row.applies(input)))
+      row.name_quantities(input, names);
+}
+
+template std::vector<ScheduledRecord<2>> make_records(const Case<2> &, const std::string &);
+template std::vector<ScheduledRecord<3>> make_records(const Case<3> &, const std::string &);
+template void name_quantities_of_records(const Case<2> &, QuantityNames &);
+template void name_quantities_of_records(const Case<3> &, QuantityNames &);
+} // namespace Continua

@@ -1,0 +1,175 @@
+#include <continua/case/case.h>
+#include <continua/case/case_checks.h>
+
+#include <continua/boundary/flow_rates.h>
+#include <continua/boundary/outlets.h>
+#include <continua/case/preflight_input.h>
+#include <continua/continuum/field_list.h>
+#include <continua/mesh/distortion.h>
+#include <continua/mesh/regions_of_boundary.h>
+
+#include <algorithm>
+
+namespace Continua
+{
+using namespace dealii;
+
+void GeneralParameters::read(ParameterSection root,
+                             const std::vector<std::pair<std::string, std::string>> &analyses)
+{
+  root.add("Title", title, "What the run is called in summaries and legends.");
+  std::vector<std::string> names;
+  std::string text = "What is done:";
+  for (const auto &type : analyses)
+  {
+    names.push_back(type.first);
+    text += " " + type.first + " - " + type.second;
+  }
+  root.add_choice("Analysis", analysis, names, text);
+  root.add_choice("Model", model, model_names(),
+                  "The kinematics: plane strain, plane stress (Hookean solids only), axisymmetric "
+                  "(x axial, y radial), "
+                  "three-dimensional.");
+  names.clear();
+  text = "How the equations are discretised in space:";
+  for (const auto &type : discretisation_types())
+  {
+    text += (names.empty() ? " " : "; ") + type.first + " - " + type.second;
+    names.push_back(type.first);
+  }
+  root.add_choice("Discretisation", discretisation, names, text + ".");
+  root.add_choice("Convection", convection, {"none"},
+                  "Convective terms of the equations; there are none so far.");
+}
+
+void RestParameters::read(ParameterSection section)
+{
+  section.add("Time step", time_step, Dimensions::time,
+              "Backward Euler step by which a body of fluid and solid is brought to rest.",
+              Range::positive());
+  section.add("Tolerance", tolerance, Dimensions::none,
+              "At rest when the velocity changes in a step by less than this fraction of the "
+              "largest velocity so far.",
+              Range::positive());
+  section.add("Maximum steps", maximum_steps, "Steps after which the run gives up [1].", 1);
+}
+
+namespace
+{
+/// What the user has measured at the stations of her probes.
+template <int dim>
+void read_measured_waves(const Probes<dim> &probes,
+                         const bool in_time,
+                         std::map<std::string, MeasuredWaves> &waves)
+{
+  for (const StationsProbe &probe : probes.stations())
+  {
+    const std::string file = MeasuredWaves::read_file(probe.section);
+    if (!file.empty() && !in_time)
+      probe.section.refuse("Measured", "a state at rest has no wave to compare with",
+                           "Remove the entry, or use another analysis");
+    if (!file.empty())
+      waves.emplace(probe.name, MeasuredWaves(file, probe.positions, probe.fields));
+  }
+}
+} // namespace
+
+template <int dim>
+Case<dim>::Case(ParameterFile &file,
+                const GeneralParameters &general_parameters,
+                const AnalysisTraits<dim> &analysis,
+                const MPI_Comm communicator,
+                const bool restart)
+    : communicator(communicator),
+      restart(restart),
+      general(general_parameters),
+      analysis(analysis),
+      probes(communicator)
+{
+  ParameterSection root = file.root();
+  general.analysis = analysis.name;
+  problem.communicator = communicator;
+  problem.model = model_of(general.model);
+  const bool axisymmetric = problem.model == Model::axisymmetric;
+  const bool in_time = analysis.motion == Motion::in_time;
+
+  geometry = make_geometry<dim>(root.subsection("Geometry"), root.subsection("Mesh"), axisymmetric);
+  mesh = MeshParameters::read(root.subsection("Mesh"));
+  problem.regions = geometry->regions();
+  problem.boundaries = geometry->boundaries();
+
+  ParameterSection materials = root.subsection("Materials");
+  for (const std::string &region : problem.regions)
+  {
+    if (!materials.has_subsection(region))
+      materials.refuse("", "the region '" + region + "' has no material",
+                       "Add 'subsection " + region + "' with a Type to Materials");
+    problem.materials.push_back(read_material(materials.subsection(region), problem.model));
+    if (problem.model == Model::plane_stress)
+      problem.plane_stress_factors.push_back(
+          read_plane_stress_factors(materials.subsection(region)));
+    if (problem.materials.back().has_power_law() &&
+        materials.subsection(region).given("Relaxation table"))
+      power_laws.note_table(region, materials.subsection(region));
+  }
+  problem.interior.read(root.subsection("Body force"), root.subsection("Initial state"),
+                        problem.regions, dim);
+
+  discretisation.read(root, general.discretisation);
+  if (in_time)
+    time.read(root.subsection("Time"));
+  else if (analysis.is_modal())
+    modal.read(root.subsection("Modal"));
+  else
+    rest.read(root.subsection("Steady"));
+  if (!analysis.is_modal())
+  {
+    ParameterSection section = root.subsection("Adaptivity");
+    adaptation.read(section, in_time);
+    if (adaptation.uses(Indicator::interface_band) && !has_fluid_and_solid(*this))
+      section.refuse("Indicator", "the body has no interface of fluid and solid",
+                     "Choose another indicator");
+  }
+  if (in_time)
+    wave_theory.read(root.subsection("Wave theory"));
+  output.read(root.subsection("Output"));
+  probes.read(root.subsection("Probes"), problem.boundaries, problem.regions);
+  read_measured_waves(probes, in_time, measured_waves);
+  if (!analysis.is_modal())
+    error_norms.read(root.subsection("Exact solution"));
+  expected = read_expected(root.subsection("Expected"));
+
+  std::vector<bool> is_solid;
+  for (const Material &material : problem.materials)
+    is_solid.push_back(material.is_solid());
+  triangulation = make_triangulation<dim>(communicator, mesh.partition, std::move(is_solid));
+  geometry->create(*triangulation);
+  distort_coarse_mesh(*triangulation, mesh.distortion);
+
+  std::set<std::pair<unsigned int, unsigned int>> pairs;
+  for (unsigned int boundary = 0; boundary < problem.boundaries.size(); ++boundary)
+    for (const unsigned int region : regions_of_boundary<dim>(*triangulation, boundary))
+      pairs.insert({boundary, region});
+  problem.conditions = read_boundary_conditions(root.subsection("Boundaries"), problem.boundaries,
+                                                problem.regions, pairs, dim, axisymmetric);
+
+  // Before the checks across entries: a misspelt key is the likelier reason for them to fail.
+  file.refuse_unknown();
+  check_case(*this, root);
+  // Wave theory takes the laws themselves, and a run that goes on has its branches in a checkpoint.
+  if (analysis.is_transient() && !restart)
+    power_laws.fit(problem, time, materials);
+  set_flow_profiles(problem.conditions, root.subsection("Boundaries"), *triangulation,
+                    problem.materials, {!in_time, time.end_time, time.time_step});
+  problem.outlets = make_outlets(problem.conditions, root.subsection("Boundaries"), *triangulation,
+                                 problem.materials);
+  absorbing_ends.add(*this, root.subsection("Boundaries"), restart);
+  probes.check(*triangulation, field_names<dim>(problem.model), pairs);
+  power_laws.name_quantities(quantities);
+  analysis.name_quantities(*this, quantities);
+  quantities.refuse_others(root.subsection("Expected"), expected);
+}
+
+template struct Case<2>;
+template struct Case<3>;
+} // namespace Continua

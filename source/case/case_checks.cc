@@ -1,0 +1,190 @@
+#include <continua/case/case_checks.h>
+
+#include <continua/finite_volume/cell_wise_checks.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Continua
+{
+using namespace dealii;
+
+namespace
+{
+/// An enclosed incompressible body has a pressure up to a constant only.
+template <int dim>
+void check_pressure_level(const Case<dim> &input, ParameterSection root)
+{
+  const bool incompressible =
+      std::all_of(input.problem.materials.begin(), input.problem.materials.end(),
+                  [&](const Material &material)
+                  {
+                    return material.is_incompressible() ||
+                           (input.analysis.is_steady() && material.shear.branches.empty());
+                  });
+  const bool enclosed =
+      std::all_of(input.problem.conditions.begin(), input.problem.conditions.end(),
+                  [](const BoundaryCondition &condition)
+                  { return condition.normal.kind == BoundaryPart::Kind::velocity; });
+  if (incompressible && enclosed)
+    root.subsection("Boundaries")
+        .refuse(
+            "",
+            "the body is incompressible and the normal velocity is prescribed on all of its "
+            "boundary, so that the pressure is determined up to a constant only",
+            "Give one boundary a pressure, a traction or 'free', an outlet 'Coupling = pressure', "
+            "or the material a bulk modulus");
+}
+
+/// The axis of an axisymmetric model: there and only there the radial velocity is zero by symmetry.
+template <int dim>
+void check_axis(const Case<dim> &input, ParameterSection root)
+{
+  for (const auto &cell : input.triangulation->cell_iterators_on_level(0))
+    for (const unsigned int f : cell->face_indices())
+      if (cell->face(f)->at_boundary())
+      {
+        bool on_axis = true;
+        for (const unsigned int v : cell->face(f)->vertex_indices())
+          on_axis = on_axis && std::abs(cell->face(f)->vertex(v)[1]) < 1e-10 * cell->diameter();
+        for (const BoundaryCondition &condition : input.problem.conditions)
+          if (condition.boundary_id == cell->face(f)->boundary_id() &&
+              condition.region_ids.count(cell->material_id()) > 0)
+          {
+            ParameterSection section = root.subsection("Boundaries").subsection(condition.name);
+            if (on_axis && (condition.normal.kind != BoundaryPart::Kind::velocity ||
+                            !condition.normal.is_zero() || condition.outlet != nullptr))
+              section.refuse("Type",
+                             "on the axis of an axisymmetric model the radial velocity is zero",
+                             "Set Type = axis");
+            if (!on_axis && condition.type == BoundaryType::axis)
+              section.refuse("Type", "this boundary is not on the axis (y = 0)",
+                             "Set Type = roller if that is meant");
+          }
+      }
+}
+
+template <int dim>
+void check_linear_solver(const Case<dim> &input, ParameterSection root)
+{
+  const DirectSolver solver = input.discretisation.taylor_hood.linear_solver.direct_solver;
+  ParameterSection section = root.subsection("Linear solver");
+  const bool incompressible =
+      std::any_of(input.problem.materials.begin(), input.problem.materials.end(),
+                  [&](const Material &material)
+                  {
+                    return material.is_incompressible() ||
+                           (input.analysis.is_steady() && material.shear.branches.empty());
+                  });
+  if (solver == DirectSolver::cholmod && incompressible)
+    section.refuse("Direct solver",
+                   "cholmod does not pivot, which an incompressible material needs",
+                   "Use automatic or mumps");
+  if ((solver == DirectSolver::cholmod || solver == DirectSolver::umfpack) &&
+      Utilities::MPI::n_mpi_processes(input.communicator) > 1)
+    section.refuse("Direct solver",
+                   word_of(direct_solver_words(), solver) + " works on one rank only",
+                   "Use automatic or mumps");
+}
+/// The cell-wise path's own entries against the scheme in time.
+template <int dim>
+void check_cell_wise_scheme(const Case<dim> &input, ParameterSection root)
+{
+  const CellWiseParameters &parameters = input.discretisation.cell_wise;
+  if (input.analysis.motion != Motion::in_time || input.time.scheme != Scheme::crank_nicolson)
+    return;
+  if (parameters.formulation == Formulation::displacement)
+    root.subsection("Time").refuse("Scheme",
+                                   "the displacement form has second derivatives by euler implicit "
+                                   "or backward differencing only",
+                                   "Choose one of them, or another Cell-wise/Formulation");
+  if (parameters.has_pressure() && parameters.pressure_update != PressureUpdate::as_displacement)
+    root.subsection("Cell-wise")
+        .refuse("Pressure update",
+                "crank nicolson has its own update of the pressure, which is " +
+                    word_of(pressure_update_words(), parameters.pressure_update) + " here",
+                "Set Pressure update = as the displacement, or choose another Time/Scheme");
+}
+
+/// On a mesh that every rank has whole, deal.II carries a solution over only if every rank has that
+/// whole, too, and neither data of cells nor meshes for checkpoints.
+template <int dim>
+void check_partitioner(const Case<dim> &input, ParameterSection root)
+{
+  if (!input.mesh.partition.is_metis() || !input.adaptation.changes_mesh())
+    return;
+  root.subsection("Mesh").refuse(
+      "Partitioner",
+      "the solution on a mesh that metis divides cannot be carried over to another mesh",
+      "Set Partitioner = p4est, or " + std::string(input.analysis.is_steady()
+                                                       ? "Adaptivity/Cycles = 0"
+                                                       : "Adaptivity/Every n steps = 0"));
+}
+
+/// Where the error of a step cannot be estimated.
+template <int dim>
+void check_time_step_control(const Case<dim> &input, ParameterSection root)
+{
+  if (!input.time.is_adaptive())
+    return;
+  ParameterSection section = root.subsection("Time");
+  if (input.discretisation.is_cell_wise() &&
+      input.discretisation.cell_wise.formulation == Formulation::displacement &&
+      input.time.scheme == Scheme::backward_differencing)
+    section.refuse("Time step control",
+                   "the displacement form's second derivative over four levels needs them at one "
+                   "distance",
+                   "Set Scheme = euler implicit, another Cell-wise/Formulation, or Time step "
+                   "control = fixed");
+}
+
+template <int dim>
+void refuse_checkpoints(const Case<dim> &input, ParameterSection output)
+{
+  for (const char *key : {"Checkpoint interval", "Checkpoint at end"})
+    if (output.given(key) &&
+        (input.output.checkpoint_at_end || input.output.checkpoint_interval > 0.))
+      output.refuse(key, "a " + input.analysis.name + " analysis has no checkpoints",
+                    "Remove the entry");
+}
+
+} // namespace
+
+bool is_held(const Problem &problem)
+{
+  return std::any_of(problem.conditions.begin(), problem.conditions.end(),
+                     [](const BoundaryCondition &condition)
+                     {
+                       return condition.normal.kind == BoundaryPart::Kind::velocity ||
+                              condition.tangential.kind == BoundaryPart::Kind::velocity;
+                     });
+}
+
+template <int dim>
+void check_case(const Case<dim> &input, ParameterSection root)
+{
+  input.analysis.check(input, root);
+  if (!input.analysis.has_fields)
+    return;
+  if (!input.analysis.has_checkpoints)
+    refuse_checkpoints(input, root.subsection("Output"));
+  check_time_step_control(input, root);
+  check_partitioner(input, root);
+  check_pressure_level(input, root);
+  if (input.problem.model == Model::axisymmetric)
+    check_axis(input, root);
+  if (input.discretisation.is_cell_wise())
+  {
+    check_cell_wise(input.problem, input.discretisation.cell_wise,
+                    input.analysis.motion != Motion::in_time, root);
+    check_cell_wise_scheme(input, root);
+  }
+  else
+    check_linear_solver(input, root);
+}
+
+template void check_case(const Case<2> &, ParameterSection);
+template void check_case(const Case<3> &, ParameterSection);
+} // namespace Continua

@@ -1,0 +1,58 @@
+#include <continua/case/wave_theory_parameters.h>
+
+#include <utility>
+
+namespace Continua
+{
+void WaveTheoryParameters::read(ParameterSection section)
+{
+  section.add("Overlay", overlay,
+              "Whether a transient run of a tube is compared with theory at the stations of its "
+              "probes; where the theory does not cover the case there is none, unless it is asked "
+              "for here.");
+  overlay_given = section.given("Overlay") && overlay;
+  add_choice(section, "Level", level, wave_level_words(),
+             "exact: viscous compressible liquid in a thick layered wall, pressure, axial "
+             "and bending waves; closed formula: pressure wave of a thick wall; membrane: of a "
+             "membrane; womersley: long waves in a thin wall.");
+  add_choice(section, "Far end", far_end,
+             {{"as the boundary", FarEnd::as_boundary},
+              {"matched", FarEnd::matched},
+              {"branches", FarEnd::branches}},
+             "What the liquid meets at the outlet: what the boundary's condition says; the "
+             "pressure wave's own impedance, so that it leaves without reflection; or "
+             "branches, out of which nothing comes back (a bifurcation).");
+  if (far_end == FarEnd::branches)
+  {
+    section.add("Branch diameters", branch_diameters, Dimensions::length,
+                "Inner diameter of each branch [m].", Range::positive());
+    section.add("Branch wall thicknesses", branch_wall_thicknesses, Dimensions::length,
+                "Thickness of the wall of each branch [m].", Range::positive());
+    section.add(
+        "Branch Young's moduli", branch_youngs_moduli, Dimensions::pressure,
+        "Young's modulus of the wall of each branch, which is thick, axially free and of Poisson's "
+        "ratio 0.5 [Pa].",
+        Range::positive());
+    section.require("Branch diameters");
+    for (const auto &[key, size] :
+         {std::pair("Branch wall thicknesses", branch_wall_thicknesses.size()),
+          std::pair("Branch Young's moduli", branch_youngs_moduli.size())})
+      if (size != branch_diameters.size())
+        section.refuse(key,
+                       std::to_string(size) + " values stand beside " +
+                           std::to_string(branch_diameters.size()) + " branch diameters",
+                       "Give one for each branch");
+  }
+  section.add("Segments", segments,
+              "Uniform segments that stand for a tube whose section varies [1].", 2);
+  section.add("Computed sections", computed_sections,
+              "Segments whose exact waves are computed; those of the others are interpolated [1].",
+              4);
+  section.add("Spectral tolerance", spectral_tolerance, Dimensions::none,
+              "The inlet's spectrum is cut where it has fallen to this part of its largest value.",
+              Range{1e-12, 0.1, false, false});
+  section.add("Highest frequency", highest_frequency, Dimensions::frequency,
+              "Of the dispersion table [Hz]; 0: the highest one kept of the inlet's spectrum.",
+              Range::not_negative());
+}
+} // namespace Continua

@@ -1,0 +1,83 @@
+#include <continua/program/analyses.h>
+
+#include <continua/analysis/analysis_of_case.h>
+#include <continua/analysis/linear_wave_theory.h>
+#include <continua/analysis/modal.h>
+#include <continua/analysis/steady.h>
+#include <continua/analysis/transient.h>
+#include <continua/laboratory/material_laboratory.h>
+#include <continua/laboratory/spin_coating_analysis.h>
+#include <continua/studies/comparison.h>
+#include <continua/studies/refinement_study.h>
+
+namespace Continua
+{
+namespace
+{
+template <typename Type>
+std::unique_ptr<Analysis> make_analysis(const AnalysisInput &input)
+{
+  return std::make_unique<Type>(input);
+}
+
+/// A row without a case of its own.
+template <typename Type>
+AnalysisRow row_of(const std::string &name,
+                   const std::string &description,
+                   const std::vector<std::string> &sections)
+{
+  AnalysisRow row;
+  row.name = name;
+  row.description = description;
+  row.sections = sections;
+  row.make = make_analysis<Type>;
+  return row;
+}
+
+/// A row of a study, with the parameters of its section.
+template <typename Type, typename Parameters>
+AnalysisRow
+row_of_study(const std::string &name, const std::string &description, const std::string &section)
+{
+  AnalysisRow row = row_of<Type>(name, description, {section});
+  row.read_section = [](ParameterSection root) { Parameters().read(root); };
+  return row;
+}
+} // namespace
+
+const AnalysisTable &analyses()
+{
+  // The flags of a case: whether it has fields, and checkpoints.
+  static const AnalysisTable table(
+      {row_of_case<Transient>("transient", "Steps through time.",
+                              {"Time", "Adaptivity", "Wave theory", "Exact solution"},
+                              Motion::in_time, true, true),
+       row_of_case<Steady>(
+           "steady",
+           "State at rest: one solve for a body that is all solid or all fluid, steps to rest for "
+           "a mixture.",
+           {"Steady", "Adaptivity", "Exact solution"}, Motion::at_rest, true, false),
+       row_of_case<Modal>("modal", "Frequencies and shapes of a solid body's free vibrations.",
+                          {"Modal"}, Motion::vibrating, true, false),
+       row_of_case<LinearWaveTheory>(
+           "linear wave theory", "Linear waves of a tube at its stations, without a mesh.",
+           {"Time", "Adaptivity", "Wave theory", "Exact solution"}, Motion::in_time, false, false),
+       row_of_study<Comparison, ComparisonParameters>(
+           "comparison",
+           "The same case by both discretisations on several meshes: orders, limits and whether "
+           "they agree.",
+           "Comparison"),
+       row_of_study<RefinementStudy, RefinementStudyParameters>(
+           "refinement study",
+           "The same case on finer and finer meshes, uniform and adaptive: errors, orders and what "
+           "they cost.",
+           "Refinement study"),
+       row_of<SpinCoatingAnalysis>("spin coating",
+                                   "How a tube is made: what the motors do along the rod.",
+                                   {"Spin coating"}),
+       row_of<MaterialLaboratory>(
+           "material", "What a solid is like: its complex modulus, and simulated material tests.",
+           {"Laboratory", "Time"})});
+  return table;
+}
+} // namespace Continua
