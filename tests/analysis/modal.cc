@@ -17,9 +17,9 @@ using namespace Continua;
 namespace
 {
 /// A parameter file's modal analysis, performed.
-struct Analysis
+struct ModalAnalysis
 {
-  explicit Analysis(const std::string &text)
+  explicit ModalAnalysis(const std::string &text)
       : file(parameters_of(text)),
         input(analyses().read_case<2>(file, MPI_COMM_WORLD)),
         directory("modal", OutputDirectory::Mode::overwrite, MPI_COMM_WORLD),
@@ -41,7 +41,7 @@ struct Analysis
 /// The frequencies [Hz] that it finds, in its order.
 std::vector<double> frequencies(const std::string &text)
 {
-  const Analysis analysis(text);
+  const ModalAnalysis analysis(text);
   std::vector<double> result;
   for (unsigned int k = 1;; ++k)
   {
@@ -56,7 +56,7 @@ std::vector<double> frequencies(const std::string &text)
 UNIT_TEST(modal)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const Analysis analysis(
+  const ModalAnalysis analysis(
       column_text::column("modal", "subsection Modal\nset Number of modes = 3\nend\n"
                                    "subsection Probes\nsubsection end\nset Point = 1 m, 0.05 m\n"
                                    "set Fields = displacement x\nend\nend\n"));

@@ -45,7 +45,7 @@ double perform(const std::string &text, const bool restart)
   Log log(MPI_COMM_WORLD, false);
   Summary summary;
   analysis->perform(directory, log, summary);
-  return quantity(summary, "final displacement x");
+  return quantity(summary, "final displacement x", "end");
 }
 
 double n_rows(const std::string &file)

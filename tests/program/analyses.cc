@@ -42,7 +42,8 @@ bool has_checkpoints(const std::string &text)
   return analyses().make(file, CommandLine(), MPI_COMM_WORLD)->has_checkpoints();
 }
 
-const std::string time = "subsection Time\nset Time step = 1 ms\nset End time = 2 ms\nend\n";
+const std::string section_time =
+    "subsection Time\nset Time step = 1 ms\nset End time = 2 ms\nend\n";
 } // namespace
 
 UNIT_TEST(analyses)
@@ -62,15 +63,15 @@ UNIT_TEST(analyses)
   }
   check::absolute("names", names.size(), analyses().types().size(), 0.);
 
-  check::is_true("a transient analysis has checkpoints", has_checkpoints(solid_box(time)));
+  check::is_true("a transient analysis has checkpoints", has_checkpoints(solid_box(section_time)));
   check::is_true("a modal one has none", !has_checkpoints(solid_box("set Analysis = modal\n")));
   check::throws<InputError>(
       "a section of one other analysis",
-      []() { make(solid_box(time + "subsection Modal\nset Number of modes = 2\nend\n")); },
+      []() { make(solid_box(section_time + "subsection Modal\nset Number of modes = 2\nend\n")); },
       "'Modal': Analysis = transient does not read this section. Remove it, or set Analysis = "
       "modal\\.$");
   check::throws<InputError>(
-      "a section of several", []() { make(solid_box("set Analysis = steady\n" + time)); },
+      "a section of several", []() { make(solid_box("set Analysis = steady\n" + section_time)); },
       "'Time': Analysis = steady does not read.*transient or linear wave theory or material\\.$");
   check::throws<InputError>(
       "a study of what has no case",
@@ -79,7 +80,7 @@ UNIT_TEST(analyses)
 
   // The file of a study may be run alone; its section is read then, too.
   const std::string study = "subsection Refinement study\nset Cycles = 1\nend\n";
-  ParameterFile alone = parameters_of(solid_box(time + study));
+  ParameterFile alone = parameters_of(solid_box(section_time + study));
   const Case<2> transient = analyses().read_case<2>(alone, MPI_COMM_WORLD);
   check::is_true("a run of a study", transient.analysis.is_transient());
   ParameterFile of_study = parameters_of(solid_box("set Analysis = refinement study\n" + study));
@@ -88,6 +89,7 @@ UNIT_TEST(analyses)
   check::is_true("its motion", steady.analysis.is_steady() && !steady.analysis.has_checkpoints);
   check::throws<InputError>(
       "a wrong entry of it",
-      []() { make(solid_box(time + "subsection Refinement study\nset Cycles = 0\nend\n")); },
+      []()
+      { make(solid_box(section_time + "subsection Refinement study\nset Cycles = 0\nend\n")); },
       "Refinement study/Cycles");
 }
