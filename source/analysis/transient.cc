@@ -294,14 +294,14 @@ void Transient<dim>::step()
       throw RunError(text.str());
     }
     const bool is_whole = &part == &steps.back();
+    if (is_whole && probe_schedule.due(time, size))
+    {
+      TimerOutput::Scope scope(run.log.timer(), "probes");
+      run.input.probes.record(time);
+    }
     for (const ScheduledRecord<dim> &entry : records)
       entry.record->record({*run.solver, part, time, size, is_whole,
                             is_whole && entry.schedule.due(time, size), run.log});
-  }
-  if (probe_schedule.due(time, size))
-  {
-    TimerOutput::Scope scope(run.log.timer(), "probes");
-    run.input.probes.record(time);
   }
   last_size = size;
   if (adaptation_is_due() && !time_control.at_end())

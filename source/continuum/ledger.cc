@@ -15,11 +15,10 @@ Ledger::Ledger(const Problem &problem,
                const OutletCoupling &outlets,
                const BranchHistory &history,
                const BulkHistory &bulk_history)
-    : problem(problem), operators(operators), outlets(outlets), context{problem, operators,
-                                                                        history, bulk_history,
-                                                                        {},      {},
-                                                                        {},      {},
-                                                                        {},      {}}
+    : problem(problem),
+      operators(operators),
+      outlets(outlets),
+      context{problem, operators, history, bulk_history}
 {
   for (const EquationTermType &type : equation_terms())
     terms.push_back(type.make());
@@ -30,9 +29,8 @@ void Ledger::reinit()
   forces = operators.velocity_vector();
   for (DistributedVector *vector : {&context.force, &context.mixture, &context.forgotten})
     vector->reinit(forces);
-  context.pressure_product = operators.pressure_vector();
   for (DistributedVector *vector : {&context.dilatation, &context.forgotten_rate})
-    vector->reinit(context.pressure_product);
+    *vector = operators.pressure_vector();
 }
 
 PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)

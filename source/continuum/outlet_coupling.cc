@@ -106,11 +106,11 @@ void OutletCoupling::respond(StepReport &report)
       port.mass_of_velocity = sparse(mass);
       momentum = 0.;
       mass = 0.;
+      operators.eliminate_prescribed(prescribed, momentum, mass);
     }
     else
       for (const auto &[index, value] : port.flow)
         momentum.begin()[index] = -value;
-    operators.eliminate_prescribed(prescribed, momentum, mass);
     operators.solve(prescribed, momentum, mass, port.velocity_response, port.pressure_response,
                     report);
   }

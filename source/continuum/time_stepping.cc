@@ -94,27 +94,49 @@ StepReport TimeStepping::advance(const Step &given_step)
 {
   const Step step = operators.own_step(given_step);
   StepReport report;
-  if (operators.solves_for_displacement())
-    operators.make_displacement_step(step, velocity, history.displacement(), balanced, report);
-  else
+  try
   {
-    kept.move_older_level(step);
-    deform_by_jump(step);
-    prepare(step, report);
-    {
-      TimerOutput::Scope scope(log.timer(), "right-hand side");
-      set_momentum(step);
-      set_mass(step);
-      set_prescribed(step);
-      operators.eliminate_prescribed(balanced.prescribed, momentum, mass);
-    }
-    TimerOutput::Scope scope(log.timer(), "solve");
-    solve(step, report);
+    if (operators.solves_for_displacement())
+      operators.make_displacement_step(step, velocity, history.displacement(), balanced, report);
+    else
+      balance(step, report);
+  }
+  catch (const RunError &error)
+  {
+    std::ostringstream text;
+    text << "in the step to t = " << step.time << " s " << error.what();
+    throw RunError(text.str());
   }
   TimerOutput::Scope scope(log.timer(), "update");
   set_extremes(step, velocity, balanced.velocity, balanced.pressure, report);
   finish(step);
   return report;
+}
+
+void TimeStepping::balance(const Step &step, StepReport &report)
+{
+  kept.move_older_level(step);
+  deform_by_jump(step);
+  prepare(step, report);
+  {
+    TimerOutput::Scope scope(log.timer(), "right-hand side");
+    set_momentum(step);
+    set_mass(step);
+    if (!operators.is_homogeneous())
+    {
+      set_prescribed(step);
+      operators.eliminate_prescribed(balanced.prescribed, momentum, mass);
+    }
+  }
+  TimerOutput::Scope scope(log.timer(), "solve");
+  if (operators.starts_from_guess())
+  {
+    balanced.velocity.equ(1., velocity);
+    balanced.pressure.equ(1., pressure);
+  }
+  operators.solve(balanced.prescribed, momentum, mass, balanced.velocity, balanced.pressure,
+                  report);
+  outlets.couple(step, velocity, balanced.velocity, balanced.pressure);
 }
 
 void TimeStepping::prepare(const Step &step, StepReport &report)
@@ -153,11 +175,13 @@ void TimeStepping::set_momentum(const Step &step)
 
 void TimeStepping::set_mass(const Step &step)
 {
+  mass = 0.;
+  if (!operators.has_pressure())
+    return;
   // The pressure of the past.
   pressure_work.equ(step.pressure_old, pressure);
   if (step.pressure_older != 0.)
     pressure_work.add(step.pressure_older, pressure_older);
-  mass = 0.;
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
     const double compressibility = coefficients.compressibility[region];
@@ -187,8 +211,6 @@ void TimeStepping::set_mass(const Step &step)
 
 void TimeStepping::set_prescribed(const Step &step)
 {
-  if (operators.is_homogeneous())
-    return;
   operators.evaluate_prescribed(step.extrapolate ? step.time : step.balance_time, prescribed);
   if (!step.extrapolate)
   {
@@ -202,32 +224,15 @@ void TimeStepping::set_prescribed(const Step &step)
   outlets.leave_out_ports(balanced.prescribed);
 }
 
-void TimeStepping::solve(const Step &step, StepReport &report)
-{
-  if (operators.starts_from_guess())
-  {
-    balanced.velocity.equ(1., velocity);
-    balanced.pressure.equ(1., pressure);
-  }
-  try
-  {
-    operators.solve(balanced.prescribed, momentum, mass, balanced.velocity, balanced.pressure,
-                    report);
-  }
-  catch (const RunError &error)
-  {
-    std::ostringstream text;
-    text << "in the step to t = " << step.time << " s " << error.what();
-    throw RunError(text.str());
-  }
-  outlets.couple(step, velocity, balanced.velocity, balanced.pressure);
-  balanced.acceleration.add(step.a0, balanced.velocity);
-  history.advance(step, velocity, balanced.velocity);
-  bulk_history.advance(step, balanced.pressure);
-}
-
 void TimeStepping::finish(const Step &step)
 {
+  if (!operators.solves_for_displacement())
+  {
+    balanced.acceleration.add(step.a0, balanced.velocity);
+    history.advance(step, velocity, balanced.velocity);
+    bulk_history.advance(step, balanced.pressure);
+  }
+  // A pressure that is no unknown is left as it is here: state() sets it.
   velocity_older.swap(velocity);
   pressure_older.swap(pressure);
   if (step.extrapolate)
@@ -341,8 +346,8 @@ void TimeStepping::solve_steady(const double time)
   {
     operators.evaluate_prescribed(time, prescribed);
     balanced.prescribed.equ(1., prescribed);
+    operators.eliminate_prescribed(balanced.prescribed, momentum, mass);
   }
-  operators.eliminate_prescribed(balanced.prescribed, momentum, mass);
   {
     TimerOutput::Scope scope(log.timer(), "solve");
     velocity_work = 0.;

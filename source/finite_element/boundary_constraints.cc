@@ -172,6 +172,7 @@ void subtract(Equation<dim> &equation, const double factor, const Equation<dim> 
   for (const auto &weight : other.weights)
     equation.weights[weight.first] -= factor * weight.second;
 }
+
 /// The halves of a condition that prescribe a velocity at a face, each with a direction.
 template <int dim>
 std::vector<std::pair<const BoundaryPart *, Tensor<1, dim>>>

@@ -236,16 +236,10 @@ void TaylorHood<dim>::eliminate_prescribed(const DistributedVector &prescribed,
                                            DistributedVector &momentum,
                                            DistributedVector &mass)
 {
-  if (!constraints.is_homogeneous())
-  {
-    velocity_work = 0.;
-    system.add_velocity_product(prescribed, velocity_work);
-    momentum.add(-1., velocity_work);
-    system.add_divergence(-1., prescribed, mass);
-  }
-  constraints.restrict_to_free(momentum);
-  // The symmetric system has the negative of the mass equation.
-  mass *= -1.;
+  velocity_work = 0.;
+  system.add_velocity_product(prescribed, velocity_work);
+  momentum.add(-1., velocity_work);
+  system.add_divergence(-1., prescribed, mass);
 }
 
 template <int dim>
@@ -256,6 +250,9 @@ void TaylorHood<dim>::solve(const DistributedVector &prescribed,
                             DistributedVector &pressure,
                             StepReport &report)
 {
+  constraints.restrict_to_free(momentum);
+  // The symmetric system has the negative of the mass equation.
+  mass *= -1.;
   system.solve(momentum, mass, velocity, pressure);
   constraints.set_constrained(velocity, prescribed);
   report.linear_iterations += system.take_iterations();

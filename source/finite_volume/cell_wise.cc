@@ -320,21 +320,14 @@ SystemChange CellWise<dim>::prepare_cells(const CellCoefficients &coefficients)
 }
 
 template <int dim>
-void CellWise<dim>::eliminate_prescribed(const DistributedVector &prescribed,
-                                         DistributedVector &momentum,
-                                         DistributedVector &)
-{
-  system.set_prescribed(prescribed, momentum);
-}
-
-template <int dim>
-void CellWise<dim>::solve(const DistributedVector &,
+void CellWise<dim>::solve(const DistributedVector &prescribed,
                           DistributedVector &momentum,
                           DistributedVector &mass,
                           DistributedVector &velocity,
                           DistributedVector &pressure,
                           StepReport &report)
 {
+  system.set_prescribed(prescribed, momentum);
   cell_solve->solve(momentum, mass, velocity, pressure, report);
 }
 
@@ -521,7 +514,7 @@ void CellWise<dim>::make_displacement_step(const Step &step,
     displacement_step.set_right_side(step, displacement_levels, derivatives, balanced);
   }
   TimerOutput::Scope scope(log.timer(), "solve");
-  displacement_step.solve(*cell_solve, step, derivatives, displacement, balanced, report);
+  displacement_step.solve(*cell_solve, derivatives, displacement, balanced, report);
   displacement_levels.advance(step, displacement);
 }
 

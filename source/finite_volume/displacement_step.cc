@@ -1,9 +1,5 @@
 #include <continua/finite_volume/displacement_step.h>
 
-#include <continua/base/input_error.h>
-
-#include <sstream>
-
 namespace Continua
 {
 using namespace dealii;
@@ -63,22 +59,12 @@ void DisplacementStep<dim>::set_right_side(const Step &step,
 
 template <int dim>
 void DisplacementStep<dim>::solve(CellSolve<dim> &cell_solve,
-                                  const Step &step,
                                   const Derivatives &derivatives,
                                   DistributedVector &displacement,
                                   BalancedStep &balanced,
                                   StepReport &report)
 {
-  try
-  {
-    cell_solve.solve(momentum, mass, displacement, balanced.pressure, report);
-  }
-  catch (const RunError &error)
-  {
-    std::ostringstream text;
-    text << "in the step to t = " << step.time << " s " << error.what();
-    throw RunError(text.str());
-  }
+  cell_solve.solve(momentum, mass, displacement, balanced.pressure, report);
   balanced.acceleration.add(derivatives.second_own, displacement);
   balanced.velocity.equ(1., known_velocity);
   balanced.velocity.add(derivatives.first_own, displacement);

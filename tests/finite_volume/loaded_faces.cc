@@ -1,4 +1,4 @@
-// What faces do at once when they are loaded: with the cells where they are a face yields like a
+// What faces do at once when they are loaded: with the cells where they are a face deforms like a
 // layer of half a cell, by t (h/2)/(K + 4/3 mu) along its normal and t (h/2)/mu across it; a fluid
 // and a solid with a dash pot do not.
 
@@ -46,7 +46,7 @@ void check_block(const Model model)
         forces.begin()[face.index + c] = is_loaded && c == 0 ? 0.3 * face.weight : 0.;
   }
   faces.respond(forces, displacement, pressure);
-  const double yielded = 0.3 * 0.5 * h / (2. + 4.);
+  const double deformation = 0.3 * 0.5 * h / (2. + 4.);
   double moved = 0., pressures = 0.;
   for (unsigned int i = 0; i < dim * space.mesh.n_owned_cells(); ++i)
     moved = std::max(moved, std::abs(displacement.begin()[i]));
@@ -56,18 +56,19 @@ void check_block(const Model model)
     const bool is_loaded = surface.boundary_id == 1;
     for (unsigned int c = 0; c < dim; ++c)
       moved = std::max(moved, std::abs(displacement.begin()[face.index + c] -
-                                       (is_loaded && c == 0 ? yielded : 0.)));
+                                       (is_loaded && c == 0 ? deformation : 0.)));
     if (is_loaded)
     {
       // p = -K div U: on the face over half a cell, in the cell over a whole one.
       pressures = std::max(
           {pressures,
            std::abs(pressure.begin()[space.local_pressure(space.pressures.of_face(face.face, 0))] +
-                    2. * yielded / (0.5 * h)),
-           std::abs(pressure.begin()[step.cell_pressure_row(surface.owner)] + 2. * yielded / h)});
+                    2. * deformation / (0.5 * h)),
+           std::abs(pressure.begin()[step.cell_pressure_row(surface.owner)] +
+                    2. * deformation / h)});
     }
   }
-  check::absolute(name + ": faces yield", largest(moved), 0., 1e-15);
+  check::absolute(name + ": faces deform", largest(moved), 0., 1e-15);
   check::absolute(name + ": their pressures", largest(pressures), 0., 1e-14);
 }
 

@@ -20,7 +20,7 @@ struct ScheduledRecord
 };
 
 /// The records of a transient run, in the order of their table in record_table.cc. `folder`: of the
-/// output.
+/// output. (A steady run has a writer of fields alone.)
 template <int dim>
 std::vector<ScheduledRecord<dim>> make_records(const Case<dim> &input, const std::string &folder);
 

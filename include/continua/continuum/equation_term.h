@@ -21,8 +21,8 @@ struct TermContext
   Operators &operators;
   const BranchHistory &history;
   const BulkHistory &bulk_history;
-  DistributedVector force, mixture, forgotten;                    ///< like velocities
-  DistributedVector pressure_product, dilatation, forgotten_rate; ///< like pressures
+  DistributedVector force = {}, mixture = {}, forgotten = {}; ///< like velocities
+  DistributedVector dilatation = {}, forgotten_rate = {};     ///< like pressures
 };
 
 /// A step that is over: what it has balanced, and the velocities at its ends [m/s].

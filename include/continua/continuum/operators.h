@@ -32,10 +32,11 @@ enum class SystemChange
  *
  * with M, S, G, B and M_p of one region each, free of moduli and of the time step. Vectors are the
  * owned entries of velocities, internal displacements and pressures. Products overwrite their
- * target. All methods are collective, but those of a kind of question (`is_`, `has_`).
+ * target. Vectors, products, loads, the system and the transfer are collective; functions that give
+ * this rank's part say so.
  *
- * A discretisation that needs more than these products in a step has hooks for it at the end; each
- * does nothing unless it is overridden.
+ * A discretisation that needs more than these products in a step has hooks for it at the end. Their
+ * defaults are the step without anything of its own.
  */
 class Operators
 {
@@ -112,14 +113,15 @@ public:
   /// Makes the system that of the coefficients; `pressure_time`: b of the step [s], 1 of a solid at
   /// rest. Throws RunError.
   virtual SystemChange prepare(const SystemCoefficients &coefficients, double pressure_time) = 0;
-  /// Takes the prescribed velocities over to the right-hand sides f [N] and g [m^3/s].
+  /// Takes prescribed velocities over to the right-hand sides f [N] and g [m^3/s]. Not needed where
+  /// they are 0.
   virtual void eliminate_prescribed(const DistributedVector &prescribed,
                                     DistributedVector &momentum,
                                     DistributedVector &mass) = 0;
   /// Whether solve() starts from what `velocity` and `pressure` hold.
   virtual bool starts_from_guess() const { return false; }
-  /// Solves; the right-hand sides are those that eliminate_prescribed() has made and are changed.
-  /// The report gets what is known of iterations. Throws RunError.
+  /// Solves for a velocity that has the prescribed values, 0 where there are none. The right-hand
+  /// sides are changed. The report gets what is known of iterations. Throws RunError.
   virtual void solve(const DistributedVector &prescribed,
                      DistributedVector &momentum,
                      DistributedVector &mass,
@@ -151,8 +153,10 @@ public:
   virtual void visit(StateVisitor &) {}
   /// The step as the discretisation makes it; called before each step.
   virtual Step own_step(const Step &step) { return step; }
-  /// The state was set anew, or a step has ended.
+  /// A step has ended.
   virtual void finish_step(const Step &, const State &) {}
+  /// The state of t = 0 was set. (Not after a checkpoint is loaded or the mesh has changed: what is
+  /// needed then is part of the state.)
   virtual void start_from(const State &) {}
   /// S w of the past, which the step knows beforehand.
   virtual void multiply_past_stiffness(const unsigned int region,
@@ -178,6 +182,8 @@ public:
   {
     return false;
   }
+  /// Whether the pressure is an unknown; else the stress has all of it.
+  virtual bool has_pressure() const { return true; }
   /// Sets a pressure that is no unknown from the displacement.
   virtual void complete_pressure(const DistributedVector &, DistributedVector &) {}
   /// Whether steps have the displacement for their unknown; make_displacement_step() makes them.

@@ -8,6 +8,8 @@
 #include <continua/materials/plane_stress.h>
 #include <continua/signal/waveform.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <mpi.h>
 
 #include <string>
@@ -49,6 +51,8 @@ struct Problem
   /// Of a region in any model.
   PlaneStressFactors plane_stress(const unsigned int region) const
   {
+    Assert(model != Model::plane_stress || !plane_stress_factors.empty(),
+           dealii::ExcMessage("A problem of plane stress needs the factors of its regions."));
     return plane_stress_factors.empty() ? PlaneStressFactors() : plane_stress_factors[region];
   }
 };

@@ -99,12 +99,13 @@ private:
   void visit(StateVisitor &visitor);
   State present() const { return State{velocity, pressure, history}; }
   void report_exponential_branches(const Step &step);
-  /// The parts of a step: its system, its right-hand sides, the solution, and the state at its end.
+  /// Solves the equations of a step at its balanced level.
+  void balance(const Step &step, StepReport &report);
+  /// The parts of a step: its system, its right-hand sides, and the state at its end.
   void prepare(const Step &step, StepReport &report);
   void set_momentum(const Step &step);
   void set_mass(const Step &step);
   void set_prescribed(const Step &step);
-  void solve(const Step &step, StepReport &report);
   void finish(const Step &step);
   void extrapolate_pressure(const Step &step);
   /// Velocities without mass deform by the forces that are out of balance at this time: at the

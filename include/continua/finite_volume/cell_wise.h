@@ -83,9 +83,11 @@ public:
                          DistributedVector &pressure) override;
 
   SystemChange prepare(const SystemCoefficients &coefficients, double pressure_time) override;
-  void eliminate_prescribed(const DistributedVector &prescribed,
-                            DistributedVector &momentum,
-                            DistributedVector &mass) override;
+  /// Nothing: prescribed velocities have equations of their own, which solve() sets.
+  void
+  eliminate_prescribed(const DistributedVector &, DistributedVector &, DistributedVector &) override
+  {
+  }
   bool starts_from_guess() const override { return true; }
   void solve(const DistributedVector &prescribed,
              DistributedVector &momentum,
@@ -110,6 +112,7 @@ public:
                                const DistributedVector &mixture) override;
   void
   set_past_dilatation(unsigned int region, const State &start, DistributedVector &rate) override;
+  bool has_pressure() const override { return parameters.has_pressure(); }
   bool corrects_fluxes() const override { return parameters.has_pressure(); }
   void add_past_flux_correction(const DistributedVector &pressure,
                                 DistributedVector &mass) override;

@@ -33,7 +33,6 @@ public:
   /// Solves for the displacement, in which the solve starts from the present one; sets velocity and
   /// acceleration. Throws RunError.
   void solve(CellSolve<dim> &cell_solve,
-             const Step &step,
              const Derivatives &derivatives,
              DistributedVector &displacement,
              BalancedStep &balanced,
