@@ -63,6 +63,7 @@ void test(const Model model, const bool walls_move)
       condition.normal.kind = condition.tangential.kind = BoundaryPart::Kind::velocity;
       // So that nobody takes it for a body with walls at rest.
       condition.normal.vector.assign(dim, Waveform(1.));
+      condition.tangential.vector.assign(dim, Waveform(1.));
     }
     problem.boundaries.push_back(condition.name);
     problem.conditions.push_back(condition);
