@@ -173,7 +173,11 @@ public:
   }
   /// Whether the mass equation has corrections of fluxes, which act on p - p_plus.
   virtual bool corrects_fluxes() const { return false; }
-  virtual void add_past_flux_correction(const DistributedVector &, DistributedVector &) {}
+  /// Adds their part of p_plus to g [m^3/s]; `p_plus` is the pressure that the past predicts [Pa].
+  virtual void add_past_flux_correction(const DistributedVector & /*p_plus*/,
+                                        DistributedVector & /*mass*/)
+  {
+  }
   /// Whether there are velocities without mass, which deform at once when the forces on them jump.
   virtual bool has_massless_velocities() const { return false; }
   /// Their displacement [m] and the change of the pressures [Pa] under such forces; `forces` is
