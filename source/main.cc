@@ -48,7 +48,11 @@ void perform_file(const CommandLine &command_line, const MPI_Comm communicator)
   if (command_line.validate)
   {
     if (is_writer)
+    {
       std::cout << command_line.parameter_file << ": valid" << std::endl;
+      for (const std::string &line : analysis->cost())
+        std::cout << line << std::endl;
+    }
     return;
   }
   const OutputDirectory directory(output_path(command_line),

@@ -8,6 +8,13 @@
 
 namespace Continua
 {
+CaseUse use_of(const CommandLine &command_line)
+{
+  if (command_line.validate || !command_line.print_parameters.empty())
+    return CaseUse::check;
+  return command_line.restart ? CaseUse::restart : CaseUse::run;
+}
+
 Analysis::Analysis(const AnalysisInput &input)
     : file(input.file),
       command_line(input.command_line),

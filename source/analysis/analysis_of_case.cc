@@ -9,7 +9,7 @@ template <int dim>
 AnalysisOfCase<dim>::AnalysisOfCase(const AnalysisInput &input, void (*perform_run)(Run<dim> &))
     : Analysis(input),
       input(input.analyses.read_case<dim>(
-          input.file, input.communicator, input.command_line.restart)),
+          input.file, input.communicator, use_of(input.command_line))),
       perform_run(perform_run)
 {
 }

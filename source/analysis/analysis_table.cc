@@ -65,7 +65,7 @@ std::unique_ptr<Analysis> AnalysisTable::make(ParameterFile &file,
 template <int dim>
 Case<dim> AnalysisTable::read_case(ParameterFile &file,
                                    const MPI_Comm communicator,
-                                   const bool restart,
+                                   const CaseUse use,
                                    const std::string &analysis) const
 {
   ParameterSection root = file.root();
@@ -77,11 +77,11 @@ Case<dim> AnalysisTable::read_case(ParameterFile &file,
   for (const AnalysisRow &study : all_rows)
     if (study.is_study() && root.has_subsection(study.sections.front()))
       study.read_section(root);
-  return Case<dim>(file, general, chosen.traits<dim>(), communicator, restart);
+  return Case<dim>(file, general, chosen.traits<dim>(), communicator, use);
 }
 
 template Case<2>
-AnalysisTable::read_case(ParameterFile &, MPI_Comm, bool, const std::string &) const;
+AnalysisTable::read_case(ParameterFile &, MPI_Comm, CaseUse, const std::string &) const;
 template Case<3>
-AnalysisTable::read_case(ParameterFile &, MPI_Comm, bool, const std::string &) const;
+AnalysisTable::read_case(ParameterFile &, MPI_Comm, CaseUse, const std::string &) const;
 } // namespace Continua

@@ -127,11 +127,11 @@ Checkpoint::Checkpoint(const MPI_Comm communicator,
 Checkpoint::Checkpoint(const MPI_Comm communicator,
                        const OutputDirectory &directory,
                        const ParameterFile &file)
-    : Checkpoint(
-          communicator,
-          directory.file("checkpoint"),
-          file.identity_text({"Title", "Time/End time", "Time/Velocity limit", "Linear solver",
-                              "Output", "Expected", "Comparison", "Refinement study"}))
+    : Checkpoint(communicator,
+                 directory.file("checkpoint"),
+                 file.identity_text({"Title", "Time/End time", "Time/Velocity limit",
+                                     "Mesh/Memory limit", "Linear solver", "Output", "Expected",
+                                     "Comparison", "Refinement study"}))
 {
 }
 
@@ -266,7 +266,8 @@ void Checkpoint::check_case(const ArchiveReader &archive) const
     throw InputError(origin, "--restart",
                      "the checkpoint belongs to another case: " +
                          first_difference(archive.text("identity"), identity),
-                     "Restore the case (only Title, Time/End time, Time/Velocity limit, Linear "
+                     "Restore the case (only Title, Time/End time, Time/Velocity limit, "
+                     "Mesh/Memory limit, Linear "
                      "solver, Output, Expected, Comparison and Refinement study may change), or "
                      "run anew with --overwrite");
 }

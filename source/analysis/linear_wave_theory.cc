@@ -215,6 +215,7 @@ void LinearWaveTheory<dim>::report(const std::vector<double> &times, const bool 
   else if (!simulated || input.wave_theory.overlay)
     try
     {
+      run.log.note("Computing the waves of the tube by theory; this can take minutes");
       const TubeWaveTheory theory(wave_case.problem, wave_case.inlet, input.time.end_time,
                                   input.wave_theory.spectral_tolerance);
       for (const StationsProbe &probe : input.probes.stations())

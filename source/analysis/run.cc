@@ -1,7 +1,9 @@
 #include <continua/analysis/run.h>
 
 #include <continua/analysis/refinement_indicator.h>
+#include <continua/base/memory_limit.h>
 #include <continua/base/version.h>
+#include <continua/case/cost_of_case.h>
 #include <continua/continuum/field_list.h>
 
 #include <deal.II/base/mpi.h>
@@ -51,6 +53,14 @@ void Run<dim>::describe_run()
   summary.set("ranks", static_cast<double>(Utilities::MPI::n_mpi_processes(input.communicator)));
   summary.set("libraries", library_versions());
   input.power_laws.report_tables(log, summary);
+  if (input.analysis.has_fields)
+  {
+    for (const std::string &line : cost_of(input))
+      log.note(line);
+    const CostEstimate estimate(cost_input(input));
+    summary.set("estimated memory [bytes]", estimate.memory);
+    summary.set("estimated time on one core [s]", estimate.time);
+  }
   if (blas_is_reference())
     log.warning("the BLAS linked is the slow reference implementation: factorisation takes 3 to 7 "
                 "times as long as "
@@ -197,6 +207,8 @@ void Run<dim>::write_summary(const std::string &status)
         citations.add(key);
   }
   summary.set("wall time [s]", log.wall_times());
+  // Of this rank: the others may have failed.
+  summary.set("peak memory of the first rank [bytes]", peak_memory());
   summary.set("warnings", log.warnings());
   log.timing_summary();
   report_output_share();

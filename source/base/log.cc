@@ -1,3 +1,4 @@
+#include <continua/base/duration_text.h>
 #include <continua/base/input_error.h>
 #include <continua/base/log.h>
 
@@ -25,21 +26,6 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(const Clock::time_point &start)
 {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// "1 h 02 min", "3 min 20 s", "12 s".
-std::string duration_text(const double seconds)
-{
-  const long whole = std::lround(seconds);
-  std::ostringstream text;
-  text << std::setfill('0');
-  if (whole >= 3600)
-    text << whole / 3600 << " h " << std::setw(2) << whole % 3600 / 60 << " min";
-  else if (whole >= 60)
-    text << whole / 60 << " min " << std::setw(2) << whole % 60 << " s";
-  else
-    text << whole << " s";
-  return text.str();
 }
 } // namespace
 
@@ -150,6 +136,18 @@ void Log::detail(const std::string &text)
 {
   if (implementation->writes)
     implementation->to_file(text);
+}
+
+void Log::note(const std::string &text)
+{
+  if (!implementation->writes)
+    return;
+  if (implementation->on_screen)
+  {
+    implementation->clear_progress();
+    std::cerr << text << std::endl;
+  }
+  implementation->to_file(text);
 }
 
 void Log::warning(const std::string &text)

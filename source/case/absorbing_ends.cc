@@ -2,6 +2,7 @@
 
 #include <continua/base/input_error.h>
 #include <continua/case/case.h>
+#include <continua/case/cost_of_case.h>
 #include <continua/case/load_spectrum.h>
 #include <continua/case/tube_wave_case.h>
 #include <continua/mesh/round_section.h>
@@ -10,6 +11,7 @@
 #include <continua/theory/matched_impedance.h>
 #include <continua/vessel/tube_law.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
@@ -291,8 +293,9 @@ void add_tube_end(Case<dim> &input,
 } // namespace
 
 template <int dim>
-void AbsorbingEnds::add(Case<dim> &input, ParameterSection boundaries, const bool restart)
+void AbsorbingEnds::add(Case<dim> &input, ParameterSection root, const bool restart)
 {
+  ParameterSection boundaries = root.subsection("Boundaries");
   const auto is_absorbing = [](const BoundaryCondition &condition)
   { return condition.type == BoundaryType::absorbing; };
   Problem &problem = input.problem;
@@ -326,7 +329,20 @@ void AbsorbingEnds::add(Case<dim> &input, ParameterSection boundaries, const boo
   }
   std::optional<LoadSpectrum> spectrum;
   if (!restart)
+  {
+    const double memory = LoadSpectrum::memory(input.time.end_time, input.time.smallest_step());
+    const MemoryLimit limit = memory_limit_of(input);
+    // Every rank makes its own.
+    if (memory * dealii::Utilities::MPI::n_mpi_processes(input.communicator) > limit.bytes)
+      root.subsection("Time").refuse(
+          "End time",
+          "the absorbing end of a tube needs the spectrum of the load over the run, of which "
+          "the steps until then take " +
+              memory_text(memory) + " on each rank, and the run may take " +
+              memory_text(limit.bytes) + " (" + limit.source + ")",
+          "Give an earlier end, a longer time step, or more by Mesh/Memory limit");
     spectrum.emplace(problem, input.time.end_time, input.time.smallest_step());
+  }
   add_tube_end(input, "inlet", 0., spectrum, boundaries, ends);
   add_tube_end(input, "outlet", law->length(), spectrum, boundaries, ends);
 }

@@ -1,5 +1,6 @@
 #include <continua/case/case.h>
 #include <continua/case/case_checks.h>
+#include <continua/case/cost_of_case.h>
 
 #include <continua/boundary/flow_rates.h>
 #include <continua/boundary/outlets.h>
@@ -56,6 +57,9 @@ void RestParameters::read(ParameterSection section)
 
 namespace
 {
+/// Coarse cells that are made to check the input alone.
+constexpr double most_cells_of_check = 1e5;
+
 /// What the user has measured at the stations of her probes.
 template <int dim>
 void read_measured_waves(const Probes<dim> &probes,
@@ -79,9 +83,9 @@ Case<dim>::Case(ParameterFile &file,
                 const GeneralParameters &general_parameters,
                 const AnalysisTraits<dim> &analysis,
                 const MPI_Comm communicator,
-                const bool restart)
+                const CaseUse use)
     : communicator(communicator),
-      restart(restart),
+      restart(use == CaseUse::restart),
       general(general_parameters),
       analysis(analysis),
       probes(communicator)
@@ -143,6 +147,11 @@ Case<dim>::Case(ParameterFile &file,
   for (const Material &material : problem.materials)
     is_solid.push_back(material.is_solid());
   triangulation = make_triangulation<dim>(communicator, mesh.partition, std::move(is_solid));
+  extent = geometry->extent();
+  check_memory(*this, root.subsection("Mesh"));
+  if (use == CaseUse::check && extent.n_cells > most_cells_of_check)
+    if (std::unique_ptr<Geometry<dim>> coarse = geometry->coarsened(most_cells_of_check))
+      geometry = std::move(coarse);
   geometry->create(*triangulation);
   distort_coarse_mesh(*triangulation, mesh.distortion);
 
@@ -163,7 +172,7 @@ Case<dim>::Case(ParameterFile &file,
                     problem.materials, {!in_time, time.end_time, time.time_step});
   problem.outlets = make_outlets(problem.conditions, root.subsection("Boundaries"), *triangulation,
                                  problem.materials);
-  absorbing_ends.add(*this, root.subsection("Boundaries"), restart);
+  absorbing_ends.add(*this, root, restart);
   probes.check(*triangulation, field_names<dim>(problem.model), pairs);
   power_laws.name_quantities(quantities);
   analysis.name_quantities(*this, quantities);

@@ -81,6 +81,13 @@ LoadSpectrum::LoadSpectrum(const Problem &problem, const double end_time, const 
     envelope[k - 1] = std::max(envelope[k - 1], envelope[k]);
 }
 
+double LoadSpectrum::memory(const double end_time, const double time_step)
+{
+  // The padded samples and their transform, up to four times as long, with what GSL needs, and the
+  // envelope of the loads before.
+  return 230. * end_time / time_step;
+}
+
 double LoadSpectrum::from(const double frequency) const
 {
   const std::size_t k = frequency / spacing;

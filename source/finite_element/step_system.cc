@@ -130,7 +130,10 @@ void StepSystem<dim>::factorize()
   {
     throw RunError(error.what());
   }
+  if (announce)
+    made.factor->announce = [this, &matrix](const double bytes) { announce(matrix.n, bytes); };
   made.factor->factorize(matrix, owned);
+  made.factor->announce = nullptr;
   kept_factors.push_front(std::move(made));
 }
 

@@ -1,5 +1,6 @@
 #include <continua/finite_element/taylor_hood.h>
 
+#include <continua/base/memory_limit.h>
 #include <continua/continuum/local_product.h>
 #include <continua/finite_element/flow_shapes.h>
 #include <continua/finite_element/initial_state.h>
@@ -11,10 +12,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 namespace Continua
 {
 using namespace dealii;
+
+namespace
+{
+/// A factor of this size takes some ten seconds [bytes].
+constexpr double least_announced_factor = 0.5e9;
+} // namespace
 
 template <int dim>
 TaylorHood<dim>::TaylorHood(parallel::TriangulationBase<dim> &triangulation,
@@ -32,6 +41,15 @@ TaylorHood<dim>::TaylorHood(parallel::TriangulationBase<dim> &triangulation,
       evaluation(space, problem),
       output(space, problem, evaluation)
 {
+  system.announce = [&log](const double n_unknowns, const double bytes)
+  {
+    if (bytes < least_announced_factor)
+      return;
+    std::ostringstream text;
+    text << "Factoring " << std::fixed << std::setprecision(0) << n_unknowns << " unknowns, about "
+         << memory_text(bytes);
+    log.note(text.str());
+  };
 }
 
 template <int dim>

@@ -111,6 +111,9 @@ void CholmodFactor::factorize(const SymmetricTriplets &matrix, const std::vector
   cholmod_sparse *sparse = cholmod_triplet_to_sparse(&triplets, n_triplets, &d.common);
   d.check("sorting the entries");
   d.factor = cholmod_analyze(sparse, &d.common);
+  // An entry is a number and the place of its row.
+  if (announce && d.common.status == CHOLMOD_OK)
+    announce(d.common.lnz * (sizeof(double) + sizeof(int)));
   if (d.common.status == CHOLMOD_OK)
     cholmod_factorize(sparse, d.factor, &d.common);
   cholmod_free_sparse(&sparse, &d.common);

@@ -13,7 +13,7 @@ MumpsFactor::MumpsFactor(const bool quasi_definite, const MPI_Comm communicator)
 void MumpsFactor::factorize(const SymmetricTriplets &matrix, const std::vector<int> &owned)
 {
   matrix.check(owned);
-  solver.factorize(matrix.n, matrix.rows, matrix.columns, matrix.values, owned);
+  solver.factorize(matrix.n, matrix.rows, matrix.columns, matrix.values, owned, announce);
 }
 
 std::string MumpsFactor::name() const

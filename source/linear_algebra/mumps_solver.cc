@@ -177,7 +177,8 @@ void MumpsSolver::factorize(const int n,
                             std::vector<int> rows,
                             std::vector<int> columns,
                             std::vector<double> values,
-                            const std::vector<int> &owned)
+                            const std::vector<int> &owned,
+                            const std::function<void(double)> &announce)
 {
   data = nullptr; // the old factor goes before the new one is made
   data = std::make_unique<Data>(symmetry, communicator);
@@ -208,6 +209,8 @@ void MumpsSolver::factorize(const int n,
   if (symmetry == Symmetry::quasi_definite)
     d.mumps.cntl[0] = 0.; // no pivoting
   d.run(job_analyse, "analysis");
+  if (announce)
+    announce(1e6 * d.mumps.infog[16]); // an estimate in megabytes
   d.factorize();
   d.mumps.irn_loc = d.mumps.jcn_loc = nullptr;
   d.mumps.a_loc = nullptr;

@@ -1,6 +1,7 @@
 #include <continua/mesh/beam_geometry.h>
 #include <continua/mesh/box_geometry.h>
 #include <continua/mesh/list_entries.h>
+#include <continua/mesh/structured_extent.h>
 
 namespace Continua
 {
@@ -52,6 +53,20 @@ void BeamGeometry<dim>::create(dealii::Triangulation<dim> &triangulation) const
   box.cells = parameters.cells;
   // The boundaries are the box's by another name, in the same order.
   BoxGeometry<dim>(box, false).create(triangulation);
+}
+
+template <int dim>
+MeshExtent BeamGeometry<dim>::extent() const
+{
+  return structured_extent(parameters.cells);
+}
+
+template <int dim>
+std::unique_ptr<Geometry<dim>> BeamGeometry<dim>::coarsened(const double most_cells) const
+{
+  Parameters coarse = parameters;
+  coarse.cells = coarsened_cells(coarse.cells, most_cells);
+  return std::make_unique<BeamGeometry<dim>>(coarse);
 }
 
 template class BeamGeometry<2>;

@@ -1,6 +1,7 @@
 #include <continua/mesh/box_geometry.h>
 #include <continua/mesh/grading.h>
 #include <continua/mesh/list_entries.h>
+#include <continua/mesh/structured_extent.h>
 #include <continua/mesh/structured_mesh.h>
 
 #include <deal.II/base/numbers.h>
@@ -91,6 +92,20 @@ void BoxGeometry<dim>::create(dealii::Triangulation<dim> &triangulation) const
         turned[1] = sine * point[0] + cosine * point[1];
         return turned;
       });
+}
+
+template <int dim>
+MeshExtent BoxGeometry<dim>::extent() const
+{
+  return structured_extent(parameters.cells);
+}
+
+template <int dim>
+std::unique_ptr<Geometry<dim>> BoxGeometry<dim>::coarsened(const double most_cells) const
+{
+  Parameters coarse = parameters;
+  coarse.cells = coarsened_cells(coarse.cells, most_cells);
+  return std::make_unique<BoxGeometry<dim>>(coarse, axisymmetric);
 }
 
 template class BoxGeometry<2>;

@@ -1,6 +1,7 @@
 #include <continua/mesh/cook_membrane_geometry.h>
 #include <continua/mesh/grading.h>
 #include <continua/mesh/list_entries.h>
+#include <continua/mesh/structured_extent.h>
 #include <continua/mesh/structured_mesh.h>
 
 namespace Continua
@@ -47,5 +48,17 @@ void CookMembraneGeometry::create(dealii::Triangulation<2> &triangulation) const
             return parameters.unit_length *
                    dealii::Point<2>(48. * point[0], bottom + (top - bottom) * point[1]);
           });
+}
+
+MeshExtent CookMembraneGeometry::extent() const
+{
+  return structured_extent(parameters.cells);
+}
+
+std::unique_ptr<Geometry<2>> CookMembraneGeometry::coarsened(const double most_cells) const
+{
+  Parameters coarse = parameters;
+  coarse.cells = coarsened_cells(coarse.cells, most_cells);
+  return std::make_unique<CookMembraneGeometry>(coarse);
 }
 } // namespace Continua

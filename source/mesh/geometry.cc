@@ -5,15 +5,20 @@
 #include <continua/mesh/gmsh_geometry.h>
 #include <continua/mesh/hollow_cylinder_geometry.h>
 #include <continua/mesh/layered_channel_geometry.h>
+#include <continua/mesh/mesh_parameters.h>
 #include <continua/mesh/painted_geometry.h>
 #include <continua/mesh/tube_geometry.h>
 
 #include <functional>
+#include <sstream>
 
 namespace Continua
 {
 namespace
 {
+/// Some 10 GB of memory on each rank.
+constexpr double most_coarse_cells = 1e7;
+
 /// A row of the table of geometries: to add a geometry, add its files and a row.
 template <int dim>
 struct GeometryType
@@ -132,6 +137,14 @@ make_geometry(ParameterSection geometry, ParameterSection mesh, const bool axisy
       result = create(geometry, mesh);
     }
 
+  if (result->extent().n_cells > most_coarse_cells)
+  {
+    std::ostringstream problem;
+    problem << "the coarse mesh would have " << result->extent().n_cells
+            << " cells, and every rank keeps all of them; the most is " << most_coarse_cells;
+    mesh.refuse(entry_of_cells(mesh), problem.str(),
+                "Give fewer cells, and divide them by Mesh/Refinements");
+  }
   if (geometry.has_subsection("Regions"))
     result =
         std::make_unique<PaintedGeometry<dim>>(std::move(result), geometry.subsection("Regions"));

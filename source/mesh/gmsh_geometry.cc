@@ -377,6 +377,20 @@ void GmshGeometry<dim>::set_faces(const GmshFile &file)
 }
 
 template <int dim>
+MeshExtent GmshGeometry<dim>::extent() const
+{
+  if (cells.empty())
+    return {};
+  // As long as a mesh of cubes that fills the box around the body.
+  const dealii::BoundingBox<dim> box(vertices);
+  double longest = 0.;
+  for (unsigned int d = 0; d < dim; ++d)
+    longest = std::max(longest, box.side_length(d));
+  const double n_cells = cells.size(), size = std::pow(box.volume() / n_cells, 1. / dim);
+  return {n_cells, std::max(1., std::min(n_cells, longest / size))};
+}
+
+template <int dim>
 std::string GmshGeometry<dim>::middle(const std::vector<unsigned int> &indices) const
 {
   dealii::Point<dim> sum;

@@ -1,5 +1,6 @@
 #include <continua/mesh/grading.h>
 #include <continua/mesh/hollow_cylinder_geometry.h>
+#include <continua/mesh/structured_extent.h>
 #include <continua/mesh/structured_mesh.h>
 
 #include <deal.II/base/numbers.h>
@@ -84,5 +85,22 @@ void HollowCylinderGeometry::create(dealii::Triangulation<2> &triangulation) con
               });
   triangulation.set_all_manifold_ids(0);
   triangulation.set_manifold(0, dealii::SphericalManifold<2>());
+}
+
+MeshExtent HollowCylinderGeometry::extent() const
+{
+  return structured_extent({parameters.radial_cells, axisymmetric
+                                                         ? parameters.axial_cells
+                                                         : parameters.circumferential_cells});
+}
+
+std::unique_ptr<Geometry<2>> HollowCylinderGeometry::coarsened(const double most_cells) const
+{
+  Parameters coarse = parameters;
+  unsigned int &along = axisymmetric ? coarse.axial_cells : coarse.circumferential_cells;
+  const std::vector<unsigned int> cells = coarsened_cells({coarse.radial_cells, along}, most_cells);
+  coarse.radial_cells = cells[0];
+  along = cells[1];
+  return std::make_unique<HollowCylinderGeometry>(coarse, axisymmetric);
 }
 } // namespace Continua

@@ -1,5 +1,6 @@
 #include <continua/mesh/grading.h>
 #include <continua/mesh/layered_channel_geometry.h>
+#include <continua/mesh/structured_extent.h>
 #include <continua/mesh/structured_mesh.h>
 
 namespace Continua
@@ -75,6 +76,29 @@ void LayeredChannelGeometry<dim>::create(dealii::Triangulation<dim> &triangulati
       triangulation, [&stack](const auto &cell) { return stack.region(cell[1]); },
       [&stack](const auto &cell, const unsigned int face)
       { return stack.boundary(cell[1], face); });
+}
+
+template <int dim>
+MeshExtent LayeredChannelGeometry<dim>::extent() const
+{
+  std::vector<unsigned int> cells = {parameters.axial_cells, parameters.stack.n_cells()};
+  if (dim == 3)
+    cells.push_back(parameters.width_cells);
+  return structured_extent(cells);
+}
+
+template <int dim>
+std::unique_ptr<Geometry<dim>> LayeredChannelGeometry<dim>::coarsened(const double most_cells) const
+{
+  // The cells across the layers stay.
+  Parameters coarse = parameters;
+  const std::vector<unsigned int> cells =
+      coarsened_cells({coarse.axial_cells, dim == 3 ? coarse.width_cells : 1},
+                      most_cells / parameters.stack.n_cells());
+  coarse.axial_cells = cells[0];
+  if (dim == 3)
+    coarse.width_cells = cells[1];
+  return std::make_unique<LayeredChannelGeometry<dim>>(coarse);
 }
 
 template class LayeredChannelGeometry<2>;

@@ -2,6 +2,8 @@
 #include <continua/mesh/layered_stack.h>
 #include <continua/mesh/list_entries.h>
 
+#include <numeric>
+
 namespace Continua
 {
 void LayeredStack::read_wall_cells(ParameterSection mesh)
@@ -14,6 +16,11 @@ void LayeredStack::read_wall_cells(ParameterSection mesh)
     wall_cells.assign(n_layers, wall_cells[0]);
   check_number_of_entries(mesh, "Wall cells", wall_cells.size(), n_layers,
                           "one for each layer of the wall, or one for all");
+}
+
+unsigned int LayeredStack::n_cells() const
+{
+  return std::accumulate(wall_cells.begin(), wall_cells.end(), fluid_cells);
 }
 
 std::vector<double> LayeredStack::points() const

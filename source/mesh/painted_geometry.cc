@@ -97,6 +97,12 @@ void PaintedGeometry<dim>::create(dealii::Triangulation<dim> &triangulation) con
 }
 
 template <int dim>
+MeshExtent PaintedGeometry<dim>::extent() const
+{
+  return unpainted->extent();
+}
+
+template <int dim>
 const TubeLaw *PaintedGeometry<dim>::tube_law() const
 {
   return unpainted->tube_law();

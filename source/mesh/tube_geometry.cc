@@ -1,5 +1,6 @@
 #include <continua/base/words.h>
 #include <continua/mesh/grading.h>
+#include <continua/mesh/structured_extent.h>
 #include <continua/mesh/structured_mesh.h>
 #include <continua/mesh/tube_cross_section.h>
 #include <continua/mesh/tube_geometry.h>
@@ -220,6 +221,28 @@ void TubeGeometry<dim>::create(dealii::Triangulation<dim> &triangulation) const
 {
   create_mesh(triangulation, parameters.law, stack, axial_points(),
               parameters.circumferential_cells / 2, parameters.full);
+}
+
+template <int dim>
+MeshExtent TubeGeometry<dim>::extent() const
+{
+  double n_section_cells = stack.n_cells();
+  if (dim == 3)
+  {
+    const double quarter = parameters.circumferential_cells, side = quarter / 2.;
+    n_section_cells = (parameters.full ? 4. : 1.) * (side * side + quarter * n_section_cells);
+  }
+  return {parameters.axial_cells * n_section_cells, static_cast<double>(parameters.axial_cells)};
+}
+
+template <int dim>
+std::unique_ptr<Geometry<dim>> TubeGeometry<dim>::coarsened(const double most_cells) const
+{
+  // The cross-section stays.
+  Parameters coarse = parameters;
+  coarse.axial_cells =
+      coarsened_cells({parameters.axial_cells}, most_cells / extent().cells_per_layer()).front();
+  return std::make_unique<TubeGeometry<dim>>(coarse);
 }
 
 template <int dim>

@@ -32,7 +32,8 @@ template <int dim>
 void Comparison::read_ways()
 {
   // The file alone first: what is wrong with it is not said of one of the ways.
-  const Case<dim> input = analyses.read_case<dim>(file, communicator, false, parameters.analysis);
+  const CaseUse use = command_line.validate ? CaseUse::check : CaseUse::run;
+  const Case<dim> input = analyses.read_case<dim>(file, communicator, use, parameters.analysis);
   volume = GridTools::volume(*input.triangulation);
   const ParameterSection section = file.root().subsection("Comparison");
   for (unsigned int way = 0; way < 2; ++way)
@@ -78,7 +79,8 @@ Comparison::Way Comparison::read_way(const unsigned int way) const
   set_entry(result.command_line, "Analysis", parameters.analysis);
   set_entry(result.command_line, parameters.entry, parameters.values[way]);
   ParameterFile file_of_way(command_line.parameter_file, result.command_line.overrides);
-  const Case<dim> input = analyses.read_case<dim>(file_of_way, communicator);
+  const Case<dim> input =
+      analyses.read_case<dim>(file_of_way, communicator, use_of(result.command_line));
   result.identity = file_of_way.identity({"Comparison"});
   result.quantities = input.quantities;
   result.refinements = input.mesh.refinements;

@@ -30,7 +30,8 @@ template <int dim>
 void RefinementStudy::read_ways()
 {
   // The file alone first: what is wrong with it is not said of one of the ways.
-  const Case<dim> input = analyses.read_case<dim>(file, communicator, false, parameters.analysis);
+  const CaseUse use = command_line.validate ? CaseUse::check : CaseUse::run;
+  const Case<dim> input = analyses.read_case<dim>(file, communicator, use, parameters.analysis);
   volume = GridTools::volume(*input.triangulation);
   const ParameterSection section = file.root().subsection("Refinement study");
   for (const std::string &name : parameters.ways)
@@ -56,7 +57,8 @@ RefinementStudy::Way RefinementStudy::read_way(const std::string &name) const
   result.command_line.restart = false;
   set_entry(result.command_line, "Analysis", parameters.analysis);
   ParameterFile file_of_way(command_line.parameter_file, result.command_line.overrides);
-  const Case<dim> input = analyses.read_case<dim>(file_of_way, communicator);
+  const Case<dim> input =
+      analyses.read_case<dim>(file_of_way, communicator, use_of(result.command_line));
   result.identity = name + " " + file_of_way.identity({"Refinement study"});
   result.quantities = input.quantities;
   result.refinements = input.mesh.refinements;

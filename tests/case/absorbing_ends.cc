@@ -86,7 +86,7 @@ UNIT_TEST(absorbing_ends)
   {
     // A run that goes on: the impedance of liquid and wall is what its checkpoint has.
     ParameterFile file = parameters_of(tube_text::tube(tube_text::pulse(), absorbing, absorbing));
-    Case<2> input = analyses().read_case<2>(file, MPI_COMM_WORLD, true);
+    Case<2> input = analyses().read_case<2>(file, MPI_COMM_WORLD, CaseUse::restart);
     Outlet &outlet = input.problem.outlets.at(0);
     check::is_true("goes on: two ports",
                    outlet.impedance.n_ports() == 2 && outlet.conditions.size() == 2);

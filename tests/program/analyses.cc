@@ -84,7 +84,7 @@ UNIT_TEST(analyses)
   const Case<2> transient = analyses().read_case<2>(alone, MPI_COMM_WORLD);
   check::is_true("a run of a study", transient.analysis.is_transient());
   ParameterFile of_study = parameters_of(solid_box("set Analysis = refinement study\n" + study));
-  const Case<2> steady = analyses().read_case<2>(of_study, MPI_COMM_WORLD, false, "steady");
+  const Case<2> steady = analyses().read_case<2>(of_study, MPI_COMM_WORLD, CaseUse::run, "steady");
   check::equal("its case", steady.general.analysis, "steady");
   check::is_true("its motion", steady.analysis.is_steady() && !steady.analysis.has_checkpoints);
   check::throws<InputError>(

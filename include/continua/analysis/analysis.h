@@ -11,6 +11,7 @@
 #include <mpi.h>
 
 #include <string>
+#include <vector>
 
 namespace Continua
 {
@@ -26,6 +27,9 @@ struct AnalysisInput
   const AnalysisTable &analyses; ///< all that there are, for a study that performs others
 };
 
+/// What a case is read for.
+CaseUse use_of(const CommandLine &command_line);
+
 /**
  * What a parameter file asks for. The constructor of a derived class reads and checks the input and
  * throws InputError; perform() does the work.
@@ -38,6 +42,8 @@ public:
   Analysis(const Analysis &) = delete;
   Analysis &operator=(const Analysis &) = delete;
 
+  /// What the analysis will cost, a sentence a line; nothing where that is not known.
+  virtual std::vector<std::string> cost() const { return {}; }
   /// Whether --restart goes on from a checkpoint in the output folder.
   virtual bool has_checkpoints() const { return false; }
   /// Opens the log in the folder, leaves there the resolved parameters and the user's files, and

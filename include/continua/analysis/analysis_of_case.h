@@ -3,6 +3,7 @@
 
 #include <continua/analysis/analysis_table.h>
 #include <continua/analysis/run.h>
+#include <continua/case/cost_of_case.h>
 
 #include <memory>
 #include <string>
@@ -18,6 +19,7 @@ public:
   /// `perform_run`: what the analysis does in a run. Throws InputError.
   AnalysisOfCase(const AnalysisInput &input, void (*perform_run)(Run<dim> &));
 
+  std::vector<std::string> cost() const override { return cost_of(input); }
   bool has_checkpoints() const override { return input.analysis.has_checkpoints; }
 
 private:

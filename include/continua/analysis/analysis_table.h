@@ -61,7 +61,7 @@ public:
   template <int dim>
   Case<dim> read_case(ParameterFile &file,
                       MPI_Comm communicator,
-                      bool restart = false,
+                      CaseUse use = CaseUse::run,
                       const std::string &analysis = "") const;
 
 private:

@@ -35,6 +35,9 @@ public:
   void line(const std::string &text);
   /// To log.txt only: what depends on the machine, wall time or ranks.
   void detail(const std::string &text);
+  /// To log.txt and the error stream: what depends on the machine or the ranks, and what the user
+  /// has to know while the run goes on.
+  void note(const std::string &text);
   /// "warning: TEXT" once per text.
   void warning(const std::string &text);
   const std::vector<std::string> &warnings() const;

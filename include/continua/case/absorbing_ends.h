@@ -44,11 +44,11 @@ struct AbsorbingEnd
 class AbsorbingEnds
 {
 public:
-  /// Adds to the outlets of `input.problem`. `boundaries`: the section of that name. A run that
+  /// Adds to the outlets of `input.problem`. `root`: of the file. A run that
   /// goes on (`restart`) loads the impedances of its tubes instead of fitting them, perhaps over
   /// another band by its end time. Throws InputError.
   template <int dim>
-  void add(Case<dim> &input, ParameterSection boundaries, bool restart);
+  void add(Case<dim> &input, ParameterSection root, bool restart);
   /// A line and a quantity "absorbing end fit error" for each end.
   void report(Log &log, Summary &summary) const;
 

@@ -43,6 +43,15 @@ struct GeneralParameters
             const std::vector<std::pair<std::string, std::string>> &analyses);
 };
 
+/// What a case is read for.
+enum class CaseUse
+{
+  run,
+  restart, ///< a run that goes on from a checkpoint, which holds what the first part has fitted:
+           ///< nothing is fitted again
+  check    ///< nothing but to find what is wrong with it
+};
+
 /// How a body of fluid and solid is brought to rest in a steady analysis.
 struct RestParameters
 {
@@ -61,7 +70,9 @@ struct RestParameters
  *
  * Reading is not only reading. In this order the constructor also
  * - makes the geometry and the coarse mesh (gmsh may run for that), and moves its vertices where
- *   Mesh/Distortion asks for it;
+ *   Mesh/Distortion asks for it; for a check alone, no more than some 100,000 coarse cells of a
+ *   geometry that the program knows;
+ * - refuses what would need more memory than there is, before it makes the mesh;
  * - reads every table and every mesh that the file names;
  * - fits a law to each relaxation table, and in a transient analysis Prony series to power laws;
  * - computes the profiles of flow rates and the areas of outlets by integrals over the coarse mesh;
@@ -76,13 +87,12 @@ template <int dim>
 struct Case
 {
   /// `general`: the entries at the top of the file, which are read already. `analysis`: for which
-  /// the case is read; of a study that of its runs. `restart`: the run goes on from a checkpoint,
-  /// which holds what the first part has fitted: nothing is fitted again.
+  /// the case is read; of a study that of its runs.
   Case(ParameterFile &file,
        const GeneralParameters &general,
        const AnalysisTraits<dim> &analysis,
        MPI_Comm communicator,
-       bool restart);
+       CaseUse use);
 
   MPI_Comm communicator;
   bool restart;
@@ -101,6 +111,7 @@ struct Case
   Probes<dim> probes;
   std::map<std::string, MeasuredWaves> measured_waves; ///< by the probe whose stations they are at
   std::unique_ptr<Geometry<dim>> geometry;
+  MeshExtent extent; ///< of the coarse mesh that a run has
   std::unique_ptr<dealii::parallel::TriangulationBase<dim>> triangulation; ///< coarse
   Problem problem;
   PowerLaws power_laws;         ///< what the branches of `problem` come from in a run in time

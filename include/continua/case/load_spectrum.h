@@ -19,6 +19,9 @@ public:
   /// Sampled over the run, from 0 to `end_time` [s], at the time step [s].
   LoadSpectrum(const Problem &problem, double end_time, double time_step);
 
+  /// What that takes while it is made [bytes].
+  static double memory(double end_time, double time_step);
+
   bool is_empty() const { return envelope.empty() || envelope.front() == 0.; }
   /// From a frequency [Hz] on; 1 at 0.
   double from(double frequency) const;

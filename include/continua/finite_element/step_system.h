@@ -9,6 +9,7 @@
 #include <continua/finite_element/space.h>
 #include <continua/linear_algebra/symmetric_factor.h>
 
+#include <functional>
 #include <list>
 #include <memory>
 #include <string>
@@ -29,10 +30,16 @@ template <int dim>
 class StepSystem
 {
 public:
+  /// Up to so many unknowns `automatic` is direct.
+  static constexpr unsigned int largest_direct_system = dim == 2 ? 1000000 : 150000;
+
   StepSystem(const Space<dim> &space,
              const std::vector<RegionOperators> &operators,
              const BoundaryConstraints<dim> &constraints,
              const LinearSolverParameters &parameters);
+
+  /// Called before a factor of so many unknowns is made that will need so much memory [bytes].
+  std::function<void(double n_unknowns, double bytes)> announce;
 
   /// Forgets the factor: mesh or constraints have changed.
   void reinit();
@@ -72,9 +79,6 @@ public:
   unsigned int take_iterations();
 
 private:
-  /// Up to so many unknowns `automatic` is direct.
-  static constexpr unsigned int largest_direct_system = dim == 2 ? 1000000 : 150000;
-
   struct KeptFactor
   {
     SystemCoefficients coefficients;

@@ -3,6 +3,7 @@
 
 #include <mpi.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -31,12 +32,14 @@ public:
 
   /// Entries (global indices from 0) are spread over ranks in any way, those that occur twice add.
   /// With pivoting, a pivot of at most 1e-13 of the scaled matrix counts as zero: RunError. In
-  /// large matrices rounding can hide a singularity.
+  /// large matrices rounding can hide a singularity. `announce`: called between analysis and
+  /// factorisation with the memory that all ranks will need [bytes].
   void factorize(int n,
                  std::vector<int> rows,
                  std::vector<int> columns,
                  std::vector<double> values,
-                 const std::vector<int> &owned);
+                 const std::vector<int> &owned,
+                 const std::function<void(double)> &announce = {});
   /// Allocates nothing of its own; MUMPS does inside.
   void solve(std::vector<double> &x);
   double n_entries() const;

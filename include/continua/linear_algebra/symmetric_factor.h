@@ -6,6 +6,7 @@
 #include <mpi.h>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,6 +35,10 @@ class SymmetricFactor
 {
 public:
   virtual ~SymmetricFactor() = default;
+
+  /// Called on every rank between analysis and factorisation with the memory that the factor of all
+  /// ranks will need [bytes]; UMFPACK does not know it.
+  std::function<void(double)> announce;
 
   /**
    * Analyses and factors. `owned` are the global indices whose right-hand side and solution entries

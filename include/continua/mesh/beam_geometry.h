@@ -31,6 +31,8 @@ public:
   std::vector<std::string> regions() const override;
   std::vector<std::string> boundaries() const override;
   void create(dealii::Triangulation<dim> &triangulation) const override;
+  MeshExtent extent() const override;
+  std::unique_ptr<Geometry<dim>> coarsened(double most_cells) const override;
 
 private:
   const Parameters parameters;

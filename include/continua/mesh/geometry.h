@@ -2,6 +2,7 @@
 #define continua_mesh_geometry_h
 
 #include <continua/base/parameter_section.h>
+#include <continua/mesh/mesh_extent.h>
 
 #include <deal.II/grid/tria.h>
 
@@ -28,9 +29,20 @@ public:
   virtual std::vector<std::string> regions() const = 0;
   virtual std::vector<std::string> boundaries() const = 0;
   virtual void create(dealii::Triangulation<dim> &triangulation) const = 0;
+  /// The size of the coarse mesh; nothing is made for it.
+  virtual MeshExtent extent() const = 0;
+  /// The same body in about `most_cells` coarse cells or fewer, for checks of the input alone. Null
+  /// where the cells themselves are input.
+  virtual std::unique_ptr<Geometry<dim>> coarsened(double most_cells) const;
   /// The law of a tube along x, which lives as long as the geometry; null if it is no tube.
   virtual const TubeLaw *tube_law() const { return nullptr; }
 };
+
+template <int dim>
+std::unique_ptr<Geometry<dim>> Geometry<dim>::coarsened(double /* most_cells */) const
+{
+  return nullptr;
+}
 
 /// The geometries that exist: name and one line of description, for the manual and `Type`.
 template <int dim>

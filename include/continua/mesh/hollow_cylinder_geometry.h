@@ -34,6 +34,8 @@ public:
   std::vector<std::string> regions() const override;
   std::vector<std::string> boundaries() const override;
   void create(dealii::Triangulation<2> &triangulation) const override;
+  MeshExtent extent() const override;
+  std::unique_ptr<Geometry<2>> coarsened(double most_cells) const override;
 
 private:
   const Parameters parameters;

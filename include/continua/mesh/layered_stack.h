@@ -26,6 +26,8 @@ struct LayeredStack
   /// others.
   void read_wall_cells(ParameterSection mesh);
 
+  /// Cells of all layers, from y = 0 to the outermost surface.
+  unsigned int n_cells() const;
   /// The coordinates of the vertices [m].
   std::vector<double> points() const;
   /// The region of the cell that is the `index`-th from y = 0.

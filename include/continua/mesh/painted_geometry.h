@@ -24,6 +24,7 @@ public:
   std::vector<std::string> regions() const override;
   std::vector<std::string> boundaries() const override;
   void create(dealii::Triangulation<dim> &triangulation) const override;
+  MeshExtent extent() const override;
   const TubeLaw *tube_law() const override;
 
 private:

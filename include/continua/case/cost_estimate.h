@@ -1,0 +1,62 @@
+#ifndef continua_case_cost_estimate_h
+#define continua_case_cost_estimate_h
+
+#include <continua/finite_element/linear_solver_parameters.h>
+#include <continua/mesh/mesh_extent.h>
+
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/// What the cost of a run depends on.
+struct CostInput
+{
+  unsigned int dim = 2;
+  MeshExtent coarse;            ///< of the coarse mesh
+  unsigned int refinements = 0; ///< of all its cells
+  unsigned int n_regions = 1;   ///< that have pressures of their own
+  unsigned int degree = 2;      ///< of the velocity of Taylor-Hood elements
+  bool cell_wise = false;       ///< the other discretisation
+  bool has_pressure = true;     ///< of the cell-wise one: whether it is an unknown
+  bool segregated = false;      ///< of the cell-wise one: solved component by component
+  bool pivots = false;          ///< the factor does: a material is incompressible
+  LinearSolverType solver = LinearSolverType::automatic;
+  DirectSolver direct_solver = DirectSolver::automatic;
+  unsigned int n_factors = 1; ///< kept at one time
+  double n_steps = 1.;        ///< solves of the step's system
+  unsigned int n_ranks = 1;
+};
+
+/**
+ * How large a run is and what it costs, from formulas that need no mesh: within a factor of two of
+ * what was measured on the runs that doc/reliability.md lists, on one core of the machine named
+ * there. Wave theory, the fit of absorbing ends, fields that are written, and meshes that adapt are
+ * not part of it.
+ */
+struct CostEstimate
+{
+  explicit CostEstimate(const CostInput &input);
+
+  double n_cells = 0.;
+  double n_unknowns = 0.;
+  bool is_iterative = false;
+  double factor_entries = 0.; ///< of one factor; 0 of the iterative solver
+  double memory = 0.;         ///< the most that all ranks together hold [bytes]
+  double set_up_time = 0.;    ///< mesh, matrices and factors, on one core [s]
+  double step_time = 0.;      ///< one solve and what belongs to it, on one core [s]
+  double time = 0.;           ///< of the run, on one core [s]
+
+  /// "48034 unknowns in 4800 cells, 390 MB of memory, 1 min 20 s on one core".
+  std::string text() const;
+};
+
+/// Refinements, not more than those of `input`, with which the run fits into `bytes`; -1 if it does
+/// with none.
+int fitting_refinements(CostInput input, double bytes);
+
+/// Why so many ranks will be slower than one, in words; empty if they will not.
+std::string advice_on_ranks(const CostInput &input, unsigned int n_processors);
+} // namespace Continua
+
+#endif

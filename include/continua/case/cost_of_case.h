@@ -1,0 +1,32 @@
+#ifndef continua_case_cost_of_case_h
+#define continua_case_cost_of_case_h
+
+#include <continua/base/memory_limit.h>
+#include <continua/case/case.h>
+#include <continua/case/cost_estimate.h>
+
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/// What the cost of a case depends on. Collective.
+template <int dim>
+CostInput cost_input(const Case<dim> &input);
+
+/// The estimate and what is to be said of the number of ranks, a sentence a line; nothing for an
+/// analysis without fields. Collective.
+template <int dim>
+std::vector<std::string> cost_of(const Case<dim> &input);
+
+/// What all ranks together may take: Mesh/Memory limit on each machine, or where that is zero what
+/// memory_limit() says. Collective.
+template <int dim>
+MemoryLimit memory_limit_of(const Case<dim> &input);
+
+/// Throws InputError if the case needs more memory than it may take. Collective.
+template <int dim>
+void check_memory(const Case<dim> &input, ParameterSection mesh);
+} // namespace Continua
+
+#endif

@@ -1,0 +1,199 @@
+#include <continua/base/duration_text.h>
+#include <continua/base/memory_limit.h>
+#include <continua/case/cost_estimate.h>
+#include <continua/finite_element/step_system.h>
+#include <continua/linear_algebra/symmetric_factor.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace Continua
+{
+namespace
+{
+// The constants of this file are fits to runs; doc/reliability.md has the runs, the command that
+// repeats them, and the machine.
+
+/// What a rank holds before it has a mesh: the program and its libraries [bytes].
+constexpr double memory_of_program = 180e6;
+/// Bytes that an entry of a factor takes, with what the solver needs besides.
+constexpr double bytes_per_entry = 11.5;
+/// Unknowns of a rank below which messages cost more than the rank computes.
+constexpr double fewest_unknowns_per_rank = 10000.;
+
+/// The mesh as a bar of L layers of w or w x w cells.
+struct Bar
+{
+  explicit Bar(const CostInput &input)
+      : is_plane(input.dim == 2),
+        length(input.coarse.n_layers * std::pow(2., input.refinements)),
+        section(input.coarse.cells_per_layer() *
+                std::pow(2., (input.dim - 1.) * input.refinements)),
+        width(is_plane ? section : std::sqrt(section))
+  {
+  }
+
+  /// Nodes of elements of a degree.
+  double nodes(const double degree) const
+  {
+    return (degree * length + 1.) * nodes_of_section(degree);
+  }
+  double nodes_of_section(const double degree) const
+  {
+    return is_plane ? degree * width + 1. : (degree * width + 1.) * (degree * width + 1.);
+  }
+  /// Faces of the outside.
+  double outer_faces() const
+  {
+    return is_plane ? 2. * (length + width) : 4. * length * width + 2. * section;
+  }
+  /// Length over width, not less than 1.
+  double aspect() const { return std::max(1., length / width); }
+
+  bool is_plane;
+  double length;
+  double section;
+  double width;
+};
+
+double unknowns_of(const CostInput &input, const Bar &bar)
+{
+  if (input.cell_wise)
+    return (input.dim + (input.has_pressure ? 1. : 0.)) *
+           (bar.length * bar.section + bar.outer_faces());
+  const double degree = input.degree;
+  // The pressure has a value of each region at an interface, taken to lie along the bar.
+  const double interface =
+      bar.is_plane ? (degree - 1.) * bar.length + 1.
+                   : ((degree - 1.) * bar.length + 1.) * ((degree - 1.) * bar.width + 1.);
+  return input.dim * bar.nodes(degree) + bar.nodes(degree - 1.) +
+         (input.n_regions - 1.) * interface;
+}
+
+/// Entries of a factor for each unknown, by nested dissection of a bar.
+double fill_of(const CostInput &input, const Bar &bar, const double n_unknowns)
+{
+  const double unknowns_per_layer = n_unknowns / bar.length;
+  if (input.segregated)
+    return 4.;
+  // L and U are both kept of an unsymmetric matrix.
+  const double both = input.cell_wise ? 1.6 : 1.;
+  const double pivots = input.pivots && !input.cell_wise ? 1.3 : 1.;
+  if (!bar.is_plane)
+    return both * pivots * 1.6 * std::pow(unknowns_per_layer, 0.805) * bar.aspect() /
+           (bar.aspect() + 1.);
+  if (input.cell_wise)
+    return (input.has_pressure ? 9. : 5.2) * std::pow(bar.width, 0.94);
+  const double width = 0.5 * input.degree * bar.width;
+  const double dissected =
+      21. * std::log2(width) - 40. + 5. * std::min(4., std::log2(bar.aspect()));
+  return pivots * std::min(0.6 * unknowns_per_layer, std::max(12., dissected));
+}
+
+/// As make_symmetric_factor() chooses.
+bool takes_cholmod(const CostInput &input, const double n_unknowns)
+{
+  if (input.direct_solver != DirectSolver::automatic)
+    return input.direct_solver == DirectSolver::cholmod;
+  // Entries of the lower triangle for each unknown.
+  const double entries = (input.dim == 2 ? 20. : 90.) * n_unknowns;
+  return input.n_ranks == 1 && !input.pivots &&
+         entries <= static_cast<double>(largest_simplicial_matrix);
+}
+
+bool chooses_iterative(const CostInput &input, const double n_unknowns)
+{
+  if (input.cell_wise || input.solver == LinearSolverType::direct)
+    return false;
+  const double limit =
+      input.dim == 2 ? StepSystem<2>::largest_direct_system : StepSystem<3>::largest_direct_system;
+  return input.solver == LinearSolverType::iterative || n_unknowns > limit;
+}
+} // namespace
+
+CostEstimate::CostEstimate(const CostInput &input)
+{
+  const Bar bar(input);
+  const bool is_plane = bar.is_plane;
+  n_cells = bar.length * bar.section;
+  n_unknowns = unknowns_of(input, bar);
+  is_iterative = chooses_iterative(input, n_unknowns);
+  factor_entries = is_iterative ? 0. : n_unknowns * fill_of(input, bar, n_unknowns);
+
+  // Mesh, numbering, matrices by region and of the step, vectors.
+  const double bytes_per_unknown = input.cell_wise ? (input.segregated     ? 4500.
+                                                      : input.has_pressure ? 12000.
+                                                                           : 7500.)
+                                   : is_iterative  ? (is_plane ? 4500. : 11500.)
+                                                   : (is_plane ? 2900. : 7400.);
+  memory = input.n_ranks * memory_of_program + bytes_per_unknown * n_unknowns +
+           input.n_factors * bytes_per_entry * factor_entries;
+
+  const double second = 1., nanosecond = 1e-9 * second, microsecond = 1e-6 * second;
+  double factor_time = 0., solve_time = 0.;
+  if (is_iterative)
+  {
+    factor_time = (is_plane ? 30. : 200.) * microsecond * n_unknowns;
+    solve_time = (is_plane ? 15. : 40.) * microsecond * n_unknowns;
+  }
+  else if (input.segregated)
+    solve_time = 1.8 * microsecond * n_unknowns;
+  else if (input.cell_wise)
+  {
+    factor_time = 300. * nanosecond * factor_entries;
+    solve_time = (factor_entries < 4e5 ? 0.9 : 2.) * nanosecond * factor_entries;
+  }
+  else if (takes_cholmod(input, n_unknowns))
+  {
+    factor_time = (is_plane ? 200. : 450.) * nanosecond * factor_entries *
+                  std::pow(std::max(1., factor_entries / 1e6), 0.3);
+    solve_time = (factor_entries < 4e5 ? 0.9 : is_plane ? 3.5 : 2.9) * nanosecond * factor_entries;
+  }
+  else
+  {
+    factor_time = 170. * nanosecond * factor_entries;
+    solve_time = 0.5 * microsecond * n_unknowns + 1.3 * nanosecond * factor_entries;
+  }
+  const double assembly = input.cell_wise ? 70. : is_plane ? 15. : 60.;
+  set_up_time = 0.5 * second + assembly * microsecond * n_unknowns + input.n_factors * factor_time;
+  step_time = 30. * microsecond + (is_plane ? 0.3 : 0.6) * microsecond * n_unknowns + solve_time;
+  time = set_up_time + input.n_steps * step_time;
+}
+
+std::string CostEstimate::text() const
+{
+  std::ostringstream text;
+  text.precision(0);
+  text << std::fixed << n_unknowns << " unknowns in " << n_cells << " cells, "
+       << memory_text(memory) << " of memory, " << duration_text(std::max(1., time))
+       << " on one core";
+  return text.str();
+}
+
+int fitting_refinements(CostInput input, const double bytes)
+{
+  for (int refinements = static_cast<int>(input.refinements); refinements >= 0; --refinements)
+  {
+    input.refinements = refinements;
+    if (CostEstimate(input).memory <= bytes)
+      return refinements;
+  }
+  return -1;
+}
+
+std::string advice_on_ranks(const CostInput &input, const unsigned int n_processors)
+{
+  if (input.n_ranks == 1)
+    return "";
+  std::ostringstream text;
+  if (input.n_ranks > n_processors)
+    text << input.n_ranks << " ranks share " << n_processors
+         << " processors: the run will be many times slower than on " << n_processors << " rank"
+         << (n_processors == 1 ? "" : "s");
+  else if (CostEstimate(input).n_unknowns < fewest_unknowns_per_rank * input.n_ranks)
+    text << "each of the " << input.n_ranks << " ranks has fewer than " << fewest_unknowns_per_rank
+         << " unknowns: the run will be slower than on one rank";
+  return text.str();
+}
+} // namespace Continua
