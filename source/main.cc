@@ -1,4 +1,3 @@
-#include <continua/analysis/checkpoint.h>
 #include <continua/base/command_line.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
@@ -9,6 +8,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -55,6 +55,8 @@ void perform_file(const CommandLine &command_line, const MPI_Comm communicator)
     }
     return;
   }
+  // Until here a signal ends the program at once: nothing is written.
+  const SignalWatch watch;
   const OutputDirectory directory(output_path(command_line),
                                   command_line.restart     ? OutputDirectory::Mode::restart
                                   : command_line.overwrite ? OutputDirectory::Mode::overwrite
@@ -62,7 +64,7 @@ void perform_file(const CommandLine &command_line, const MPI_Comm communicator)
                                   communicator, file.input_files());
   // Before anything is written: a checkpoint that cannot be used leaves the folder as it is.
   if (command_line.restart && analysis->has_checkpoints())
-    Checkpoint(communicator, directory, file).read();
+    analysis->check_restart(directory);
   Log log(communicator);
   Summary summary;
   analysis->perform(directory, log, summary);
@@ -89,6 +91,12 @@ void perform(const CommandLine &command_line, const MPI_Comm communicator)
 
 int main(int argc, char **argv)
 {
+  // Whoever reads the output may go (| head): the rest of it is dropped, and the run goes on. The
+  // signal is blocked rather than ignored, since libraries set it back to its default.
+  sigset_t of_closed_screen;
+  sigemptyset(&of_closed_screen);
+  sigaddset(&of_closed_screen, SIGPIPE);
+  pthread_sigmask(SIG_BLOCK, &of_closed_screen, nullptr);
   // The arguments are Continua's alone: PETSc takes each that it sees for an option of its own.
   char *program_name[] = {argv[0], nullptr};
   int n_names = 1;

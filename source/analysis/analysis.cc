@@ -1,10 +1,10 @@
 #include <continua/analysis/analysis.h>
 
-#include <continua/base/input_error.h>
+#include <continua/base/atomic_file.h>
 #include <continua/base/version.h>
 #include <continua/postprocess/writing_rank.h>
 
-#include <fstream>
+#include <sstream>
 
 namespace Continua
 {
@@ -25,14 +25,18 @@ Analysis::Analysis(const AnalysisInput &input)
 
 void Analysis::perform(const OutputDirectory &directory, Log &log, Summary &summary)
 {
-  log.open(directory.file("log.txt"), command_line.restart);
-  if (is_writing_rank(communicator) && !command_line.restart)
-  {
-    std::ofstream resolved(directory.file("parameters.prm"));
-    file.print(resolved, ParameterFile::Style::prm);
-    if (!resolved)
-      throw RunError("cannot write " + directory.file("parameters.prm"));
-  }
+  on_writing_rank(communicator,
+                  [&]()
+                  {
+                    log.open(directory.file("log.txt"), command_line.restart);
+                    if (command_line.restart)
+                      return;
+                    std::ostringstream resolved;
+                    file.print(resolved, ParameterFile::Style::prm);
+                    write_file_atomically(directory.file("parameters.prm"), resolved.str());
+                  });
+  if (!directory.warning().empty())
+    log.warning(directory.warning());
   directory.copy_inputs(file.input_files());
   log.line("Continua" + (general.title.empty() ? "" : ": " + general.title));
   log.detail("version " + version() + ", revision " + revision());

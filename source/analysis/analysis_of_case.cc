@@ -1,5 +1,7 @@
 #include <continua/analysis/analysis_of_case.h>
 
+#include <continua/analysis/checkpoint.h>
+#include <continua/analysis/record_table.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
 
@@ -12,6 +14,14 @@ AnalysisOfCase<dim>::AnalysisOfCase(const AnalysisInput &input, void (*perform_r
           input.file, input.communicator, use_of(input.command_line))),
       perform_run(perform_run)
 {
+}
+
+template <int dim>
+void AnalysisOfCase<dim>::check_restart(const OutputDirectory &directory) const
+{
+  const Checkpoint checkpoint(communicator, directory, file);
+  const ArchiveReader archive = checkpoint.read();
+  checkpoint.check_tables(archive, directory.path(), keeps_last_row(input, archive));
 }
 
 template <int dim>

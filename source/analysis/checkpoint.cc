@@ -4,11 +4,13 @@
 #include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/base/version.h>
+#include <continua/postprocess/writing_rank.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <cstdint>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -53,21 +55,40 @@ bool is_step(const std::string &name)
   return !name.empty() && name.find_first_not_of("0123456789") == std::string::npos;
 }
 
-/// A checksum of a file that others have written (the mesh), by 8 bytes.
-unsigned long checksum_of(const std::string &file)
+/// What `checkpoint/current` says; empty if there is no such file. Throws RunError.
+std::string read_current(const std::string &folder)
 {
+  const std::string file = folder + "/current";
+  errno = 0;
   std::ifstream stream(file, std::ios::binary);
-  if (!stream)
-    throw RunError("cannot read '" + file + "'");
-  std::uint64_t state = 0xcbf29ce484222325ULL;
-  std::vector<char> buffer(1 << 20);
-  while (stream)
-  {
-    stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-    for (std::streamsize i = 0; i < stream.gcount(); ++i)
-      state = (state ^ static_cast<unsigned char>(buffer[i])) * 0x100000001b3ULL;
-  }
-  return state;
+  if (!stream && (errno == ENOENT || errno == ENOTDIR))
+    return "";
+  std::string name, more;
+  if (stream)
+    std::getline(stream, name);
+  if (!stream || stream.bad())
+    throw RunError("cannot read '" + file + "'" +
+                   (errno != 0 ? std::string(": ") + std::strerror(errno) : std::string()));
+  // Nothing but a step: a path would lead out of the folder.
+  if (!is_step(name) || std::getline(stream, more))
+    throw RunError("'" + file + "' does not name the step of a checkpoint");
+  return name;
+}
+
+/// What a table has too much or too little to be continued; empty: nothing.
+std::string
+problem_of_table(const std::string &file, const unsigned long length, const unsigned long checksum)
+{
+  if (!fs::exists(file))
+    return "'" + file + "' is missing, which the restart continues";
+  const Checksum there = Checksum::of_file(file, length);
+  if (there.length() < length)
+    return "'" + file + "' has " + std::to_string(there.length()) + " bytes; it had " +
+           std::to_string(length) + " when the checkpoint was written";
+  if (there.value() != checksum)
+    return "'" + file + "' has changed: its first " + std::to_string(length) +
+           " bytes are not those that stood there when the checkpoint was written";
+  return "";
 }
 
 /// The files of the mesh, without their folder.
@@ -79,6 +100,20 @@ std::vector<std::string> mesh_files(const std::string &folder)
       names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   return names;
+}
+
+void add_tables(ArchiveWriter &archive, const std::vector<WrittenTable> &tables)
+{
+  std::string names;
+  std::vector<unsigned long> numbers;
+  for (const WrittenTable &table : tables)
+  {
+    names += table.name + "\n";
+    for (const Checksum *part : {&table.all, &table.without_last_row})
+      numbers.insert(numbers.end(), {part->length(), part->value()});
+  }
+  archive.add("tables", names);
+  archive.add("tables: lengths and checksums", numbers);
 }
 
 /// The entries of ParameterFile::identity_text.
@@ -148,8 +183,7 @@ std::string Checkpoint::piece_file(const std::string &step, const unsigned int r
 std::string Checkpoint::current() const
 {
   std::string step;
-  if (Utilities::MPI::this_mpi_process(communicator) == 0)
-    std::ifstream(folder + "/current") >> step;
+  on_writing_rank(communicator, [&]() { step = read_current(folder); });
   return broadcast(communicator, step);
 }
 
@@ -161,22 +195,28 @@ void Checkpoint::remove_all_but(const std::string &step) const
       fs::remove_all(entry.path());
 }
 
-void Checkpoint::write(const unsigned int step,
-                       const std::function<void(ArchiveWriter &)> &fill,
-                       const std::function<void(const std::string &)> &save_mesh) const
+std::string Checkpoint::write(const unsigned int step,
+                              const std::function<void(ArchiveWriter &)> &fill,
+                              const std::function<void(const std::string &)> &save_mesh,
+                              const std::vector<WrittenTable> &tables) const
 {
   const std::string name = std::to_string(step), path = folder + "/" + name;
   const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
-  const std::string before = current();
+  std::string before;
+  const std::string unknown = problem_in([&]() { before = current(); });
+  if (!unknown.empty())
+    throw RunError("the checkpoint of step " + name + " cannot be written: " + unknown);
   // A state saved twice at the same step is the same state.
   if (before == name)
-    return;
+    return "";
   const auto stop_at = [&](const std::string &problem)
   {
     const std::string first = first_problem(communicator, problem);
     if (first.empty())
       return;
-    if (rank == 0)
+    // Never the state that is named, or may be.
+    std::string named = name;
+    if (rank == 0 && problem_in([&]() { named = read_current(folder); }).empty() && named != name)
     {
       std::error_code error;
       fs::remove_all(path, error);
@@ -215,24 +255,57 @@ void Checkpoint::write(const unsigned int step,
         for (const std::string &file : mesh_files(path))
         {
           flush_to_disk(path + "/" + file);
-          checksums_of_mesh.push_back(checksum_of(path + "/" + file));
+          checksums_of_mesh.push_back(Checksum::of_file(path + "/" + file).value());
           names += file + "\n";
         }
         archive.add("files of the mesh", names);
         archive.add("checksums of the mesh", checksums_of_mesh);
+        add_tables(archive, tables);
         archive.write(archive_file(name));
         flush_to_disk(folder);
-        write_file_atomically(folder + "/current", name + "\n");
       }));
-  // The new one is complete: it does not matter if an old one cannot be removed.
-  if (rank == 0)
-    problem_in([&]() { remove_all_but(name); });
+  stop_at(problem_in(
+      [&]()
+      {
+        if (rank != 0)
+          return;
+        try
+        {
+          replace_file(folder + "/current", name + "\n");
+        }
+        catch (const RunError &)
+        {
+          // A network may report the failure of a renaming that took place.
+          if (read_current(folder) != name)
+            throw;
+        }
+      }));
+  // From here on the new one stands, whatever happens. The old one stays until the disk has the
+  // name, too.
+  const std::string not_flushed = problem_in(
+      [&]()
+      {
+        if (rank != 0)
+          return;
+        flush_to_disk(folder);
+        problem_in([&]() { remove_all_but(name); });
+      });
+  const std::string first = first_problem(communicator, not_flushed);
+  return first.empty() ? ""
+                       : "the checkpoint of step " + name +
+                             " stands, but a power failure may "
+                             "bring the one before back: " +
+                             first;
 }
 
 ArchiveReader Checkpoint::read() const
 {
-  const std::string step = current();
   const Origin origin{folder, 0};
+  std::string step;
+  const std::string problem = problem_in([&]() { step = current(); });
+  if (!problem.empty())
+    throw InputError(origin, "--restart", "the checkpoint cannot be read: " + problem,
+                     "Put the file back from a copy, or run anew with --overwrite");
   if (step.empty())
     throw InputError(origin, "--restart", "there is no complete checkpoint",
                      "Run anew with --overwrite");
@@ -285,9 +358,38 @@ void Checkpoint::check_files(const ArchiveReader &archive, const std::string &st
   std::istringstream names(archive.text("files of the mesh"));
   unsigned int i = 0;
   for (std::string name; std::getline(names, name); ++i)
-    if (checksum_of(folder + "/" + step + "/" + name) != of_mesh.at(i))
+    if (Checksum::of_file(folder + "/" + step + "/" + name).value() != of_mesh.at(i))
       throw RunError("'" + folder + "/" + step + "/" + name +
                      "' is truncated or damaged: its checksum is wrong");
+}
+
+void Checkpoint::check_tables(
+    const ArchiveReader &archive,
+    const std::string &output,
+    const std::function<bool(const std::string &table)> &keeps_last_row) const
+{
+  const std::vector<unsigned long> numbers = archive.integers("tables: lengths and checksums");
+  std::istringstream names(archive.text("tables"));
+  std::vector<std::string> problems;
+  std::size_t i = 0;
+  for (std::string name; std::getline(names, name); i += 4)
+  {
+    const std::size_t part = i + (keeps_last_row(name) ? 0 : 2);
+    problems.push_back(problem_in(
+        [&]()
+        {
+          if (!is_writing_rank(communicator))
+            return;
+          const std::string problem =
+              problem_of_table(output + "/" + name, numbers.at(part), numbers.at(part + 1));
+          if (!problem.empty())
+            throw RunError(problem);
+        }));
+  }
+  for (const std::string &problem : problems)
+    if (const std::string first = first_problem(communicator, problem); !first.empty())
+      throw InputError({folder, 0}, "--restart", first,
+                       "Put the file back from a copy, or run anew with --overwrite");
 }
 
 std::string Checkpoint::mesh_file() const

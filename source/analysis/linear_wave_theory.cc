@@ -2,6 +2,7 @@
 
 #include <continua/analysis/dispersion_table.h>
 #include <continua/analysis/wave_report.h>
+#include <continua/base/interruption.h>
 #include <continua/case/measured_waves.h>
 #include <continua/case/tube_wave_case.h>
 #include <continua/postprocess/writing_rank.h>
@@ -219,7 +220,14 @@ void LinearWaveTheory<dim>::report(const std::vector<double> &times, const bool 
       const TubeWaveTheory theory(wave_case.problem, wave_case.inlet, input.time.end_time,
                                   input.wave_theory.spectral_tolerance);
       for (const StationsProbe &probe : input.probes.stations())
+      {
         theoretical.push_back(theoretical_histories(probe, theory, times));
+        // Beside a run only one rank comes here.
+        if (!simulated)
+          SignalWatch::stop_if_asked(input.communicator, "after the waves at the probe '" +
+                                                             probe.name +
+                                                             "'; begin anew with --overwrite");
+      }
       describe(theory, wave_case);
     }
     catch (const std::exception &error)
@@ -255,8 +263,8 @@ void LinearWaveTheory<dim>::report(const std::vector<double> &times, const bool 
       report.set(WaveReport::Source::measured, measured->second.histories(times));
     report.add_quantities(run.summary);
     if (run.is_writer)
-      report.write(
-          run.directory.file(probes.size() == 1 ? "wave.csv" : "wave-" + probe.name + ".csv"));
+      report.write(probes.size() == 1 ? run.directory.file("wave.csv")
+                                      : run.directory.file_of_case("wave-" + probe.name + ".csv"));
   }
 }
 

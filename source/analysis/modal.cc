@@ -2,6 +2,7 @@
 
 #include <continua/base/collective.h>
 #include <continua/base/input_error.h>
+#include <continua/base/interruption.h>
 #include <continua/base/table_writer.h>
 #include <continua/case/case_checks.h>
 #include <continua/postprocess/field_writer.h>
@@ -85,6 +86,13 @@ void Modal<dim>::prepare()
 }
 
 template <int dim>
+void Modal<dim>::stop_if_asked(const std::string &phase) const
+{
+  SignalWatch::stop_if_asked(run.input.communicator,
+                             "after " + phase + "; a modal analysis begins anew, with --overwrite");
+}
+
+template <int dim>
 std::vector<Eigenpair> Modal<dim>::solve()
 {
   const ModalParameters &modal = run.input.modal;
@@ -109,6 +117,7 @@ std::vector<Eigenpair> Modal<dim>::solve()
                    " If the body can move freely, or the shift is a mode's frequency, set "
                    "Modal/Shift to another, such as half of the first mode's.");
   }
+  stop_if_asked("the factor");
   TimerOutput::Scope scope(run.log.timer(), "eigenvalues");
   const LinearMap mass = [this](const std::vector<double> &x, std::vector<double> &y)
   { vibration->multiply_mass(x, y); };
@@ -353,6 +362,7 @@ void Modal<dim>::perform()
   Case<dim> &input = run.input;
   prepare();
   std::vector<Eigenpair> pairs = solve();
+  stop_if_asked("the eigenvalues");
   if (pairs.size() < input.modal.n_modes)
     run.log.warning("the body has only " + std::to_string(pairs.size()) + " modes on this mesh");
 

@@ -5,6 +5,9 @@
 #include <continua/postprocess/mesh_record.h>
 #include <continua/postprocess/power_record.h>
 #include <continua/postprocess/step_record.h>
+#include <continua/time_integration/time_control.h>
+
+#include <map>
 
 namespace Continua
 {
@@ -67,6 +70,8 @@ struct RecordRow
   void (*name_quantities)(const Case<dim> &, QuantityNames &);
   /// Which states it takes; null: none.
   Schedule (OutputParameters::*schedule)(double end_time) const;
+  /// The table in which each state that it takes has a row; empty: none.
+  std::string table = "";
 };
 
 /// To add a record, add a row. The records are called in this order.
@@ -74,7 +79,8 @@ template <int dim>
 const std::vector<RecordRow<dim>> &record_table()
 {
   static const std::vector<RecordRow<dim>> rows = {
-      {nullptr, make_power_record<dim>, name_power<dim>, &OutputParameters::power_schedule},
+      {nullptr, make_power_record<dim>, name_power<dim>, &OutputParameters::power_schedule,
+       "power.csv"},
       {nullptr, make_record<dim, LoopRecord<dim>>, name_quantities_of<dim, LoopRecord<dim>>,
        nullptr},
       {nullptr, make_record<dim, StepRecord<dim>>,
@@ -86,7 +92,7 @@ const std::vector<RecordRow<dim>> &record_table()
        nullptr},
       {[](const Case<dim> &input) { return input.adaptation.changes_mesh(); },
        make_record<dim, MeshRecord<dim>>, name_quantities_of<dim, MeshRecord<dim>>, nullptr},
-      {nullptr, make_field_writer<dim>, nullptr, &OutputParameters::field_schedule}};
+      {nullptr, make_field_writer<dim>, nullptr, &OutputParameters::field_schedule, "fields.pvd"}};
   return rows;
 }
 } // namespace
@@ -106,6 +112,25 @@ std::vector<ScheduledRecord<dim>> make_records(const Case<dim> &input, const std
 }
 
 template <int dim>
+std::function<bool(const std::string &)> keeps_last_row(const Case<dim> &input,
+                                                        const ArchiveReader &archive)
+{
+  TimeControl time_control(input.time);
+  time_control.load(archive);
+  const double time = time_control.time(), size = archive.value("size of the last step");
+  std::map<std::string, bool> is_due = {
+      {"probes.csv", input.output.probe_schedule(input.time.end_time).due(time, size)}};
+  for (const RecordRow<dim> &row : record_table<dim>())
+    if (!row.table.empty())
+      is_due[row.table] = (input.output.*row.schedule)(input.time.end_time).due(time, size);
+  return [is_due](const std::string &table)
+  {
+    const auto found = is_due.find(table);
+    return found == is_due.end() || found->second;
+  };
+}
+
+template <int dim>
 void name_quantities_of_records(const Case<dim> &input, QuantityNames &names)
 {
   for (const RecordRow<dim> &row : record_table<dim>())
@@ -115,6 +140,10 @@ void name_quantities_of_records(const Case<dim> &input, QuantityNames &names)
 
 template std::vector<ScheduledRecord<2>> make_records(const Case<2> &, const std::string &);
 template std::vector<ScheduledRecord<3>> make_records(const Case<3> &, const std::string &);
+template std::function<bool(const std::string &)> keeps_last_row(const Case<2> &,
+                                                                 const ArchiveReader &);
+template std::function<bool(const std::string &)> keeps_last_row(const Case<3> &,
+                                                                 const ArchiveReader &);
 template void name_quantities_of_records(const Case<2> &, QuantityNames &);
 template void name_quantities_of_records(const Case<3> &, QuantityNames &);
 } // namespace Continua

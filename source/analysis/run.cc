@@ -1,6 +1,7 @@
 #include <continua/analysis/run.h>
 
 #include <continua/analysis/refinement_indicator.h>
+#include <continua/base/interruption.h>
 #include <continua/base/memory_limit.h>
 #include <continua/base/version.h>
 #include <continua/case/cost_of_case.h>
@@ -70,6 +71,9 @@ void Run<dim>::describe_run()
 template <int dim>
 void Run<dim>::initialise(const std::string &mesh_file)
 {
+  const InterruptibleSetUp set_up(command_line.restart
+                                      ? "the checkpoint stands, go on with --restart"
+                                      : "nothing is computed yet, begin anew with --overwrite");
   {
     TimerOutput::Scope scope(log.timer(), "mesh");
     if (mesh_file.empty())
@@ -78,11 +82,13 @@ void Run<dim>::initialise(const std::string &mesh_file)
       dynamic_cast<parallel::distributed::Triangulation<dim> &>(*input.triangulation)
           .load(mesh_file);
   }
+  InterruptibleSetUp::end_of_phase(input.communicator, "the mesh");
   input.power_laws.report_series(log, summary);
   input.absorbing_ends.report(log, summary);
   solver = make_solver<dim>(*input.triangulation, input.problem, input.discretisation, log);
   solver->initialise();
   input.probes.attach(*solver, input.problem.model);
+  InterruptibleSetUp::end_of_phase(input.communicator, "the initial state");
 
   const SolverSizes sizes = solver->sizes();
   std::ostringstream text;

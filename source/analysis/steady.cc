@@ -70,7 +70,6 @@ void Steady<dim>::name_quantities(const Case<dim> &input, QuantityNames &names)
 template <int dim>
 void Steady<dim>::perform()
 {
-  const SignalWatch watch;
   run.initialise();
   Case<dim> &input = run.input;
   input.probes.open(run.directory.file("probes.csv"));

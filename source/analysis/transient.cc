@@ -1,15 +1,18 @@
 #include <continua/analysis/transient.h>
 
 #include <continua/analysis/linear_wave_theory.h>
+#include <continua/base/atomic_file.h>
 #include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
 #include <continua/case/preflight_report.h>
+#include <continua/postprocess/writing_rank.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <sstream>
 
 namespace Continua
@@ -57,7 +60,6 @@ void Transient<dim>::perform()
                           "known, and the time step does not adapt"
                         : "each change of the mesh excites fast motions, which an adaptive time "
                           "step follows: a fixed one may need fewer steps");
-  const SignalWatch watch;
   if (run.command_line.restart)
     restart();
   else
@@ -115,6 +117,9 @@ void Transient<dim>::adapt_before_start()
     std::ostringstream text;
     text << "Initial cycle " << cycle << ": mesh of " << run.solver->sizes().n_cells << " cells";
     run.log.line(text.str());
+    SignalWatch::stop_if_asked(run.input.communicator, "before the start, after initial cycle " +
+                                                           std::to_string(cycle) +
+                                                           "; begin anew with --overwrite");
   }
 }
 
@@ -386,7 +391,8 @@ void Transient<dim>::write_checkpoint()
   run.input.probes.flush_to_disk();
   for (const ScheduledRecord<dim> &entry : records)
     entry.record->flush_to_disk();
-  checkpoint.write(
+  on_writing_rank(run.input.communicator, [this]() { flush_log_to_disk(); });
+  const std::string warning = checkpoint.write(
       time_control.n_steps(),
       [this](ArchiveWriter &archive)
       {
@@ -411,8 +417,47 @@ void Transient<dim>::write_checkpoint()
       },
       mesh_has_changed ? std::function<void(const std::string &)>([this](const std::string &name)
                                                                   { save_mesh(name); })
-                       : nullptr);
+                       : nullptr,
+      written_tables());
+  if (!warning.empty())
+    run.log.warning(warning);
   last_checkpoint = std::chrono::steady_clock::now();
+}
+
+template <int dim>
+void Transient<dim>::flush_log_to_disk()
+{
+  // A log that the disk has refused, or that the user has removed, does not end the run.
+  const std::string file = run.directory.file("log.txt");
+  std::error_code error;
+  if (!std::filesystem::exists(file, error))
+    return;
+  flush_to_disk(file);
+  of_log.add_rest_of(file);
+}
+
+template <int dim>
+std::vector<WrittenTable> Transient<dim>::written_tables() const
+{
+  std::vector<std::optional<WrittenTable>> all = {run.input.probes.table()};
+  if (of_log.length() > 0)
+  {
+    all.emplace_back(WrittenTable());
+    all.back()->name = "log.txt";
+    all.back()->all = of_log;
+  }
+  for (const ScheduledRecord<dim> &entry : records)
+    all.push_back(entry.record->table());
+  std::vector<WrittenTable> tables;
+  for (const std::optional<WrittenTable> &table : all)
+    if (table)
+    {
+      tables.push_back(*table);
+      // A restart leaves out no other row than that of the present time.
+      if (table->last_time <= time_control.time() - 0.5 * last_size)
+        tables.back().without_last_row = table->all;
+    }
+  return tables;
 }
 
 template <int dim>

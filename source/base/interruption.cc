@@ -6,17 +6,32 @@
 #include <array>
 #include <csignal>
 #include <ctime>
+#include <memory>
 
 namespace Continua
 {
 namespace
 {
-constexpr std::array<int, 3> signals = {{SIGTERM, SIGINT, SIGUSR1}};
+struct WatchedSignal
+{
+  int number;
+  const char *name;
+  /// Whether a second one ends the program at once, and one after the watch.
+  bool insists;
+};
+
+constexpr std::array<WatchedSignal, 5> signals = {{{SIGTERM, "SIGTERM", true},
+                                                   {SIGINT, "SIGINT", true},
+                                                   {SIGHUP, "SIGHUP", false},
+                                                   {SIGXCPU, "SIGXCPU", false},
+                                                   {SIGUSR1, "SIGUSR1", false}}};
 
 volatile std::sig_atomic_t first_signal = 0;
 volatile std::time_t first_time = 0;
 std::array<struct sigaction, signals.size()> earlier_actions;
 bool is_watching = false;
+/// Of the set-up that may be interrupted now; null: none.
+std::unique_ptr<std::string> remedy_of_set_up;
 
 /// Seconds of a clock that a handler may read.
 std::time_t now()
@@ -33,7 +48,7 @@ void handle(const int signal)
     first_time = now();
     first_signal = signal;
   }
-  else if (signal != SIGUSR1 && now() > first_time + 1)
+  else if ((signal == SIGTERM || signal == SIGINT) && now() > first_time + 1)
   {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
@@ -51,13 +66,19 @@ SignalWatch::SignalWatch()
   // Files that are being written go on.
   action.sa_flags = SA_RESTART;
   for (unsigned int i = 0; i < signals.size(); ++i)
-    sigaction(signals[i], &action, &earlier_actions[i]);
+  {
+    sigaction(signals[i].number, &action, &earlier_actions[i]);
+    if (signals[i].number == SIGHUP && earlier_actions[i].sa_handler == SIG_IGN)
+      sigaction(SIGHUP, &earlier_actions[i], nullptr);
+  }
 }
 
 SignalWatch::~SignalWatch()
 {
+  // The handler of the others stays: the program is at its end, or watches again.
   for (unsigned int i = 0; i < signals.size(); ++i)
-    sigaction(signals[i], &earlier_actions[i], nullptr);
+    if (signals[i].insists)
+      sigaction(signals[i].number, &earlier_actions[i], nullptr);
   is_watching = false;
 }
 
@@ -75,6 +96,26 @@ void SignalWatch::stop_if_asked(const MPI_Comm communicator, const std::string &
 
 std::string SignalWatch::name(const int signal)
 {
-  return signal == SIGTERM ? "SIGTERM" : signal == SIGINT ? "SIGINT" : "SIGUSR1";
+  for (const WatchedSignal &watched : signals)
+    if (watched.number == signal)
+      return watched.name;
+  return "signal " + std::to_string(signal);
+}
+
+InterruptibleSetUp::InterruptibleSetUp(const std::string &remedy)
+{
+  remedy_of_set_up = std::make_unique<std::string>(remedy);
+}
+
+InterruptibleSetUp::~InterruptibleSetUp()
+{
+  remedy_of_set_up.reset();
+}
+
+void InterruptibleSetUp::end_of_phase(const MPI_Comm communicator, const std::string &phase)
+{
+  if (remedy_of_set_up)
+    SignalWatch::stop_if_asked(communicator,
+                               "in the set-up, after " + phase + "; " + *remedy_of_set_up);
 }
 } // namespace Continua

@@ -1,6 +1,8 @@
+#include <continua/base/atomic_file.h>
 #include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/base/output_directory.h>
+#include <continua/base/output_files.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -9,7 +11,9 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <set>
+#include <sstream>
 
 namespace Continua
 {
@@ -41,21 +45,69 @@ bool holds_run(const fs::path &directory)
          fs::exists(directory / "parameters.prm", error) || has_checkpoint(directory);
 }
 
-/// The files and folders of a run that are there. Of fields/ only the files of the two kinds that a
-/// run writes: a saved view of ParaView beside them is the user's.
-std::vector<fs::path> written_by_a_run(const fs::path &directory)
+const std::string list_of_others = "other-files.txt";
+
+/// The names in a folder that only its run knew before; those of folders end with a slash.
+std::vector<std::string> names_of_case(const fs::path &directory)
 {
-  std::vector<fs::path> result;
-  for (const char *const name :
-       {"parameters.prm", "log.txt", "summary.json", "probes.csv", "power.csv", "refinement.csv",
-        "fields.pvd", "citation.bib", "checkpoint", "input", "plots"})
-    if (fs::exists(fs::symlink_status(directory / name)))
-      result.push_back(directory / name);
+  std::vector<std::string> names;
+  std::ifstream stream(directory / list_of_others);
+  for (std::string name; std::getline(stream, name);)
+  {
+    const std::string base = name.substr(0, name.find('/'));
+    // Whatever the file says: nothing outside of the folder is a run's.
+    if (!base.empty() && base != "." && base != ".." && (name == base || name == base + "/"))
+      names.push_back(name);
+  }
+  return names;
+}
+
+/// What an overwrite removes.
+struct RunFiles
+{
+  std::vector<fs::path> paths;
+  /// Folders of runs of their own, which are removed if nothing of the user is left in them.
+  std::vector<fs::path> folders;
+  std::vector<std::unique_ptr<FolderLock>> locks; ///< of these
+  std::string holder;                             ///< who works in one of them
+};
+
+/// Adds the files and folders of a run that are there. Of fields/ only the files of the two kinds
+/// that a run writes: a saved view of ParaView beside them is the user's. The list of the others
+/// comes last: an overwrite that is killed leaves it.
+void add_run(const fs::path &directory, RunFiles &files)
+{
+  const auto add = [&files](const fs::path &path)
+  {
+    if (fs::exists(fs::symlink_status(path)))
+      files.paths.push_back(path);
+  };
+  for (const std::string &name : output_files())
+    if (name != "fields" && name != list_of_others)
+      add(directory / name);
   std::error_code error;
   for (const fs::directory_entry &entry : fs::directory_iterator(directory / "fields", error))
     if (entry.path().extension() == ".vtu" || entry.path().extension() == ".pvtu")
-      result.push_back(entry.path());
-  return result;
+      add(entry.path());
+  for (const std::string &name : names_of_case(directory))
+    if (name.back() != '/')
+      add(directory / name);
+    else if (const fs::path folder = directory / name.substr(0, name.size() - 1);
+             fs::is_directory(fs::symlink_status(folder)))
+    {
+      files.locks.push_back(std::make_unique<FolderLock>(folder.string()));
+      if (!files.locks.back()->holder().empty())
+        files.holder = files.locks.back()->holder();
+      add_run(folder, files);
+      files.folders.insert(files.folders.end(), {folder / "fields", folder});
+    }
+  add(directory / list_of_others);
+}
+
+Refusal refusal_of_holder(const std::string &holder)
+{
+  return {"another run works in this folder: " + holder,
+          "Wait until it has ended, or choose another folder with --output"};
 }
 
 /// Whether `file` is `folder` or lies in it.
@@ -75,37 +127,62 @@ bool lies_in(const fs::path &file, const fs::path &folder)
 
 Refusal remove_run(const fs::path &directory, const std::vector<std::string> &inputs)
 {
-  const std::vector<fs::path> paths = written_by_a_run(directory);
-  for (const fs::path &path : paths)
+  RunFiles files;
+  add_run(directory, files);
+  if (!files.holder.empty())
+    return refusal_of_holder(files.holder);
+  for (const fs::path &path : files.paths)
     for (const std::string &input : inputs)
       if (lies_in(input, path))
         return {"--overwrite would remove '" + input + "', which this run reads",
                 "Copy that file to another folder, or choose another folder with --output"};
-  for (const fs::path &path : paths)
+  for (const fs::path &path : files.paths)
     fs::remove_all(path);
+  files.locks.clear();
+  std::error_code error;
+  for (const fs::path &folder : files.folders)
+    fs::remove(folder, error); // refused where something is left in it
   return {};
 }
 
 /// On rank 0: everything the constructor promises. An empty problem: done.
 Refusal prepare(const fs::path &directory,
                 const OutputDirectory::Mode mode,
-                const std::vector<std::string> &inputs)
+                const std::vector<std::string> &inputs,
+                std::unique_ptr<FolderLock> &lock)
 {
   using Mode = OutputDirectory::Mode;
   const std::string another = "Choose another folder with --output";
   if (fs::exists(directory) && !fs::is_directory(directory))
     return {"this is a file, not a folder", another};
+  const Refusal no_checkpoint = {
+      "there is no checkpoint to restart from",
+      "Name the folder of the run with --output, or start anew without --restart"};
+  if (mode == Mode::restart && !fs::exists(directory))
+    return no_checkpoint;
+  fs::create_directories(directory);
+  // Before anything is looked at: another run may be changing it.
+  std::string problem_of_lock;
+  try
+  {
+    lock = std::make_unique<FolderLock>(directory.string());
+    if (!lock->holder().empty())
+      return refusal_of_holder(lock->holder());
+  }
+  catch (const RunError &error)
+  {
+    problem_of_lock = error.what();
+  }
   if (mode == Mode::restart && !has_checkpoint(directory))
-    return {"there is no checkpoint to restart from",
-            "Name the folder of the run with --output, or start anew without --restart"};
+    return no_checkpoint;
   if (mode == Mode::fresh && holds_run(directory))
     return {"the folder holds a run",
             "Replace it with --overwrite, continue it with --restart, or choose another folder "
             "with --output"};
-
-  fs::create_directories(directory);
   if (::access(directory.c_str(), W_OK | X_OK) != 0)
     return {std::string("the folder is not writable: ") + std::strerror(errno), another};
+  if (!problem_of_lock.empty())
+    return {"the folder cannot be prepared: " + problem_of_lock, another};
   if (mode == Mode::overwrite && holds_run(directory))
   {
     const Refusal refusal = remove_run(directory, inputs);
@@ -149,7 +226,9 @@ OutputDirectory::OutputDirectory(const std::string &path,
   if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
     try
     {
-      refusal = prepare(directory, mode, inputs);
+      refusal = prepare(directory, mode, inputs, lock);
+      if (lock)
+        text_of_warning = lock->warning();
     }
     catch (const fs::filesystem_error &error)
     {
@@ -157,14 +236,31 @@ OutputDirectory::OutputDirectory(const std::string &path,
                      error.path1().string() + "')",
                  "Choose another folder with --output"};
     }
-  const auto all =
-      broadcast(communicator, std::vector<std::string>{refusal.problem, refusal.remedy});
+    catch (const RunError &error)
+    {
+      refusal = {std::string("the folder cannot be prepared: ") + error.what(),
+                 "Choose another folder with --output"};
+    }
+  const auto all = broadcast(
+      communicator, std::vector<std::string>{refusal.problem, refusal.remedy, text_of_warning});
   if (!all[0].empty())
     throw InputError({directory, 0}, "", all[0], all[1]);
+  text_of_warning = all[2];
 }
 
 std::string OutputDirectory::file(const std::string &name) const
 {
+  return output_file(directory, name);
+}
+
+std::string OutputDirectory::file_of_case(const std::string &name) const
+{
+  const std::string list = file(list_of_others);
+  std::ostringstream text;
+  if (std::ifstream before(list); before && before.peek() != std::ifstream::traits_type::eof())
+    text << before.rdbuf();
+  if (("\n" + text.str()).find("\n" + name + "\n") == std::string::npos)
+    write_file_atomically(list, text.str() + name + "\n");
   return directory + "/" + name;
 }
 

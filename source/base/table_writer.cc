@@ -46,21 +46,35 @@ void append_number(std::string &text, const double value)
   text.append(digits, result.ptr);
 }
 
-/// The number of bytes of `file` to keep: the header and the complete rows up to `restart_time`.
-std::uintmax_t length_to_keep(std::ifstream &stream,
-                              const std::string &file,
-                              const std::string &header,
-                              const double restart_time)
+void add_row(WrittenTable &table, const std::string &text, const double time)
 {
+  table.without_last_row = table.all;
+  table.all.add(text);
+  table.last_time = time;
+}
+
+/// The name of a file without its folder.
+std::string name_of(const std::string &file)
+{
+  return std::filesystem::path(file).filename().string();
+}
+
+/// What of `file` to keep: the header and the complete rows up to `restart_time`.
+WrittenTable part_to_keep(std::ifstream &stream,
+                          const std::string &file,
+                          const std::string &header,
+                          const double restart_time)
+{
+  WrittenTable kept;
   std::string line;
   std::getline(stream, line);
   if (stream.eof() && header.compare(0, line.size(), line) == 0)
-    return 0; // nothing but the beginning of the header
+    return kept; // nothing but the beginning of the header
   if (line != header)
     throw RunError("cannot continue '" + file + "': its columns are '" + line +
                    "', those of this run are '" + header + "'");
 
-  std::uintmax_t length = line.size() + 1;
+  kept.all.add(line + '\n');
   // A time that was computed on another way may differ in its last digits.
   const double last_time = restart_time + 1e-12 * std::abs(restart_time);
   for (unsigned int number = 2; std::getline(stream, line) && !stream.eof(); ++number)
@@ -73,9 +87,11 @@ std::uintmax_t length_to_keep(std::ifstream &stream,
                      " does not begin with a number");
     if (!(time <= last_time))
       break;
-    length += line.size() + 1;
+    add_row(kept, line + '\n', time);
   }
-  return length;
+  if (stream.bad())
+    throw RunError("cannot continue '" + file + "': it cannot be read");
+  return kept;
 }
 } // namespace
 
@@ -84,7 +100,7 @@ TableWriter::TableWriter(const std::string &file, const std::vector<std::string>
 {
   open(false);
   buffer = header_line(header) + '\n';
-  flush();
+  start();
 }
 
 TableWriter::TableWriter(const std::string &file,
@@ -92,20 +108,19 @@ TableWriter::TableWriter(const std::string &file,
                          const double restart_time)
     : file_name(file), n_columns(header.size()), last_flush(std::chrono::steady_clock::now())
 {
-  std::uintmax_t length = 0;
   if (std::ifstream old_file(file, std::ios::binary); old_file)
   {
-    length = length_to_keep(old_file, file, header_line(header), restart_time);
+    contents = part_to_keep(old_file, file, header_line(header), restart_time);
     old_file.close();
     std::error_code error;
-    std::filesystem::resize_file(file, length, error);
+    std::filesystem::resize_file(file, contents.all.length(), error);
     if (error)
       throw RunError("cannot cut '" + file + "': " + error.message());
   }
   open(true);
-  if (length == 0)
+  if (contents.all.length() == 0)
     buffer = header_line(header) + '\n';
-  flush();
+  start();
 }
 
 TableWriter::~TableWriter()
@@ -120,6 +135,13 @@ TableWriter::~TableWriter()
   }
 }
 
+void TableWriter::start()
+{
+  contents.name = name_of(file_name);
+  contents.all.add(buffer);
+  flush();
+}
+
 void TableWriter::open(const bool append)
 {
   stream.open(file_name, std::ios::binary | (append ? std::ios::app : std::ios::trunc));
@@ -130,13 +152,16 @@ void TableWriter::open(const bool append)
 void TableWriter::row(const std::vector<double> &values)
 {
   AssertThrow(values.size() == n_columns, dealii::ExcDimensionMismatch(values.size(), n_columns));
+  std::string text;
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     if (i > 0)
-      buffer += ',';
-    append_number(buffer, values[i]);
+      text += ',';
+    append_number(text, values[i]);
   }
-  buffer += '\n';
+  text += '\n';
+  add_row(contents, text, values.empty() ? 0. : values.front());
+  buffer += text;
   constexpr std::size_t large = 1 << 20;
   if (buffer.size() > large ||
       std::chrono::steady_clock::now() - last_flush >= std::chrono::seconds(1))
@@ -147,6 +172,9 @@ void TableWriter::flush_to_disk()
 {
   flush();
   Continua::flush_to_disk(file_name);
+  if (!is_in_folder_on_disk)
+    Continua::flush_to_disk(folder_of(file_name));
+  is_in_folder_on_disk = true;
 }
 
 void TableWriter::flush()

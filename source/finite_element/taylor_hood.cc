@@ -1,5 +1,6 @@
 #include <continua/finite_element/taylor_hood.h>
 
+#include <continua/base/interruption.h>
 #include <continua/base/memory_limit.h>
 #include <continua/continuum/local_product.h>
 #include <continua/finite_element/flow_shapes.h>
@@ -56,7 +57,9 @@ template <int dim>
 void TaylorHood<dim>::setup()
 {
   space.distribute();
+  InterruptibleSetUp::end_of_phase(space.communicator, "the numbering");
   assemble_region_operators(space, operators);
+  InterruptibleSetUp::end_of_phase(space.communicator, "the assembly");
   constraints.build();
   for (const std::string &conflict : constraints.conflicts())
     log.warning(conflict);

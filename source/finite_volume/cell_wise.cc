@@ -1,5 +1,6 @@
 #include <continua/finite_volume/cell_wise.h>
 
+#include <continua/base/interruption.h>
 #include <continua/continuum/local_product.h>
 #include <continua/finite_volume/cell_initial_state.h>
 #include <continua/finite_volume/cell_kelly_indicator.h>
@@ -95,8 +96,10 @@ template <int dim>
 void CellWise<dim>::setup()
 {
   space.distribute();
+  InterruptibleSetUp::end_of_phase(space.communicator, "the numbering");
   conditions.build();
   assemble_cell_operators(space, problem, conditions, parameters, operators, closure);
+  InterruptibleSetUp::end_of_phase(space.communicator, "the assembly");
   load_list.build();
   system.reinit();
   loaded_faces.reinit();

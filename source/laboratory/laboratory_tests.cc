@@ -1,6 +1,8 @@
+#include <continua/base/interruption.h>
 #include <continua/base/units.h>
 #include <continua/laboratory/laboratory_tests.h>
 #include <continua/materials/relaxation_test.h>
+#include <continua/postprocess/writing_rank.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -100,14 +102,15 @@ LaboratoryTests<dim>::LaboratoryTests(const Material &material,
                                       const LaboratoryParameters &parameters,
                                       const TimeParameters &time,
                                       const OutputDirectory &directory,
-                                      const bool is_writer,
+                                      const MPI_Comm communicator,
                                       Log &log,
                                       Summary &summary)
     : material(material),
       parameters(parameters),
       time(time),
       directory(directory),
-      is_writer(is_writer),
+      communicator(communicator),
+      is_writer(is_writing_rank(communicator)),
       log(log),
       summary(summary),
       response(material),
@@ -122,7 +125,13 @@ template <int dim>
 std::unique_ptr<TableWriter>
 LaboratoryTests<dim>::table(const std::string &file, const std::vector<std::string> &header) const
 {
-  return is_writer ? std::make_unique<TableWriter>(directory.file(file), header) : nullptr;
+  return is_writer ? std::make_unique<TableWriter>(file, header) : nullptr;
+}
+
+template <int dim>
+void LaboratoryTests<dim>::stop_if_asked(const std::string &where) const
+{
+  SignalWatch::stop_if_asked(communicator, where + "; the tests begin anew, with --overwrite");
 }
 
 template <int dim>
@@ -140,7 +149,7 @@ void LaboratoryTests<dim>::relaxation()
                                      "stress of the closed solution [Pa]"};
   if (is_power_law)
     header.push_back("stress of the power law [Pa]");
-  const auto rows = table("relaxation.csv", header);
+  const auto rows = table(directory.file("relaxation.csv"), header);
   Difference from_branches, from_law;
   double largest = 0., last = 0.;
   RelaxationTest test_table;
@@ -148,6 +157,7 @@ void LaboratoryTests<dim>::relaxation()
   while (!specimen.at_end())
   {
     const Sample sample = specimen.advance();
+    stop_if_asked("in the relaxation test");
     const double exact = response.ramp_stress(parameters.strain, loading_time, sample.time);
     std::vector<double> row = {sample.time, sample.strain, sample.stress, exact};
     from_branches.add(sample.stress, exact);
@@ -195,12 +205,13 @@ void LaboratoryTests<dim>::creep()
                                      "strain of the closed solution [1]"};
   if (is_power_law)
     header.push_back("strain of the power law [1]");
-  const auto rows = table("creep.csv", header);
+  const auto rows = table(directory.file("creep.csv"), header);
   Difference from_branches, from_law;
   double last = 0.;
   while (!specimen.at_end())
   {
     const Sample sample = specimen.advance();
+    stop_if_asked("in the creep test");
     const double exact = response.step_strain(stress, sample.time);
     std::vector<double> row = {sample.time, sample.stress, sample.strain, exact};
     from_branches.add(sample.strain, exact);
@@ -226,7 +237,7 @@ template <int dim>
 void LaboratoryTests<dim>::harmonic()
 {
   const auto rows =
-      table("harmonic.csv",
+      table(directory.file("harmonic.csv"),
             {"frequency [Hz]", "storage modulus [Pa]", "loss modulus [Pa]", "tan delta [1]",
              "storage modulus of the law [Pa]", "loss modulus of the law [Pa]",
              "tan delta of the law [1]", "difference from the closed solution [1]", "periods [1]"});
@@ -261,7 +272,7 @@ void LaboratoryTests<dim>::harmonic_test(const double frequency,
       log);
 
   const auto rows =
-      table("harmonic-" + std::to_string(number) + ".csv",
+      table(is_writer ? directory.file_of_case("harmonic-" + std::to_string(number) + ".csv") : "",
             {"time [s]", "strain [1]", "stress [Pa]", "stress of the closed solution [Pa]"});
   Difference from_branches;
   std::complex<double> modulus = 0.;
@@ -283,6 +294,7 @@ void LaboratoryTests<dim>::harmonic_test(const double frequency,
       stresses.push_back(sample.stress);
     }
     ++n_periods;
+    stop_if_asked("in the harmonic test at " + shortest_number(frequency) + " Hz");
     SineFit fit(times, omega);
     const std::complex<double> of_period = fit.amplitude(stresses) / fit.amplitude(strains);
     change = std::abs(of_period - modulus) / std::abs(of_period);

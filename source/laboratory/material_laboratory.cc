@@ -147,9 +147,9 @@ void MaterialLaboratory::compute(const OutputDirectory &directory, Log &log, Sum
       write_table(directory);
   }
   if (laboratory.specimen == SpecimenShape::cylinder)
-    simulate<2>(directory, is_writer, log, summary);
+    simulate<2>(directory, log, summary);
   else
-    simulate<3>(directory, is_writer, log, summary);
+    simulate<3>(directory, log, summary);
   bool all_passed = true;
   for (const std::string &verdict : summary.check(expected, all_passed))
     log.line(verdict);
@@ -277,11 +277,10 @@ void MaterialLaboratory::write_table(const OutputDirectory &directory) const
 
 template <int dim>
 void MaterialLaboratory::simulate(const OutputDirectory &directory,
-                                  const bool is_writer,
                                   Log &log,
                                   Summary &summary) const
 {
-  LaboratoryTests<dim> tests(material, laboratory, time, directory, is_writer, log, summary);
+  LaboratoryTests<dim> tests(material, laboratory, time, directory, communicator, log, summary);
   if (laboratory.has("relaxation"))
     tests.relaxation();
   if (laboratory.has("creep"))

@@ -1,6 +1,7 @@
 #include <continua/base/atomic_file.h>
 #include <continua/base/collective.h>
 #include <continua/base/input_error.h>
+#include <continua/base/output_files.h>
 #include <continua/base/units.h>
 #include <continua/postprocess/field_writer.h>
 #include <continua/postprocess/writing_rank.h>
@@ -27,15 +28,47 @@ const std::string prefix = "solution-";
 /// Writes a file through `write`; returns what went wrong, or nothing.
 std::string write_stream(const std::string &file, const std::function<void(std::ostream &)> &write)
 {
-  errno = 0;
-  std::ofstream stream(file);
-  if (stream)
+  const std::string problem = "cannot write '" + file + "'";
+  try
+  {
+    errno = 0;
+    std::ofstream stream;
+    // The system's reason is known only as soon as the disk refuses.
+    stream.exceptions(std::ios::badbit | std::ios::failbit);
+    stream.open(file);
     write(stream);
-  stream.flush();
-  if (stream)
+    stream.close();
+  }
+  catch (const std::ios_base::failure &)
+  {
+    return problem + (errno != 0 ? std::string(": ") + std::strerror(errno) : std::string());
+  }
+  catch (const std::exception &error)
+  {
+    return problem + ": " + error.what();
+  }
+  return "";
+}
+
+/// What MPI says in an exception of deal.II, after a colon; empty if nothing is found.
+std::string reason_of_mpi(const std::string &text)
+{
+  const std::string before = "provided by MPI is \"";
+  const std::size_t begin = text.find(before);
+  if (begin == std::string::npos)
     return "";
-  return "cannot write '" + file + "'" +
-         (errno != 0 ? std::string(": ") + std::strerror(errno) : std::string());
+  const std::size_t first = begin + before.size();
+  return ": " + text.substr(first, text.find('"', first) - first);
+}
+
+const std::string list_head = "<?xml version=\"1.0\"?>\n"
+                              "<VTKFile type=\"Collection\" version=\"0.1\">\n"
+                              "  <Collection>\n";
+
+std::string line_of_list(const std::pair<double, std::string> &entry)
+{
+  return "    <DataSet timestep=\"" + shortest_number(entry.first) + "\" part=\"0\" file=\"" +
+         entry.second + "\"/>\n";
 }
 
 /// Throws RunError on all ranks if something went wrong on one of them.
@@ -135,7 +168,7 @@ void FieldWriter<dim>::resume(const double restart_time)
   on_writing_rank(communicator,
                   [&]()
                   {
-                    const std::string file = folder + "/fields.pvd";
+                    const std::string file = output_file(folder, "fields.pvd");
                     if (!std::ifstream(file))
                       return;
                     entries = read_list(file, last_time);
@@ -189,9 +222,9 @@ std::string FieldWriter<dim>::write_together(dealii::DataOut<dim> &data_out,
   {
     data_out.write_vtu_in_parallel(file, of_group);
   }
-  catch (const std::exception &)
+  catch (const std::exception &error)
   {
-    problem = "cannot write '" + file + "'";
+    problem = "cannot write '" + file + "'" + reason_of_mpi(error.what());
   }
   MPI_Comm_free(&of_group);
   return problem;
@@ -209,7 +242,7 @@ void FieldWriter<dim>::write(ContinuumSolver<dim> &solver, const double time)
       prefix + dealii::Utilities::int_to_string(static_cast<unsigned int>(entries.size()), 5);
   const auto piece = [&](const unsigned int number)
   { return base + (n_files > 1 ? "." + std::to_string(number) : "") + ".vtu"; };
-  const std::string path = folder + "/fields/";
+  const std::string path = output_file(folder, "fields/");
 
   dealii::DataOut<dim> data_out;
   units = solver.add_output(data_out);
@@ -227,6 +260,7 @@ void FieldWriter<dim>::write(ContinuumSolver<dim> &solver, const double time)
   // Ranks that write together follow each other.
   const auto number = static_cast<unsigned int>(std::uint64_t(rank) * n_files / n_ranks);
   const std::string own = path + piece(number);
+  not_flushed.insert(own);
   agree(communicator,
         together ? write_together(data_out, own, number)
                  : write_stream(own, [&](std::ostream &stream) { data_out.write_vtu(stream); }));
@@ -239,8 +273,11 @@ void FieldWriter<dim>::write(ContinuumSolver<dim> &solver, const double time)
       pieces.push_back(piece(i));
     std::string problem;
     if (is_writing_rank(communicator))
+    {
+      not_flushed.insert(path + file);
       problem = write_stream(path + file, [&](std::ostream &stream)
                              { data_out.write_pvtu_record(stream, pieces); });
+    }
     agree(communicator, problem);
   }
   entries.emplace_back(time, "fields/" + file);
@@ -250,14 +287,49 @@ void FieldWriter<dim>::write(ContinuumSolver<dim> &solver, const double time)
 template <int dim>
 void FieldWriter<dim>::write_list() const
 {
-  std::string text = "<?xml version=\"1.0\"?>\n"
-                     "<VTKFile type=\"Collection\" version=\"0.1\">\n"
-                     "  <Collection>\n";
-  for (const auto &[time, file] : entries)
-    text += "    <DataSet timestep=\"" + shortest_number(time) + "\" part=\"0\" file=\"" + file +
-            "\"/>\n";
+  std::string text = list_head;
+  for (const auto &entry : entries)
+    text += line_of_list(entry);
   text += "  </Collection>\n</VTKFile>\n";
-  write_file_atomically(folder + "/fields.pvd", text);
+  write_file_atomically(output_file(folder, "fields.pvd"), text);
+}
+
+template <int dim>
+void FieldWriter<dim>::flush_to_disk()
+{
+  std::string problem;
+  try
+  {
+    // Who has moved a file away has taken care of it.
+    for (const std::string &file : not_flushed)
+      if (std::filesystem::exists(file))
+        Continua::flush_to_disk(file);
+    if (!not_flushed.empty())
+      Continua::flush_to_disk(output_file(folder, "fields"));
+  }
+  catch (const std::exception &error)
+  {
+    problem = error.what();
+  }
+  agree(communicator, problem);
+  not_flushed.clear();
+}
+
+template <int dim>
+std::optional<WrittenTable> FieldWriter<dim>::table() const
+{
+  if (entries.empty() || !is_writing_rank(communicator))
+    return std::nullopt;
+  WrittenTable list;
+  list.name = "fields.pvd";
+  list.all.add(list_head);
+  for (const auto &entry : entries)
+  {
+    list.without_last_row = list.all;
+    list.all.add(line_of_list(entry));
+  }
+  list.last_time = entries.back().first;
+  return list;
 }
 
 template <int dim>

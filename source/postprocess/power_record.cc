@@ -1,4 +1,5 @@
 #include <continua/base/input_error.h>
+#include <continua/base/output_files.h>
 #include <continua/continuum/equation_term.h>
 #include <continua/postprocess/power_record.h>
 #include <continua/postprocess/writing_rank.h>
@@ -82,14 +83,14 @@ void PowerRecord<dim>::open(ContinuumSolver<dim> &solver,
                             const std::string &folder,
                             const bool /*is_due*/)
 {
-  open(folder + "/power.csv");
+  open(output_file(folder, "power.csv"));
   start(solver);
 }
 
 template <int dim>
 void PowerRecord<dim>::resume(const std::string &folder, const double time)
 {
-  open(folder + "/power.csv", time);
+  open(output_file(folder, "power.csv"), time);
 }
 
 template <int dim>
@@ -114,14 +115,14 @@ void PowerRecord<dim>::finish(const RecordedEnd<dim> &end)
 template <int dim>
 void PowerRecord<dim>::open(const std::string &file)
 {
-  on_writing_rank(communicator, [&]() { table = std::make_unique<TableWriter>(file, header()); });
+  on_writing_rank(communicator, [&]() { writer = std::make_unique<TableWriter>(file, header()); });
 }
 
 template <int dim>
 void PowerRecord<dim>::open(const std::string &file, const double restart_time)
 {
   on_writing_rank(communicator,
-                  [&]() { table = std::make_unique<TableWriter>(file, header(), restart_time); });
+                  [&]() { writer = std::make_unique<TableWriter>(file, header(), restart_time); });
 }
 
 template <int dim>
@@ -154,7 +155,7 @@ void PowerRecord<dim>::record(ContinuumSolver<dim> &solver, const Step &step, co
 
   const Energy energy = solver.energy();
   compare(energy.sum());
-  if (!table)
+  if (!writer)
     return;
 
   Power whole;
@@ -184,7 +185,7 @@ void PowerRecord<dim>::record(ContinuumSolver<dim> &solver, const Step &step, co
   row.push_back(totals.work);
   if (mesh_changes)
     row.push_back(totals.transfer);
-  table->row(row);
+  writer->row(row);
 }
 
 template <int dim>
@@ -210,9 +211,15 @@ void PowerRecord<dim>::flush_to_disk()
   on_writing_rank(communicator,
                   [&]()
                   {
-                    if (table)
-                      table->flush_to_disk();
+                    if (writer)
+                      writer->flush_to_disk();
                   });
+}
+
+template <int dim>
+std::optional<WrittenTable> PowerRecord<dim>::table() const
+{
+  return writer ? std::make_optional(writer->written()) : std::nullopt;
 }
 
 template <int dim>
@@ -221,8 +228,8 @@ void PowerRecord<dim>::flush()
   on_writing_rank(communicator,
                   [&]()
                   {
-                    if (table)
-                      table->flush();
+                    if (writer)
+                      writer->flush();
                   });
 }
 

@@ -350,7 +350,7 @@ void Probes<dim>::open(const std::string &file)
   if (columns.empty())
     return;
   on_writing_rank(communicator,
-                  [&]() { table = std::make_unique<TableWriter>(file, header(column_names())); });
+                  [&]() { writer = std::make_unique<TableWriter>(file, header(column_names())); });
 }
 
 template <int dim>
@@ -361,7 +361,7 @@ void Probes<dim>::open(const std::string &file, const double restart_time)
   on_writing_rank(communicator,
                   [&]()
                   {
-                    table =
+                    writer =
                         std::make_unique<TableWriter>(file, header(column_names()), restart_time);
                     read_history(file);
                   });
@@ -422,8 +422,8 @@ void Probes<dim>::record(const double time)
   row.insert(row.end(), values.begin(), values.end());
   for (unsigned int i = 0; i < columns.size(); ++i)
     columns[i].values.push_back(values[i]);
-  if (table)
-    table->row(row);
+  if (writer)
+    writer->row(row);
 }
 
 template <int dim>
@@ -489,9 +489,15 @@ void Probes<dim>::flush_to_disk()
   on_writing_rank(communicator,
                   [&]()
                   {
-                    if (table)
-                      table->flush_to_disk();
+                    if (writer)
+                      writer->flush_to_disk();
                   });
+}
+
+template <int dim>
+std::optional<WrittenTable> Probes<dim>::table() const
+{
+  return writer ? std::make_optional(writer->written()) : std::nullopt;
 }
 
 template <int dim>
@@ -500,8 +506,8 @@ void Probes<dim>::flush()
   on_writing_rank(communicator,
                   [&]()
                   {
-                    if (table)
-                      table->flush();
+                    if (writer)
+                      writer->flush();
                   });
 }
 

@@ -160,6 +160,12 @@ RunSeries::perform(const std::vector<PlannedRun> &plans,
   };
 
   // Before the first run, since a folder may be refused.
+  on_writing_rank(communicator,
+                  [&]()
+                  {
+                    for (const PlannedRun &plan : plans)
+                      directory.file_of_case(plan.name + "/");
+                  });
   std::vector<std::unique_ptr<OutputDirectory>> folders;
   for (const PlannedRun &plan : plans)
     folders.push_back(is_finished(plan) ? nullptr

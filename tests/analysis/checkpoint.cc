@@ -7,12 +7,53 @@
 
 #include "../unit_test.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 
 using namespace Continua;
 namespace fs = std::filesystem;
+
+namespace
+{
+/// The flush of a folder that fails, counted from 1 once it is set; 0: none.
+int failing_flush_of_folder = 0;
+bool renaming_fails = false, renaming_pretends = false;
+} // namespace
+
+// In place of the system's.
+extern "C" int fsync(const int descriptor)
+{
+  struct stat status;
+  if (failing_flush_of_folder > 0 && fstat(descriptor, &status) == 0 && S_ISDIR(status.st_mode) &&
+      --failing_flush_of_folder == 0)
+  {
+    errno = EIO;
+    return -1;
+  }
+  return static_cast<int>(syscall(SYS_fsync, descriptor));
+}
+
+extern "C" int rename(const char *const old_name, const char *const new_name) noexcept
+{
+  const bool is_current = std::string(new_name).find("/current") != std::string::npos;
+  if (!(renaming_fails && is_current) || renaming_pretends)
+    if (syscall(SYS_renameat2, AT_FDCWD, old_name, AT_FDCWD, new_name, 0) != 0)
+      return -1;
+  if (renaming_fails && is_current)
+  {
+    errno = EIO;
+    return -1;
+  }
+  return 0;
+}
 
 UNIT_TEST(checkpoint)
 {
@@ -182,4 +223,122 @@ UNIT_TEST(checkpoint)
   check::is_true("the disk refuses: all ranks are told", kept);
   check::is_true("the disk refuses: the old one", holds(checkpoint, 4.));
   check::is_true("the disk refuses: nothing is left", !fs::exists(folder + "/50"));
+
+  // Each flush of a folder fails once: the pieces' (one on each rank), the state's, that of
+  // checkpoint/ before the renaming, and that after it.
+  const auto write_failing = [&](const unsigned int step, const double value, std::string &warning)
+  {
+    try
+    {
+      warning = checkpoint.write(step, fill(value), nullptr);
+    }
+    catch (const RunError &)
+    {
+      MPI_Barrier(MPI_COMM_WORLD);
+      return false;
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+    return true;
+  };
+  std::string warning;
+  for (int flush = 1; flush <= 3; ++flush)
+  {
+    failing_flush_of_folder = rank == 0 ? flush : 0;
+    const std::string name = "flush " + std::to_string(flush) + " of a folder fails";
+    check::is_true(name, !write_failing(50, 5., warning));
+    check::is_true(name + ": the old one", holds(checkpoint, 4.) && !fs::exists(folder + "/50"));
+  }
+  failing_flush_of_folder = rank == 0 ? 4 : 0;
+  check::is_true("the flush after the renaming fails: a warning on all ranks",
+                 write_failing(50, 5., warning) &&
+                     check::matches(warning, "step 50 stands.*Input/output error"));
+  check::is_true("the new one stands, and the old one, too",
+                 holds(checkpoint, 5.) && fs::exists(folder + "/40/state"));
+  renaming_fails = true;
+  check::is_true("the renaming fails", !write_failing(60, 6., warning));
+  check::is_true("the renaming fails: the old one",
+                 holds(checkpoint, 5.) && !fs::exists(folder + "/60"));
+  renaming_pretends = true;
+  check::is_true("a renaming that took place", write_failing(60, 6., warning) && warning.empty());
+  check::is_true("a renaming that took place: the new one",
+                 holds(checkpoint, 6.) && !fs::exists(folder + "/50"));
+  renaming_fails = false;
+  check::is_true("no warning", write_failing(70, 7., warning) && warning.empty());
+
+  // `current` names a step and nothing else.
+  const auto with_current = [&](const std::string &text, const std::string &pattern)
+  {
+    MPI_Barrier(MPI_COMM_WORLD);
+    if (rank == 0)
+    {
+      fs::create_directories("checkpoint_test_elsewhere");
+      fs::copy(folder + "/70", "checkpoint_test_elsewhere", fs::copy_options::overwrite_existing);
+      std::ofstream(folder + "/current") << text;
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+    refused("current is '" + text.substr(0, text.find('\n')) + "'", identity, pattern);
+    check::is_true("and no state is written over it or removed",
+                   !write_failing(80, 8., warning) && fs::exists(folder + "/70/state"));
+  };
+  for (const std::string text :
+       {"../checkpoint_test_elsewhere\n", "/tmp\n", "70/../70\n", "70 \n", "\n", "70\n60\n"})
+    with_current(text, "current' does not name the step of a checkpoint");
+  MPI_Barrier(MPI_COMM_WORLD);
+  if (rank == 0)
+  {
+    fs::remove_all("checkpoint_test_elsewhere");
+    std::ofstream(folder + "/current") << "70\n";
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  check::is_true("put back", holds(checkpoint, 7.));
+
+  // Tables that a restart continues.
+  const std::string output = folder + "/output";
+  const std::string text = "time [s],a\n1,2\n2,3\n", last_row = "2,3\n";
+  const auto table_is = [&](const std::string &there)
+  {
+    MPI_Barrier(MPI_COMM_WORLD);
+    if (rank == 0)
+    {
+      fs::create_directories(output);
+      std::ofstream(output + "/power.csv", std::ios::binary) << there;
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+  };
+  WrittenTable table;
+  table.name = "power.csv";
+  table.all.add(text);
+  table.without_last_row.add(text.substr(0, text.size() - last_row.size()));
+  checkpoint.write(90, fill(9.), nullptr, {table});
+  const auto check_table = [&](const bool keeps_last_row)
+  {
+    checkpoint.check_tables(checkpoint.read(), output,
+                            [keeps_last_row](const std::string &name)
+                            { return name != "power.csv" || keeps_last_row; });
+  };
+  const auto refuses =
+      [&](const std::string &name, const std::string &pattern, const bool keeps_last_row = true)
+  {
+    check::throws<InputError>(
+        name, [&]() { check_table(keeps_last_row); }, pattern);
+  };
+  table_is(text);
+  check_table(true);
+  table_is(text + "3,4\n5");
+  check_table(true);
+  table_is("time [s],a\n1,2\n3,5\n");
+  check_table(false);
+  refuses("the last row is another", "power.csv' has changed: its first 19 bytes");
+  table_is("time [s],a\n1,3\n2,3\n");
+  refuses("a row is another", "power.csv' has changed: its first 15 bytes", false);
+  table_is(text.substr(0, 15));
+  check_table(false);
+  refuses("shorter by a row", "power.csv' has 15 bytes; it had 19 .*Put the file back");
+  table_is("");
+  refuses("empty", "power.csv' has 0 bytes; it had 15", false);
+  MPI_Barrier(MPI_COMM_WORLD);
+  if (rank == 0)
+    fs::remove(output + "/power.csv");
+  MPI_Barrier(MPI_COMM_WORLD);
+  refuses("missing", "output/power.csv' is missing, which the restart continues");
 }

@@ -16,13 +16,17 @@ using namespace Continua;
 
 namespace
 {
+unsigned int number = 0;
+
 /// A parameter file's modal analysis, performed.
 struct ModalAnalysis
 {
   explicit ModalAnalysis(const std::string &text)
       : file(parameters_of(text)),
         input(analyses().read_case<2>(file, MPI_COMM_WORLD)),
-        directory("modal", OutputDirectory::Mode::overwrite, MPI_COMM_WORLD),
+        // Each in a folder of its own: a folder belongs to one run.
+        directory(
+            "modal-" + std::to_string(++number), OutputDirectory::Mode::overwrite, MPI_COMM_WORLD),
         log(MPI_COMM_WORLD, false),
         run(input, file, command_line, directory, log, summary)
   {

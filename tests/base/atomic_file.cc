@@ -6,13 +6,43 @@
 #include "../unit_test.h"
 
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 using namespace Continua;
+
+namespace
+{
+/// Which flushing the disk refuses from now on: of a file, or of a folder.
+mode_t refused_type = 0;
+/// How many flushes a signal interrupts first.
+int n_interrupted = 0;
+} // namespace
+
+/// In place of the system's.
+extern "C" int fsync(const int descriptor)
+{
+  struct stat status;
+  if (n_interrupted-- > 0)
+  {
+    errno = EINTR;
+    return -1;
+  }
+  if (refused_type != 0 && fstat(descriptor, &status) == 0 &&
+      (status.st_mode & S_IFMT) == refused_type)
+  {
+    errno = EIO;
+    return -1;
+  }
+  return static_cast<int>(syscall(SYS_fsync, descriptor));
+}
 
 namespace
 {
@@ -47,6 +77,24 @@ UNIT_TEST(atomic_file)
   setrlimit(RLIMIT_FSIZE, &limit);
   check::is_true("the old file is kept", content(file) == std::string("new\0", 4));
   check::is_true("the temporary file is gone", !std::filesystem::exists(file + ".new"));
+
+  refused_type = S_IFREG;
+  check::throws<RunError>(
+      "the disk fails", [&file]() { replace_file(file, "newer"); },
+      "cannot write 'atomic-file-test.txt': Input/output error");
+  check::is_true("the old file is kept", content(file) == std::string("new\0", 4));
+  check::is_true("the temporary file is gone", !std::filesystem::exists(file + ".new"));
+  refused_type = S_IFDIR;
+  check::throws<RunError>(
+      "the folder fails", [&file]() { write_file_atomically(file, "newer"); },
+      "cannot write '.' to the disk: Input/output error");
+  check::equal("the new file stands", content(file), "newer");
+  replace_file(file, "newest");
+  check::equal("replaced without the folder", content(file), "newest");
+  refused_type = 0;
+  n_interrupted = 2;
+  write_file_atomically(file, "through signals");
+  check::equal("a signal does not matter", content(file), "through signals");
 
   check::throws<RunError>(
       "no folder", []() { write_file_atomically("no-such-folder/a", ""); }, "No such file");

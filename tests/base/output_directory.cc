@@ -5,7 +5,10 @@
 
 #include "../unit_test.h"
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
+
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -59,10 +62,26 @@ UNIT_TEST(output_directory)
   if (rank != 0)
     std::cout.setstate(std::ios::failbit);
 
-  const OutputDirectory fresh(base + "a/b//", Mode::fresh, MPI_COMM_SELF);
-  check::is_true("folders", there("a/b/fields") && there("a/b/checkpoint") && there("a/b/input"));
-  check::equal("path", fresh.path(), base + "a/b");
-  check::equal("file", fresh.file("log.txt"), base + "a/b/log.txt");
+  {
+    const OutputDirectory fresh(base + "a/b//", Mode::fresh, MPI_COMM_SELF);
+    check::is_true("folders", there("a/b/fields") && there("a/b/checkpoint") && there("a/b/input"));
+    check::equal("path", fresh.path(), base + "a/b");
+    check::equal("file", fresh.file("log.txt"), base + "a/b/log.txt");
+    check::throws<dealii::ExceptionBase>(
+        "a file that no overwrite would remove", [&fresh]() { fresh.file("new-table.csv"); },
+        "'new-table.csv'.*output_files.cc");
+    // Whoever comes while it lives is refused and changes nothing.
+    write("a/b/probes.csv", "1");
+    const std::string holder = "another run works in this folder: process " +
+                               std::to_string(::getpid()) + " on .* since 20[0-9-]+ [0-9:]+ .*Wait";
+    for (const Mode mode : {Mode::fresh, Mode::overwrite, Mode::restart})
+      refused("locked", base + "a/b", mode, holder);
+    check::equal("then nothing is removed", content("a/b/probes.csv"), "1");
+    check::is_true("its lock", there("a/b/lock"));
+    check::equal("no warning", fresh.warning(), "");
+    fs::remove(base + "a/b/probes.csv");
+  }
+  check::is_true("the lock is gone", !there("a/b/lock"));
 
   // A folder without a run, also one with the user's files, is taken.
   write("a/b/notes.txt");
@@ -90,9 +109,10 @@ UNIT_TEST(output_directory)
                  there("a/b/checkpoint/mesh") && there("a/b/probes.csv"));
 
   const std::vector<std::string> of_a_run = {
-      "parameters.prm", "log.txt",     "summary.json", "probes.csv",    "power.csv",
-      "refinement.csv", "fields.pvd",  "fields/1.vtu", "fields/1.pvtu", "checkpoint/x/y",
-      "input/beam.prm", "plots/a.png", "citation.bib"};
+      "parameters.prm", "log.txt",        "summary.json", "probes.csv",
+      "power.csv",      "refinement.csv", "wave.csv",     "modes.csv",
+      "runs.csv",       "fields.pvd",     "fields/1.vtu", "fields/1.pvtu",
+      "checkpoint/x/y", "input/beam.prm", "plots/a.png",  "citation.bib"};
   const std::vector<std::string> of_the_user = {
       "notes.txt", "probes.csv.old", "measured.csv", "fields/view.pvsm", "plots.txt", "x/log.txt"};
   for (const std::string &name : of_a_run)
@@ -110,6 +130,47 @@ UNIT_TEST(output_directory)
     check::is_true("kept: " + name, there("a/b/" + name));
   check::is_true("folders again",
                  there("a/b/fields") && there("a/b/checkpoint") && there("a/b/input"));
+
+  // What only the run knew the names of, and the folders of runs of their own.
+  {
+    const OutputDirectory study(base + "s", Mode::fresh, MPI_COMM_SELF);
+    write("s/summary.json");
+    check::equal("file of the case", study.file_of_case("wave-a.csv"), base + "s/wave-a.csv");
+    study.file_of_case("wave-a.csv");
+    study.file_of_case("run-1/");
+    check::equal("each is listed once", content("s/other-files.txt"), "wave-a.csv\nrun-1/\n");
+    const OutputDirectory one(study.file_of_case("run-1/"), Mode::fresh, MPI_COMM_SELF);
+    one.file_of_case("harmonic-1.csv");
+    refused("locked by a run of its own", base + "s/run-1", Mode::fresh, "another run works");
+  }
+  write("s/other-files.txt", "wave-a.csv\nrun-1/\n../notes.txt\n..\n.\n\nrun-1/mine.txt\n/\n");
+  write("notes.txt");
+  for (const std::string name : {"wave-a.csv", "run-1/harmonic-1.csv", "run-1/modes.csv"})
+    write("s/" + name);
+  for (const std::string name : {"wave-mine.csv", "run-1/mine.txt", "run-2/log.txt"})
+    write("s/" + name);
+  {
+    const OutputDirectory of_run(base + "s/run-1", Mode::fresh, MPI_COMM_SELF);
+    refused("a run works in a folder of the run", base + "s", Mode::overwrite, "another run works");
+    check::is_true("then nothing is removed", there("s/wave-a.csv") && there("s/run-1/modes.csv"));
+  }
+  OutputDirectory(base + "s", Mode::overwrite, MPI_COMM_SELF);
+  for (const std::string name :
+       {"wave-a.csv", "run-1/harmonic-1.csv", "run-1/modes.csv", "other-files.txt"})
+    check::is_true("removed: " + name, !there("s/" + name));
+  for (const std::string name : {"wave-mine.csv", "run-1/mine.txt", "run-2/log.txt"})
+    check::is_true("kept: " + name, there("s/" + name));
+  check::is_true("nothing outside is removed", there("notes.txt"));
+  write("s/summary.json");
+  write("s/other-files.txt", "run-1/\n");
+  fs::remove(base + "s/run-1/mine.txt");
+  OutputDirectory(base + "s", Mode::overwrite, MPI_COMM_SELF);
+  check::is_true("an empty folder of a run goes", !there("s/run-1"));
+
+  write("l/lock", "my own");
+  refused("a user's file in the place of the lock", base + "l", Mode::fresh,
+          "cannot be prepared.*lock' is in the place of the lock");
+  check::equal("it stays", content("l/lock"), "my own");
 
   // Where there is no run there is nothing to overwrite: an input/ or plots/ there is the user's.
   write("d/input/table.csv");

@@ -7,6 +7,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -92,6 +93,41 @@ UNIT_TEST(table_writer)
       "table-writer-test.csv.*columns.*root: pressure.*tip: displacement");
   check::throws<RunError>(
       "a row that is none", [&]() { restart(first_row + "1,10\nx\n2,1\n", 5.); }, "row 3");
+
+  // What is written is known without reading it back.
+  {
+    const auto is_known = [](const std::string &name, const TableWriter &table)
+    {
+      const WrittenTable &written = table.written();
+      const Checksum there = Checksum::of_file(file);
+      check::is_true(name, written.name == file && written.all.value() == there.value() &&
+                               written.all.length() == there.length());
+      const std::string text = content();
+      const std::size_t last = text.rfind('\n', text.size() - 2);
+      if (std::isfinite(written.last_time))
+        check::is_true(name + ", without the last row",
+                       written.without_last_row.length() == last + 1 &&
+                           written.without_last_row.value() ==
+                               Checksum::of_file(file, last + 1).value());
+    };
+    TableWriter table(file, header);
+    is_known("known: the header", table);
+    table.row({1., 10.});
+    table.row({2., 1. / 3.});
+    check::absolute("time of the last row", table.written().last_time, 2., 0.);
+    table.flush_to_disk();
+    is_known("known: two rows", table);
+    table.row({3., 30.});
+    table.flush();
+    TableWriter continued(file, header, 2.);
+    is_known("known: a table that is continued", continued);
+    check::absolute("time of its last row", continued.written().last_time, 2., 0.);
+    continued.row({4., 5.});
+    continued.flush();
+    is_known("known: with a row more", continued);
+    TableWriter cut(file, header, 0.5);
+    is_known("known: all rows cut", cut);
+  }
 
   std::filesystem::remove(file);
   {

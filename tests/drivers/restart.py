@@ -7,6 +7,7 @@ Header comments of the case:
     # kill: first checkpoint         instead: the first piece is killed as soon as it has written a checkpoint
     # kill: 5 writings               instead: so many pieces are killed at random moments while they write a checkpoint
     # signal: SIGTERM                instead: the first piece gets this signal, on several ranks one of them, after its first steps
+    # repeated: SIGUSR1              and then this one again and again until it has ended
     # set: Checkpoint/Steps = 10     none or more; overrides of all runs
     # set in the whole run: KEY = VALUE   none or more; what the second piece takes from the checkpoint and the whole run must be given
     # ranks: 1                       ranks of the whole run and of the first piece (default 1)
@@ -14,6 +15,7 @@ Header comments of the case:
     # refused: Mesh/Axial cells = 7 -> PATTERN   none or more; a restart with this override is refused for this reason
     # refused without: checkpoint/*/rank-0 -> PATTERN   none or more; so is one without this file
     # refused with a bit changed in: FILE -> PATTERN    or with a damaged one
+    # refused with half of: FILE -> PATTERN             or with one that is cut
     # tolerance: 0                   0 (default): tables, fields, fields.pvd and quantities agree to the last bit;
                                      otherwise tables as in ranks.py, and fields relative to their largest magnitude
     # floor: 0                       as in ranks.py
@@ -99,8 +101,10 @@ class Background:
         if ranks > 1:
             command = ["mpiexec", "--bind-to", "none", "-n", str(ranks), *command]
         print("+", " ".join(command), "&", flush=True)
+        # A limit on the size of files ends no process: it stands for a full disk.
         self.process = subprocess.Popen(command, env=driver.environment(), stdin=subprocess.DEVNULL,
-                                        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+                                        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                                        preexec_fn=lambda: signal.signal(signal.SIGXFSZ, signal.SIG_IGN))
         self.ranks = ranks
 
     def wait_for(self, condition, what, time_limit=60):
@@ -167,10 +171,13 @@ def kill_writings(program, arguments, output, number):
         raise driver.TestFailure("none was killed within the writing: the test shows nothing")
 
 
-def interrupt(program, arguments, output, ranks, name):
+def interrupt(program, arguments, output, ranks, name, repeated):
     run = Background(program, arguments, ranks)
     run.wait_for(lambda: os.path.exists(os.path.join(output, "probes.csv")), "it could be interrupted")
     os.kill(run.one_rank(), getattr(signal, name))
+    while repeated and run.process.poll() is None:
+        os.kill(run.one_rank(), getattr(signal, repeated))
+        time.sleep(0.0002)
     errors = run.process.communicate(timeout=60)[1]
     if run.process.returncode != 1:
         raise driver.TestFailure(f"exit status {run.process.returncode} after {name}\n{errors}")
@@ -208,7 +215,7 @@ def refusals(program, arguments, output, entries, folder):
     for entry in entries.get("refused", []):
         override, pattern = split(entry)
         expect_refusal(program, [*arguments, *driver.overrides([override])], output, pattern, folder)
-    for key in ("refused without", "refused with a bit changed in"):
+    for key in ("refused without", "refused with a bit changed in", "refused with half of"):
         for entry in entries.get(key, []):
             name, pattern = split(entry)
             path, = glob.glob(os.path.join(output, name))
@@ -217,7 +224,8 @@ def refusals(program, arguments, output, entries, folder):
             os.remove(path)
             if key != "refused without":
                 with open(path, "wb") as stream:
-                    stream.write(whole[:-30] + bytes([whole[-30] ^ 1]) + whole[-29:])
+                    stream.write(whole[:len(whole) // 2] if key.endswith("half of")
+                                 else whole[:-30] + bytes([whole[-30] ^ 1]) + whole[-29:])
             expect_refusal(program, arguments, output, pattern, folder)
             with open(path, "wb") as stream:
                 stream.write(whole)
@@ -246,7 +254,7 @@ def case(program, parameter_file, folder):
         n_restarts = int(kill.split()[0])
         kill_writings(program, first_piece, pieces, n_restarts)
     elif signal_name:
-        interrupt(program, first_piece, pieces, ranks, signal_name)
+        interrupt(program, first_piece, pieces, ranks, signal_name, driver.single(entries, "repeated", ""))
     else:
         driver.run_to_the_end(program, [*first_piece, *driver.overrides(stop)], ranks, folder)
     if n_rows(pieces) >= n_rows(whole):

@@ -5,9 +5,31 @@
 #include <continua/base/input_error.h>
 #include <continua/postprocess/field_writer.h>
 
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
+#include <set>
 
 using namespace Continua;
+
+namespace
+{
+/// The files and folders that were flushed, by name.
+std::set<std::string> flushed;
+} // namespace
+
+/// In place of the system's.
+extern "C" int fsync(const int descriptor)
+{
+  std::error_code error;
+  flushed.insert(std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(descriptor), error)
+                     .filename());
+  return static_cast<int>(syscall(SYS_fsync, descriptor));
+}
 
 namespace
 {
@@ -121,12 +143,68 @@ UNIT_TEST(field_writer)
     writer.write(solver, 0.);
     check::equal("list of files that ranks share", read_text("fields.pvd"),
                  list_of(entry("0", "solution-00000.vtu")));
+    // What this rank has written reaches the disk when a checkpoint asks for it, and is known.
+    flushed.clear();
+    writer.flush_to_disk();
+    check::is_true("flushed",
+                   flushed.count("solution-00000.vtu") == 1 && flushed.count("fields") == 1);
+    flushed.clear();
+    writer.flush_to_disk();
+    check::is_true("flushed once", flushed.empty());
+    writer.write(solver, 1.);
+    MPI_Barrier(MPI_COMM_WORLD);
+    std::filesystem::remove("fields/solution-00001.vtu");
+    MPI_Barrier(MPI_COMM_WORLD);
+    writer.flush_to_disk();
+    const std::optional<WrittenTable> list = writer.table();
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    {
+      const std::string file = "fields.pvd", all = read_text(file);
+      check::is_true("known: the list",
+                     list->name == file && list->last_time == 1. &&
+                         list->all.value() == Checksum::of_file(file, list->all.length()).value() &&
+                         all.substr(list->all.length()) == "  </Collection>\n</VTKFile>\n" &&
+                         list->without_last_row.value() ==
+                             Checksum::of_file(file, list->without_last_row.length()).value() &&
+                         list->all.length() - list->without_last_row.length() ==
+                             entry("1", "solution-00001.vtu").size());
+    }
     const std::string text = read_text("fields/solution-00000.vtu");
     unsigned int n_cells = 0;
     const std::string key = "NumberOfCells";
     for (std::size_t i = text.find(key); i != std::string::npos; i = text.find(key, i + 1))
       n_cells += number(text.substr(i), key);
     check::absolute("cells in one file", n_cells, 16., 0.);
+  }
+
+  // Each rank flushes its own piece; the last state would replace the first.
+  {
+    FieldWriter<2> writer(MPI_COMM_WORLD, ".", 2, false);
+    writer.write(solver, 0.);
+    flushed.clear();
+    writer.flush_to_disk();
+    const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+    const std::string own =
+        "solution-00000" + (n_ranks > 1 ? "." + std::to_string(rank) : std::string()) + ".vtu";
+    const bool mine = flushed.count(own) == 1 && flushed.count("fields") == 1 &&
+                      (rank > 0 || flushed.count("solution-00000" + suffix) == 1) &&
+                      flushed.size() == (rank == 0 && n_ranks > 1 ? 3 : 2);
+    check::is_true("each rank its own",
+                   dealii::Utilities::MPI::min(mine ? 1 : 0, MPI_COMM_WORLD) == 1);
+  }
+  // A limit on the size of files stands for the full disk.
+  {
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit limit;
+    getrlimit(RLIMIT_FSIZE, &limit);
+    const rlim_t before = limit.rlim_cur;
+    limit.rlim_cur = 200;
+    setrlimit(RLIMIT_FSIZE, &limit);
+    check::throws<RunError>(
+        "full disk", [&]() { FieldWriter<2>(MPI_COMM_WORLD, ".", 2, false).write(solver, 0.); },
+        "^cannot write './fields/solution-00000.*vtu': File too large$");
+    limit.rlim_cur = before;
+    setrlimit(RLIMIT_FSIZE, &limit);
   }
 
   // In three dimensions, and where nothing can be written.

@@ -21,6 +21,7 @@ public:
 
   std::vector<std::string> cost() const override { return cost_of(input); }
   bool has_checkpoints() const override { return input.analysis.has_checkpoints; }
+  void check_restart(const OutputDirectory &directory) const override;
 
 private:
   Case<dim> input;

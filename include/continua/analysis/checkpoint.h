@@ -4,11 +4,13 @@
 #include <continua/base/archive.h>
 #include <continua/base/output_directory.h>
 #include <continua/base/parameter_file.h>
+#include <continua/base/written_table.h>
 
 #include <mpi.h>
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace Continua
 {
@@ -17,7 +19,10 @@ namespace Continua
  * archive `state`, a piece `rank-N` of each rank that wrote it and, where the mesh has changed, the
  * mesh; `checkpoint/current` names the last complete one. A new one is written beside the old,
  * flushed to the disk, then named, then the old one is removed, so that a kill at any moment leaves
- * a good one. All methods are collective and throw on all ranks alike.
+ * a good one. The state that `current` names is never removed. All methods are collective and throw
+ * on all ranks alike.
+ *
+ * An archive also states length and checksum of each table that a restart continues.
  */
 class Checkpoint
 {
@@ -30,15 +35,24 @@ public:
 
   /// Writes what `fill` adds to the archive, on rank 0, and to its piece, on every rank.
   /// `save_mesh`, if any, writes the mesh to the file it is given and to files that begin like it.
-  /// Throws RunError when the disk refuses; what was written of this one is then removed, and an
-  /// earlier one is kept.
-  void write(unsigned int step,
-             const std::function<void(ArchiveWriter &)> &fill,
-             const std::function<void(const std::string &)> &save_mesh) const;
+  /// `tables`, on rank 0: what is written, and flushed to the disk, of the tables that a restart
+  /// continues. Throws RunError when the disk refuses; what was written of this one is then
+  /// removed, and an earlier one is kept. Returns, on all ranks, what the user should be warned of:
+  /// a disk that refused when the new one was named already.
+  std::string write(unsigned int step,
+                    const std::function<void(ArchiveWriter &)> &fill,
+                    const std::function<void(const std::string &)> &save_mesh,
+                    const std::vector<WrittenTable> &tables = {}) const;
 
   /// Opens the last complete checkpoint. Throws InputError if there is none, if it belongs to
   /// another case or version, or if any of its files is missing or damaged.
   ArchiveReader read() const;
+  /// Throws InputError if a table in the output folder `output` is missing, is shorter than when
+  /// the archive was written, or begins with other bytes. `keeps_last_row`: whether the restart
+  /// keeps the row with which a table ended then; others are not looked at.
+  void check_tables(const ArchiveReader &archive,
+                    const std::string &output,
+                    const std::function<bool(const std::string &table)> &keeps_last_row) const;
   /// The mesh file of the last complete checkpoint; empty if the mesh was not changed.
   std::string mesh_file() const;
 
@@ -47,6 +61,8 @@ private:
   std::string folder;
   std::string identity;
 
+  /// The step of the last complete one; empty if there is none. Throws RunError if that cannot be
+  /// known.
   std::string current() const;
   std::string archive_file(const std::string &step) const;
   std::string piece_file(const std::string &step, unsigned int rank) const;

@@ -52,6 +52,8 @@ private:
   double shift = 0.;                        ///< [1/s^2]
 
   void prepare();
+  /// Throws Interrupted if a signal asks for it.
+  void stop_if_asked(const std::string &phase) const;
   std::vector<Eigenpair> solve();
   Mode describe(const Eigenpair &pair, bool is_symmetric) const;
   /// "Mode 2: 3.2155 Hz, moves along y: ...".

@@ -35,6 +35,7 @@ private:
   double largest_energy = 0.; ///< of the body so far, where the time step adapts [J]
   unsigned int tenths_reported = 0;
   unsigned long n_restarts = 0;
+  Checksum of_log;               ///< of what log.txt had at the last checkpoint
   double earlier_wall_time = 0.; ///< [s] of the run before the restart
   std::chrono::steady_clock::time_point last_checkpoint = std::chrono::steady_clock::now();
 
@@ -57,6 +58,9 @@ private:
   /// Writes a checkpoint if one is due; also ends the run if a signal asks for it.
   void save_or_stop();
   void write_checkpoint();
+  void flush_log_to_disk();
+  /// What a restart continues, on rank 0.
+  std::vector<WrittenTable> written_tables() const;
   void save_mesh(const std::string &name) const;
   void report_progress();
 };

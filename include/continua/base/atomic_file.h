@@ -10,7 +10,16 @@ namespace Continua
  * the old or the new content whole, whenever the program or the machine stops: to FILE.new first,
  * flushed to the disk, then renamed. Throws RunError with the system's reason when the disk
  * refuses; the old file is then untouched and FILE.new is gone.
+ *
+ * After a power failure the rename is kept only if the folder, too, reached the disk:
+ * flush_to_disk(folder_of(file)).
  */
+void replace_file(const std::string &file,
+                  const std::string &content,
+                  const std::string &rest = "");
+
+/// replace_file(), and flushes the folder. Throws RunError also when only the folder cannot be
+/// flushed: the new file stands then, though a power failure may bring the old one back.
 void write_file_atomically(const std::string &file,
                            const std::string &content,
                            const std::string &rest = "");
@@ -18,6 +27,9 @@ void write_file_atomically(const std::string &file,
 /// Has a file's content, or a folder's entries, written to the disk. Throws RunError with the
 /// system's reason.
 void flush_to_disk(const std::string &path);
+
+/// The folder of a file, "." where its path has none.
+std::string folder_of(const std::string &file);
 } // namespace Continua
 
 #endif

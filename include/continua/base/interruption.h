@@ -17,10 +17,12 @@ public:
 };
 
 /**
- * While one lives, the signals SIGTERM, SIGINT and SIGUSR1 do not end the program but ask it to
- * stop where it can go on later. SIGTERM or SIGINT again, a second or more after the first one,
- * ends it at once: launchers and batch systems often send a signal twice at the same time. There is
- * one at a time.
+ * While one lives, the signals SIGTERM, SIGINT, SIGHUP, SIGXCPU and SIGUSR1 do not end the program
+ * but ask it to stop where it can go on later. SIGTERM or SIGINT again, two seconds or more after
+ * the first signal, ends it at once: launchers and batch systems often send a signal twice at the
+ * same time. The others never end it, since systems repeat them, and also not after the watch. A
+ * program that was started with SIGHUP ignored (nohup) goes on ignoring it. There is one watch at a
+ * time.
  */
 class SignalWatch
 {
@@ -37,6 +39,25 @@ public:
   static void stop_if_asked(MPI_Comm communicator, const std::string &where);
   /// "SIGTERM".
   static std::string name(int signal);
+};
+
+/**
+ * While one lives (on all ranks), a signal is obeyed between the phases of the set-up of a run,
+ * before there is anything to save.
+ */
+class InterruptibleSetUp
+{
+public:
+  /// `remedy`: what the user can do after an interruption.
+  explicit InterruptibleSetUp(const std::string &remedy);
+  ~InterruptibleSetUp();
+  InterruptibleSetUp(const InterruptibleSetUp &) = delete;
+  InterruptibleSetUp &operator=(const InterruptibleSetUp &) = delete;
+
+  /// Throws Interrupted on all ranks if a signal came on one of them: "interrupted by NAME in the
+  /// set-up, after PHASE; REMEDY". Does nothing while none lives: the same phases come again where
+  /// the mesh changes in mid-run. Collective.
+  static void end_of_phase(MPI_Comm communicator, const std::string &phase);
 };
 } // namespace Continua
 

@@ -1,6 +1,8 @@
 #ifndef continua_base_table_writer_h
 #define continua_base_table_writer_h
 
+#include <continua/base/written_table.h>
+
 #include <chrono>
 #include <cstddef>
 #include <fstream>
@@ -33,13 +35,18 @@ public:
   void flush();
   /// As flush(), and waits until the disk has it: a later power failure takes nothing of it.
   void flush_to_disk();
+  /// All rows so far, those that are still buffered included.
+  const WrittenTable &written() const { return contents; }
 
 private:
   void open(bool append);
+  void start();
   std::string file_name;
   std::ofstream stream;
   std::string buffer;
   std::size_t n_columns;
+  WrittenTable contents;
+  bool is_in_folder_on_disk = false;
   std::chrono::steady_clock::time_point last_flush;
 };
 } // namespace Continua

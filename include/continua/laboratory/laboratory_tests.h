@@ -8,6 +8,8 @@
 #include <continua/laboratory/laboratory_specimen.h>
 #include <continua/theory/uniaxial_response.h>
 
+#include <mpi.h>
+
 #include <complex>
 #include <memory>
 #include <string>
@@ -25,13 +27,13 @@ template <int dim>
 class LaboratoryTests
 {
 public:
-  /// `material`: a solid with branches. Tables are written by the rank that writes alone. The
+  /// `material`: a solid with branches. All ranks simulate the same, one writes the tables. The
   /// references must outlive this.
   LaboratoryTests(const Material &material,
                   const LaboratoryParameters &parameters,
                   const TimeParameters &time,
                   const OutputDirectory &directory,
-                  bool is_writer,
+                  MPI_Comm communicator,
                   Log &log,
                   Summary &summary);
 
@@ -53,6 +55,7 @@ private:
   const LaboratoryParameters &parameters;
   const TimeParameters &time;
   const OutputDirectory &directory;
+  const MPI_Comm communicator;
   const bool is_writer;
   Log &log;
   Summary &summary;
@@ -60,6 +63,8 @@ private:
   const PowerLawResponse law;
   const bool is_power_law;
 
+  /// Throws Interrupted on all ranks if a signal asks for it.
+  void stop_if_asked(const std::string &where) const;
   /// Null on ranks that do not write.
   std::unique_ptr<TableWriter> table(const std::string &file,
                                      const std::vector<std::string> &header) const;

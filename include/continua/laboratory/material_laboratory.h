@@ -49,7 +49,7 @@ private:
   void write_branches(const OutputDirectory &directory) const;
   void write_table(const OutputDirectory &directory) const;
   template <int dim>
-  void simulate(const OutputDirectory &directory, bool is_writer, Log &log, Summary &summary) const;
+  void simulate(const OutputDirectory &directory, Log &log, Summary &summary) const;
 };
 } // namespace Continua
 

@@ -6,6 +6,7 @@
 #include <mpi.h>
 
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,6 +37,10 @@ public:
   void resume(const std::string &folder, double time) override;
   void record(const RecordedStep<dim> &step) override;
   void finish(const RecordedEnd<dim> &end) override;
+  /// Each rank flushes the files that it has written since the last call.
+  void flush_to_disk() override;
+  /// fields.pvd up to its last entry.
+  std::optional<WrittenTable> table() const override;
 
   /// Continues after a restart at `restart_time` [s]: entries up to it are kept, files of later
   /// states are removed.
@@ -60,6 +65,7 @@ private:
   unsigned int files_per_state;
   std::vector<std::pair<double, std::string>> entries; ///< time [s] and file, from the folder
   std::map<std::string, std::string> units;            ///< of the fields
+  std::set<std::string> not_flushed;                   ///< files of this rank
 };
 } // namespace Continua
 

@@ -81,6 +81,7 @@ public:
   void flush();
   /// As flush(), and waits until the disk has it.
   void flush_to_disk() override;
+  std::optional<WrittenTable> table() const override;
 
   /// The sums and maxima of the steps so far, for a restart.
   void save(ArchiveWriter &archive) const override;
@@ -118,7 +119,7 @@ private:
   std::vector<std::vector<double>> initial, transferred;
   std::vector<std::vector<double>> taken; ///< by region and term: powers over time [J]
   std::vector<OutletPower> given;         ///< to outlets, over time [J]
-  std::unique_ptr<TableWriter> table;     ///< on the rank that writes
+  std::unique_ptr<TableWriter> writer;    ///< on the rank that writes
   std::vector<double> row;
 };
 } // namespace Continua

@@ -15,6 +15,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -98,6 +99,8 @@ public:
   void flush();
   /// As flush(), and waits until the disk has it.
   void flush_to_disk();
+  /// What is written of the file; none on a rank that does not write it.
+  std::optional<WrittenTable> table() const;
 
   /// "NAME: FIELD [UNIT]" of every column.
   std::vector<std::string> column_names() const;
@@ -171,7 +174,7 @@ private:
   std::vector<Column> columns;
   std::vector<StationsProbe> stations_probes;
   std::vector<double> record_times;
-  std::unique_ptr<TableWriter> table; ///< on the rank that writes
+  std::unique_ptr<TableWriter> writer; ///< on the rank that writes
   std::vector<double> solver_values;
   std::vector<double> row;
 };

@@ -4,10 +4,12 @@
 #include <continua/base/archive.h>
 #include <continua/base/log.h>
 #include <continua/base/summary.h>
+#include <continua/base/written_table.h>
 #include <continua/continuum/continuum_solver.h>
 #include <continua/time_integration/step.h>
 #include <continua/time_integration/time_control.h>
 
+#include <optional>
 #include <string>
 
 namespace Continua
@@ -82,6 +84,9 @@ public:
   virtual void load(const ArchiveReader & /*archive*/) {}
   /// Writes what is buffered of its files, and waits until the disk has it.
   virtual void flush_to_disk() {}
+  /// What is written of the table that it continues after a restart; none on a rank that does not
+  /// write it, and where it has not begun.
+  virtual std::optional<WrittenTable> table() const { return std::nullopt; }
 };
 } // namespace Continua
 

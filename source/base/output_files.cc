@@ -1,0 +1,32 @@
+#include <continua/base/output_files.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+
+namespace Continua
+{
+const std::vector<std::string> &output_files()
+{
+  static const std::vector<std::string> names = {
+      "checkpoint",      "citation.bib",     "comparison.csv",
+      "creep.csv",       "dispersion.csv",   "fields",
+      "fields.pvd",      "harmonic.csv",     "input",
+      "log.txt",         "modes.csv",        "modulus.csv",
+      "other-files.txt", "parameters.prm",   "plots",
+      "power.csv",       "probes.csv",       "prony.csv",
+      "refinement.csv",  "relaxation.csv",   "relaxation-table.csv",
+      "runs.csv",        "spin-coating.csv", "summary.json",
+      "wave.csv"};
+  return names;
+}
+
+std::string output_file(const std::string &folder, const std::string &name)
+{
+  const std::vector<std::string> &names = output_files();
+  AssertThrow(std::find(names.begin(), names.end(), name.substr(0, name.find('/'))) != names.end(),
+              dealii::ExcMessage("A run writes '" + name +
+                                 "', which is missing in the list of output_files.cc."));
+  return folder + "/" + name;
+}
+} // namespace Continua
