@@ -4,8 +4,8 @@
  * at one of them. Nothing outside of the watched folders is touched. Environment:
  *
  *   CONTINUA_FAULT_FOLDERS   NAME=/ABSOLUTE/PATH[:NAME=PATH]...: the folders; a file in one is called NAME/PATH WITHIN
- *   CONTINUA_FAULT_LOG       a line for each call is appended: operation, file, number among the calls of this operation
- *                            on this file, detail, parted by tabs
+ *   CONTINUA_FAULT_LOG       a line for each call that goes on is appended: operation, file, number among the calls of this
+ *                            operation on this file, detail, parted by tabs; and a line `fault` for each that does not
  *   CONTINUA_FAULT           KIND OPERATION NUMBER FILE, parted by blanks: which call, and what happens; without it: only count
  *   CONTINUA_FAULT_SHADOW    folder: what a rename replaces and what is removed is kept there as a link, for the kind `power`
  *
@@ -241,6 +241,8 @@ static enum action decide(const char *operation, const char *path, const enum na
     else if (is_it)
       die();
   }
+  if (action != go_on)
+    write_log("fault", file, number, operation);
   if (action != fail)
     write_log(operation, file, number, detail);
   pthread_mutex_unlock(&mutex);

@@ -69,7 +69,16 @@ class Attack:
 
     def corpus(self):
         with open(os.path.join(HERE, "corpus", "files.txt"), encoding="utf-8") as stream:
-            return [line.strip() for line in stream if line.strip() and not line.startswith("#")]
+            names = [line.strip() for line in stream if line.strip() and not line.startswith("#")]
+        return [one for name in names for one in self.each(name)]
+
+    def each(self, name):
+        """A star for the number of the call stands for each of them."""
+        phase, kind, operation, number, file = name.split(" ", 4)
+        if number != "*":
+            return [name]
+        return [f"{phase} {kind} {operation} {count} {file}" for other, at, count, _ in self.operations[phase]
+                if (other, at) == (operation, file)]
 
     def trials(self, number, seed):
         """Names: PHASE KIND OPERATION NUMBER FILE. All of them if the number is 0."""
@@ -98,6 +107,8 @@ class Attack:
                 with open(os.path.join(trial.folder, "power.txt"), "w", encoding="utf-8") as stream:
                     stream.write("\n".join(changes) + "\n")
         else:
+            if not any(operation == "fault" for operation, *_ in log):
+                return Verdict("skipped", "the operation was not reached")
             # A new table, or the checkpoint's folder, may be named by what it is for.
             names = {os.path.basename(file), os.path.basename(file).replace(".new", ""),
                      os.path.basename(os.path.dirname(file)), os.path.basename(output)}

@@ -55,6 +55,8 @@ class Attack:
     def prepare(self, folder):
         self.case = os.path.join(folder, "case")
         shutil.copytree(runs.CASES, self.case)
+        for place in PLACES:
+            runs.must_be_valid(self.program, folder, [self.file(folder, "formula.prm", place, "1")])
 
     def corpus(self):
         with open(os.path.join(HERE, "corpus", "formulas.txt"), encoding="utf-8") as stream:
@@ -68,13 +70,13 @@ class Attack:
         constant = [f"constant {chance.choice(sorted(PLACES))} {chance.randrange(10**9)}" for _ in range(number)]
         return [name for pair in zip(odd, constant) for name in pair][:number] if number <= 2 * len(odd) else odd + constant
 
-    def file(self, trial, name, place, formula):
+    def file(self, folder, name, place, formula):
         entry, section, _ = PLACES[place]
-        text = f"include {os.path.join(os.path.relpath(self.case, trial.folder), 'box.prm')}\nsubsection {section}\n"
+        text = f"include {os.path.join(os.path.relpath(self.case, folder), 'box.prm')}\nsubsection {section}\n"
         text += entry.format(formula) + "end\n"
         if section != "Boundaries":
             text += "subsection Boundaries\n  subsection right\n    set Type = free\n  end\nend\n"
-        path = os.path.join(trial.folder, name)
+        path = os.path.join(folder, name)
         with open(path, "w", encoding="utf-8") as stream:
             stream.write(text)
         return path
@@ -110,7 +112,7 @@ class Attack:
 
     def run(self, trial, name, place, formula):
         output = os.path.join(trial.folder, name + "-run")
-        path = self.file(trial, name, place, formula)
+        path = self.file(trial.folder, name, place, formula)
         return trial.note(self.program.run([path, "--output", output], trial.folder)), output
 
     def compare(self, trial, place, formula, value, output):

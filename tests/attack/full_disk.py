@@ -2,12 +2,14 @@
 
 import os
 import random
+import re
 import shutil
 import subprocess
 
 import runs
 from program import HERE, Verdict, defect
 
+REASON = re.compile(r"No space left|File too large|full", re.IGNORECASE)
 # A small file system of its own, which only this command and its children see; what was in it is copied to the end.
 ON_A_SMALL_DISK = ('mount -t tmpfs -o size="$1"k none "$2" && cp -a "$3"/. "$2" && saved=$4 && disk=$2 && shift 4 && { "$@"; '
                    'status=$?; cp -a "$disk"/. "$saved"; exit $status; }')
@@ -67,6 +69,8 @@ class Attack:
         found = defect(done, self.reference.names(self.reference.whole) | {"full", "run", "checkpoint", "fields", "input"})
         if found:
             return found
+        if done.status != 0 and not REASON.search(done.errors):
+            return Verdict("wrong", "the message does not say that the disk is full")
         if done.status == 0:
             found = runs.difference(self.reference.expected, output)
             if found:

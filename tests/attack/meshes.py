@@ -35,6 +35,11 @@ class Attack:
         if done.status != 0:
             raise runs.AttackError(f"the undisturbed run failed\n{done.text()}")
         self.expected = runs.results(os.path.join(folder, "whole"))
+        runs.must_be_valid(self.program, folder, self.arguments(case, "block.geo"))
+
+    @staticmethod
+    def arguments(folder, name):
+        return [os.path.join(folder, CASE), "--set", f"Geometry/File={os.path.join(folder, name)}"]
 
     def corpus(self):
         return sorted("corpus " + os.path.basename(path) for path in glob.glob(os.path.join(HERE, "corpus", "meshes", "*.*")))
@@ -59,7 +64,7 @@ class Attack:
         with open(os.path.join(folder, name), "wb") as stream:
             stream.write(data)
         before = listing(trial.folder)
-        arguments = [os.path.join(folder, CASE), "--set", f"Geometry/File={name}"]
+        arguments = self.arguments(folder, name)
         # From a folder that is watched: a command may write beside the file, or where the program runs.
         done = trial.note(self.program.run([*arguments, "--validate"], trial.folder))
         made = sorted(set(listing(trial.folder)) - set(before))

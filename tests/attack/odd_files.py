@@ -106,7 +106,14 @@ class Attack:
         self.program = program
 
     def prepare(self, folder):
-        """Nothing is shared."""
+        for role, (case, _) in ROLES.items():
+            if role not in ("include", "inlet"):
+                runs.must_be_valid(self.program, folder, self.arguments(runs.CASES, case, role))
+
+    @staticmethod
+    def arguments(folder, parameters, role):
+        drawing = ["--set", f"Geometry/File={os.path.join(folder, 'block.geo')}"]
+        return [os.path.join(folder, parameters), *(drawing if role == "drawing" else [])]
 
     def corpus(self):
         with open(os.path.join(HERE, "corpus", "odd-files.txt"), encoding="utf-8") as stream:
@@ -127,9 +134,7 @@ class Attack:
         parameters, odd = ROLES[role]
         if not make_odd(kind, os.path.join(case, odd)):
             return Verdict("skipped", "root may read every file")
-        arguments = [os.path.join(case, parameters)]
-        if role == "drawing":
-            arguments += ["--set", "Geometry/File=block.geo"]
+        arguments = self.arguments(case, parameters, role)
         done = trial.note(self.program.run([*arguments, "--validate"], trial.folder))
         names = {odd, parameters} if kind != "deep-includes" else {".prm"}
         return judge_reading(done, names) or self.accepted(trial, kind, role, arguments)
@@ -138,7 +143,8 @@ class Attack:
         """Only some odd files say what the right one says, and then the run does the same."""
         same = ("huge-comment", "latin-1", "control", "no-permission") + (("deep-unit", "deep-includes") if role not in
                                                                            ("parameters", "include") else ("deep-unit",))
-        if kind in same or (kind == "blank" and role == "include"):
+        # Nothing but the name of the section stands at the end of a mesh file.
+        if kind in same or (kind, role) in (("blank", "include"), ("huge-line", "mesh")):
             return Verdict("accepted", "")
         return Verdict("wrong", f"{arguments[0]} was accepted with such a file")
 

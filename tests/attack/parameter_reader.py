@@ -84,7 +84,7 @@ def read(path):
     return Reader(path).values()
 
 
-QUANTITY = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?(\s*[^\d\s.,+-][^,]*)?$")
+QUANTITY = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?(\s*(?![eExX_])[^\d\s.,+-][^,]*)?$")
 WHOLE = re.compile(r"[+-]?\d+$")
 
 

@@ -51,7 +51,7 @@ class Disk:
 
     def follow(self, log):
         for operation, file, _, details in log:
-            if file != "out" and not file.startswith("out/"):
+            if operation == "fault" or file != "out" and not file.startswith("out/"):
                 continue
             if operation == "open" and details[0] != "read":
                 self.open(file, details[0])

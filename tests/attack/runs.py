@@ -80,6 +80,13 @@ def difference(expected, output):
     return ""
 
 
+def must_be_valid(program, folder, arguments):
+    """The undisturbed input is accepted: else its refusal after a change would show nothing."""
+    done = program.run([*arguments, "--validate"], folder)
+    if done.status != 0:
+        raise AttackError(f"the undisturbed input is refused\n{done.text()}")
+
+
 class Reference:
     """The case, its undisturbed run (`whole`) and the same run up to a checkpoint in the middle (`partly`)."""
 

@@ -31,7 +31,7 @@ class Attack:
     def trials(self, number, seed):
         """Names: SIGNAL HOW OFTEN ROWS SECONDS: when the table has so many rows, and so much later."""
         chance = random.Random(seed)
-        return [f"{chance.choice(NAMES + ('CLOSED',))} {chance.choice((1, 1, 3))} {chance.choice((0, 1, 1, 1, 1))} "
+        return [f"{chance.choice(NAMES + ('CLOSED',))} {chance.choice((1, 1, 3, 40))} {chance.choice((0, 1, 1, 1, 1))} "
                 f"{chance.random() * 0.6 * self.reference.seconds:.4f}" for _ in range(number)]
 
     def perform(self, trial):

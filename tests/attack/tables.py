@@ -13,7 +13,6 @@ from program import HERE, Verdict, judge_reading
 # Table: the case that reads it, and how many of its columns it reads. The first is run, too.
 CASES = {"pulse.csv": ("channel.prm", 2), "relaxation.csv": ("relaxation.prm", 2), "measured.csv": ("measured.prm", 2),
          "shape.csv": ("shape.prm", 3)}
-COMMON = tuple(change for change in mutations.COMMON)
 
 
 class Attack:
@@ -24,8 +23,8 @@ class Attack:
         self.program = program
 
     def prepare(self, folder):
-        self.folder = folder
-        self.expected = {}
+        for case, _ in CASES.values():
+            runs.must_be_valid(self.program, folder, [os.path.join(runs.CASES, case)])
 
     def corpus(self):
         return sorted("corpus " + os.path.basename(path) for path in glob.glob(os.path.join(HERE, "corpus", "tables", "*.csv")))
@@ -42,7 +41,7 @@ class Attack:
             with open(os.path.join(HERE, "corpus", "tables", seed), "rb") as stream:
                 return next(table for table in CASES if seed.endswith(table)), stream.read()
         with open(os.path.join(runs.CASES, name), "rb") as stream:
-            return name, mutations.mutate(random.Random(trial.name), stream.read(), COMMON)
+            return name, mutations.mutate(random.Random(trial.name), stream.read(), mutations.COMMON)
 
     def perform(self, trial):
         table, data = self.table(trial)
