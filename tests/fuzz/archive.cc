@@ -1,5 +1,5 @@
-// Archives of checkpoints: refused with a RunError, or read record by record. The checksum of most inputs is made right: no
-// fuzzer would find it, and a forged file has it.
+// Archives of checkpoints: refused with a RunError, or read record by record. The checksum of most
+// inputs is made right: no fuzzer would find it, and a forged file has it.
 
 #include <continua/base/archive.h>
 #include <continua/base/input_error.h>
@@ -32,8 +32,8 @@ std::string checksum(const std::string &bytes)
   return std::string(reinterpret_cast<const char *>(&state), word);
 }
 
-/// What every archive begins with. Ends the program if the checksum above is no longer the writer's:
-/// the inputs would all be refused at the door.
+/// What every archive begins with. Ends the program if the checksum above is no longer the
+/// writer's: the inputs would all be refused at the door.
 std::string beginning()
 {
   const std::string file = Fuzz::input_file("", "empty");
@@ -44,7 +44,8 @@ std::string beginning()
   const std::string bytes = text.str();
   Fuzz::require(bytes.size() > 2 * word, "an empty archive has nothing");
   const std::string head = bytes.substr(0, bytes.size() - word);
-  Fuzz::require(checksum(head) == bytes.substr(head.size()), "the checksum is another: bring it up to date here");
+  Fuzz::require(checksum(head) == bytes.substr(head.size()),
+                "the checksum is another: bring it up to date here");
   return head;
 }
 

@@ -1,4 +1,5 @@
-// Tables: refused with an InputError, or read to columns of finite numbers, as many as there are rows.
+// Tables: refused with an InputError, or read to columns of finite numbers, as many as there are
+// rows.
 
 #include <continua/base/csv_table.h>
 

@@ -1,4 +1,5 @@
-// Mesh files of gmsh: refused with an InputError, or read so that every element has points that are there.
+// Mesh files of gmsh: refused with an InputError, or read so that every element has points that are
+// there.
 
 #include <continua/base/input_error.h>
 #include <continua/mesh/gmsh_file.h>

@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <string>
 
-/// What libFuzzer calls for each input. Whatever it throws, and every report of a sanitizer, is a finding.
+/// What libFuzzer calls for each input. Whatever it throws, and every report of a sanitizer, is a
+/// finding.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size);
 
 namespace Fuzz

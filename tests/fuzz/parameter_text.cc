@@ -1,4 +1,5 @@
-// Parameter files: refused with an InputError, or read so that the tree written as text is read to the same tree.
+// Parameter files: refused with an InputError, or read so that the tree written as text is read to
+// the same tree.
 
 #include <continua/base/parameter_text.h>
 

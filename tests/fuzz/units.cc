@@ -1,4 +1,5 @@
-// Quantities with units: refused with std::invalid_argument, or a finite number that has the same value in its SI unit.
+// Quantities with units: refused with std::invalid_argument, or a finite number that has the same
+// value in its SI unit.
 
 #include <continua/base/units.h>
 
@@ -15,9 +16,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_
     return 0;
   // The first byte chooses the dimension.
   constexpr Dimension dimensions[] = {
-      Dimensions::none,     Dimensions::length,    Dimensions::time,      Dimensions::pressure,
-      Dimensions::density,  Dimensions::viscosity, Dimensions::flow_rate, Dimensions::velocity,
-      Dimensions::frequency};
+      Dimensions::none,      Dimensions::length,   Dimensions::time,
+      Dimensions::pressure,  Dimensions::density,  Dimensions::viscosity,
+      Dimensions::flow_rate, Dimensions::velocity, Dimensions::frequency};
   const Dimension &dimension = dimensions[data[0] % (sizeof(dimensions) / sizeof(*dimensions))];
   const std::string text(reinterpret_cast<const char *>(data) + 1, size - 1);
   try
@@ -41,6 +42,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_
   Fuzz::require(std::isfinite(value), "a quantity is not finite");
   const std::string unit = dimension.unit();
   const std::string again = shortest_number(value) + (unit == "1" ? "" : " " + unit);
-  Fuzz::require(parse_quantity(again, dimension) == value, "'" + again + "' is read as something else");
+  Fuzz::require(parse_quantity(again, dimension) == value,
+                "'" + again + "' is read as something else");
   return 0;
 }
