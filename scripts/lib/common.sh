@@ -99,7 +99,7 @@ announce() {
   [ -z "$announced" ] || say "-- $announced"
 }
 
-# configure_build release|debug [CMAKE OPTION...]: build/NAME, which is kept; only the first call picks a generator, ninja
+# configure_build release|debug|sanitize [CMAKE OPTION...]: build/NAME, which is kept; only the first call picks a generator, ninja
 # where it is installed.
 configure_build() {
   local name=$1 directory type
@@ -108,6 +108,7 @@ configure_build() {
   case $name in
     release) type=Release ;;
     debug) type=Debug ;;
+    sanitize) type=Release ;; # as it is used; -O1 comes after the type's own options
     *) fail "no build named $name" ;;
   esac
   local generator=()
@@ -128,7 +129,7 @@ configure_build() {
   fi
 }
 
-# build release|debug TARGET...
+# build_targets release|debug|sanitize TARGET...
 build_targets() {
   local name=$1
   shift

@@ -1,0 +1,126 @@
+"""Each operation on a file of a run and of a restart fails: once, from there on, short, by a kill, by a loss of power."""
+
+import os
+import random
+import shutil
+import subprocess
+
+import power
+import runs
+from program import HERE, Verdict, defect
+
+KINDS = {"open": ("once", "ever", "kill", "power", "names"),
+         "write": ("once", "ever", "short", "cut", "kill", "half", "power", "names"),
+         "fsync": ("once", "ever", "kill", "power", "names"),
+         "read": ("once", "short"),
+         "close": ("once", "ever"),
+         "flush": ("once", "ever"),
+         "flock": ("once",),
+         "opendir": ("once",)}
+KINDS_OF_NAMES = ("once", "ever", "kill", "power", "names")  # rename, mkdir, unlink, rmdir, truncate
+
+
+def build_library(folder):
+    """The library to preload."""
+    library = os.path.join(folder, "faults.so")
+    if not os.path.exists(library):
+        subprocess.run([os.environ.get("CC", "cc"), "-O1", "-shared", "-fPIC", "-o", library,
+                        os.path.join(HERE, "faults.c"), "-ldl", "-lpthread"], check=True)
+    return library
+
+
+class Attack:
+    name = "files"
+    summary = "each operation on a file of a run and of a restart fails, short, by a kill, by a loss of power"
+
+    def __init__(self, program, options):
+        self.program = program
+
+    def prepare(self, folder):
+        self.library = build_library(folder)
+        self.reference = runs.Reference(self.program, folder).make_partly()
+        self.operations = {}
+        for phase in ("run", "restart"):
+            at = os.path.join(folder, "count-" + phase)
+            os.makedirs(at)
+            output, environment = self.start(at, phase)
+            done = self.program.run(self.arguments(output, phase), at, environment)
+            if done.status != 0:
+                raise runs.AttackError(f"the run whose operations are counted failed\n{done.text()}")
+            self.operations[phase] = power.read_log(environment["CONTINUA_FAULT_LOG"])
+
+    def start(self, folder, phase, fault=""):
+        """The folder in which the run works, and the environment of its fault."""
+        output = os.path.join(folder, "run")
+        if phase == "restart":
+            shutil.copytree(self.reference.partly, output)
+        shadow = os.path.join(folder, "shadow")
+        os.makedirs(shadow)
+        environment = {"LD_PRELOAD": self.library, "CONTINUA_FAULT_LOG": os.path.join(folder, "operations.txt"),
+                       "CONTINUA_FAULT_FOLDERS": f"out={output}:in={os.path.dirname(self.reference.case)}"}
+        if fault:
+            environment["CONTINUA_FAULT"] = fault
+        if fault.split(" ")[0] in ("power", "names"):
+            environment["CONTINUA_FAULT_SHADOW"] = shadow
+        return output, environment
+
+    def arguments(self, output, phase):
+        return self.reference.arguments(output, *(["--restart"] if phase == "restart" else []))
+
+    def corpus(self):
+        with open(os.path.join(HERE, "corpus", "files.txt"), encoding="utf-8") as stream:
+            names = [line.strip() for line in stream if line.strip() and not line.startswith("#")]
+        return [one for name in names for one in self.each(name)]
+
+    def each(self, name):
+        """A star for the number of the call stands for each of them."""
+        phase, kind, operation, number, file = name.split(" ", 4)
+        if number != "*":
+            return [name]
+        return [f"{phase} {kind} {operation} {count} {file}" for other, at, count, _ in self.operations[phase]
+                if (other, at) == (operation, file)]
+
+    def trials(self, number, seed):
+        """Names: PHASE KIND OPERATION NUMBER FILE. All of them if the number is 0."""
+        names = [f"{phase} {kind} {operation} {count} {file}"
+                 for phase, log in self.operations.items() for operation, file, count, _ in log
+                 for kind in KINDS.get(operation, KINDS_OF_NAMES)
+                 # What is read stays as it is when the process dies.
+                 if file.startswith("out") or kind in ("once", "ever", "short")]
+        names = list(dict.fromkeys(names))
+        return random.Random(seed).sample(names, min(number, len(names))) if number else names
+
+    def perform(self, trial):
+        phase, fault = trial.name.split(" ", 1)
+        kind, file = fault.split(" ")[0], fault.split(" ", 3)[3]
+        output, environment = self.start(trial.folder, phase, fault)
+        disk = power.Disk(output)
+        done = trial.note(self.program.run(self.arguments(output, phase), trial.folder, environment))
+        log = power.read_log(environment["CONTINUA_FAULT_LOG"])
+        if kind in ("kill", "half", "power", "names"):
+            if done.status == 0:
+                return Verdict("skipped", "the operation was not reached")
+            if done.status != -9:
+                return Verdict("wrong", f"exit status {done.status} instead of a kill")
+            if kind in ("power", "names"):
+                changes = disk.follow(log).lose_power(kind == "names", environment["CONTINUA_FAULT_SHADOW"])
+                with open(os.path.join(trial.folder, "power.txt"), "w", encoding="utf-8") as stream:
+                    stream.write("\n".join(changes) + "\n")
+        else:
+            if not any(operation == "fault" for operation, *_ in log):
+                return Verdict("skipped", "the operation was not reached")
+            # A new table, or the checkpoint's folder, may be named by what it is for.
+            names = {os.path.basename(file), os.path.basename(file).replace(".new", ""),
+                     os.path.basename(os.path.dirname(file)), os.path.basename(output)}
+            if kind in ("ever", "cut"):
+                names |= self.reference.names(output)
+            found = defect(done, names)
+            if found:
+                return found
+            if done.status == 0:
+                found = runs.difference(self.reference.expected, output)
+                if found:
+                    return Verdict("wrong", "exit status 0, but " + found)
+        had_checkpoint = phase == "restart" or power.has_complete_checkpoint(log, kind == "names")
+        found = self.reference.go_on(trial, output, had_checkpoint)
+        return found or Verdict("accepted" if done.status == 0 else "refused", "")

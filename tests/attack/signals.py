@@ -1,0 +1,85 @@
+"""Signals at random moments, once and repeated, and a screen that is closed: then a restart gives the same results."""
+
+import os
+import random
+import signal
+import subprocess
+import time
+
+import runs
+from program import HERE, Done, Verdict, defect, end_group
+
+# A run that is long enough to be hit while it steps and writes.
+LONG = ("Time/End time=100 ms", "Output/Checkpoint steps=20", "Output/Field interval=20 ms")
+NAMES = ("TERM", "INT", "HUP", "XCPU", "USR1", "PIPE")
+
+
+class Attack:
+    name = "signals"
+    summary = "TERM, INT, HUP, XCPU, USR1 and PIPE at random moments, once and repeated; a closed screen"
+
+    def __init__(self, program, options):
+        self.program = program
+
+    def prepare(self, folder):
+        self.reference = runs.Reference(self.program, folder, LONG)
+
+    def corpus(self):
+        with open(os.path.join(HERE, "corpus", "signals.txt"), encoding="utf-8") as stream:
+            return [line.strip() for line in stream if line.strip() and not line.startswith("#")]
+
+    def trials(self, number, seed):
+        """Names: SIGNAL HOW OFTEN ROWS SECONDS: when the table has so many rows, and so much later."""
+        chance = random.Random(seed)
+        return [f"{chance.choice(NAMES + ('CLOSED',))} {chance.choice((1, 1, 3, 40))} {chance.choice((0, 1, 1, 1, 1))} "
+                f"{chance.random() * 0.6 * self.reference.seconds:.4f}" for _ in range(number)]
+
+    def perform(self, trial):
+        name, often, rows, seconds = trial.name.split()
+        output = os.path.join(trial.folder, "run")
+        arguments = self.reference.arguments(output)
+        process = self.program.start(arguments, trial.folder)
+        table = os.path.join(output, "probes.csv")
+        end = time.monotonic() + self.program.time_limit
+        while int(rows) and not os.path.exists(table) and process.poll() is None and time.monotonic() < end:
+            time.sleep(0.001)
+        time.sleep(float(seconds))
+        had_table = os.path.exists(table)
+        if name == "CLOSED":
+            done = self.close_screen(process, arguments)
+        else:
+            for _ in range(int(often)):
+                if process.poll() is None:
+                    os.kill(process.pid, getattr(signal, "SIG" + name))
+                time.sleep(0.003)
+            done = self.program.finish(process, arguments)
+        trial.note(done)
+        if done.status >= 0 or had_table:
+            found = defect(done, ()) if name != "CLOSED" or done.status < 0 or done.hung else None
+            if found:
+                return found
+        # Before it has anything to keep the program may die of a signal.
+        if done.status == 0:
+            found = runs.difference(self.reference.expected, output)
+            if found:
+                return Verdict("wrong", "exit status 0, but " + found)
+        had_checkpoint = os.path.exists(os.path.join(output, "checkpoint", "current"))
+        if done.status == 1 and not had_checkpoint and name != "CLOSED":
+            return Verdict("lost", "interrupted, but there is no checkpoint")
+        found = self.reference.go_on(trial, output, had_checkpoint)
+        return found or Verdict("accepted" if done.status == 0 else "refused", "")
+
+    def close_screen(self, process, arguments):
+        """As `| head` does that has seen enough."""
+        process.stdout.close()
+        process.stderr.close()
+        process.stdout = process.stderr = None
+        hung = False
+        try:
+            process.wait(self.program.time_limit)
+        except subprocess.TimeoutExpired:
+            hung = True
+            end_group(process)
+            process.wait()
+        return Done([self.program.path, *arguments], process.returncode, "", "(the screen was closed)",
+                    self.program.time_limit, hung)

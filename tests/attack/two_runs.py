@@ -1,0 +1,83 @@
+"""Two runs in one folder: one of them is refused, and the other has the results of a run alone."""
+
+import os
+import random
+import shutil
+import signal
+import time
+
+import runs
+from program import HERE, Verdict, defect
+
+LONG = ("Time/End time=100 ms", "Output/Checkpoint steps=20")
+PARTLY = "Time/End time=20 ms"
+WAYS = {"run": (), "restart": ("--restart",), "overwrite": ("--overwrite",)}
+
+
+class Attack:
+    name = "two-runs"
+    summary = "two runs or restarts in one folder: one is refused"
+
+    def __init__(self, program, options):
+        self.program = program
+
+    def prepare(self, folder):
+        self.reference = runs.Reference(self.program, folder, LONG)
+        self.reference.make_partly(PARTLY)
+
+    def corpus(self):
+        with open(os.path.join(HERE, "corpus", "two-runs.txt"), encoding="utf-8") as stream:
+            return [line.strip() for line in stream if line.strip() and not line.startswith("#")]
+
+    def trials(self, number, seed):
+        """Names: `stopped FIRST SECOND`, where the first is stopped while it steps until the second has ended, and
+        `race FIRST SECOND SECONDS`."""
+        chance = random.Random(seed)
+        firsts, seconds = ("run", "restart"), ("run", "restart", "overwrite")
+        return [f"race {chance.choice(firsts)} {chance.choice(seconds)} {chance.random() * self.reference.seconds:.4f}"
+                for _ in range(number)]
+
+    def perform(self, trial):
+        how, first, second, *seconds = trial.name.split()
+        output = os.path.join(trial.folder, "run")
+        if first == "restart":
+            shutil.copytree(self.reference.partly, output)
+        arguments = self.reference.arguments(output, *WAYS[first])
+        one = self.program.start(arguments, trial.folder)
+        if how == "stopped":
+            if not self.wait_until_it_writes(one, output):
+                return Verdict("wrong", f"the first run ended too early: {self.program.finish(one, arguments).text()}")
+            os.kill(one.pid, signal.SIGSTOP)
+        else:
+            time.sleep(float(seconds[0]))
+        other = trial.note(self.program.run(self.reference.arguments(output, *WAYS[second]), trial.folder))
+        if how == "stopped":
+            os.kill(one.pid, signal.SIGCONT)
+        alone = trial.note(self.program.finish(one, arguments))
+        for done in (alone, other):
+            found = defect(done, {os.path.basename(output)})
+            if found:
+                return found
+        if how == "stopped" and (alone.status, other.status) != (0, 2):
+            return Verdict("wrong", f"the first ends with {alone.status}, the second beside it with {other.status}")
+        statuses = sorted((alone.status, other.status))
+        # One after the other both may end well.
+        if statuses not in ([0, 0], [0, 2]):
+            return Verdict("wrong", f"the two end with {statuses[0]} and {statuses[1]}")
+        found = runs.difference(self.reference.expected, output)
+        if found:
+            return Verdict("wrong", found)
+        return Verdict("refused" if 2 in statuses else "accepted", "")
+
+    def wait_until_it_writes(self, process, output):
+        """Whether the run has its table open."""
+        table, end = os.path.join(output, "power.csv"), time.monotonic() + self.program.time_limit
+        folder = f"/proc/{process.pid}/fd"
+        while process.poll() is None and time.monotonic() < end:
+            try:
+                if table in (os.readlink(os.path.join(folder, name)) for name in os.listdir(folder)):
+                    return True
+            except OSError:
+                pass
+            time.sleep(0.0005)
+        return False
