@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <utility>
 
@@ -15,8 +16,10 @@ using dealii::numbers::PI;
 
 namespace
 {
-std::shared_ptr<const TimeTable>
-read_table(ParameterSection &section, const std::string &key, const Dimension &dimension)
+std::shared_ptr<const TimeTable> read_table(ParameterSection &section,
+                                            const std::string &key,
+                                            const Dimension &dimension,
+                                            std::pair<std::string, double> &held_table)
 {
   std::string path, column;
   TimeTable::Interpolation interpolation = TimeTable::Interpolation::linear;
@@ -43,7 +46,11 @@ read_table(ParameterSection &section, const std::string &key, const Dimension &d
   if (path.empty())
     return nullptr;
 
-  return std::make_shared<const TimeTable>(path, dimension, interpolation, after, offset, column);
+  const auto table =
+      std::make_shared<const TimeTable>(path, dimension, interpolation, after, offset, column);
+  if (!section.given("After the table"))
+    held_table = {path, table->last_time()};
+  return table;
 }
 
 std::function<double(double)>
@@ -152,13 +159,15 @@ Waveform::Waveform(const Expression &expression) : expression(expression) {}
 std::shared_ptr<const Waveform::TimeFunction> Waveform::read_function(ParameterSection &section,
                                                                       const std::string &key,
                                                                       const Dimension &dimension,
-                                                                      const std::string &kind)
+                                                                      const std::string &kind,
+                                                                      std::pair<std::string, double>
+                                                                          &held_table)
 {
   if (kind == sine_squared_pulse)
     return std::make_shared<const TimeFunction>(read_sine_squared(section, key, dimension));
   if (kind == gaussian_pulse)
     return std::make_shared<const TimeFunction>(read_gaussian(section, key, dimension));
-  const auto table = read_table(section, key, dimension);
+  const auto table = read_table(section, key, dimension, held_table);
   if (!table)
     return nullptr;
   return std::make_shared<const TimeFunction>([table](const double time)
@@ -183,7 +192,7 @@ Waveform Waveform::read(ParameterSection &section,
   {
     if (section.given("Direction"))
       section.refuse("Direction", "'" + key + "' is a number, not a vector", "Remove the entry");
-    waveform.of_time = read_function(section, key, dimension, kind);
+    waveform.of_time = read_function(section, key, dimension, kind, waveform.held_table);
     waveform.expression = Expression(1.);
   }
   waveform.ramp = read_ramp(section);
@@ -198,6 +207,7 @@ std::vector<Waveform> Waveform::read_vector(ParameterSection &section,
 {
   std::vector<Expression> components(n_components);
   std::shared_ptr<const TimeFunction> of_time;
+  std::pair<std::string, double> held_table;
   const std::string kind = read_kind(section, key);
   if (kind == formula)
   {
@@ -206,7 +216,7 @@ std::vector<Waveform> Waveform::read_vector(ParameterSection &section,
   }
   else
   {
-    of_time = read_function(section, key, dimension, kind);
+    of_time = read_function(section, key, dimension, kind, held_table);
     add_expressions(section, "Direction", components, n_components, Dimensions::none,
                     "What the value over time is multiplied by in each direction.");
     section.require("Direction");
@@ -218,6 +228,7 @@ std::vector<Waveform> Waveform::read_vector(ParameterSection &section,
   {
     waveforms.emplace_back(component);
     waveforms.back().of_time = of_time;
+    waveforms.back().held_table = held_table;
     waveforms.back().ramp = ramp;
   }
   return waveforms;
@@ -244,6 +255,16 @@ bool Waveform::depends_on_time() const
 bool Waveform::depends_on_space() const
 {
   return expression.depends_on_space();
+}
+
+std::string Waveform::table_warning(const double end_time) const
+{
+  const auto &[file, last_time] = held_table;
+  if (file.empty() || last_time >= end_time * (1. - 1e-9))
+    return "";
+  return "the table '" + std::filesystem::path(file).filename().string() + "' ends at t = " +
+         shortest_number(last_time) + " s, the run at " + shortest_number(end_time) +
+         " s: its last value holds in between. Set 'After the table' to hold, repeat or zero";
 }
 
 bool Waveform::is_zero() const

@@ -34,8 +34,7 @@ UNIT_TEST(gmsh_mesher)
   }
   MPI_Barrier(MPI_COMM_WORLD);
 
-  std::istringstream text(mesh_with_gmsh("ring.geo", 2));
-  const GmshFile file = GmshFile::read(text, "ring.geo");
+  const GmshFile file = GmshFile::read(mesh_with_gmsh("ring.geo", 2), "ring.geo");
   const measures::Measures<2> ring(GmshGeometry<2>({"ring.geo", 1.}, false));
   std::string why;
   try

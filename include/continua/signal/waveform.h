@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Continua
@@ -56,6 +57,9 @@ public:
   bool depends_on_time() const;
   bool depends_on_space() const;
   bool is_zero() const;
+  /// What to warn of in a run to `end_time` [s]: a table that ends before it, without a word of the
+  /// user about what holds then; empty if there is nothing.
+  std::string table_warning(double end_time) const;
 
 private:
   using TimeFunction = std::function<double(double)>;
@@ -63,12 +67,16 @@ private:
   /// The value, or what the function of time is multiplied by.
   Expression expression;
   std::shared_ptr<const TimeFunction> of_time; ///< a table or pulse, or null
+  /// Of a table whose last value holds after its end by default: its file, and its last time [s].
+  std::pair<std::string, double> held_table;
   double ramp = 0.;                            ///< [s]
 
-  static std::shared_ptr<const TimeFunction> read_function(ParameterSection &section,
-                                                           const std::string &key,
-                                                           const Dimension &dimension,
-                                                           const std::string &kind);
+  static std::shared_ptr<const TimeFunction>
+  read_function(ParameterSection &section,
+                const std::string &key,
+                const Dimension &dimension,
+                const std::string &kind,
+                std::pair<std::string, double> &held_table);
 };
 } // namespace Continua
 
