@@ -70,6 +70,10 @@ void perform_file(const CommandLine &command_line, const MPI_Comm communicator)
 {
   const bool is_writer = is_writing_rank(communicator);
   ParameterFile file(command_line.parameter_file, command_line.overrides);
+  const ParameterText::Section &given = file.text().root();
+  if (given.entries.empty() && given.sections.empty())
+    throw InputError(given.origin, "", "the parameter file is empty: it sets nothing",
+                     "Begin with one of the shipped files of parameter_files");
   if (command_line.allow_mesh_commands)
     allow_mesh_commands();
   const std::unique_ptr<Analysis> analysis = make_analysis(file, command_line, communicator);
@@ -173,10 +177,11 @@ int main(int argc, char **argv)
   // The rest are texts of libraries, and of parts of Continua that know of no run.
   catch (const std::exception &error)
   {
-    return fail(std::string("the run failed, and Continua has no better reason than the text below. "
-                            "If the parameter file is right, please report it with this text.\n") +
-                    error.what(),
-                communicator);
+    return fail(
+        std::string("the run failed, and Continua has no better reason than the text below. "
+                    "If the parameter file is right, please report it with this text.\n") +
+            error.what(),
+        communicator);
   }
   catch (...)
   {

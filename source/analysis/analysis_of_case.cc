@@ -32,8 +32,8 @@ std::vector<std::string> AnalysisOfCase<dim>::plan() const
     mesh << "mesh: "
          << static_cast<double>(input.triangulation->n_global_active_cells()) *
                 std::pow(2., dim * static_cast<double>(input.mesh.refinements))
-         << " cells" << (input.adaptation.changes_mesh() ? " at the start" : "") << ", ranks: "
-         << dealii::Utilities::MPI::n_mpi_processes(input.communicator);
+         << " cells" << (input.adaptation.changes_mesh() ? " at the start" : "")
+         << ", ranks: " << dealii::Utilities::MPI::n_mpi_processes(input.communicator);
     lines.push_back(mesh.str());
   }
   if (input.analysis.motion == Motion::in_time)

@@ -88,10 +88,10 @@ void apply(CommandLine &result, const std::string &name, const std::string &valu
   }
   else
   {
-    bool &flag = name == "--overwrite"  ? result.overwrite
-                 : name == "--restart"  ? result.restart
-                 : name == "--validate" ? result.validate
-                 : name == "--version"  ? result.version
+    bool &flag = name == "--overwrite"             ? result.overwrite
+                 : name == "--restart"             ? result.restart
+                 : name == "--validate"            ? result.validate
+                 : name == "--version"             ? result.version
                  : name == "--allow-mesh-commands" ? result.allow_mesh_commands
                                                    : result.help;
     flag = true;

@@ -125,8 +125,8 @@ CsvTable::CsvTable(const std::string &file, const std::string &example) : file(f
   while (i < lines.size() && !has_content(lines[i]))
     ++i;
   if (i == lines.size())
-    throw InputError({file, 0}, "",
-                     lines.empty() ? "the file is empty" : "the file has no header", remedy);
+    throw InputError({file, 0}, "", lines.empty() ? "the file is empty" : "the file has no header",
+                     remedy);
   header_line = static_cast<unsigned int>(i + 1);
   if (separator == '\0')
     separator = find_separator(lines[i]);

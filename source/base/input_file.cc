@@ -78,14 +78,14 @@ std::size_t length_of_character(const std::string &text, const std::size_t place
   if (first >= 0xe0 && first <= 0xef)
   {
     // Neither a longer form than needed nor half of a pair of UTF-16.
-    const bool second_is_right = follows(1) && (first != 0xe0 || byte(1) >= 0xa0) &&
-                                 (first != 0xed || byte(1) <= 0x9f);
+    const bool second_is_right =
+        follows(1) && (first != 0xe0 || byte(1) >= 0xa0) && (first != 0xed || byte(1) <= 0x9f);
     return second_is_right && follows(2) ? 3 : 0;
   }
   if (first >= 0xf0 && first <= 0xf4)
   {
-    const bool second_is_right = follows(1) && (first != 0xf0 || byte(1) >= 0x90) &&
-                                 (first != 0xf4 || byte(1) <= 0x8f);
+    const bool second_is_right =
+        follows(1) && (first != 0xf0 || byte(1) >= 0x90) && (first != 0xf4 || byte(1) <= 0x8f);
     return second_is_right && follows(2) && follows(3) ? 4 : 0;
   }
   return 0;
@@ -200,8 +200,7 @@ std::string printable(const std::string &text)
   for (std::size_t place = 0; place < text.size();)
   {
     const std::size_t length = length_of_character(text, place);
-    const bool is_shown =
-        length > 0 && (text[place] == '\n' || !is_control(text, place, length));
+    const bool is_shown = length > 0 && (text[place] == '\n' || !is_control(text, place, length));
     for (std::size_t i = 0; i < std::max<std::size_t>(length, 1); ++i, ++place)
       shown += is_shown ? std::string(1, text[place]) : "\\" + hexadecimal(text[place]).substr(1);
   }

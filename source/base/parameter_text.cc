@@ -167,9 +167,6 @@ ParameterText::ParameterText(const std::string &path, const std::vector<std::str
   std::vector<std::string> stack;
   if (!path.empty())
     read(path, {}, top, {n_inclusions++}, stack);
-  if (!path.empty() && top.entries.empty() && top.sections.empty() && overrides.empty())
-    throw InputError(top.origin, "", "the parameter file is empty: it sets nothing",
-                     "Begin with one of the shipped files of parameter_files");
   for (const std::string &text : overrides)
     set_from_command_line(text);
   settle(top, "");

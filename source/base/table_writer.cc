@@ -15,8 +15,8 @@ namespace Continua
 namespace
 {
 /// A name with a comma, a quote or a line break is put in quotes, its own quotes doubled (RFC
-/// 4180). One that begins as a formula does in spreadsheets gets an apostrophe before it, which they
-/// take for the sign of a text.
+/// 4180). One that begins as a formula does in spreadsheets gets an apostrophe before it, which
+/// they take for the sign of a text.
 std::string quoted(const std::string &plain_name)
 {
   const bool is_like_formula =

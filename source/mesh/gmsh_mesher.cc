@@ -46,9 +46,8 @@ Outcome mesh_on_this_rank(const std::string &geo_file,
 }
 } // namespace
 
-std::string mesh_with_gmsh(const std::string &geo_file,
-                           const unsigned int dimension,
-                           const double time_limit)
+std::string
+mesh_with_gmsh(const std::string &geo_file, const unsigned int dimension, const double time_limit)
 {
   Outcome outcome;
   const bool parallel = dealii::Utilities::MPI::job_supports_mpi();

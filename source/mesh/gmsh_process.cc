@@ -64,9 +64,9 @@ std::vector<char *> environment_without_launcher()
     const auto begins_with = [&text](const std::string &prefix)
     { return text.compare(0, prefix.size(), prefix) == 0; };
     bool is_of_launcher = false;
-    for (const char *const prefix : {"OMPI_", "OPAL_", "ORTE_", "PRTE_", "PMIX_", "PMI_", "PMI2_",
-                                     "MPI_", "MPIR_", "MPIEXEC_", "HYDRA_", "HYDI_", "I_MPI_",
-                                     "MV2_", "SLURM_"})
+    for (const char *const prefix :
+         {"OMPI_", "OPAL_", "ORTE_", "PRTE_", "PMIX_", "PMI_", "PMI2_", "MPI_", "MPIR_", "MPIEXEC_",
+          "HYDRA_", "HYDI_", "I_MPI_", "MV2_", "SLURM_"})
       is_of_launcher = is_of_launcher || begins_with(prefix);
     if (!is_of_launcher)
       kept.push_back(*entry);
@@ -101,8 +101,7 @@ pid_t start_process(const std::vector<std::string> &arguments, const std::string
   ::posix_spawnattr_destroy(&attributes);
   ::posix_spawn_file_actions_destroy(&files);
   if (error != 0)
-    throw std::runtime_error(std::string("its process cannot be started: ") +
-                             std::strerror(error));
+    throw std::runtime_error(std::string("its process cannot be started: ") + std::strerror(error));
   return process;
 }
 
@@ -234,14 +233,13 @@ std::string mesh_in_own_process(const GmshTask &task)
       task.time_limit);
   const std::string said = last_lines(log);
   if (WIFSIGNALED(status))
-    throw std::runtime_error(
-        "it was ended by the signal '" + std::string(::strsignal(WTERMSIG(status))) +
-        "' (it may take " + std::to_string(memory_limit_of_gmsh() >> 20) + " MiB of memory)" +
-        (said.empty() ? "" : ": " + said));
+    throw std::runtime_error("it was ended by the signal '" +
+                             std::string(::strsignal(WTERMSIG(status))) + "' (it may take " +
+                             std::to_string(memory_limit_of_gmsh() >> 20) + " MiB of memory)" +
+                             (said.empty() ? "" : ": " + said));
   if (WEXITSTATUS(status) != 0)
-    throw std::runtime_error(said.empty() ? "it ended with the status " +
-                                                std::to_string(WEXITSTATUS(status))
-                                          : said);
+    throw std::runtime_error(
+        said.empty() ? "it ended with the status " + std::to_string(WEXITSTATUS(status)) : said);
   std::error_code no_access;
   if (!std::filesystem::exists(mesh_file, no_access))
     throw std::runtime_error("it ended before the mesh was made, as by 'Exit;' in the file");

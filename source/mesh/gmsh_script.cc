@@ -14,9 +14,9 @@ namespace Continua
 {
 namespace
 {
-const std::string remedy_of_a_command =
-    "Remove the statement, or mesh the file with gmsh and give the .msh file; if you trust the file, "
-    "run Continua with --allow-mesh-commands";
+const std::string remedy_of_a_command = "Remove the statement, or mesh the file with gmsh and give "
+                                        "the .msh file; if you trust the file, "
+                                        "run Continua with --allow-mesh-commands";
 
 struct Token
 {
@@ -303,9 +303,9 @@ private:
   {
     static const std::set<std::string> programs = {".gz", ".py", ".pro", ".m", ".exe"};
     static const std::set<std::string> data = {
-        ".stl",  ".brep", ".rle", ".brp",  ".iges", ".igs",  ".step", ".stp",  ".sat", ".x_t",
-        ".x_b",  ".unv",  ".vtk", ".wrl",  ".vrml", ".iv",   ".mesh", ".diff", ".med", ".mmed",
-        ".rmed", ".bdf",  ".nas", ".dat",  ".p3d",  ".ply2", ".ply",  ".geom", ".cgns"};
+        ".stl",  ".brep", ".rle", ".brp", ".iges", ".igs",  ".step", ".stp",  ".sat", ".x_t",
+        ".x_b",  ".unv",  ".vtk", ".wrl", ".vrml", ".iv",   ".mesh", ".diff", ".med", ".mmed",
+        ".rmed", ".bdf",  ".nas", ".dat", ".p3d",  ".ply2", ".ply",  ".geom", ".cgns"};
     std::string extension = std::filesystem::path(path).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](const unsigned char letter) { return std::tolower(letter); });
@@ -316,8 +316,8 @@ private:
     const auto begins_with = [&text](const std::string &beginning)
     { return text.compare(0, beginning.size(), beginning) == 0; };
     bool is_data = data.count(extension) > 0;
-    for (const char *const header : {"$PTS", "$NO", "$PARA", "$ELM", "$MeshFormat", "$Comments",
-                                     "$PostFormat", "$View"})
+    for (const char *const header :
+         {"$PTS", "$NO", "$PARA", "$ELM", "$MeshFormat", "$Comments", "$PostFormat", "$View"})
       is_data = is_data || begins_with(header);
     if (is_data)
       check_options_beside(path);

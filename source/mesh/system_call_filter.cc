@@ -55,8 +55,7 @@ std::size_t argument(const unsigned int number)
 /// Two instructions: the verdict for a call.
 void judge(std::vector<sock_filter> &filter, const long call, const unsigned int verdict)
 {
-  filter.push_back(
-      instruction(BPF_JMP | BPF_JEQ | BPF_K, static_cast<unsigned int>(call), 0, 1));
+  filter.push_back(instruction(BPF_JMP | BPF_JEQ | BPF_K, static_cast<unsigned int>(call), 0, 1));
   filter.push_back(give(verdict));
 }
 
@@ -68,8 +67,7 @@ void judge_flags(std::vector<sock_filter> &filter,
                  const unsigned int with_flags,
                  const unsigned int without_flags)
 {
-  filter.push_back(
-      instruction(BPF_JMP | BPF_JEQ | BPF_K, static_cast<unsigned int>(call), 0, 4));
+  filter.push_back(instruction(BPF_JMP | BPF_JEQ | BPF_K, static_cast<unsigned int>(call), 0, 4));
   filter.push_back(load(argument(number)));
   filter.push_back(instruction(BPF_JMP | BPF_JSET | BPF_K, flags, 0, 1));
   filter.push_back(give(with_flags));
@@ -94,17 +92,17 @@ std::vector<sock_filter> make_filter()
   constexpr unsigned int first_of_x32 = 0x40000000;
   filter.push_back(instruction(BPF_JMP | BPF_JGE | BPF_K, first_of_x32, 0, 1));
   filter.push_back(give(refused));
-  for (const long call : {SYS_fork, SYS_vfork, SYS_creat, SYS_unlink, SYS_rename, SYS_mkdir,
-                          SYS_rmdir, SYS_link, SYS_symlink, SYS_mknod, SYS_chmod, SYS_chown,
-                          SYS_lchown, SYS_utime, SYS_utimes})
+  for (const long call :
+       {SYS_fork, SYS_vfork, SYS_creat, SYS_unlink, SYS_rename, SYS_mkdir, SYS_rmdir, SYS_link,
+        SYS_symlink, SYS_mknod, SYS_chmod, SYS_chown, SYS_lchown, SYS_utime, SYS_utimes})
     judge(filter, call, refused);
 #endif
   for (const long call :
-       {SYS_execve,      SYS_execveat,  SYS_unlinkat, SYS_renameat,         SYS_renameat2,
-        SYS_mkdirat,     SYS_linkat,    SYS_symlinkat, SYS_mknodat,         SYS_fchmodat,
-        SYS_fchmod,      SYS_fchownat,  SYS_fchown,   SYS_truncate,         SYS_utimensat,
-        SYS_setxattr,    SYS_lsetxattr, SYS_fsetxattr, SYS_removexattr,     SYS_socket,
-        SYS_socketpair,  SYS_kill,      SYS_ptrace,   SYS_process_vm_writev})
+       {SYS_execve,     SYS_execveat,  SYS_unlinkat,  SYS_renameat,         SYS_renameat2,
+        SYS_mkdirat,    SYS_linkat,    SYS_symlinkat, SYS_mknodat,          SYS_fchmodat,
+        SYS_fchmod,     SYS_fchownat,  SYS_fchown,    SYS_truncate,         SYS_utimensat,
+        SYS_setxattr,   SYS_lsetxattr, SYS_fsetxattr, SYS_removexattr,      SYS_socket,
+        SYS_socketpair, SYS_kill,      SYS_ptrace,    SYS_process_vm_writev})
     judge(filter, call, refused);
 #ifdef SYS_clone3
   judge(filter, SYS_clone3, unknown);
@@ -143,8 +141,9 @@ namespace Continua
 {
 void refuse_programs_and_writing_to_this_thread()
 {
-  throw std::runtime_error("this system cannot keep gmsh from running programs: that needs Linux on "
-                           "x86-64 or ARM64");
+  throw std::runtime_error(
+      "this system cannot keep gmsh from running programs: that needs Linux on "
+      "x86-64 or ARM64");
 }
 } // namespace Continua
 

@@ -80,10 +80,10 @@ void find_unknown(const ParameterText::Section &section,
   const auto report = [&](const Origin &origin, const std::string &name, const std::string &what,
                           const std::vector<std::string> &candidates)
   {
-    errors += (errors.empty() ? "" : "\n") +
-              std::string(InputError(origin, path + name, "unknown " + what,
-                                     suggestion(name, candidates))
-                              .what());
+    errors +=
+        (errors.empty() ? "" : "\n") +
+        std::string(InputError(origin, path + name, "unknown " + what, suggestion(name, candidates))
+                        .what());
   };
   for (const ParameterText::Entry &entry : section.entries)
     if (!known.knows(entry.key))

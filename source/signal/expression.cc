@@ -100,7 +100,7 @@ std::string shortest(const double value)
 
 struct Expression::Parser
 {
-  explicit Parser(const std::string &text)
+  explicit Parser(const std::string &text, const std::string &place = "") : place(place)
   {
     parser.DefineVar("x", &variables[0]);
     parser.DefineVar("y", &variables[1]);
@@ -123,6 +123,7 @@ struct Expression::Parser
 
   mu::Parser parser;
   double variables[4] = {0., 0., 0., 0.};
+  std::string place; ///< of the entry; empty where there is none
 };
 
 Expression::Expression(const double constant) : source(shortest(constant)), constant(constant) {}
@@ -192,8 +193,7 @@ Expression::~Expression() = default;
 Expression::Expression(const Expression &other)
     : source(other.source),
       constant(other.constant),
-      place(other.place),
-      parser(other.parser ? std::make_unique<Parser>(other.source) : nullptr),
+      parser(other.parser ? std::make_unique<Parser>(other.source, other.parser->place) : nullptr),
       time_dependent(other.time_dependent),
       space_dependent(other.space_dependent)
 {
@@ -205,8 +205,7 @@ Expression &Expression::operator=(const Expression &other)
   {
     source = other.source;
     constant = other.constant;
-    place = other.place;
-    parser = other.parser ? std::make_unique<Parser>(other.source) : nullptr;
+    parser = other.parser ? std::make_unique<Parser>(other.source, other.parser->place) : nullptr;
     time_dependent = other.time_dependent;
     space_dependent = other.space_dependent;
   }
@@ -233,10 +232,17 @@ void Expression::note_not_finite(const double *point, const double time, const d
   if (!text.empty())
     return;
   std::ostringstream words;
-  words << (place.empty() ? "an expression" : place) << ": '" << source << "' is " << value
-        << " at x = " << point[0] << ", y = " << point[1] << ", z = " << point[2]
+  words << (parser->place.empty() ? "an expression" : parser->place) << ": '" << source << "' is "
+        << value << " at x = " << point[0] << ", y = " << point[1] << ", z = " << point[2]
         << " m, t = " << time << " s";
   text = words.str();
+}
+
+void Expression::set_place(const std::string &name)
+{
+  // A constant is finite.
+  if (parser)
+    parser->place = name;
 }
 
 const std::string &Expression::value_not_finite()

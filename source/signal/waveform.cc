@@ -19,7 +19,7 @@ namespace
 std::shared_ptr<const TimeTable> read_table(ParameterSection &section,
                                             const std::string &key,
                                             const Dimension &dimension,
-                                            std::pair<std::string, double> &held_table)
+                                            std::string &file)
 {
   std::string path, column;
   TimeTable::Interpolation interpolation = TimeTable::Interpolation::linear;
@@ -46,11 +46,8 @@ std::shared_ptr<const TimeTable> read_table(ParameterSection &section,
   if (path.empty())
     return nullptr;
 
-  const auto table =
-      std::make_shared<const TimeTable>(path, dimension, interpolation, after, offset, column);
-  if (!section.given("After the table"))
-    held_table = {path, table->last_time()};
-  return table;
+  file = path;
+  return std::make_shared<const TimeTable>(path, dimension, interpolation, after, offset, column);
 }
 
 std::function<double(double)>
@@ -159,19 +156,27 @@ Waveform::Waveform(const Expression &expression) : expression(expression) {}
 std::shared_ptr<const Waveform::TimeFunction> Waveform::read_function(ParameterSection &section,
                                                                       const std::string &key,
                                                                       const Dimension &dimension,
-                                                                      const std::string &kind,
-                                                                      std::pair<std::string, double>
-                                                                          &held_table)
+                                                                      const std::string &kind)
 {
+  TimeFunction function;
   if (kind == sine_squared_pulse)
-    return std::make_shared<const TimeFunction>(read_sine_squared(section, key, dimension));
-  if (kind == gaussian_pulse)
-    return std::make_shared<const TimeFunction>(read_gaussian(section, key, dimension));
-  const auto table = read_table(section, key, dimension, held_table);
-  if (!table)
-    return nullptr;
-  return std::make_shared<const TimeFunction>([table](const double time)
-                                              { return (*table)(time); });
+    function.value = read_sine_squared(section, key, dimension);
+  else if (kind == gaussian_pulse)
+    function.value = read_gaussian(section, key, dimension);
+  else
+  {
+    std::string file;
+    const auto table = read_table(section, key, dimension, file);
+    if (!table)
+      return nullptr;
+    function.value = [table](const double time) { return (*table)(time); };
+    if (!section.given("After the table"))
+    {
+      function.held_file = file;
+      function.last_time = table->last_time();
+    }
+  }
+  return std::make_shared<const TimeFunction>(function);
 }
 
 Waveform Waveform::read(ParameterSection &section,
@@ -192,7 +197,7 @@ Waveform Waveform::read(ParameterSection &section,
   {
     if (section.given("Direction"))
       section.refuse("Direction", "'" + key + "' is a number, not a vector", "Remove the entry");
-    waveform.of_time = read_function(section, key, dimension, kind, waveform.held_table);
+    waveform.of_time = read_function(section, key, dimension, kind);
     waveform.expression = Expression(1.);
   }
   waveform.ramp = read_ramp(section);
@@ -207,7 +212,6 @@ std::vector<Waveform> Waveform::read_vector(ParameterSection &section,
 {
   std::vector<Expression> components(n_components);
   std::shared_ptr<const TimeFunction> of_time;
-  std::pair<std::string, double> held_table;
   const std::string kind = read_kind(section, key);
   if (kind == formula)
   {
@@ -216,7 +220,7 @@ std::vector<Waveform> Waveform::read_vector(ParameterSection &section,
   }
   else
   {
-    of_time = read_function(section, key, dimension, kind, held_table);
+    of_time = read_function(section, key, dimension, kind);
     add_expressions(section, "Direction", components, n_components, Dimensions::none,
                     "What the value over time is multiplied by in each direction.");
     section.require("Direction");
@@ -228,7 +232,6 @@ std::vector<Waveform> Waveform::read_vector(ParameterSection &section,
   {
     waveforms.emplace_back(component);
     waveforms.back().of_time = of_time;
-    waveforms.back().held_table = held_table;
     waveforms.back().ramp = ramp;
   }
   return waveforms;
@@ -238,7 +241,7 @@ double Waveform::operator()(const double *point, const double time) const
 {
   double value = expression(point, time);
   if (of_time)
-    value *= (*of_time)(time);
+    value *= of_time->value(time);
   if (ramp > 0. && time < ramp)
   {
     const double sine = time > 0. ? std::sin(0.5 * PI * time / ramp) : 0.;
@@ -259,11 +262,11 @@ bool Waveform::depends_on_space() const
 
 std::string Waveform::table_warning(const double end_time) const
 {
-  const auto &[file, last_time] = held_table;
-  if (file.empty() || last_time >= end_time * (1. - 1e-9))
+  if (!of_time || of_time->held_file.empty() || of_time->last_time >= end_time * (1. - 1e-9))
     return "";
-  return "the table '" + std::filesystem::path(file).filename().string() + "' ends at t = " +
-         shortest_number(last_time) + " s, the run at " + shortest_number(end_time) +
+  return "the table '" + std::filesystem::path(of_time->held_file).filename().string() +
+         "' ends at t = " + shortest_number(of_time->last_time) + " s, the run at " +
+         shortest_number(end_time) +
          " s: its last value holds in between. Set 'After the table' to hold, repeat or zero";
 }
 

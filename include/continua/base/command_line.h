@@ -25,8 +25,8 @@ struct CommandLine
   bool version = false;
   bool help = false;
   bool allow_mesh_commands = false; ///< a .geo file may run programs and write files
-  std::string print_parameters; ///< empty, prm, json or markdown
-  std::string text;             ///< the command line as typed, quoted so that a shell reads it back
+  std::string print_parameters;     ///< empty, prm, json or markdown
+  std::string text; ///< the command line as typed, quoted so that a shell reads it back
 
   /// Throws InputError for an unknown option (with the nearest one), a missing or a second file, or
   /// options that exclude each other.

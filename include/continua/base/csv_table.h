@@ -13,9 +13,9 @@ namespace Continua
  * A csv file of numbers with units in its header: "time [ms], pressure [mmHg]". Separator: the
  * first of semicolon, comma, tab and blanks that the header has; blanks around a cell, quotes
  * around a name, a byte order mark and the kind of line ends do not matter; lines that start with #
- * and empty lines are left out. Excel's first line "sep=;" names the separator. A known unit may also
- * stand in round brackets, "pressure (mmHg)". The decimal separator is a point. Columns and rows count
- * from 0.
+ * and empty lines are left out. Excel's first line "sep=;" names the separator. A known unit may
+ * also stand in round brackets, "pressure (mmHg)". The decimal separator is a point. Columns and
+ * rows count from 0.
  *
  * Whatever is wrong is thrown as an InputError with file, line, column and remedy.
  */

@@ -27,8 +27,8 @@ public:
              const std::string &remedy);
 };
 
-/// Something that the input needs is not there. It may be there under a misspelt name: whoever knows
-/// all names looks for it before this is reported.
+/// Something that the input needs is not there. It may be there under a misspelt name: whoever
+/// knows all names looks for it before this is reported.
 class MissingInput : public InputError
 {
 public:

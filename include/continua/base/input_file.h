@@ -8,7 +8,8 @@ namespace Continua
 {
 /// Throws std::invalid_argument with the problem unless `path` names a regular file that can be
 /// opened for reading. A pipe, a socket, a device and a folder are refused before they are opened:
-/// to open them can wait for ever. `kind`: what the file is to be, for the message ("file", "mesh").
+/// to open them can wait for ever. `kind`: what the file is to be, for the message ("file",
+/// "mesh").
 void check_input_file(const std::string &path, const std::string &kind = "file");
 
 /// Every byte of an input file. Throws std::invalid_argument with the problem: what

@@ -20,8 +20,8 @@ void set_extremes(const Step &step,
                   const DistributedVector &pressure,
                   StepReport &report);
 
-/// "; " and the first expression, of all ranks, that had a value which is not finite; empty if there
-/// is none: the likely reason for a solution that is not finite. Collective.
+/// "; " and the first expression, of all ranks, that had a value which is not finite; empty if
+/// there is none: the likely reason for a solution that is not finite. Collective.
 std::string reason_not_finite(MPI_Comm communicator);
 } // namespace Continua
 

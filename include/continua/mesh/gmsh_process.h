@@ -21,12 +21,12 @@ struct GmshTask
  * if the process ends in any other way than with a whole mesh: an error, with gmsh's last lines, a
  * signal, the end of its time, an exit in the middle. A mesh that is not whole is never returned.
  *
- * The process is this program, started anew with the hidden first argument gmsh_process_argument and
- * without the variables by which a launcher of MPI finds its processes; it never initialises MPI. Its
- * address space and its files are limited to memory_limit_of_gmsh(). Unless the task allows commands,
- * the system refuses to the thread that reads the file to start a program, to open a file for writing,
- * and to make, rename or remove files (seccomp of Linux); on a system that cannot do so nothing is
- * meshed.
+ * The process is this program, started anew with the hidden first argument gmsh_process_argument
+ * and without the variables by which a launcher of MPI finds its processes; it never initialises
+ * MPI. Its address space and its files are limited to memory_limit_of_gmsh(). Unless the task
+ * allows commands, the system refuses to the thread that reads the file to start a program, to open
+ * a file for writing, and to make, rename or remove files (seccomp of Linux); on a system that
+ * cannot do so nothing is meshed.
  */
 std::string mesh_in_own_process(const GmshTask &task);
 

@@ -20,7 +20,8 @@ namespace Continua
  * * / ^ (a power binds stronger than a sign), < <= > >= == != && || ?:.
  *
  * An expression without variables is a constant and must be finite. The first value of the others
- * that is not finite is noted, see value_not_finite(). Copies are independent; one object is not to be evaluated by two threads at once.
+ * that is not finite is noted, see value_not_finite(). Copies are independent; one object is not to
+ * be evaluated by two threads at once.
  */
 class Expression
 {
@@ -44,16 +45,15 @@ public:
   const std::string &text() const;
 
   /// What messages call it: "case.prm:12: 'Boundaries/inlet/Pressure'".
-  void set_place(const std::string &name) { place = name; }
-  /// Of all expressions, the first value on this rank that was not finite, with its place, point and
-  /// time, for the reason of a run that fails by it; empty if there was none.
+  void set_place(const std::string &name);
+  /// Of all expressions, the first value on this rank that was not finite, with its place, point
+  /// and time, for the reason of a run that fails by it; empty if there was none.
   static const std::string &value_not_finite();
 
 private:
   struct Parser;
   std::string source;
   double constant;
-  std::string place; ///< empty where there is none
   std::unique_ptr<Parser> parser; ///< null if constant
   bool time_dependent = false;
   bool space_dependent = false;

@@ -7,7 +7,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace Continua
@@ -62,21 +61,23 @@ public:
   std::string table_warning(double end_time) const;
 
 private:
-  using TimeFunction = std::function<double(double)>;
+  struct TimeFunction
+  {
+    std::function<double(double)> value;
+    /// A table whose last value holds after its end by default, and its last time [s]; else empty.
+    std::string held_file;
+    double last_time = 0.;
+  };
 
   /// The value, or what the function of time is multiplied by.
   Expression expression;
   std::shared_ptr<const TimeFunction> of_time; ///< a table or pulse, or null
-  /// Of a table whose last value holds after its end by default: its file, and its last time [s].
-  std::pair<std::string, double> held_table;
   double ramp = 0.;                            ///< [s]
 
-  static std::shared_ptr<const TimeFunction>
-  read_function(ParameterSection &section,
-                const std::string &key,
-                const Dimension &dimension,
-                const std::string &kind,
-                std::pair<std::string, double> &held_table);
+  static std::shared_ptr<const TimeFunction> read_function(ParameterSection &section,
+                                                           const std::string &key,
+                                                           const Dimension &dimension,
+                                                           const std::string &kind);
 };
 } // namespace Continua
 
