@@ -23,6 +23,11 @@ Analysis::Analysis(const AnalysisInput &input)
 {
 }
 
+std::vector<std::string> Analysis::plan() const
+{
+  return {"analysis: " + general.analysis};
+}
+
 void Analysis::perform(const OutputDirectory &directory, Log &log, Summary &summary)
 {
   on_writing_rank(communicator,

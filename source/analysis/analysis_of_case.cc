@@ -4,6 +4,12 @@
 #include <continua/analysis/record_table.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
+#include <continua/case/cost_of_case.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <sstream>
 
 namespace Continua
 {
@@ -22,6 +28,40 @@ void AnalysisOfCase<dim>::check_restart(const OutputDirectory &directory) const
   const Checkpoint checkpoint(communicator, directory, file);
   const ArchiveReader archive = checkpoint.read();
   checkpoint.check_tables(archive, directory.path(), keeps_last_row(input, archive));
+}
+
+template <int dim>
+std::vector<std::string> AnalysisOfCase<dim>::plan() const
+{
+  std::vector<std::string> lines = Analysis::plan();
+  lines.front() += ", model: " + input.general.model;
+  if (input.analysis.has_fields)
+  {
+    lines.front() += ", discretisation: " + input.general.discretisation;
+    std::ostringstream mesh;
+    mesh << "mesh: "
+         << input.extent.n_cells * std::pow(2., dim * static_cast<double>(input.mesh.refinements))
+         << " cells" << (input.adaptation.changes_mesh() ? " at the start" : "")
+         << ", ranks: " << dealii::Utilities::MPI::n_mpi_processes(input.communicator);
+    lines.push_back(mesh.str());
+  }
+  if (input.analysis.motion == Motion::in_time)
+  {
+    const TimeParameters &time = input.time;
+    std::ostringstream text;
+    text << "time: to " << time.end_time << " s";
+    if (time.is_adaptive())
+      text << " in steps that adapt, the first of " << time.time_step << " s";
+    else if (time.changes.empty())
+      text << " in " << std::ceil(time.end_time / time.time_step - 1e-6) << " steps of "
+           << time.time_step << " s";
+    else
+      text << " in steps of " << time.time_step << " s first";
+    lines.push_back(text.str());
+  }
+  for (const std::string &line : cost_of(input))
+    lines.push_back(line);
+  return lines;
 }
 
 template <int dim>

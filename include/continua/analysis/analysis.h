@@ -42,13 +42,14 @@ public:
   Analysis(const Analysis &) = delete;
   Analysis &operator=(const Analysis &) = delete;
 
-  /// What the analysis will cost, a sentence a line; nothing where that is not known.
-  virtual std::vector<std::string> cost() const { return {}; }
   /// Whether --restart goes on from a checkpoint in the output folder.
   virtual bool has_checkpoints() const { return false; }
   /// Whether a run can go on in the folder; throws InputError before anything is changed there. For
   /// an analysis with checkpoints.
   virtual void check_restart(const OutputDirectory & /*directory*/) const {}
+  /// What perform() would do, a line each: analysis, model, discretisation, cells, steps, and
+  /// what that will cost where it is known. Collective.
+  virtual std::vector<std::string> plan() const;
   /// Opens the log in the folder, leaves there the resolved parameters and the user's files, and
   /// performs the analysis. `summary` is filled on the way, also of an analysis that fails; rank 0
   /// has all of it. Collective; throws RunError or Interrupted.

@@ -3,7 +3,6 @@
 
 #include <continua/analysis/analysis_table.h>
 #include <continua/analysis/run.h>
-#include <continua/case/cost_of_case.h>
 
 #include <memory>
 #include <string>
@@ -19,9 +18,9 @@ public:
   /// `perform_run`: what the analysis does in a run. Throws InputError.
   AnalysisOfCase(const AnalysisInput &input, void (*perform_run)(Run<dim> &));
 
-  std::vector<std::string> cost() const override { return cost_of(input); }
   bool has_checkpoints() const override { return input.analysis.has_checkpoints; }
   void check_restart(const OutputDirectory &directory) const override;
+  std::vector<std::string> plan() const override;
 
 private:
   Case<dim> input;
