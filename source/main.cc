@@ -85,11 +85,11 @@ void perform_file(const CommandLine &command_line, const MPI_Comm communicator)
   }
   if (command_line.validate)
   {
-    const std::vector<std::string> plan = analysis->plan();
+    const std::vector<std::string> outline = analysis->outline();
     if (!is_writer)
       return;
     std::cout << printable(command_line.parameter_file) << ": valid" << std::endl;
-    for (const std::string &line : plan)
+    for (const std::string &line : outline)
       std::cout << "  " << printable(line) << std::endl;
     return;
   }

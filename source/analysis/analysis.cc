@@ -23,7 +23,7 @@ Analysis::Analysis(const AnalysisInput &input)
 {
 }
 
-std::vector<std::string> Analysis::plan() const
+std::vector<std::string> Analysis::outline() const
 {
   return {"analysis: " + general.analysis};
 }

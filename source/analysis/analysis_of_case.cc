@@ -31,9 +31,9 @@ void AnalysisOfCase<dim>::check_restart(const OutputDirectory &directory) const
 }
 
 template <int dim>
-std::vector<std::string> AnalysisOfCase<dim>::plan() const
+std::vector<std::string> AnalysisOfCase<dim>::outline() const
 {
-  std::vector<std::string> lines = Analysis::plan();
+  std::vector<std::string> lines = Analysis::outline();
   lines.front() += ", model: " + input.general.model;
   if (input.analysis.has_fields)
   {

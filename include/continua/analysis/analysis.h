@@ -49,7 +49,7 @@ public:
   virtual void check_restart(const OutputDirectory & /*directory*/) const {}
   /// What perform() would do, a line each: analysis, model, discretisation, cells, steps, and
   /// what that will cost where it is known. Collective.
-  virtual std::vector<std::string> plan() const;
+  virtual std::vector<std::string> outline() const;
   /// Opens the log in the folder, leaves there the resolved parameters and the user's files, and
   /// performs the analysis. `summary` is filled on the way, also of an analysis that fails; rank 0
   /// has all of it. Collective; throws RunError or Interrupted.

@@ -20,7 +20,7 @@ public:
 
   bool has_checkpoints() const override { return input.analysis.has_checkpoints; }
   void check_restart(const OutputDirectory &directory) const override;
-  std::vector<std::string> plan() const override;
+  std::vector<std::string> outline() const override;
 
 private:
   Case<dim> input;
