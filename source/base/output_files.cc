@@ -8,16 +8,31 @@ namespace Continua
 {
 const std::vector<std::string> &output_files()
 {
-  static const std::vector<std::string> names = {
-      "checkpoint",      "citation.bib",     "comparison.csv",
-      "creep.csv",       "dispersion.csv",   "fields",
-      "fields.pvd",      "harmonic.csv",     "input",
-      "log.txt",         "modes.csv",        "modulus.csv",
-      "other-files.txt", "parameters.prm",   "plots",
-      "power.csv",       "probes.csv",       "prony.csv",
-      "refinement.csv",  "relaxation.csv",   "relaxation-table.csv",
-      "runs.csv",        "spin-coating.csv", "summary.json",
-      "wave.csv"};
+  static const std::vector<std::string> names = {"checkpoint",
+                                                 "citation.bib",
+                                                 "comparison.csv",
+                                                 "creep.csv",
+                                                 "dispersion.csv",
+                                                 "fields",
+                                                 "fields.pvd",
+                                                 "harmonic.csv",
+                                                 "input",
+                                                 "log.txt",
+                                                 "modes.csv",
+                                                 "modulus.csv",
+                                                 "other-files.txt",
+                                                 "parameters.prm",
+                                                 "plots",
+                                                 "power.csv",
+                                                 "probes.csv",
+                                                 "prony.csv",
+                                                 "refinement.csv",
+                                                 "relaxation-table.csv",
+                                                 "relaxation.csv",
+                                                 "runs.csv",
+                                                 "spin-coating.csv",
+                                                 "summary.json",
+                                                 "wave.csv"};
   return names;
 }
 

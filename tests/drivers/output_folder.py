@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""Checks that nothing is lost in the output folder, and nothing left in it: output_folder.py PROGRAM CASE.prm WORKING_FOLDER.
+"""Checks the output folder: output_folder.py PROGRAM CASE.prm WORKING_FOLDER. Nothing in it is lost, and nothing left.
 
 Header comments of the case:
 
     # shows: one run at a time     what is checked; one of the functions below, in words
     # set: Time/End time = 1 s     none or more; overrides of all runs
-    # first: ../runs/beam.prm -> modes.csv, wave-*.csv    for `overwrite`: none or more; a file that another run writes the folder with
+    # first: ../runs/beam.prm -> modes.csv, wave-*.csv    for `overwrite`: one or more; a run that was in the folder
                                                           before, and what it must have left there
     # signal: SIGTERM              for `signal in the set-up`: which one
     # limit: 3000                  for `full disk`: no file may have more bytes, once the run has begun
@@ -20,7 +20,6 @@ import re
 import resource
 import signal
 import subprocess
-import time
 
 import driver
 from restart import Background, content, summary_of
@@ -54,7 +53,8 @@ def overwrite(program, parameter_file, folder, entries, common):
             if not fnmatch.filter(before, table.strip()):
                 raise driver.TestFailure(f"{name} has written no {table.strip()}: the test shows nothing")
         runs = {os.path.dirname(path) for path in before if os.path.basename(path) == "summary.json"}
-        own = {os.path.join(run, file) for run in runs for file in ("notes.txt", "wave-own.csv", "harmonic-own.csv", "fields/view.pvsm")}
+        own = {os.path.join(run, file) for run in runs
+               for file in ("notes.txt", "wave-own.csv", "harmonic-own.csv", "fields/view.pvsm")}
         for file in own:
             with open(os.path.join(output, file), "w", encoding="utf-8") as stream:
                 stream.write(OF_THE_USER)
@@ -62,7 +62,8 @@ def overwrite(program, parameter_file, folder, entries, common):
         left = names_in(output)
         kept = own | {os.path.dirname(file) for file in own} - {""}
         if left != wanted | kept:
-            raise driver.TestFailure(f"after {name} an overwrite leaves {sorted(left - wanted - kept)} and lacks {sorted((wanted | kept) - left)}")
+            raise driver.TestFailure(f"after {name} an overwrite leaves {sorted(left - wanted - kept)} "
+                                     f"and lacks {sorted((wanted | kept) - left)}")
         for file in own:
             with open(os.path.join(output, file), encoding="utf-8") as stream:
                 if stream.read() != OF_THE_USER:
@@ -74,20 +75,22 @@ def overwrite(program, parameter_file, folder, entries, common):
 
 
 def one_run_at_a_time(program, parameter_file, folder, entries, common):
-    """Whoever comes while a run works in the folder is refused and changes nothing; after kill -9 the next one goes on."""
+    """Who comes while a run works in the folder is refused and changes nothing; after kill -9 the next one goes on."""
     output = os.path.join(folder, "run")
     arguments = [parameter_file, "--output", output, *common]
     run = Background(program, arguments)
     try:
-        run.wait_for(lambda: os.path.exists(os.path.join(output, "checkpoint", "current")), "it had a checkpoint")
+        current = os.path.join(output, "checkpoint", "current")
+        run.wait_for(lambda: os.path.exists(current), "it had a checkpoint")
         # Its files stand still.
         os.kill(run.process.pid, signal.SIGSTOP)
         before = content(output)
         for option in ([], ["--overwrite"], ["--restart"]):
             done = driver.run(program, [*arguments, *option], folder=folder)
-            pattern = f"another run works in this folder: process {run.process.pid} on {os.uname().nodename} since 20\\d\\d-"
+            pattern = f"another run works in this folder: process {run.process.pid} on {os.uname().nodename} since 20"
             if done.returncode != 2 or not re.search(pattern, done.stderr):
-                raise driver.TestFailure(f"exit status {done.returncode} instead of 2 with {option}, or not '{pattern}':\n{done.stderr}")
+                raise driver.TestFailure(f"exit status {done.returncode} instead of 2 with {option}, "
+                                         f"or not '{pattern}':\n{done.stderr}")
             if content(output) != before:
                 raise driver.TestFailure(f"the run that was refused with {option} changed the folder")
         driver.run_to_the_end(program, [*arguments, "--validate"], folder=folder)
@@ -115,11 +118,13 @@ def signal_in_the_set_up(program, parameter_file, folder, entries, common):
     output = os.path.join(folder, "run")
     name = driver.single(entries, "signal")
     run = Background(program, [parameter_file, "--output", output, *common])
-    run.wait_for(lambda: os.path.exists(os.path.join(output, "parameters.prm")), "it could be interrupted")
+    parameters = os.path.join(output, "parameters.prm")
+    run.wait_for(lambda: os.path.exists(parameters), "it could be interrupted")
     for _ in range(2):
         os.kill(run.process.pid, getattr(signal, name))
     errors = run.process.communicate(timeout=120)[1]
-    if run.process.returncode != 1 or not re.search(f"interrupted by {name} in the set-up, after .*--overwrite", errors):
+    pattern = f"interrupted by {name} in the set-up, after .*--overwrite"
+    if run.process.returncode != 1 or not re.search(pattern, errors):
         raise driver.TestFailure(f"exit status {run.process.returncode} after {name}\n{errors}")
     if summary_of(output)["status"] != "interrupted":
         raise driver.TestFailure(f"the summary says '{summary_of(output)['status']}'")
@@ -132,22 +137,23 @@ def closed_screen(program, parameter_file, folder, entries, common):
     output = os.path.join(folder, "run")
     reader, writer = os.pipe()
     os.close(reader)
-    done = subprocess.run([program, parameter_file, "--output", output, *common], env=driver.environment(), stdout=writer,
-                          stderr=subprocess.PIPE, text=True, timeout=300, check=False)
+    done = subprocess.run([program, parameter_file, "--output", output, *common], env=driver.environment(),
+                          stdout=writer, stderr=subprocess.PIPE, text=True, timeout=300, check=False)
     os.close(writer)
     if done.returncode != 0 or summary_of(output)["status"] != "finished":
         raise driver.TestFailure(f"exit status {done.returncode}\n{done.stderr}")
 
 
 def full_disk(program, parameter_file, folder, entries, common):
-    """A limit on the size of files stands for a full disk: the message names file and reason, and is the program's own."""
+    """A limit on the size of files stands for a full disk: the program itself names file and reason."""
     output = os.path.join(folder, "run")
     for name in entries.get("in the way", []):
         os.makedirs(os.path.join(output, name))
     run = Background(program, [parameter_file, "--output", output, *common])
     if "limit" in entries:
         limit = int(driver.single(entries, "limit"))
-        run.wait_for(lambda: os.path.exists(os.path.join(output, "parameters.prm")), "its disk could be full")
+        parameters = os.path.join(output, "parameters.prm")
+        run.wait_for(lambda: os.path.exists(parameters), "its disk could be full")
         resource.prlimit(run.process.pid, resource.RLIMIT_FSIZE, (limit, limit))
     errors = run.process.communicate(timeout=120)[1]
     print(errors)
