@@ -109,9 +109,10 @@ class Attack:
         else:
             if not any(operation == "fault" for operation, *_ in log):
                 return Verdict("skipped", "the operation was not reached")
-            # A new table, or the checkpoint's folder, may be named by what it is for.
-            names = {os.path.basename(file), os.path.basename(file).replace(".new", ""),
-                     os.path.basename(os.path.dirname(file)), os.path.basename(output)}
+            # What failed, or the folder in which it failed; later failures may come first in the message.
+            names = {os.path.basename(file).replace(".new", "") if "/" in file else "/run"}
+            if file.startswith("out/"):
+                names.add(os.path.join("/run", os.path.relpath(os.path.dirname(file), "out")).rstrip("/."))
             if kind in ("ever", "cut"):
                 names |= self.reference.names(output)
             found = defect(done, names)

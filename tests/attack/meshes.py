@@ -70,7 +70,7 @@ class Attack:
         made = sorted(set(listing(trial.folder)) - set(before))
         if made:
             return Verdict("wrong", f"reading the file made {', '.join(os.path.relpath(path, trial.folder) for path in made)}")
-        found = judge_reading(done, {name, "block.geo", "block.msh"})
+        found = judge_reading(done, {name, CASE})
         if found:
             return found
         if ": valid" not in done.output:

@@ -38,7 +38,8 @@ class Disk:
         self.output = output
         self.flushed = {}     # file -> bytes of it that are on the disk
         self.changed = set()  # files that were written to since
-        self.folders = {"out"} if os.path.isdir(output) else set()
+        # The folder itself stays: the one that it stands in is not looked at.
+        self.folders = {"out"}
         self.names = []       # what was done to names, in order, and is not on the disk
         for path, folders, files in os.walk(output):
             at = "out" if path == output else "out/" + os.path.relpath(path, output)

@@ -116,9 +116,8 @@ class Reference:
         return [self.case, "--output", output, *as_options(self.overrides), *more]
 
     def names(self, output):
-        """What a message may name."""
-        return {os.path.basename(output), *(os.path.basename(name) for name in content(output)),
-                *os.listdir(os.path.dirname(self.case))}
+        """What a message may name: anything in the folder, and the input."""
+        return {"/" + os.path.basename(output), *os.listdir(os.path.dirname(self.case))}
 
     def go_on(self, trial, output, had_checkpoint):
         """After a disturbance: --restart must reach the results of the undisturbed run; a run anew if there was no

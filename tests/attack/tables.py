@@ -50,7 +50,7 @@ class Attack:
         shutil.copytree(runs.CASES, folder)
         self.write(os.path.join(folder, table), data)
         file = os.path.join(folder, case)
-        found = judge_reading(trial.note(self.program.run([file, "--validate"], trial.folder)), {table})
+        found = judge_reading(trial.note(self.program.run([file, "--validate"], trial.folder)), {table, case})
         if found:
             return found
         try:
