@@ -1,4 +1,5 @@
-"""Each operation on a file of a run and of a restart fails: once, from there on, short, by a kill, by a loss of power."""
+"""Each operation on a file of a run and of a restart fails: once, from there on, short, by a kill, by a loss of
+power."""
 
 import os
 import random
@@ -68,9 +69,7 @@ class Attack:
         return self.reference.arguments(output, *(["--restart"] if phase == "restart" else []))
 
     def corpus(self):
-        with open(os.path.join(HERE, "corpus", "files.txt"), encoding="utf-8") as stream:
-            names = [line.strip() for line in stream if line.strip() and not line.startswith("#")]
-        return [one for name in names for one in self.each(name)]
+        return [one for name in runs.corpus_lines("files.txt") for one in self.each(name)]
 
     def each(self, name):
         """A star for the number of the call stands for each of them."""

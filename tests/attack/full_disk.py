@@ -7,11 +7,12 @@ import shutil
 import subprocess
 
 import runs
-from program import HERE, Verdict, defect
+from program import Verdict, defect
 
 REASON = re.compile(r"No space left|File too large|full", re.IGNORECASE)
 # A small file system of its own, which only this command and its children see; what was in it is copied to the end.
-ON_A_SMALL_DISK = ('mount -t tmpfs -o size="$1"k none "$2" && cp -a "$3"/. "$2" && saved=$4 && disk=$2 && shift 4 && { "$@"; '
+ON_A_SMALL_DISK = ('mount -t tmpfs -o size="$1"k none "$2" && cp -a "$3"/. "$2" && saved=$4 && disk=$2 && '
+                   'shift 4 && { "$@"; '
                    'status=$?; cp -a "$disk"/. "$saved"; exit $status; }')
 
 
@@ -30,8 +31,7 @@ class Attack:
                                         stderr=subprocess.DEVNULL).returncode == 0
 
     def corpus(self):
-        with open(os.path.join(HERE, "corpus", "full-disk.txt"), encoding="utf-8") as stream:
-            return [line.strip() for line in stream if line.strip() and not line.startswith("#")]
+        return runs.corpus_lines("full-disk.txt")
 
     def trials(self, number, seed):
         """Names: PHASE disk KILOBYTES, PHASE file KILOBYTES, PHASE signal KILOBYTES (SIGXFSZ has its usual effect)."""
@@ -39,7 +39,8 @@ class Attack:
         names = []
         while len(names) < number:
             phase, how = chance.choice(("run", "restart")), chance.choice(("disk", "disk", "disk", "file", "signal"))
-            names.append(f"{phase} {how} {chance.randrange(4, self.size, 4) if how == 'disk' else chance.randrange(self.largest)}")
+            size = chance.randrange(4, self.size, 4) if how == "disk" else chance.randrange(self.largest)
+            names.append(f"{phase} {how} {size}")
         return names
 
     def perform(self, trial):
@@ -59,7 +60,8 @@ class Attack:
             used = sum(max(4096, len(data)) for data in runs.content(before).values()) // 1024 + 16
             arguments = self.reference.arguments(full, *more)
             done = self.program.run(arguments, trial.folder, wrapper=(
-                "unshare", "-m", "sh", "-c", ON_A_SMALL_DISK, "sh", str(used * (phase == "restart") + int(size)), full, before, output))
+                "unshare", "-m", "sh", "-c", ON_A_SMALL_DISK, "sh", str(used * (phase == "restart") + int(size)),
+                                                                      full, before, output))
         else:
             # In blocks of 512 bytes.
             arguments = self.reference.arguments(output, *more)

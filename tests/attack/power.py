@@ -1,8 +1,8 @@
 """What a loss of power leaves of a folder, from the record of the operations on it.
 
-Of a file the bytes are kept that were there when it was flushed last (fsync); of one that was never flushed nothing but its
-name. With `names`, what was done to the names in a folder since the folder itself was flushed is undone, too: new files and
-folders vanish, renames are taken back, removed files return. POSIX promises no more."""
+Of a file the bytes are kept that were there when it was flushed last (fsync); of one that was never flushed nothing but
+its name. With `names`, what was done to the names in a folder since the folder itself was flushed is undone, too: new
+files and folders vanish, renames are taken back, removed files return. POSIX promises no more."""
 
 import os
 import shutil

@@ -36,6 +36,17 @@ def make_long(path):
         stream.write(first + ("# " + 77 * "." + "\n") * 120 + "".join(rest))
 
 
+def corpus_lines(name):
+    """Names of trials that once failed."""
+    with open(os.path.join(HERE, "corpus", name), encoding="utf-8") as stream:
+        return [line.rstrip("\n") for line in stream if line.strip() and not line.startswith("#")]
+
+
+def corpus_files(name):
+    """The same for an attack whose corpus is files: `corpus FILE`."""
+    return sorted("corpus " + file for file in os.listdir(os.path.join(HERE, "corpus", name)))
+
+
 def content(folder):
     """{name: bytes} of all files in a folder, but for the lock and what is left of temporary files."""
     result = {}
@@ -58,8 +69,8 @@ def results(output):
     try:
         with open(os.path.join(output, "summary.json"), encoding="utf-8") as stream:
             summary = json.load(stream)
-        kept["summary.json"] = json.dumps({key: summary.get(key) for key in ("status", "steps", "quantities", "checks")},
-                                          indent=1).encode()
+        wanted = {key: summary.get(key) for key in ("status", "steps", "quantities", "checks")}
+        kept["summary.json"] = json.dumps(wanted, indent=1).encode()
     except (OSError, ValueError) as error:
         kept["summary.json"] = str(error).encode()
     return kept

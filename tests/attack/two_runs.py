@@ -7,7 +7,7 @@ import signal
 import time
 
 import runs
-from program import HERE, Verdict, defect
+from program import Verdict, defect
 
 LONG = ("Time/End time=100 ms", "Output/Checkpoint steps=20")
 PARTLY = "Time/End time=20 ms"
@@ -26,8 +26,7 @@ class Attack:
         self.reference.make_partly(PARTLY)
 
     def corpus(self):
-        with open(os.path.join(HERE, "corpus", "two-runs.txt"), encoding="utf-8") as stream:
-            return [line.strip() for line in stream if line.strip() and not line.startswith("#")]
+        return runs.corpus_lines("two-runs.txt")
 
     def trials(self, number, seed):
         """Names: `stopped FIRST SECOND`, where the first is stopped while it steps until the second has ended, and
