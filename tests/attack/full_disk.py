@@ -3,6 +3,7 @@
 import os
 import random
 import re
+import resource
 import shutil
 import subprocess
 
@@ -59,14 +60,16 @@ class Attack:
             os.mkdir(output)
             used = sum(max(4096, len(data)) for data in runs.content(before).values()) // 1024 + 16
             arguments = self.reference.arguments(full, *more)
-            done = self.program.run(arguments, trial.folder, wrapper=(
-                "unshare", "-m", "sh", "-c", ON_A_SMALL_DISK, "sh", str(used * (phase == "restart") + int(size)),
-                                                                      full, before, output))
+            room = str(used * (phase == "restart") + int(size))
+            wrapper = ("unshare", "-m", "sh", "-c", ON_A_SMALL_DISK, "sh", room, full, before, output)
+            done = self.program.run(arguments, trial.folder, wrapper=wrapper)
         else:
-            # In blocks of 512 bytes.
+            # Later than MPI has started, which does not bear the limit.
             arguments = self.reference.arguments(output, *more)
-            limits = f"ulimit -f {2 * int(size)}" + ("; trap '' XFSZ" if how == "file" else "")
-            done = self.program.run(arguments, trial.folder, limits=limits)
+            process = self.program.start(arguments, trial.folder, limits="trap '' XFSZ" if how == "file" else "")
+            if runs.wait_until_open(process, os.path.join(output, "log.txt"), self.program.time_limit):
+                resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (1024 * int(size), 1024 * int(size)))
+            done = self.program.finish(process, arguments)
         trial.note(done)
         found = defect(done, {"/full", "/run"})
         if found:

@@ -3,6 +3,7 @@
 import json
 import os
 import shutil
+import time
 
 from program import HERE, Verdict, defect
 
@@ -89,6 +90,19 @@ def difference(expected, output):
             place = next((i for i, (a, b) in enumerate(zip(one, other)) if a != b), min(len(one), len(other)))
             return f"{name} differs from byte {place} on ({len(other)} bytes, {len(one)} in the undisturbed run)"
     return ""
+
+
+def wait_until_open(process, path, time_limit):
+    """Whether the process comes to have the file open."""
+    end, folder = time.monotonic() + time_limit, f"/proc/{process.pid}/fd"
+    while process.poll() is None and time.monotonic() < end:
+        try:
+            if path in (os.readlink(os.path.join(folder, name)) for name in os.listdir(folder)):
+                return True
+        except OSError:
+            pass
+        time.sleep(0.0005)
+    return False
 
 
 def must_be_valid(program, folder, arguments):

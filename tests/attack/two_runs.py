@@ -44,7 +44,7 @@ class Attack:
         arguments = self.reference.arguments(output, *WAYS[first])
         one = self.program.start(arguments, trial.folder)
         if how == "stopped":
-            if not self.wait_until_it_writes(one, output):
+            if not runs.wait_until_open(one, os.path.join(output, "power.csv"), self.program.time_limit):
                 return Verdict("wrong", f"the first run ended too early: {self.program.finish(one, arguments).text()}")
             os.kill(one.pid, signal.SIGSTOP)
         else:
@@ -67,16 +67,3 @@ class Attack:
         if found:
             return Verdict("wrong", found)
         return Verdict("refused" if 2 in statuses else "accepted", "")
-
-    def wait_until_it_writes(self, process, output):
-        """Whether the run has its table open."""
-        table, end = os.path.join(output, "power.csv"), time.monotonic() + self.program.time_limit
-        folder = f"/proc/{process.pid}/fd"
-        while process.poll() is None and time.monotonic() < end:
-            try:
-                if table in (os.readlink(os.path.join(folder, name)) for name in os.listdir(folder)):
-                    return True
-            except OSError:
-                pass
-            time.sleep(0.0005)
-        return False
