@@ -39,7 +39,8 @@ class Archive:
         return next(record for record in self.records if record[1] == name)
 
     def sealed(self, lengths=None):
-        """The archive as bytes. `lengths`: {(number of the record, 1 for its name or 2 for its content): length to claim}."""
+        """The archive as bytes. `lengths`: {(number of the record, 1 for its name or 2 for its content): length to
+        claim}."""
         data = bytearray(self.head)
         for number, record in enumerate(self.records):
             data += record[0]

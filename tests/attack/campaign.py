@@ -25,8 +25,8 @@ class Trial:
 
 
 class Campaign:
-    """An attack has `name`, `summary`, corpus() and trials(number, seed), which list names of trials, prepare(folder), and
-    perform(trial), which returns a Verdict."""
+    """An attack has `name`, `summary`, corpus() and trials(number, seed), which list names of trials, prepare(folder),
+    and perform(trial), which returns a Verdict."""
 
     def __init__(self, attack, folder, jobs, resume, command):
         self.attack, self.jobs, self.command = attack, jobs, command

@@ -1,4 +1,5 @@
-"""Damaged, exchanged and forged checkpoints, and tables beside them: a restart is refused, or goes on to the same bytes."""
+"""Damaged, exchanged and forged checkpoints, and tables beside them: a restart is refused, or goes on to the same
+bytes."""
 
 import os
 import random
@@ -6,11 +7,11 @@ import shutil
 
 import runs
 from archive import Archive
-from program import HERE, Verdict, judge_reading
+from program import Verdict, judge_reading
 
 LENGTHS = (0, 1, 7, -1, -8, 1 << 20, 1 << 40, (1 << 63) - 1, 1 << 63, (1 << 64) - 8)
-CURRENT = ("", "0\n", "-1\n", "99999999999999999999\n", "../../../shared/whole/checkpoint/8\n", "5/../5\n", ".\n", "..\n", "5 6\n",
-           "5\0\n", "/\n", "current\n", "5" * 5000 + "\n", "5\n")
+CURRENT = ("", "0\n", "-1\n", "99999999999999999999\n", "../../../shared/whole/checkpoint/8\n", "5/../5\n", ".\n",
+           "..\n", "5 6\n", "5\0\n", "/\n", "current\n", "5" * 5000 + "\n", "5\n")
 
 
 class Attack:
@@ -35,8 +36,7 @@ class Attack:
         self.tables = [name for name in files if name.endswith(".csv") and "/" not in name] + ["fields.pvd"]
 
     def corpus(self):
-        with open(os.path.join(HERE, "corpus", "checkpoints.txt"), encoding="utf-8") as stream:
-            return [line.rstrip("\n") for line in stream if line.strip() and not line.startswith("#")]
+        return runs.corpus_lines("checkpoints.txt")
 
     def trials(self, number, seed):
         chance = random.Random(seed)
@@ -86,7 +86,7 @@ class Attack:
             getattr(self, words[0])(path, *words[2:])
         before = runs.content(output)
         done = trial.note(self.program.run(self.reference.arguments(output, "--restart"), trial.folder))
-        found = judge_reading(done, self.reference.names(output) | {"checkpoint"})
+        found = judge_reading(done, self.reference.names(output))
         if found is None:
             found = runs.difference(self.reference.expected, output)
             return Verdict("wrong", "exit status 0, but " + found) if found else Verdict("accepted", "")

@@ -1,4 +1,5 @@
-"""Each operation on a file of a run and of a restart fails: once, from there on, short, by a kill, by a loss of power."""
+"""Each operation on a file of a run and of a restart fails: once, from there on, short, by a kill, by a loss of
+power."""
 
 import os
 import random
@@ -68,9 +69,7 @@ class Attack:
         return self.reference.arguments(output, *(["--restart"] if phase == "restart" else []))
 
     def corpus(self):
-        with open(os.path.join(HERE, "corpus", "files.txt"), encoding="utf-8") as stream:
-            names = [line.strip() for line in stream if line.strip() and not line.startswith("#")]
-        return [one for name in names for one in self.each(name)]
+        return [one for name in runs.corpus_lines("files.txt") for one in self.each(name)]
 
     def each(self, name):
         """A star for the number of the call stands for each of them."""
@@ -109,9 +108,10 @@ class Attack:
         else:
             if not any(operation == "fault" for operation, *_ in log):
                 return Verdict("skipped", "the operation was not reached")
-            # A new table, or the checkpoint's folder, may be named by what it is for.
-            names = {os.path.basename(file), os.path.basename(file).replace(".new", ""),
-                     os.path.basename(os.path.dirname(file)), os.path.basename(output)}
+            # What failed, or the folder in which it failed; later failures may come first in the message.
+            names = {os.path.basename(file).replace(".new", "") if "/" in file else "/run"}
+            if file.startswith("out/"):
+                names.add(os.path.join("/run", os.path.relpath(os.path.dirname(file), "out")).rstrip("/."))
             if kind in ("ever", "cut"):
                 names |= self.reference.names(output)
             found = defect(done, names)

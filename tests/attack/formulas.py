@@ -6,23 +6,26 @@ import random
 import shutil
 
 import runs
-from program import HERE, Verdict, defect, judge_reading
+from program import Verdict, defect, judge_reading
 
 # Where the formula stands: sections, keys with what stands before it, and what a message may name.
-PLACES = {"traction": ("  subsection right\n    set Type     = traction\n    set Traction = 0, {}\n  end\n", "Boundaries",
+PLACES = {"traction": ("  subsection right\n    set Type     = traction\n    set Traction = 0, {}\n  end\n",
+                       "Boundaries",
                        ("Traction", "Boundaries")),
           "pressure": ("  subsection right\n    set Type     = pressure\n    set Pressure = {}\n  end\n", "Boundaries",
                        ("Pressure", "Boundaries")),
           "body force": ("    set Force density = {}, 0\n", "Body force", ("Force density", "Body force"))}
-ODD = ("1/0", "0/0", "t/0", "1/t", "1/(t-0.25)", "sqrt(-1)", "log(0)", "log(-1)", "ln(0)", "asin(2)", "exp(1000)", "exp(exp(9))", "1e400",
-       "1e308*10", "0*exp(1000)", "nan", "inf", "-inf", "NaN", "1/(x-1)", "x/(y-y)", "if(t>0, 1, 0)", "if(t>0,1)", "t>0 ? 1 : 0", "t>0 ? 1",
-       "((((((((1))))))))", "(", ")", "()", "1+", "*2", "2**3", "2^^3", "2^3^4^5", "--1", "-+-1", "1 2", "x y", "t t", "sin", "sin()",
-       "sin(1,2)", "sinus(1)", "unknown", "t.x", "x[0]", "\"text\"", "'x'", "1,5", "1;2", "1e", "0x1F", "#1", "1e-400", "5e-324",
-       "rnd", "rand()", "rand_seed(1)", "a=1", "x=2", "t:=1", "pi", "_pi", "e", "_e", "min()", "max(1,2,3,4,5,6,7,8,9,10)", "sum()",
-       "avg(1)", "1&&0", "1||0", "1==1", "t<x", "!1", "1%2", "int(2.7)", "ceil(1e300)", "floor(-0.5)", "mod(1,0)", "pow(0,-1)", "0^0",
-       "0^-1", "(-8)^(1/3)", "tan(1.5707963267948966)", "erf(1)", "jn(0,1)", "m", "1 m", "1 Pa", "1 kPa*t", "\u00b5", "\u03c0", "1\u00a0+1",
-       "\u22121", "t\u00b2", "%s%n", "$(date)", "`date`", "1\\", "", " ", "x" * 3000, "+".join(["t"] * 3000), "(" * 3000 + "1" + ")" * 3000,
-       "(" * 100000, "-" * 20000 + "1", "sin(" * 2000 + "t" + ")" * 2000)
+ODD = ("1/0", "0/0", "t/0", "1/t", "1/(t-0.25)", "sqrt(-1)", "log(0)", "log(-1)", "ln(0)", "asin(2)", "exp(1000)",
+       "exp(exp(9))", "1e400", "1e308*10", "0*exp(1000)", "nan", "inf", "-inf", "NaN", "1/(x-1)", "x/(y-y)",
+       "if(t>0, 1, 0)", "if(t>0,1)", "t>0 ? 1 : 0", "t>0 ? 1", "((((((((1))))))))", "(", ")", "()", "1+", "*2", "2**3",
+       "2^^3", "2^3^4^5", "--1", "-+-1", "1 2", "x y", "t t", "sin", "sin()", "sin(1,2)", "sinus(1)", "unknown", "t.x",
+       "x[0]", "\"text\"", "'x'", "1,5", "1;2", "1e", "0x1F", "#1", "1e-400", "5e-324", "rnd", "rand()", "rand_seed(1)",
+       "a=1", "x=2", "t:=1", "pi", "_pi", "e", "_e", "min()", "max(1,2,3,4,5,6,7,8,9,10)", "sum()", "avg(1)", "1&&0",
+       "1||0", "1==1", "t<x", "!1", "1%2", "int(2.7)", "ceil(1e300)", "floor(-0.5)", "mod(1,0)", "pow(0,-1)", "0^0",
+       "0^-1", "(-8)^(1/3)", "tan(1.5707963267948966)", "erf(1)", "jn(0,1)", "m", "1 m", "1 Pa", "1 kPa*t", "\u00b5",
+       "\u03c0", "1\u00a0+1", "\u22121", "t\u00b2", "%s%n", "$(date)", "`date`", "1\\", "", " ", "x" * 3000,
+       "+".join(["t"] * 3000), "(" * 3000 + "1" + ")" * 3000, "(" * 100000, "-" * 20000 + "1",
+       "sin(" * 2000 + "t" + ")" * 2000)
 FUNCTIONS = {"sin": math.sin, "cos": math.cos, "tan": math.tan, "exp": math.exp, "sqrt": math.sqrt, "abs": abs}
 OPERATIONS = {"+": lambda a, b: a + b, "-": lambda a, b: a - b, "*": lambda a, b: a * b, "/": lambda a, b: a / b,
               "^": lambda a, b: a ** b}
@@ -59,8 +62,7 @@ class Attack:
             runs.must_be_valid(self.program, folder, [self.file(folder, "formula.prm", place, "1")])
 
     def corpus(self):
-        with open(os.path.join(HERE, "corpus", "formulas.txt"), encoding="utf-8") as stream:
-            return [line.rstrip("\n") for line in stream if line.strip() and not line.startswith("#")]
+        return runs.corpus_lines("formulas.txt")
 
     def trials(self, number, seed):
         """Names: `odd PLACE NUMBER`, of the list above, and `constant PLACE SEED`."""
@@ -68,7 +70,9 @@ class Attack:
         odd = [f"odd {place} {number}" for place in PLACES for number in range(len(ODD))]
         chance.shuffle(odd)
         constant = [f"constant {chance.choice(sorted(PLACES))} {chance.randrange(10**9)}" for _ in range(number)]
-        return [name for pair in zip(odd, constant) for name in pair][:number] if number <= 2 * len(odd) else odd + constant
+        if number > 2 * len(odd):
+            return odd + constant
+        return [name for pair in zip(odd, constant) for name in pair][:number]
 
     def file(self, folder, name, place, formula):
         entry, section, _ = PLACES[place]

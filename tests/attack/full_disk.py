@@ -3,15 +3,17 @@
 import os
 import random
 import re
+import resource
 import shutil
 import subprocess
 
 import runs
-from program import HERE, Verdict, defect
+from program import Verdict, defect
 
 REASON = re.compile(r"No space left|File too large|full", re.IGNORECASE)
 # A small file system of its own, which only this command and its children see; what was in it is copied to the end.
-ON_A_SMALL_DISK = ('mount -t tmpfs -o size="$1"k none "$2" && cp -a "$3"/. "$2" && saved=$4 && disk=$2 && shift 4 && { "$@"; '
+ON_A_SMALL_DISK = ('mount -t tmpfs -o size="$1"k none "$2" && cp -a "$3"/. "$2" && saved=$4 && disk=$2 && '
+                   'shift 4 && { "$@"; '
                    'status=$?; cp -a "$disk"/. "$saved"; exit $status; }')
 
 
@@ -30,8 +32,7 @@ class Attack:
                                         stderr=subprocess.DEVNULL).returncode == 0
 
     def corpus(self):
-        with open(os.path.join(HERE, "corpus", "full-disk.txt"), encoding="utf-8") as stream:
-            return [line.strip() for line in stream if line.strip() and not line.startswith("#")]
+        return runs.corpus_lines("full-disk.txt")
 
     def trials(self, number, seed):
         """Names: PHASE disk KILOBYTES, PHASE file KILOBYTES, PHASE signal KILOBYTES (SIGXFSZ has its usual effect)."""
@@ -39,7 +40,8 @@ class Attack:
         names = []
         while len(names) < number:
             phase, how = chance.choice(("run", "restart")), chance.choice(("disk", "disk", "disk", "file", "signal"))
-            names.append(f"{phase} {how} {chance.randrange(4, self.size, 4) if how == 'disk' else chance.randrange(self.largest)}")
+            size = chance.randrange(4, self.size, 4) if how == "disk" else chance.randrange(self.largest)
+            names.append(f"{phase} {how} {size}")
         return names
 
     def perform(self, trial):
@@ -58,15 +60,18 @@ class Attack:
             os.mkdir(output)
             used = sum(max(4096, len(data)) for data in runs.content(before).values()) // 1024 + 16
             arguments = self.reference.arguments(full, *more)
-            done = self.program.run(arguments, trial.folder, wrapper=(
-                "unshare", "-m", "sh", "-c", ON_A_SMALL_DISK, "sh", str(used * (phase == "restart") + int(size)), full, before, output))
+            room = str(used * (phase == "restart") + int(size))
+            wrapper = ("unshare", "-m", "sh", "-c", ON_A_SMALL_DISK, "sh", room, full, before, output)
+            done = self.program.run(arguments, trial.folder, wrapper=wrapper)
         else:
-            # In blocks of 512 bytes.
+            # Later than MPI has started, which does not bear the limit.
             arguments = self.reference.arguments(output, *more)
-            limits = f"ulimit -f {2 * int(size)}" + ("; trap '' XFSZ" if how == "file" else "")
-            done = self.program.run(arguments, trial.folder, limits=limits)
+            process = self.program.start(arguments, trial.folder, limits="trap '' XFSZ" if how == "file" else "")
+            if runs.wait_until_open(process, os.path.join(output, "log.txt"), self.program.time_limit):
+                resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (1024 * int(size), 1024 * int(size)))
+            done = self.program.finish(process, arguments)
         trial.note(done)
-        found = defect(done, self.reference.names(self.reference.whole) | {"full", "run", "checkpoint", "fields", "input"})
+        found = defect(done, {"/full", "/run"})
         if found:
             return found
         if done.status != 0 and not REASON.search(done.errors):

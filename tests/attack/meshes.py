@@ -1,6 +1,6 @@
-"""Mesh files (.msh) and geometries (.geo) with changes by chance, and geometries with commands that do more than draw."""
+"""Mesh files (.msh) and geometries (.geo) with changes by chance, and geometries with commands that do more than
+draw."""
 
-import glob
 import os
 import random
 import shutil
@@ -11,9 +11,10 @@ import runs
 from program import HERE, Verdict, judge_reading
 
 CASE = "block.prm"
-GEO_TOKENS = (b"1e400", b"Cos(1e400)", b"0", b"-1", b"1e9", b"{}", b"}", b"Exit;", b"Abort;", b"Error(\"stop\");", b"Recombine", b"1/0",
-              b"For i In {1:1e9}", b"EndFor", b"Include \"block.geo\";", b"Mesh 2;", b"Delete Model;", b"Merge \"block.msh\";",
-              b"SystemCall \"touch made.txt\";", b"Printf(\"made\") > \"made.txt\";", b"Save \"made.msh\";")
+GEO_TOKENS = (b"1e400", b"Cos(1e400)", b"0", b"-1", b"1e9", b"{}", b"}", b"Exit;", b"Abort;", b"Error(\"stop\");",
+              b"Recombine", b"1/0", b"For i In {1:1e9}", b"EndFor", b"Include \"block.geo\";", b"Mesh 2;",
+              b"Delete Model;", b"Merge \"block.msh\";", b"SystemCall \"touch made.txt\";",
+              b"Printf(\"made\") > \"made.txt\";", b"Save \"made.msh\";")
 OF_GEO = tuple(mutations.COMMON) + (mutations.replace_match(mutations.WORD, GEO_TOKENS),) * 6
 
 
@@ -42,12 +43,13 @@ class Attack:
         return [os.path.join(folder, CASE), "--set", f"Geometry/File={os.path.join(folder, name)}"]
 
     def corpus(self):
-        return sorted("corpus " + os.path.basename(path) for path in glob.glob(os.path.join(HERE, "corpus", "meshes", "*.*")))
+        return runs.corpus_files("meshes")
 
     def trials(self, number, seed):
         """Names: FILE SEED."""
         chance = random.Random(seed)
-        return [f"{chance.choice(('block.msh', 'block.msh', 'block.geo'))} {chance.randrange(10**9)}" for _ in range(number)]
+        return [f"{chance.choice(('block.msh', 'block.msh', 'block.geo'))} {chance.randrange(10**9)}"
+                for _ in range(number)]
 
     def perform(self, trial):
         name, seed = trial.name.split(" ")
@@ -69,8 +71,9 @@ class Attack:
         done = trial.note(self.program.run([*arguments, "--validate"], trial.folder))
         made = sorted(set(listing(trial.folder)) - set(before))
         if made:
-            return Verdict("wrong", f"reading the file made {', '.join(os.path.relpath(path, trial.folder) for path in made)}")
-        found = judge_reading(done, {name, "block.geo", "block.msh"})
+            return Verdict("wrong",
+                           f"reading the file made {', '.join(os.path.relpath(path, trial.folder) for path in made)}")
+        found = judge_reading(done, {name, CASE})
         if found:
             return found
         if ": valid" not in done.output:
@@ -80,8 +83,8 @@ class Attack:
         return self.compare(trial, arguments, os.path.join(folder, name), data) or Verdict("accepted", "")
 
     def compare(self, trial, arguments, path, data):
-        """What the run computes with the mesh, and with the same one written plainly; with the undisturbed one if the file is
-        not in order."""
+        """What the run computes with the mesh, and with the same one written plainly; with the undisturbed one if the
+        file is not in order."""
         expected = self.expected
         status, found = self.compute(trial, arguments, "changed")
         if isinstance(found, Verdict):

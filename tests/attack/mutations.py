@@ -2,14 +2,16 @@
 
 import re
 
-NUMBERS = (b"0", b"-0", b"-1", b"1e400", b"-1e400", b"1e-400", b"nan", b"-nan", b"inf", b"1,5", b"1.5.2", b"0x10", b"1e", b"1e+",
-           b".", b"1_000", b"99999999999999999999", b"4294967297", b"2147483648", b"1d3", b"\xc2\xbd", b"1e308", b"5e-324", b"")
-UNITS = (b"mm", b"m", b"kPa", b"mPa s", b"1/s", b"%", b"mmHg", b"m^3/s", b"Pa s", b"(m", b"m)", b"m^", b"m^99", b"m//s", b"/",
-         b"\xc2\xb5m", b"\xb5m", b"K", b"ms s", b"m^-1", b"((((m))))", b"m^2^3", b"mmm", b"1 m", b"m 1")
-TOKENS = (b"set", b"end", b"subsection", b"include", b"=", b"#", b"\\", b"\"", b"'", b",", b":", b"/", b"+-", b"<", b"true", b"include .",
-          b"include /dev/null", b"subsection", b"\0", b"\xff", b"\xe4", b"\x1b[31m", b"%s%n", b"../../..", b"A" * 70000, b"$(date)")
-BYTES = (b"\0", b"\r", b"\n", b"\t", b"\x0b", b"\x0c", b"\x1b", b"\x7f", b"\x80", b"\xff", b"\xc3", b"\xe2\x80\x8b", b"\xc2\xa0",
-         b"\xef\xbb\xbf", b"#", b"=", b"\\\n", b"\\")
+NUMBERS = (b"0", b"-0", b"-1", b"1e400", b"-1e400", b"1e-400", b"nan", b"-nan", b"inf", b"1,5", b"1.5.2", b"0x10",
+           b"1e", b"1e+", b".", b"1_000", b"99999999999999999999", b"4294967297", b"2147483648", b"1d3", b"\xc2\xbd",
+           b"1e308", b"5e-324", b"")
+UNITS = (b"mm", b"m", b"kPa", b"mPa s", b"1/s", b"%", b"mmHg", b"m^3/s", b"Pa s", b"(m", b"m)", b"m^", b"m^99", b"m//s",
+         b"/", b"\xc2\xb5m", b"\xb5m", b"K", b"ms s", b"m^-1", b"((((m))))", b"m^2^3", b"mmm", b"1 m", b"m 1")
+TOKENS = (b"set", b"end", b"subsection", b"include", b"=", b"#", b"\\", b"\"", b"'", b",", b":", b"/", b"+-", b"<",
+          b"true", b"include .", b"include /dev/null", b"subsection", b"\0", b"\xff", b"\xe4", b"\x1b[31m", b"%s%n",
+          b"../../..", b"A" * 70000, b"$(date)")
+BYTES = (b"\0", b"\r", b"\n", b"\t", b"\x0b", b"\x0c", b"\x1b", b"\x7f", b"\x80", b"\xff", b"\xc3", b"\xe2\x80\x8b",
+         b"\xc2\xa0", b"\xef\xbb\xbf", b"#", b"=", b"\\\n", b"\\")
 WORD = re.compile(rb"[^\s,;\[\]=]+")
 NUMBER = re.compile(rb"[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?")
 UNIT = re.compile(rb"(?<=\d )[A-Za-z%][A-Za-z0-9/^% ]*|(?<=\[)[^\]\n]+(?=\])")
@@ -84,7 +86,8 @@ def comment_line(_, rows, at):
 
 
 def add_comment(chance, rows, at):
-    rows[at] = rows[at].rstrip(b"\r\n") + b" # " + bytes(chance.randrange(32, 256) for _ in range(9)).replace(b"\\", b"/") + b"\n"
+    comment = bytes(chance.randrange(32, 256) for _ in range(9)).replace(b"\\", b"/")
+    rows[at] = rows[at].rstrip(b"\r\n") + b" # " + comment + b"\n"
 
 
 def add_blanks(chance, rows, at):
@@ -110,15 +113,18 @@ def repeat_block(chance, rows, at):
 
 def encode(chance, data):
     text = data.decode("utf-8", "replace")
-    return chance.choice((lambda: text.encode("utf-16"), lambda: text.encode("utf-16-be"), lambda: text.encode("utf-32"),
+    return chance.choice((lambda: text.encode("utf-16"), lambda: text.encode("utf-16-be"),
+                          lambda: text.encode("utf-32"),
                           lambda: b"\xef\xbb\xbf" + data, lambda: data.replace(b"\n", b"\r\n"),
                           lambda: data.replace(b"\n", b"\r"), lambda: data.replace(b"\n", b"\n\r"),
-                          lambda: data.rstrip(b"\n"), lambda: data + b"\0" * 100, lambda: data.upper(), lambda: data.lower()))()
+                          lambda: data.rstrip(b"\n"), lambda: data + b"\0" * 100, lambda: data.upper(),
+                          lambda: data.lower()))()
 
 
 COMMON = (flip_bit, insert_bytes, delete_bytes, truncate, replace_match(WORD, TOKENS), replace_match(NUMBER, NUMBERS),
-          replace_match(NUMBER, NUMBERS), replace_match(UNIT, UNITS), lines(delete_line), lines(double_line), lines(swap_lines),
-          lines(join_lines), lines(split_line), lines(comment_line), lines(add_comment), lines(add_blanks), lines(repeat_block), encode)
+          replace_match(NUMBER, NUMBERS), replace_match(UNIT, UNITS), lines(delete_line), lines(double_line),
+          lines(swap_lines), lines(join_lines), lines(split_line), lines(comment_line), lines(add_comment),
+          lines(add_blanks), lines(repeat_block), encode)
 OF_SECTIONS = (lines(open_section), lines(close_section), lines(nest_sections))
 
 

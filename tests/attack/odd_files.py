@@ -1,4 +1,5 @@
-"""Odd files as input and as output folder: pipes, folders, links in a circle, devices, other encodings, huge and deep ones."""
+"""Odd files as input and as output folder: pipes, folders, links in a circle, devices, other encodings, huge and deep
+ones."""
 
 import itertools
 import os
@@ -7,16 +8,18 @@ import shutil
 import socket
 
 import runs
-from program import HERE, Verdict, judge_reading
+from program import Verdict, judge_reading
 
 # Role: the case, and the file of it that is odd. An include and a parameter file are read before all else.
-ROLES = {"parameters": ("channel.prm", "channel.prm"), "include": ("channel.prm", "wall.prm"), "inlet": ("channel.prm", "pulse.csv"),
-         "relaxation": ("relaxation.prm", "relaxation.csv"), "measured": ("measured.prm", "measured.csv"),
-         "shape": ("shape.prm", "shape.csv"), "mesh": ("block.prm", "block.msh"), "drawing": ("block.prm", "block.geo")}
-KINDS = ("pipe", "folder", "circle", "dangling", "zero", "full", "null", "random", "terminal", "utf-16", "latin-1", "empty", "blank",
-         "huge-line", "huge-comment", "deep-unit", "deep-sections", "deep-includes", "no-permission", "socket", "control")
-OUTPUTS = ("file", "circle", "dangling", "full", "under-full", "under-file", "long-name", "line-break", "itself", "pipe", "link",
-           "input", "no-permission", "blanks", "escape")
+ROLES = {"parameters": ("channel.prm", "channel.prm"), "include": ("channel.prm", "wall.prm"),
+         "inlet": ("channel.prm", "pulse.csv"), "relaxation": ("relaxation.prm", "relaxation.csv"),
+         "measured": ("measured.prm", "measured.csv"), "shape": ("shape.prm", "shape.csv"),
+         "mesh": ("block.prm", "block.msh"), "drawing": ("block.prm", "block.geo")}
+KINDS = ("pipe", "folder", "circle", "dangling", "zero", "full", "null", "random", "terminal", "utf-16", "latin-1",
+         "empty", "blank", "huge-line", "huge-comment", "deep-unit", "deep-sections", "deep-includes", "no-permission",
+         "socket", "control")
+OUTPUTS = ("file", "circle", "dangling", "full", "under-full", "under-file", "long-name", "line-break", "itself",
+           "pipe", "link", "input", "no-permission", "blanks", "escape")
 
 
 def make_odd(kind, path):
@@ -24,7 +27,8 @@ def make_odd(kind, path):
     with open(path, "rb") as stream:
         right = stream.read()
     os.remove(path)
-    links = {"zero": "/dev/zero", "full": "/dev/full", "null": "/dev/null", "terminal": "/dev/tty", "circle": os.path.basename(path),
+    links = {"zero": "/dev/zero", "full": "/dev/full", "null": "/dev/null", "terminal": "/dev/tty",
+             "circle": os.path.basename(path),
              "dangling": "nowhere"}
     if kind == "pipe":
         os.mkfifo(path)
@@ -72,7 +76,8 @@ def text_of(kind, right, path):
                 stream.write(f"include deep-{i + 1}.prm\n" if i < 1999 else "set Titel = x\n")
         return b"include deep-0.prm\n" + right if name.endswith(".prm") else right
     if kind == "control":
-        return right.replace(b"Channel", b"\x1b]0;x\x07\x1b[31mred").replace(b"set Cells", b"set \x1b[2JCells") + b"\x1b[31m\x08\n"
+        changed = right.replace(b"Channel", b"\x1b]0;x\x07\x1b[31mred").replace(b"set Cells", b"set \x1b[2JCells")
+        return changed + b"\x1b[31m\x08\n"
     return b"" if kind == "empty" else right
 
 
@@ -91,7 +96,8 @@ def odd_output(kind, folder):
     elif kind == "no-permission":
         os.mkdir(path, 0o555)
         return path, os.geteuid() != 0
-    names = {"under-full": "/dev/full/run", "under-file": os.path.join(folder, "case", "channel.prm", "run"), "itself": ".",
+    names = {"under-full": "/dev/full/run", "under-file": os.path.join(folder, "case", "channel.prm", "run"),
+             "itself": ".",
              "long-name": os.path.join(folder, "x" * 300), "line-break": os.path.join(folder, "odd\nname"),
              "input": os.path.join(folder, "case"), "blanks": os.path.join(folder, "odd  name "),
              "escape": os.path.join(folder, "odd\x1b[31mname")}
@@ -116,8 +122,7 @@ class Attack:
         return [os.path.join(folder, parameters), *(drawing if role == "drawing" else [])]
 
     def corpus(self):
-        with open(os.path.join(HERE, "corpus", "odd-files.txt"), encoding="utf-8") as stream:
-            return [line.strip() for line in stream if line.strip() and not line.startswith("#")]
+        return runs.corpus_lines("odd-files.txt")
 
     def trials(self, number, seed):
         """Names: KIND as ROLE. There are no more than about 180."""
@@ -141,8 +146,9 @@ class Attack:
 
     def accepted(self, trial, kind, role, arguments):
         """Only some odd files say what the right one says, and then the run does the same."""
-        same = ("huge-comment", "latin-1", "control", "no-permission") + (("deep-unit", "deep-includes") if role not in
-                                                                           ("parameters", "include") else ("deep-unit",))
+        same = ["huge-comment", "latin-1", "control", "no-permission", "deep-unit"]
+        if role not in ("parameters", "include"):
+            same.append("deep-includes")
         # Nothing but the name of the section stands at the end of a mesh file.
         if kind in same or (kind, role) in (("blank", "include"), ("huge-line", "mesh")):
             return Verdict("accepted", "")
@@ -159,7 +165,8 @@ class Attack:
         after = runs.content(os.path.join(trial.folder, "case"))
         if any(after.get(name) != data for name, data in before.items()):
             return Verdict("lost", "a file of the input was changed")
-        found = judge_reading(done, {part for part in os.path.basename(output).split("\n") if part} | {"odd", "channel.prm", "/dev/full"})
+        names = {"odd", "channel.prm", "/dev/full", *filter(None, os.path.basename(output).split("\n"))}
+        found = judge_reading(done, names)
         if found:
             return found
         if not os.path.isfile(os.path.join(folder, output, "probes.csv")):

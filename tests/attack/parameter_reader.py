@@ -1,5 +1,5 @@
-"""Reads parameter files as doc/command-line.md describes them, independently of the program, to see whether what it accepts is
-what the file says."""
+"""Reads parameter files as doc/command-line.md describes them, independently of the program, to see whether what it
+accepts is what the file says."""
 
 import os
 import re

@@ -37,7 +37,7 @@ class Attack:
                             ignore=shutil.ignore_patterns("*.output"))
 
     def corpus(self):
-        return sorted("corpus " + os.path.basename(path) for path in glob.glob(os.path.join(HERE, "corpus", "parameters", "*.prm")))
+        return runs.corpus_files("parameters")
 
     def trials(self, number, seed):
         """Names: FILE SEED."""
@@ -45,7 +45,8 @@ class Attack:
         files = sorted(os.path.relpath(path, self.tree) for folder in (SHIPPED, *SMALL)
                        for path in glob.glob(os.path.join(self.tree, folder, "**", "*.prm"), recursive=True))
         small = [file for file in files if not file.startswith(SHIPPED)]
-        return [f"{chance.choice(chance.choice((files, files, small)))} {chance.randrange(10**9)}" for _ in range(number)]
+        return [f"{chance.choice(chance.choice((files, files, small)))} {chance.randrange(10**9)}"
+                for _ in range(number)]
 
     def place_mutant(self, trial):
         """Writes the mutant beside what it includes; the file, and a number for what is made by chance of it."""
@@ -131,7 +132,8 @@ class Attack:
         found = defect(done, ())
         if found:
             return found
-        tables = [name for name, data in runs.content(output).items() if name.endswith(".csv") and b"nan" in data.lower()]
+        tables = [name for name, data in runs.content(output).items() if name.endswith(".csv")
+                  and b"nan" in data.lower()]
         if done.status == 0 and tables:
             return Verdict("wrong", f"exit status 0, but {tables[0]} has a NaN")
         return None

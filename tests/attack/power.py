@@ -1,8 +1,8 @@
 """What a loss of power leaves of a folder, from the record of the operations on it.
 
-Of a file the bytes are kept that were there when it was flushed last (fsync); of one that was never flushed nothing but its
-name. With `names`, what was done to the names in a folder since the folder itself was flushed is undone, too: new files and
-folders vanish, renames are taken back, removed files return. POSIX promises no more."""
+Of a file the bytes are kept that were there when it was flushed last (fsync); of one that was never flushed nothing but
+its name. With `names`, what was done to the names in a folder since the folder itself was flushed is undone, too: new
+files and folders vanish, renames are taken back, removed files return. POSIX promises no more."""
 
 import os
 import shutil
@@ -38,7 +38,8 @@ class Disk:
         self.output = output
         self.flushed = {}     # file -> bytes of it that are on the disk
         self.changed = set()  # files that were written to since
-        self.folders = {"out"} if os.path.isdir(output) else set()
+        # The folder itself stays: the one that it stands in is not looked at.
+        self.folders = {"out"}
         self.names = []       # what was done to names, in order, and is not on the disk
         for path, folders, files in os.walk(output):
             at = "out" if path == output else "out/" + os.path.relpath(path, output)

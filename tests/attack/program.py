@@ -9,14 +9,16 @@ import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 
-# What a trial showed. `refused`: exit status 1 or 2 with a message, as it should be. `accepted`: exit status 0 and the right
-# result. `wrong`: another status, no message, another result. `lost`: what was on the disk and named complete is gone.
+# What a trial showed. `refused`: exit status 1 or 2 with a message, as it should be. `accepted`: exit status 0 and the
+# right result. `wrong`: another status, no message, another result. `lost`: what was on the disk and named complete is
+# gone.
 KINDS = ("refused", "accepted", "wrong", "crash", "hang", "lost", "skipped")
 BAD = ("wrong", "crash", "hang", "lost")
 Verdict = collections.namedtuple("Verdict", "kind note")
 
 # Texts of libraries and of C++ that mean nothing to a user.
-INTERNAL = re.compile(r"An error occurred in line|std::|json\.exception|[Bb]oost|terminate called|basic_string|vector::|"
+INTERNAL = re.compile(r"An error occurred in line|std::|json\.exception|[Bb]oost|terminate called|basic_string|"
+                      r"vector::|"
                       r"Exception on processing|dealii::|unordered_map|\bstack dump\b")
 SANITIZER = re.compile(r"ERROR: (Address|Leak)Sanitizer|runtime error: ")
 CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f]")
@@ -31,13 +33,14 @@ class Done:
 
     def text(self):
         end = "ended for taking too long" if self.hung else f"exit status {self.status}"
-        return f"+ {' '.join(self.command)}\n{self.output[-4000:]}{self.errors[-4000:]}-- {end} after {self.seconds:.1f} s\n"
+        printed = self.output[-4000:] + self.errors[-4000:]
+        return f"+ {' '.join(self.command)}\n{printed}-- {end} after {self.seconds:.1f} s\n"
 
 
 class Program:
     """The program, and the limits of its runs: `time_limit` [s], `memory` [GB] of address space (0: none)."""
 
-    def __init__(self, path, time_limit=60., memory=4):
+    def __init__(self, path, time_limit=120., memory=4):
         self.path, self.time_limit, self.memory = os.path.abspath(path), time_limit, memory
 
     def start(self, arguments, folder, environment=None, limits="", wrapper=()):
@@ -80,8 +83,8 @@ def end_group(process):
 
 
 def defect(done, names):
-    """What is wrong with the way in which a run ended, or None. A run that did not end with 0 must have said why, naming one
-    of `names` (no matter which one if there are none)."""
+    """What is wrong with the way in which a run ended, or None. A run that did not end with 0 must have said why,
+    naming one of `names` (no matter which one if there are none)."""
     if done.hung:
         return Verdict("hang", f"more than {done.seconds:.0f} s")
     if SANITIZER.search(done.errors):

@@ -3,6 +3,7 @@
 import json
 import os
 import shutil
+import time
 
 from program import HERE, Verdict, defect
 
@@ -36,6 +37,17 @@ def make_long(path):
         stream.write(first + ("# " + 77 * "." + "\n") * 120 + "".join(rest))
 
 
+def corpus_lines(name):
+    """Names of trials that once failed."""
+    with open(os.path.join(HERE, "corpus", name), encoding="utf-8") as stream:
+        return [line.rstrip("\n") for line in stream if line.strip() and not line.startswith("#")]
+
+
+def corpus_files(name):
+    """The same for an attack whose corpus is files: `corpus FILE`."""
+    return sorted("corpus " + file for file in os.listdir(os.path.join(HERE, "corpus", name)))
+
+
 def content(folder):
     """{name: bytes} of all files in a folder, but for the lock and what is left of temporary files."""
     result = {}
@@ -58,8 +70,8 @@ def results(output):
     try:
         with open(os.path.join(output, "summary.json"), encoding="utf-8") as stream:
             summary = json.load(stream)
-        kept["summary.json"] = json.dumps({key: summary.get(key) for key in ("status", "steps", "quantities", "checks")},
-                                          indent=1).encode()
+        wanted = {key: summary.get(key) for key in ("status", "steps", "quantities", "checks")}
+        kept["summary.json"] = json.dumps(wanted, indent=1).encode()
     except (OSError, ValueError) as error:
         kept["summary.json"] = str(error).encode()
     return kept
@@ -78,6 +90,19 @@ def difference(expected, output):
             place = next((i for i, (a, b) in enumerate(zip(one, other)) if a != b), min(len(one), len(other)))
             return f"{name} differs from byte {place} on ({len(other)} bytes, {len(one)} in the undisturbed run)"
     return ""
+
+
+def wait_until_open(process, path, time_limit):
+    """Whether the process comes to have the file open."""
+    end, folder = time.monotonic() + time_limit, f"/proc/{process.pid}/fd"
+    while process.poll() is None and time.monotonic() < end:
+        try:
+            if path in (os.readlink(os.path.join(folder, name)) for name in os.listdir(folder)):
+                return True
+        except OSError:
+            pass
+        time.sleep(0.0005)
+    return False
 
 
 def must_be_valid(program, folder, arguments):
@@ -116,9 +141,8 @@ class Reference:
         return [self.case, "--output", output, *as_options(self.overrides), *more]
 
     def names(self, output):
-        """What a message may name."""
-        return {os.path.basename(output), *(os.path.basename(name) for name in content(output)),
-                *os.listdir(os.path.dirname(self.case))}
+        """What a message may name: anything in the folder, and the input."""
+        return {"/" + os.path.basename(output), *os.listdir(os.path.dirname(self.case))}
 
     def go_on(self, trial, output, had_checkpoint):
         """After a disturbance: --restart must reach the results of the undisturbed run; a run anew if there was no

@@ -7,7 +7,7 @@ import subprocess
 import time
 
 import runs
-from program import HERE, Done, Verdict, defect, end_group
+from program import Done, Verdict, defect, end_group
 
 # A run that is long enough to be hit while it steps and writes.
 LONG = ("Time/End time=100 ms", "Output/Checkpoint steps=20", "Output/Field interval=20 ms")
@@ -25,8 +25,7 @@ class Attack:
         self.reference = runs.Reference(self.program, folder, LONG)
 
     def corpus(self):
-        with open(os.path.join(HERE, "corpus", "signals.txt"), encoding="utf-8") as stream:
-            return [line.strip() for line in stream if line.strip() and not line.startswith("#")]
+        return runs.corpus_lines("signals.txt")
 
     def trials(self, number, seed):
         """Names: SIGNAL HOW OFTEN ROWS SECONDS: when the table has so many rows, and so much later."""

@@ -1,4 +1,5 @@
-"""Reads csv tables as doc/inlets.md describes them, strictly and independently of the program, and writes them plainly."""
+"""Reads csv tables as doc/inlets.md describes them, strictly and independently of the program, and writes them
+plainly."""
 
 import re
 

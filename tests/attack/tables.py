@@ -1,6 +1,5 @@
 """Tables (csv) with changes by chance: of an inlet, of a relaxation test, of measured curves, of a tube's shape."""
 
-import glob
 import os
 import random
 import shutil
@@ -27,7 +26,7 @@ class Attack:
             runs.must_be_valid(self.program, folder, [os.path.join(runs.CASES, case)])
 
     def corpus(self):
-        return sorted("corpus " + os.path.basename(path) for path in glob.glob(os.path.join(HERE, "corpus", "tables", "*.csv")))
+        return runs.corpus_files("tables")
 
     def trials(self, number, seed):
         """Names: TABLE SEED."""
@@ -35,7 +34,8 @@ class Attack:
         return [f"{chance.choice(sorted(CASES))} {chance.randrange(10**9)}" for _ in range(number)]
 
     def table(self, trial):
-        """The name of the table, and what it holds now. Of a file of the corpus the name ends with that of its table."""
+        """The name of the table, and what it holds now. Of a file of the corpus the name ends with that of its
+        table."""
         name, seed = trial.name.split(" ")
         if name == "corpus":
             with open(os.path.join(HERE, "corpus", "tables", seed), "rb") as stream:
@@ -50,14 +50,15 @@ class Attack:
         shutil.copytree(runs.CASES, folder)
         self.write(os.path.join(folder, table), data)
         file = os.path.join(folder, case)
-        found = judge_reading(trial.note(self.program.run([file, "--validate"], trial.folder)), {table})
+        found = judge_reading(trial.note(self.program.run([file, "--validate"], trial.folder)), {table, case})
         if found:
             return found
         try:
             plain = table_reader.plain(data, columns)
         except table_reader.Unreadable as error:
             return Verdict("wrong", f"accepted, but {error}")
-        return (self.compare(trial, folder, file, table, plain) if case == runs.CASE else None) or Verdict("accepted", "")
+        found = self.compare(trial, folder, file, table, plain) if case == runs.CASE else None
+        return found or Verdict("accepted", "")
 
     def compare(self, trial, folder, file, table, plain):
         """What the run computes with the table, and with the same numbers written plainly."""

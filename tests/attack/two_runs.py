@@ -7,7 +7,7 @@ import signal
 import time
 
 import runs
-from program import HERE, Verdict, defect
+from program import Verdict, defect
 
 LONG = ("Time/End time=100 ms", "Output/Checkpoint steps=20")
 PARTLY = "Time/End time=20 ms"
@@ -26,8 +26,7 @@ class Attack:
         self.reference.make_partly(PARTLY)
 
     def corpus(self):
-        with open(os.path.join(HERE, "corpus", "two-runs.txt"), encoding="utf-8") as stream:
-            return [line.strip() for line in stream if line.strip() and not line.startswith("#")]
+        return runs.corpus_lines("two-runs.txt")
 
     def trials(self, number, seed):
         """Names: `stopped FIRST SECOND`, where the first is stopped while it steps until the second has ended, and
@@ -45,7 +44,7 @@ class Attack:
         arguments = self.reference.arguments(output, *WAYS[first])
         one = self.program.start(arguments, trial.folder)
         if how == "stopped":
-            if not self.wait_until_it_writes(one, output):
+            if not runs.wait_until_open(one, os.path.join(output, "power.csv"), self.program.time_limit):
                 return Verdict("wrong", f"the first run ended too early: {self.program.finish(one, arguments).text()}")
             os.kill(one.pid, signal.SIGSTOP)
         else:
@@ -55,7 +54,7 @@ class Attack:
             os.kill(one.pid, signal.SIGCONT)
         alone = trial.note(self.program.finish(one, arguments))
         for done in (alone, other):
-            found = defect(done, {os.path.basename(output)})
+            found = defect(done, {"/run"})
             if found:
                 return found
         if how == "stopped" and (alone.status, other.status) != (0, 2):
@@ -68,16 +67,3 @@ class Attack:
         if found:
             return Verdict("wrong", found)
         return Verdict("refused" if 2 in statuses else "accepted", "")
-
-    def wait_until_it_writes(self, process, output):
-        """Whether the run has its table open."""
-        table, end = os.path.join(output, "power.csv"), time.monotonic() + self.program.time_limit
-        folder = f"/proc/{process.pid}/fd"
-        while process.poll() is None and time.monotonic() < end:
-            try:
-                if table in (os.readlink(os.path.join(folder, name)) for name in os.listdir(folder)):
-                    return True
-            except OSError:
-                pass
-            time.sleep(0.0005)
-        return False

@@ -21,7 +21,8 @@ import program  # noqa: E402
 import runs  # noqa: E402
 import table_reader  # noqa: E402
 
-WRITE = "import os; f = os.open('work/file', os.O_WRONLY | os.O_CREAT | os.O_TRUNC); n = os.write(f, b'0123456789'); os.close(f); print(n)"
+WRITE = ("import os; f = os.open('work/file', os.O_WRONLY | os.O_CREAT | os.O_TRUNC); n = os.write(f, b'0123456789'); "
+         "os.close(f); print(n)")
 
 
 def write(path, text):
@@ -41,7 +42,8 @@ class Readers(unittest.TestCase):
             path = os.path.join(folder, "case.prm")
             write(path, "include base.prm\nsubsection A\n set  B=7\nend\n")
             self.assertEqual(parameter_reader.read(path), {b"A/B": b"7", b"A/C": b"3"})
-            for text in ("set A = 1\nset A = 2\n", "end\n", "subsection A\n", "sett A = 1\n", "include case.prm\n", "set = 1\n"):
+            for text in ("set A = 1\nset A = 2\n", "end\n", "subsection A\n", "sett A = 1\n", "include case.prm\n",
+                         "set = 1\n"):
                 write(path, text)
                 with self.assertRaises(parameter_reader.Unreadable, msg=text):
                     parameter_reader.read(path)
@@ -91,14 +93,16 @@ class Faults(unittest.TestCase):
         cls.folder.cleanup()
 
     def run_with(self, fault, code=WRITE):
-        """(exit status, what was printed, what the file holds) of a small program in whose folder an operation fails."""
+        """(exit status, what was printed, what the file holds) of a small program in whose folder an operation
+        fails."""
         with tempfile.TemporaryDirectory(dir=self.folder.name) as folder:
             work = os.path.join(folder, "work")
             os.mkdir(work)
             environment = {**os.environ, "LD_PRELOAD": self.library, "CONTINUA_FAULT": fault,
                            "CONTINUA_FAULT_FOLDERS": f"out={os.path.realpath(work)}",
                            "CONTINUA_FAULT_LOG": os.path.join(folder, "log")}
-            done = subprocess.run(["/usr/bin/python3", "-c", code], cwd=folder, env=environment, capture_output=True, text=True,
+            done = subprocess.run(["/usr/bin/python3", "-c", code], cwd=folder, env=environment, capture_output=True,
+                                  text=True,
                                   check=False)
             path = os.path.join(work, "file")
             self.log = power.read_log(os.path.join(folder, "log"))
@@ -119,8 +123,9 @@ class Faults(unittest.TestCase):
         self.assertEqual(self.run_with("once write 2 out/file")[0], 0)
 
     def test_for_ever(self):
-        twice = WRITE.split("; print")[0] + "; os.write(1, b'.'); f = os.open('work/file', os.O_RDONLY); print(os.read(f, 3))"
-        self.assertEqual(self.run_with("once close 1 out/file", twice.replace("os.close(f)", "pass"))[0], 0)
+        twice = WRITE.replace("print(n)", "f = os.open('work/file', os.O_RDONLY); print(os.read(f, 3))")
+        self.assertEqual(self.run_with("once write 2 out/file", twice)[0], 0)
+        self.assertEqual(self.run_with("once read 1 out/file", twice)[0], 1)
         status, text, _ = self.run_with("ever write 1 out/file", "import os\ntry:\n  " + WRITE.replace("; ", "\n  ")
                                         + "\nexcept OSError: os.open('work/file', os.O_RDONLY)")
         self.assertEqual(status, 1)
@@ -138,10 +143,12 @@ class Power(unittest.TestCase):
             for name in ("flushed", "half", "never", "old"):
                 write(os.path.join(out, name), "0123456789")
             write(os.path.join(shadow, "0"), "old")
-            log = [("open", "out/flushed", 1, ["new"]), ("write", "out/flushed", 1, ["0"]), ("fsync", "out/flushed", 1, ["10"]),
+            log = [("open", "out/flushed", 1, ["new"]), ("write", "out/flushed", 1, ["0"]), ("fsync", "out/flushed",
+                                                                                             1, ["10"]),
                    ("open", "out/half", 1, ["new"]), ("write", "out/half", 1, ["0"]), ("fsync", "out/half", 1, ["4"]),
                    ("write", "out/half", 2, ["4"]), ("fsync", "out", 1, ["4096"]), ("open", "out/never", 1, ["new"]),
-                   ("write", "out/never", 1, ["0"]), ("open", "out/old.new", 1, ["new"]), ("write", "out/old.new", 1, ["0"]),
+                   ("write", "out/never", 1, ["0"]), ("open", "out/old.new", 1, ["new"]), ("write", "out/old.new", 1,
+                                                                                           ["0"]),
                    ("fsync", "out/old.new", 1, ["10"]), ("rename", "out/old.new", 1, ["out/old", "0"])]
             disk.follow(log).lose_power(True, shadow)
             self.assertEqual({name: data for name, data in runs.content(out).items()},
@@ -179,7 +186,8 @@ class Verdicts(unittest.TestCase):
             write(path, "#!/bin/sh\n" + script + "\n")
             os.chmod(path, 0o755)
             done = subprocess.run([os.path.join(ROOT, "scripts", "attack"), *arguments, "--program", path, "--folder",
-                                   os.path.join(folder, "work"), "--jobs", "4"], capture_output=True, text=True, check=False)
+                                   os.path.join(folder, "work"), "--jobs", "4"], capture_output=True, text=True,
+                                  check=False)
             failures = os.path.join(folder, "work", arguments[0], "failures")
             kept = [read(os.path.join(failures, name, "trial.txt")) for name in os.listdir(failures)] \
                 if os.path.isdir(failures) else []
@@ -197,7 +205,8 @@ class Verdicts(unittest.TestCase):
         self.assertIn("the undisturbed input is refused", text)
 
     def test_help(self):
-        done = subprocess.run([os.path.join(ROOT, "scripts", "attack"), "--help"], capture_output=True, text=True, check=False)
+        done = subprocess.run([os.path.join(ROOT, "scripts", "attack"), "--help"], capture_output=True, text=True,
+                              check=False)
         self.assertEqual(done.returncode, 0)
         self.assertIn("two-runs", done.stdout)
 
