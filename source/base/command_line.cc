@@ -26,7 +26,8 @@ const std::vector<Option> &options()
       {"--set", Option::Value::required},   {"--output", Option::Value::required},
       {"--overwrite", Option::Value::none}, {"--restart", Option::Value::none},
       {"--validate", Option::Value::none},  {"--print-parameters", Option::Value::optional},
-      {"--version", Option::Value::none},   {"--help", Option::Value::none}};
+      {"--version", Option::Value::none},   {"--help", Option::Value::none},
+      {"-h", Option::Value::none},          {"--allow-mesh-commands", Option::Value::none}};
   return table;
 }
 
@@ -87,11 +88,12 @@ void apply(CommandLine &result, const std::string &name, const std::string &valu
   }
   else
   {
-    bool &flag = name == "--overwrite"  ? result.overwrite
-                 : name == "--restart"  ? result.restart
-                 : name == "--validate" ? result.validate
-                 : name == "--version"  ? result.version
-                                        : result.help;
+    bool &flag = name == "--overwrite"             ? result.overwrite
+                 : name == "--restart"             ? result.restart
+                 : name == "--validate"            ? result.validate
+                 : name == "--version"             ? result.version
+                 : name == "--allow-mesh-commands" ? result.allow_mesh_commands
+                                                   : result.help;
     flag = true;
   }
 }
@@ -173,10 +175,12 @@ Runs what the parameter file describes.
   --overwrite                 removes the run that the folder holds (its results only)
   --restart                   continues the run that the folder holds from its checkpoint
   --validate                  reads and checks the input, says what would be run, and stops
+  --allow-mesh-commands       lets a .geo file run programs and write files, as gmsh does; without it
+                              such a file is refused
   --print-parameters[=STYLE]  prints every entry with value, unit and meaning, and stops;
                               STYLE is prm (default), json or markdown; without FILE the defaults
-  --version                   prints the version and those of the libraries
-  --help                      prints this text
+  --version                   prints the version, and the libraries with theirs
+  --help, -h                  prints this text
 
 Exit status: 0 done, 1 the run failed, 2 the input is wrong.
 )";

@@ -1,9 +1,10 @@
 #include <continua/base/csv_table.h>
+#include <continua/base/input_file.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <stdexcept>
 
@@ -19,21 +20,54 @@ std::string trim(const std::string &text)
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// The next line that is neither empty nor a comment; `line` is its number.
-bool next_line(std::istream &stream, std::string &text, unsigned int &line)
+/// Whether the line is neither empty nor a comment.
+bool has_content(const std::string &line)
 {
-  while (std::getline(stream, text))
+  const std::string content = trim(line);
+  return !content.empty() && content[0] != '#';
+}
+
+/// The separator that Excel names in a first line "sep=;"; 0 if it is no such line.
+char separator_of_excel(const std::string &line)
+{
+  std::string text = trim(line);
+  if (text.size() > 1 && text.front() == '"' && text.back() == '"')
+    text = text.substr(1, text.size() - 2);
+  return text.size() == 5 && text.compare(0, 4, "sep=") == 0 ? text[4] : '\0';
+}
+
+/// Whether a person can mean it as the name of a column; what is shown of another file, named by
+/// mistake, may be a secret.
+bool is_plain_name(const std::string &name)
+{
+  return name.size() <= 40 &&
+         std::all_of(name.begin(), name.end(),
+                     [](const char letter)
+                     {
+                       return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
+                              static_cast<unsigned char>(letter) >= 0x80 ||
+                              std::string(" .,:_-+/()'").find(letter) != std::string::npos;
+                     });
+}
+
+/// The unit in round brackets at the end of a name, which many programs write; empty if there is
+/// none that is known. `open`: where the bracket stands.
+std::string unit_in_round_brackets(const std::string &cell, std::size_t &open)
+{
+  open = cell.rfind('(');
+  if (open == std::string::npos || open == 0 || cell.back() != ')')
+    return "";
+  const std::string unit = trim(cell.substr(open + 1, cell.size() - open - 2));
+  try
   {
-    ++line;
-    if (line == 1 && text.compare(0, 3, "\xEF\xBB\xBF") == 0)
-      text.erase(0, 3);
-    if (!text.empty() && text.back() == '\r')
-      text.pop_back();
-    const std::string content = trim(text);
-    if (!content.empty() && content[0] != '#')
-      return true;
+    Dimension ignored;
+    unit_factor(unit, ignored);
+    return unit;
   }
-  return false;
+  catch (const std::invalid_argument &)
+  {
+    return "";
+  }
 }
 
 /// Cells of a line, trimmed. A separator inside brackets, as in "[mPa s]", does not separate;
@@ -75,7 +109,8 @@ double read_number(const Origin &origin, const std::string &column, const std::s
   double number = 0.;
   const auto result = std::from_chars(begin, end, number);
   if (result.ec != std::errc() || result.ptr != end || !std::isfinite(number))
-    throw InputError(origin, column, "'" + cell + "' is not a number",
+    throw InputError(origin, column,
+                     (is_plain_name(cell) ? "'" + cell + "'" : "the cell") + " is not a number",
                      "Write a finite number with a decimal point and no unit, such as -1.5e-3");
   return number;
 }
@@ -83,30 +118,33 @@ double read_number(const Origin &origin, const std::string &column, const std::s
 
 CsvTable::CsvTable(const std::string &file, const std::string &example) : file(file)
 {
-  Origin origin{file, 0};
-  std::ifstream stream(file);
-  if (!stream)
-    throw InputError(origin, "", "the file cannot be read", "Check the path and the permissions");
+  const std::vector<std::string> lines = read_input_lines(file);
+  const std::string remedy = "Write a first line such as '" + example + "'";
+  char separator = lines.empty() ? '\0' : separator_of_excel(lines.front());
+  std::size_t i = separator == '\0' ? 0 : 1;
+  while (i < lines.size() && !has_content(lines[i]))
+    ++i;
+  if (i == lines.size())
+    throw InputError({file, 0}, "", lines.empty() ? "the file is empty" : "the file has no header",
+                     remedy);
+  header_line = static_cast<unsigned int>(i + 1);
+  if (separator == '\0')
+    separator = find_separator(lines[i]);
+  columns = parse_header(lines[i], separator);
 
-  std::string line;
-  if (!next_line(stream, line, origin.line))
-    throw InputError({file, 0}, "", "the file has no header",
-                     "Write a first line such as '" + example + "'");
-  header_line = origin.line;
-  const char separator = find_separator(line);
-  columns = parse_header(line, separator);
-
-  while (next_line(stream, line, origin.line))
-  {
-    rows.push_back({origin.line, split(line, separator)});
-    const std::size_t n_cells = rows.back().cells.size();
-    if (n_cells != columns.size())
-      throw InputError(origin, "",
-                       "the row has " + std::to_string(n_cells) + " cells, the header " +
-                           std::to_string(columns.size()),
-                       "Give every row one number per column, with the header's separator and a "
-                       "decimal point");
-  }
+  for (++i; i < lines.size(); ++i)
+    if (has_content(lines[i]))
+    {
+      const unsigned int line = static_cast<unsigned int>(i + 1);
+      rows.push_back({line, split(lines[i], separator)});
+      const std::size_t n_cells = rows.back().cells.size();
+      if (n_cells != columns.size())
+        throw InputError({file, line}, "",
+                         "the row has " + std::to_string(n_cells) + " cells, the header " +
+                             std::to_string(columns.size()),
+                         "Give every row one number per column, with the header's separator and a "
+                         "decimal point");
+    }
 }
 
 std::vector<CsvTable::Column> CsvTable::parse_header(const std::string &line, const char separator)
@@ -117,7 +155,8 @@ std::vector<CsvTable::Column> CsvTable::parse_header(const std::string &line, co
     if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"')
       cell = cell.substr(1, cell.size() - 2);
     // Where blanks separate, the unit stands in a cell of its own.
-    if (separator == ' ' && cell[0] == '[' && !columns.empty() && !columns.back().has_unit)
+    const bool is_unit = cell[0] == '[' || (cell[0] == '(' && cell.back() == ')');
+    if (separator == ' ' && is_unit && !columns.empty() && !columns.back().has_unit)
     {
       cell.insert(0, columns.back().name);
       columns.pop_back();
@@ -130,6 +169,14 @@ std::vector<CsvTable::Column> CsvTable::parse_header(const std::string &line, co
       column.unit = trim(cell.substr(open + 1, cell.size() - open - 2));
       column.has_unit = true;
     }
+    std::size_t round_open = 0;
+    if (const std::string unit = unit_in_round_brackets(cell, round_open);
+        open == std::string::npos && !unit.empty())
+    {
+      column.name = trim(cell.substr(0, round_open));
+      column.unit = unit;
+      column.has_unit = true;
+    }
     columns.push_back(column);
   }
   return columns;
@@ -139,7 +186,9 @@ std::string CsvTable::names(const std::size_t first) const
 {
   std::string text;
   for (std::size_t i = first; i < columns.size(); ++i)
-    text += (i > first ? ", '" : "'") + columns[i].name + "'";
+    text += (i > first ? ", " : "") + (is_plain_name(columns[i].name)
+                                           ? "'" + columns[i].name + "'"
+                                           : "number " + std::to_string(i + 1));
   return text;
 }
 

@@ -39,6 +39,10 @@ std::size_t edit_distance(const std::string &a, const std::string &b)
 
 std::string nearest_name(const std::string &name, const std::vector<std::string> &candidates)
 {
+  // Nobody means a name of such a length, and the distance takes the product of both.
+  constexpr std::size_t longest_name = 200;
+  if (name.size() > longest_name)
+    return "";
   const std::string typed = lower_case(name);
   std::string nearest;
   std::size_t least = std::string::npos;

@@ -1,3 +1,4 @@
+#include <continua/base/input_file.h>
 #include <continua/base/parameter_file.h>
 #include <continua/base/parameter_printer.h>
 #include <continua/base/parameter_store.h>
@@ -5,8 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
+#include <stdexcept>
 
 namespace Continua
 {
@@ -22,6 +22,19 @@ std::string hash(const std::string &text)
   for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit, value /= 16)
     *digit = "0123456789abcdef"[value % 16];
   return digits;
+}
+
+/// All of an input file. Throws InputError if it can no longer be read.
+std::string content_of(const std::string &file)
+{
+  try
+  {
+    return read_input_file(file);
+  }
+  catch (const std::invalid_argument &problem)
+  {
+    throw InputError({file, 0}, "", problem.what(), "Put the file back, and leave it as it is");
+  }
 }
 
 /// Whether `path` is `place` or lies in it.
@@ -66,6 +79,11 @@ void ParameterFile::refuse_unknown() const
   throw InputError({}, "", text, "");
 }
 
+const ParameterText &ParameterFile::text() const
+{
+  return store->text;
+}
+
 std::vector<std::string> ParameterFile::input_files() const
 {
   std::vector<std::string> files = store->text.files();
@@ -102,11 +120,8 @@ std::string ParameterFile::identity_text(const std::vector<std::string> &left_ou
   // A table is part of the case by what it says, not by its name.
   for (const std::string &name : store->input_files)
   {
-    std::ifstream file(name, std::ios::binary);
-    std::ostringstream content;
-    content << file.rdbuf();
     lines.push_back("content of " + std::filesystem::path(name).filename().string() + "=" +
-                    hash(content.str()) + "\n");
+                    hash(content_of(name)) + "\n");
   }
   std::sort(lines.begin(), lines.end());
   std::string text;

@@ -132,7 +132,8 @@ void print_json(std::ostream &out, const ParameterStore &store)
     item["text"] = entry.documentation();
     list.push_back(item);
   }
-  out << list.dump(2) << '\n';
+  // The name of a file may have any bytes.
+  out << list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
 void print_markdown(std::ostream &out, const ParameterStore &store)

@@ -1,11 +1,13 @@
 #include <continua/base/entry_pattern.h>
 #include <continua/base/entry_type.h>
+#include <continua/base/input_file.h>
+#include <continua/base/nearest_name.h>
 #include <continua/base/parameter_file.h>
 #include <continua/base/parameter_section.h>
 #include <continua/base/parameter_store.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
 namespace Continua
@@ -57,19 +59,6 @@ void declare_and_get(ParameterStore &store,
   const std::string value = store.value(declaration);
   if (!(value.empty() && none_is_default))
     variable = type.read(value);
-}
-
-/// Throws std::invalid_argument if it is no file that can be read.
-void check_file(const std::filesystem::path &path)
-{
-  namespace filesystem = std::filesystem;
-  std::error_code no_access; // what cannot be looked at counts as missing
-  if (!filesystem::exists(path, no_access))
-    throw std::invalid_argument("the file '" + path.string() + "' does not exist");
-  if (!filesystem::is_regular_file(path, no_access))
-    throw std::invalid_argument("'" + path.string() + "' is no file");
-  if (!std::ifstream(path))
-    throw std::invalid_argument("the file '" + path.string() + "' cannot be read");
 }
 } // namespace
 
@@ -169,7 +158,7 @@ void ParameterSection::add_input_file(const std::string &key,
                     if (name.empty())
                       return name;
                     const filesystem::path named = (directory / name).lexically_normal();
-                    check_file(named);
+                    check_input_file(named.string());
                     return filesystem::absolute(named).lexically_normal().string();
                   });
   if (is_given)
@@ -191,7 +180,7 @@ bool ParameterSection::given(const std::string &key) const
 void ParameterSection::require(const std::string &key) const
 {
   if (!given(key) && !store->is_documentation)
-    refuse("", "the entry '" + key + "' is missing", "Add 'set " + key + " = ...'");
+    refuse_missing("the entry '" + key + "' is missing", "Add 'set " + key + " = ...'");
 }
 
 Origin ParameterSection::origin(const std::string &key) const
@@ -251,6 +240,31 @@ ParameterSection::add_free_entries(const std::string &text)
       entries.emplace_back(entry.key, value);
     }
   return entries;
+}
+
+void ParameterSection::refuse_missing(const std::string &problem, const std::string &remedy) const
+{
+  throw MissingInput(origin(), path(), problem, remedy);
+}
+
+void ParameterSection::refuse_unknown_members(const std::vector<std::string> &members,
+                                              const std::string &kind) const
+{
+  const ParameterText::Section *const section = store->text.find(names);
+  if (section == nullptr)
+    return;
+  for (const ParameterText::Section &child : section->sections)
+    if (std::find(members.begin(), members.end(), child.name) == members.end())
+    {
+      std::string list;
+      for (const std::string &member : members)
+        list += (list.empty() ? "'" : ", '") + member + "'";
+      const std::string nearest = nearest_name(child.name, members);
+      throw InputError(child.origin, join_path(names) + (names.empty() ? "" : "/") + child.name,
+                       "there is no " + kind + " of this name",
+                       (nearest.empty() ? "" : "Did you mean '" + nearest + "'? ") +
+                           ("There is " + list));
+    }
 }
 
 void ParameterSection::refuse(const std::string &key,

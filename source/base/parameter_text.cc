@@ -1,9 +1,10 @@
+#include <continua/base/input_file.h>
 #include <continua/base/parameter_text.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
+#include <stdexcept>
 
 namespace Continua
 {
@@ -61,21 +62,23 @@ void set(ParameterText::Section &section,
   entry.settings.push_back(setting);
 }
 
+/// What nobody needs, but a damaged file may have; each level, file and line takes time or memory.
+constexpr std::size_t most_levels = 50;
+constexpr unsigned int most_inclusions = 1000;
+constexpr unsigned int most_statements = 40000;
+
 /// Logical lines: without comments, joined at backslashes, blanks collapsed; each with the number
 /// of its first line.
-std::vector<std::pair<unsigned int, std::string>> logical_lines(std::istream &input)
+std::vector<std::pair<unsigned int, std::string>>
+logical_lines(const std::vector<std::string> &input)
 {
   std::vector<std::pair<unsigned int, std::string>> lines;
-  std::string line;
   bool continued = false;
-  for (unsigned int number = 1; std::getline(input, line); ++number)
+  for (std::size_t i = 0; i < input.size(); ++i)
   {
-    const std::string byte_order_mark = "\xef\xbb\xbf";
-    if (number == 1 && line.compare(0, byte_order_mark.size(), byte_order_mark) == 0)
-      line.erase(0, byte_order_mark.size());
-    line = collapse_blanks(line.substr(0, line.find('#')));
+    std::string line = collapse_blanks(input[i].substr(0, input[i].find('#')));
     if (!continued)
-      lines.emplace_back(number, "");
+      lines.emplace_back(static_cast<unsigned int>(i + 1), "");
     continued = !line.empty() && line.back() == '\\';
     if (continued)
       line.pop_back(); // a blank before the backslash stays
@@ -84,6 +87,25 @@ std::vector<std::pair<unsigned int, std::string>> logical_lines(std::istream &in
   for (auto &[number, text] : lines)
     text = collapse_blanks(text);
   return lines;
+}
+
+/// The line in quotes, for a message. Of an included file it is not shown: one that is named by
+/// mistake may hold a secret.
+std::string shown(const std::string &line, const bool is_included)
+{
+  constexpr std::size_t longest = 80;
+  if (is_included)
+    return "this line";
+  return "'" + (line.size() > longest ? line.substr(0, longest) + "..." : line) + "'";
+}
+
+void refuse_deep(const Origin &place, const std::size_t n_levels)
+{
+  if (n_levels > most_levels)
+    throw InputError(place, "",
+                     "there are more than " + std::to_string(most_levels) +
+                         " sections or included files one inside the other",
+                     "Close the sections with 'end', and remove the includes that are too many");
 }
 } // namespace
 
@@ -171,16 +193,23 @@ void ParameterText::read(const std::string &path,
     throw InputError(includer, "include",
                      "'" + path + "' includes itself, directly or through others",
                      "Remove one of the includes");
-  std::ifstream input(path);
-  if (!input || std::filesystem::is_directory(path, no_access))
-    throw InputError(includer, includer.file.empty() ? "" : "include",
-                     "the parameter file '" + path +
-                         (std::filesystem::is_directory(path, no_access) ? "' is a directory"
-                          : std::filesystem::exists(path, no_access)     ? "' cannot be read"
-                                                                         : "' does not exist"),
+  refuse_deep(includer, stack.size());
+  if (n_inclusions > most_inclusions)
+    throw InputError(includer, "include",
+                     "there are more than " + std::to_string(most_inclusions) + " includes",
+                     "Include each file once");
+  std::string content;
+  try
+  {
+    content = read_input_file(path, "parameter file");
+  }
+  catch (const std::invalid_argument &problem)
+  {
+    throw InputError(includer, includer.file.empty() ? "" : "include", problem.what(),
                      includer.file.empty()
                          ? "Check its name; it is relative to the working directory"
                          : "Check its name; it is relative to the including file");
+  }
   if (std::find(files_read.begin(), files_read.end(), path) == files_read.end())
     files_read.push_back(path);
   stack.push_back(canonical);
@@ -189,11 +218,16 @@ void ParameterText::read(const std::string &path,
   std::vector<Section *> open{&section};
   std::vector<Origin> opened_at;
   std::vector<std::string> names;
-  for (const auto &[number, line] : logical_lines(input))
+  const bool is_included = stack.size() > 1;
+  for (const auto &[number, line] : logical_lines(lines_of_text(content, path)))
   {
     if (line.empty())
       continue;
     const Origin here{path, number};
+    if (++n_statements > most_statements)
+      throw InputError(here, "",
+                       "there are more than " + std::to_string(most_statements) + " statements",
+                       "Leave out what is not needed");
     const std::size_t blank = line.find(' ');
     const std::string keyword = line.substr(0, blank);
     const std::string rest = blank == std::string::npos ? "" : line.substr(blank + 1);
@@ -204,6 +238,7 @@ void ParameterText::read(const std::string &path,
       open.push_back(&open.back()->get_section(rest, here));
       opened_at.push_back(here);
       names.push_back(rest);
+      refuse_deep(here, names.size());
     }
     else if (line == "end" || line == "END")
     {
@@ -220,8 +255,8 @@ void ParameterText::read(const std::string &path,
       const std::string key = collapse_blanks(rest.substr(0, equals));
       if (equals == std::string::npos || key.empty())
         throw InputError(here, "",
-                         equals == std::string::npos ? "'" + line + "' has no '='"
-                                                     : "'" + line + "' has no key",
+                         shown(line, is_included) +
+                             (equals == std::string::npos ? " has no '='" : " has no key"),
                          "Write 'set KEY = VALUE'");
       std::vector<std::string> entry_path = names;
       entry_path.push_back(key);
@@ -238,7 +273,7 @@ void ParameterText::read(const std::string &path,
       read((directory / rest).lexically_normal().string(), here, *open.back(), deeper, stack);
     }
     else
-      throw InputError(here, "", "'" + line + "' cannot be understood",
+      throw InputError(here, "", shown(line, is_included) + " cannot be understood",
                        "A line is 'subsection NAME', 'set KEY = VALUE', 'end', 'include FILE' "
                        "or a comment that starts with '#'");
   }
@@ -256,6 +291,8 @@ void ParameterText::set_from_command_line(const std::string &override_text)
   if (equals == std::string::npos)
     throw InputError(here, "", "'" + override_text + "' has no '='",
                      "Write --set \"Section/Key=value\"");
+  if (const std::string problem = problem_of_text(override_text); !problem.empty())
+    throw InputError(here, "", "'" + override_text + "' " + problem, "Write it in plain UTF-8");
   const std::string path = override_text.substr(0, equals);
   const std::string value = collapse_blanks(override_text.substr(equals + 1));
   // What a file could not hold could not be printed for a later run either.
@@ -272,6 +309,7 @@ void ParameterText::set_from_command_line(const std::string &override_text)
   if (std::any_of(names.begin(), names.end(), [](const auto &name) { return name.empty(); }))
     throw InputError(here, "", "'" + override_text + "' has an empty name before the '='",
                      "Write --set \"Section/Key=value\"");
+  refuse_deep(here, names.size());
   Section *section = &top;
   for (std::size_t i = 0; i + 1 < names.size(); ++i)
     section = &section->get_section(names[i], here);

@@ -15,9 +15,13 @@ namespace Continua
 namespace
 {
 /// A name with a comma, a quote or a line break is put in quotes, its own quotes doubled (RFC
-/// 4180).
-std::string quoted(const std::string &name)
+/// 4180). One that begins as a formula does in spreadsheets gets an apostrophe before it, which
+/// they take for the sign of a text.
+std::string quoted(const std::string &plain_name)
 {
+  const bool is_like_formula =
+      !plain_name.empty() && std::string("=+-@\t\r").find(plain_name[0]) != std::string::npos;
+  const std::string name = (is_like_formula ? "'" : "") + plain_name;
   if (name.find_first_of(",\"\r\n") == std::string::npos)
     return name;
   std::string result = "\"";

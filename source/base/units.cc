@@ -116,6 +116,7 @@ public:
 private:
   const std::string &text;
   std::size_t position = 0;
+  unsigned int depth = 0; ///< of the brackets that are open
 
   [[noreturn]] void fail(const std::string &reason) const
   {
@@ -178,7 +179,13 @@ private:
   {
     if (next_is('('))
     {
+      constexpr unsigned int deepest_brackets_of_unit = 20;
+      if (++depth > deepest_brackets_of_unit)
+        throw std::invalid_argument("the unit has more than " +
+                                    std::to_string(deepest_brackets_of_unit) +
+                                    " brackets one inside the other");
       const Scale scale = product();
+      --depth;
       if (!next_is(')'))
         fail("lacks a ')'");
       return scale;

@@ -52,7 +52,17 @@ void read_table(const ParameterSection &section, const double cross_section, Rel
   test.times = table.increasing_values(time_column, Dimensions::time, "time", "later");
   test.moduli = table.values(load_column, is_force ? force : Dimensions::pressure);
   for (double &modulus : test.moduli)
+  {
     modulus /= test.strain * (is_force ? cross_section : 1.);
+    // Far beyond every material there is, and where powers of it can no longer be held.
+    constexpr double largest_modulus = 1e15, smallest_modulus = 1e-9;
+    if (std::abs(modulus) > largest_modulus ||
+        (modulus != 0. && std::abs(modulus) < smallest_modulus))
+      section.refuse("Strain",
+                     "with this strain the table gives a modulus of " + shortest_number(modulus) +
+                         " Pa, which no material has",
+                     "Check the strain, the cross-section and the units of the table");
+  }
 
   while (test.first_used < test.times.size() &&
          (test.times[test.first_used] <= 0. ||

@@ -1,3 +1,4 @@
+#include <continua/base/formula_text.h>
 #include <continua/mesh/region_expression.h>
 
 #include <deal.II/base/numbers.h>
@@ -5,7 +6,6 @@
 #include <muParser.h>
 
 #include <cmath>
-#include <regex>
 #include <stdexcept>
 
 namespace Continua
@@ -35,9 +35,7 @@ struct RegionExpression::Parser
 
 RegionExpression::RegionExpression(const std::string &text) : parser(std::make_unique<Parser>())
 {
-  // muParser would change the variable.
-  if (std::regex_search(text, std::regex("(^|[^<>=!])=($|[^=])")))
-    throw std::invalid_argument("it assigns with '='; a comparison is '=='");
+  check_formula_text(text);
   try
   {
     mu::Parser &expression = parser->parser;
@@ -55,7 +53,7 @@ RegionExpression::RegionExpression(const std::string &text) : parser(std::make_u
   }
   catch (const mu::Parser::exception_type &error)
   {
-    throw std::invalid_argument(error.GetMsg());
+    throw std::invalid_argument(error.GetMsg() + formula_hint(text));
   }
 }
 

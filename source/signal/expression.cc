@@ -1,3 +1,4 @@
+#include <continua/base/formula_text.h>
 #include <continua/signal/expression.h>
 
 #include <deal.II/base/numbers.h>
@@ -7,6 +8,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 namespace Continua
@@ -32,18 +34,11 @@ double step(const double x)
   return x < 0. ? 0. : 1.;
 }
 
-/// muParser's `=` writes to a variable, which is never meant here.
-bool has_assignment(const std::string &text)
+/// Of all expressions of this process, the first value that was not finite, in words.
+std::string &first_value_not_finite()
 {
-  for (std::size_t i = 0; i < text.size(); ++i)
-    if (text[i] == '=')
-    {
-      if (i + 1 < text.size() && text[i + 1] == '=')
-        ++i;
-      else if (i == 0 || std::string("<>!").find(text[i - 1]) == std::string::npos)
-        return true;
-    }
-  return false;
+  static std::string text;
+  return text;
 }
 
 /// What follows the number at the start of `text`, without leading blanks; empty if there is no
@@ -105,7 +100,7 @@ std::string shortest(const double value)
 
 struct Expression::Parser
 {
-  explicit Parser(const std::string &text)
+  explicit Parser(const std::string &text, const std::string &place = "") : place(place)
   {
     parser.DefineVar("x", &variables[0]);
     parser.DefineVar("y", &variables[1]);
@@ -128,6 +123,7 @@ struct Expression::Parser
 
   mu::Parser parser;
   double variables[4] = {0., 0., 0., 0.};
+  std::string place; ///< of the entry; empty where there is none
 };
 
 Expression::Expression(const double constant) : source(shortest(constant)), constant(constant) {}
@@ -162,8 +158,7 @@ Expression::Expression(const std::string &text, const Dimension &dimension)
          (rest.size() == 1 || !std::isalpha(static_cast<unsigned char>(rest[1]))));
     throw std::invalid_argument(quantity_problem + (may_be_product ? "; a product needs '*'" : ""));
   }
-  if (has_assignment(text))
-    throw std::invalid_argument("'" + text + "' assigns with '='; a comparison is '=='");
+  check_formula_text(text);
 
   try
   {
@@ -187,9 +182,9 @@ Expression::Expression(const std::string &text, const Dimension &dimension)
   {
     if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN)
       throw std::invalid_argument("unknown symbol '" + trim(error.GetToken()) + "' in '" + text +
-                                  "'; " + symbols);
-    throw std::invalid_argument("'" + text + "' is no expression: " + error.GetMsg() + "; " +
-                                symbols);
+                                  "'; " + symbols + formula_hint(text));
+    throw std::invalid_argument("'" + text + "' is no expression: " + trim(error.GetMsg()) + "; " +
+                                symbols + formula_hint(text));
   }
 }
 
@@ -198,7 +193,7 @@ Expression::~Expression() = default;
 Expression::Expression(const Expression &other)
     : source(other.source),
       constant(other.constant),
-      parser(other.parser ? std::make_unique<Parser>(other.source) : nullptr),
+      parser(other.parser ? std::make_unique<Parser>(other.source, other.parser->place) : nullptr),
       time_dependent(other.time_dependent),
       space_dependent(other.space_dependent)
 {
@@ -210,7 +205,7 @@ Expression &Expression::operator=(const Expression &other)
   {
     source = other.source;
     constant = other.constant;
-    parser = other.parser ? std::make_unique<Parser>(other.source) : nullptr;
+    parser = other.parser ? std::make_unique<Parser>(other.source, other.parser->place) : nullptr;
     time_dependent = other.time_dependent;
     space_dependent = other.space_dependent;
   }
@@ -225,7 +220,34 @@ double Expression::operator()(const double *point, const double time) const
   parser->variables[1] = point[1];
   parser->variables[2] = point[2];
   parser->variables[3] = time;
-  return parser->parser.Eval();
+  const double value = parser->parser.Eval();
+  if (!std::isfinite(value))
+    note_not_finite(point, time, value);
+  return value;
+}
+
+void Expression::note_not_finite(const double *point, const double time, const double value) const
+{
+  std::string &text = first_value_not_finite();
+  if (!text.empty())
+    return;
+  std::ostringstream words;
+  words << (parser->place.empty() ? "an expression" : parser->place) << ": '" << source << "' is "
+        << value << " at x = " << point[0] << ", y = " << point[1] << ", z = " << point[2]
+        << " m, t = " << time << " s";
+  text = words.str();
+}
+
+void Expression::set_place(const std::string &name)
+{
+  // A constant is finite.
+  if (parser)
+    parser->place = name;
+}
+
+const std::string &Expression::value_not_finite()
+{
+  return first_value_not_finite();
 }
 
 bool Expression::depends_on_time() const
@@ -263,7 +285,11 @@ Expression parse(const ParameterSection &section,
 {
   try
   {
-    return Expression(text, dimension);
+    Expression expression(text, dimension);
+    const Origin origin = section.origin(key);
+    expression.set_place(origin.file + (origin.line > 0 ? ":" + std::to_string(origin.line) : "") +
+                         ": '" + section.path() + (section.path().empty() ? "" : "/") + key + "'");
+    return expression;
   }
   catch (const std::invalid_argument &exception)
   {

@@ -51,6 +51,10 @@ UNIT_TEST(command_line)
   check::is_true("restart", parse({"beam.prm", "--restart"}).restart);
   check::is_true("version needs no file", parse({"--version"}).version);
   check::is_true("help needs no file", parse({"--help"}).help);
+  check::is_true("short help", parse({"-h"}).help);
+  check::is_true("commands of a mesh",
+                 parse({"beam.prm", "--allow-mesh-commands"}).allow_mesh_commands &&
+                     !plain.allow_mesh_commands);
   check::equal("default style", parse({"--print-parameters"}).print_parameters, "prm");
   check::equal("style", parse({"--print-parameters=json"}).print_parameters, "json");
   check::equal("style of a file", parse({"--print-parameters=markdown", "beam.prm"}).parameter_file,
@@ -59,7 +63,7 @@ UNIT_TEST(command_line)
   refused("nearest option", {"beam.prm", "--overwite"}, "'--overwite'.*Did you mean --overwrite");
   refused("nearest option with a value", {"beam.prm", "--ouput=x"}, "'--ouput'.*mean --output");
   refused("unlike any option", {"beam.prm", "--qqqqqqqqqq"}, "no such option.*--help lists");
-  refused("short option", {"-h"}, "'-h'.*--help");
+  refused("short option", {"-v"}, "'-v'.*--help");
   refused("no file", {"--overwrite"}, "parameter file is missing.*continua FILE.prm");
   refused("nothing", {}, "parameter file is missing");
   refused("two files", {"a.prm", "b.prm"}, "'b.prm'.*two parameter files.*'a.prm'");
@@ -77,7 +81,8 @@ UNIT_TEST(command_line)
 
   for (const char *const word :
        {"--set", "--output", "--overwrite", "--restart", "--validate", "--print-parameters",
-        "--version", "--help", "0 done", "1 the run failed", "2 the input is wrong"})
+        "--version", "--help, -h", "--allow-mesh-commands", "0 done", "1 the run failed",
+        "2 the input is wrong"})
     check::is_true(std::string("help names ") + word,
                    CommandLine::usage().find(word) != std::string::npos);
 }

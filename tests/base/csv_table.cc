@@ -60,5 +60,28 @@ UNIT_TEST(csv_table)
       "missing cell", [] { table("a, b\n1, 2\n1\n"); }, ":3: .*1 cells, the header 2");
   refused(
       "no header", [] { table("# a\n"); }, ".*no header.*time \\[ms\\]");
+  refused(
+      "empty", [] { table(""); }, ": the file is empty.*time \\[ms\\]");
+  const CsvTable old_mac = table("time [s],p [Pa]\r0,1\r1,2\r");
+  check::is_true("carriage returns alone",
+                 old_mac.n_rows() == 2 && old_mac.values(1, Dimensions::pressure)[1] == 2.);
+  const CsvTable excel = table("\xef\xbb\xbfsep=;\r\ntime [s];p, inlet [Pa]\r\n0;1\r\n");
+  check::equal("separator line of Excel", excel.name(1), "p, inlet");
+  check::is_true("line of the header after it", excel.header().line == 2);
+  check::is_true("the same in quotes", table("\"sep=,\"\ntime [s],p [Pa]\n0,1\n").n_rows() == 1);
+  const CsvTable round = table("time (ms), p (mmHg), strain (true), h[mm] (mean)\n1, 2, 3, 4\n");
+  check::equal("unit in round brackets", round.names(), "'time', 'p', 'strain (true)', 'h'");
+  check::relative("its factor", round.values(0, Dimensions::time)[0], 1e-3, 1e-14);
+  const CsvTable blanks = table("time (ms)  p [Pa]\n1 2\n");
+  check::equal("round brackets among blanks", blanks.names(), "'time', 'p'");
+  refused(
+      "wrong unit in round brackets", [&] { round.values(1, Dimensions::time); }, ":1: 'p'.*mmHg");
+  const CsvTable secret = table("root:$y$j9T$x:19000\n");
+  check::equal("what may be a secret is not shown", secret.names(), "number 1");
+  refused(
+      "nor a cell of it", [] { table("a\n$y$j9T\n").values(0, Dimensions::none); },
+      ":2: 'a': the cell is not a number");
+  refused(
+      "not UTF-8", [] { table("a [\xb5m]\n1\n"); }, ":1: the line has the byte 0xb5");
   std::filesystem::remove(path);
 }

@@ -321,6 +321,37 @@ void test_text_errors()
   refused("no key", "set = 3\n", "has no key");
   refused("no section name", "subsection\n", "no name");
   refused("no file name", "include\n", "no file name");
+  write("secret.txt", "root:x:0\n");
+  refused("an included file is not shown", "include secret.txt\n",
+          "secret.txt:1: this line cannot be understood");
+  std::string sections, ends;
+  for (unsigned int i = 0; i < 30000; ++i)
+  {
+    sections += "subsection A\n";
+    ends += "end\n";
+  }
+  refused("sections too deep", sections + ends, "case.prm:51: there are more than 50 sections");
+  std::string path_of_sections;
+  for (unsigned int i = 0; i < 30000; ++i)
+    path_of_sections += "A/";
+  refused("sections of the command line too deep", "", "command line.*more than 50 sections", {},
+          {path_of_sections + "B=1"});
+  std::string statements;
+  for (unsigned int i = 0; i < 20001; ++i)
+    statements += "subsection A\nend\n";
+  refused("too many statements", statements,
+          "case.prm:40001: there are more than 40000 statements");
+  for (unsigned int i = 0; i < 12; ++i)
+  {
+    const std::string next = "bomb" + std::to_string(i + 1) + ".prm";
+    write("bomb" + std::to_string(i) + ".prm", "include " + next + "\ninclude " + next + "\n");
+  }
+  write("bomb12.prm", "set A = 1\n");
+  refused("too many includes", "include bomb0.prm\n",
+          "'include': there are more than 1000 includes");
+  refused("not UTF-8", "set A = 1\nset Title = \xe4\n", "case.prm:2: the line has the byte 0xe4");
+  refused("an override that is not UTF-8", "", "command line.*has the byte 0xe4", {}, {"A=\xe4"});
+  refused("carriage returns alone", "set A = 1\rnonsense\r", "case.prm:2: 'nonsense'");
   refused("twice", "subsection A\nset B = 1\nend\nsubsection A\nset B = 1\nend\n",
           "case.prm:5: 'A/B': is set a second time; the first is in line 2");
   refused("twice on the command line", "", "command line.*: 'A': is set a second time", {},
@@ -398,7 +429,7 @@ void test_value_errors()
         "Stations': '4' has no unit, but others");
   value("missing input file", "Probe", "Measured = none.csv",
         "Measured': the file 'parameter_file_test/none.csv' does not exist");
-  value("input file is a directory", "Probe", "Measured = .", "Measured': .* is no file");
+  value("input file is a directory", "Probe", "Measured = .", "Measured': .* is a directory");
   refused("both bounds",
           "subsection Materials\nsubsection a\nset Poisson's ratio = 0.5\nend\nend\n",
           "Poisson's ratio': 0.5 is out of range. Give a value >= 0 and < 0.5", declare);

@@ -64,6 +64,11 @@ UNIT_TEST(table_writer)
     TableWriter table(file, {"a, b", "say \"c\""});
     check::equal("quoted names", content(), "\"a, b\",\"say \"\"c\"\"\"\n");
   }
+  {
+    // A spreadsheet would compute them.
+    TableWriter table(file, {"=1+1", "+a", "-b", "@c", "d=e", "=f,g"});
+    check::equal("names like formulas", content(), "'=1+1,'+a,'-b,'@c,d=e,\"'=f,g\"\n");
+  }
 
   const auto restart = [](const std::string &before, const double time)
   {

@@ -81,6 +81,14 @@ UNIT_TEST(units)
   refused("10 m/", length, "incomplete");
   refused("10 N/(m s", length, "lacks a '\\)'");
   refused("10 m)", length, "too many");
+  check::throws<std::invalid_argument>(
+      "nested too deep",
+      []
+      {
+        Dimension dimension;
+        unit_factor(std::string(100000, '(') + "m" + std::string(100000, ')'), dimension);
+      },
+      "more than 20 brackets");
   refused("nan", none, "no finite number");
   refused("inf m", length, "no finite number");
   refused("-inf", none, "no finite number");

@@ -144,6 +144,9 @@ UNIT_TEST(relaxation_test)
   const std::string strain = "set Strain = 3 %\n";
   refused("time that falls", "time [s], stress [Pa]\n1,3\n3,2\n2,1\n4,1\n", strain,
           "table.csv:4: 'time'.*not later");
+  refused(
+      "strain too small", "time [s], stress [Pa]\n1,3\n2,2\n3,1\n4,1\n", "set Strain = 1e-300\n",
+      "'Strain': with this strain the table gives a modulus of 3e\\+300 Pa, which no material has");
   refused("stress not positive", "time [s], stress [Pa]\n1,3\n2,0\n3,1\n", strain,
           "table.csv:3: 'stress'.*must be positive");
   refused("force not positive", "time [s], force [N]\n1,3\n2,2\n3,-1\n",

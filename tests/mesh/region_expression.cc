@@ -29,4 +29,9 @@ UNIT_TEST(region_expression)
   refused("t - 1", "t");
   refused("1,5", "commas");
   refused("x = 2", "==");
+  refused("if x then 1", "CONDITION");
+  check::throws<std::invalid_argument>(
+      "nested too deep",
+      [] { RegionExpression expression(std::string(9000, '(') + "x" + std::string(9000, ')')); },
+      "more than 100 brackets");
 }

@@ -102,6 +102,9 @@ void test_refusals()
   refused("infinite constant", "1/0", "not finite");
   refused("infinite number", "inf", "");
   refused("wrong number of arguments", "if(t,1)", "no expression");
+  refused("nested too deep", std::string(100000, '(') + "t" + std::string(100000, ')'),
+          "characters");
+  refused("if of another language", "if (t < 1) 2 else 3", "if\\(CONDITION, A, B\\) or");
 }
 
 void test_sections()
@@ -132,6 +135,21 @@ void test_sections()
       "number of components",
       [&]() { add_expressions(section, "Short", velocity, 2, Dimensions::velocity, "Short."); },
       "expression-test.prm:5: .*Short.*3 components.*2");
+
+  // The place of an entry stands in the message about its values; the first one counts.
+  check::equal("all finite", Expression::value_not_finite(), "");
+  std::ofstream(path) << "set Pressure = 1/(t-0.5)\n";
+  ParameterFile with_pole(path);
+  ParameterSection root = with_pole.root();
+  add_expression(root, "Pressure", pressure, Dimensions::pressure, "A pressure.");
+  const Expression copy = pressure;
+  check::absolute("beside the pole", copy(point, 1.), 2., 0.);
+  check::equal("still finite", Expression::value_not_finite(), "");
+  copy(point, 0.5);
+  Expression("0/x*y/0*t", Dimensions::none)(point, 0.);
+  check::equal("at the pole", Expression::value_not_finite(),
+               "expression-test.prm:1: 'Pressure': '1/(t-0.5)' is inf at x = 2, y = 3, z = 5 m, "
+               "t = 0.5 s");
   std::filesystem::remove(path);
 }
 } // namespace

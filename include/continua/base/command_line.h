@@ -9,7 +9,7 @@ namespace Continua
 /**
  * continua FILE.prm [--set "Section/Key=value"]... [--output DIR] [--overwrite] [--restart]
  * [--validate]
- *          [--print-parameters[=prm|json|markdown]] [--version] [--help]
+ *          [--allow-mesh-commands] [--print-parameters[=prm|json|markdown]] [--version] [--help|-h]
  *
  * The value of --set and --output may also follow an equals sign. FILE and options may stand in any
  * order.
@@ -24,8 +24,9 @@ struct CommandLine
   bool validate = false;
   bool version = false;
   bool help = false;
-  std::string print_parameters; ///< empty, prm, json or markdown
-  std::string text;             ///< the command line as typed, quoted so that a shell reads it back
+  bool allow_mesh_commands = false; ///< a .geo file may run programs and write files
+  std::string print_parameters;     ///< empty, prm, json or markdown
+  std::string text; ///< the command line as typed, quoted so that a shell reads it back
 
   /// Throws InputError for an unknown option (with the nearest one), a missing or a second file, or
   /// options that exclude each other.

@@ -12,8 +12,10 @@ namespace Continua
 /**
  * A csv file of numbers with units in its header: "time [ms], pressure [mmHg]". Separator: the
  * first of semicolon, comma, tab and blanks that the header has; blanks around a cell, quotes
- * around a name, a byte order mark and Windows line ends do not matter; lines that start with # and
- * empty lines are left out. The decimal separator is a point. Columns and rows count from 0.
+ * around a name, a byte order mark and the kind of line ends do not matter; lines that start with #
+ * and empty lines are left out. Excel's first line "sep=;" names the separator. A known unit may
+ * also stand in round brackets, "pressure (mmHg)". The decimal separator is a point. Columns and
+ * rows count from 0.
  *
  * Whatever is wrong is thrown as an InputError with file, line, column and remedy.
  */
@@ -32,7 +34,8 @@ public:
 
   /// The column of this name among those from `first` on; throws if there is none or more than one.
   std::size_t find(const std::string &name, std::size_t first = 0) const;
-  /// "'pressure', 'flow rate'": the columns from `first` on.
+  /// "'pressure', 'flow rate'": the columns from `first` on; by its number where the name is none
+  /// that a person writes, since a file named by mistake may hold a secret.
   std::string names(std::size_t first = 0) const;
   /// The column's numbers in SI. Throws for a unit that is missing (unless the column has no
   /// dimension), unknown or of another dimension, and for a missing or malformed number.

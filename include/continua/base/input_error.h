@@ -27,6 +27,14 @@ public:
              const std::string &remedy);
 };
 
+/// Something that the input needs is not there. It may be there under a misspelt name: whoever
+/// knows all names looks for it before this is reported.
+class MissingInput : public InputError
+{
+public:
+  using InputError::InputError;
+};
+
 /// The run failed in mid-work (divergence, NaN, full disk): exit status 1.
 class RunError : public std::runtime_error
 {

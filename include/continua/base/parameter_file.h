@@ -2,6 +2,7 @@
 #define continua_base_parameter_file_h
 
 #include <continua/base/parameter_section.h>
+#include <continua/base/parameter_text.h>
 
 #include <memory>
 #include <ostream>
@@ -37,6 +38,9 @@ public:
   /// Throws one InputError for all entries and sections that were set but not declared, one a line,
   /// each with the nearest declared name.
   void refuse_unknown() const;
+
+  /// What the user's file and the command line set, as text.
+  const ParameterText &text() const;
 
   /// Every file that was read, as paths from the working directory: the .prm, its includes, its
   /// input files.

@@ -107,6 +107,13 @@ public:
   /// Expected, Regions).
   std::vector<std::pair<std::string, std::string>> add_free_entries(const std::string &text);
 
+  /// Throws MissingInput for this section.
+  [[noreturn]] void refuse_missing(const std::string &problem, const std::string &remedy) const;
+  /// Throws InputError, with the nearest name, for the first subsection in the file that is called
+  /// after none of the `members` ("region", "boundary": their `kind`).
+  void refuse_unknown_members(const std::vector<std::string> &members,
+                              const std::string &kind) const;
+
   /// Throws InputError for an entry of this section; an empty key means the section itself.
   [[noreturn]] void
   refuse(const std::string &key, const std::string &problem, const std::string &remedy) const;

@@ -51,7 +51,8 @@ public:
   static const std::string command_line;
 
   ParameterText() = default;
-  /// No file is read if `path` is empty. Throws InputError.
+  /// No file is read if `path` is empty. Throws InputError; sections and includes that are nested
+  /// deeper than 50 levels, 1000 includes and 40,000 statements are refused, too.
   ParameterText(const std::string &path, const std::vector<std::string> &overrides);
 
   /// The section of that path; null if the user has none.
@@ -72,6 +73,7 @@ private:
   Section top;
   std::vector<std::string> files_read;
   unsigned int n_inclusions = 0;
+  unsigned int n_statements = 0; ///< of all files, those of a file once for each include
 };
 
 /// Without white space at its ends, and with one blank for each run of it inside.

@@ -19,8 +19,9 @@ namespace Continua
  * tanh, asinh, acosh, atanh, erf, erfc, j0, j1 (Bessel functions of the first kind). Operators: + -
  * * / ^ (a power binds stronger than a sign), < <= > >= == != && || ?:.
  *
- * An expression without variables is a constant and must be finite; the values of the others are
- * not checked. Copies are independent; one object is not to be evaluated by two threads at once.
+ * An expression without variables is a constant and must be finite. The first value of the others
+ * that is not finite is noted, see value_not_finite(). Copies are independent; one object is not to
+ * be evaluated by two threads at once.
  */
 class Expression
 {
@@ -43,6 +44,12 @@ public:
   bool is_zero() const;
   const std::string &text() const;
 
+  /// What messages call it: "case.prm:12: 'Boundaries/inlet/Pressure'".
+  void set_place(const std::string &name);
+  /// Of all expressions, the first value on this rank that was not finite, with its place, point
+  /// and time, for the reason of a run that fails by it; empty if there was none.
+  static const std::string &value_not_finite();
+
 private:
   struct Parser;
   std::string source;
@@ -50,6 +57,8 @@ private:
   std::unique_ptr<Parser> parser; ///< null if constant
   bool time_dependent = false;
   bool space_dependent = false;
+
+  void note_not_finite(const double *point, double time, double value) const;
 };
 
 /// Declares `key` in `section` with an expression as its value; `expression` is the default.
