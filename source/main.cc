@@ -1,17 +1,23 @@
 #include <continua/analysis/checkpoint.h>
 #include <continua/base/command_line.h>
 #include <continua/base/input_error.h>
+#include <continua/base/input_file.h>
 #include <continua/base/interruption.h>
 #include <continua/base/version.h>
+#include <continua/mesh/gmsh_mesher.h>
+#include <continua/mesh/gmsh_process.h>
 #include <continua/postprocess/writing_rank.h>
 #include <continua/program/analyses.h>
 #include <continua/program/documentation.h>
+#include <continua/program/unknown_names.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <new>
+#include <sstream>
 
 namespace
 {
@@ -33,12 +39,44 @@ std::string output_path(const CommandLine &command_line)
   return "output/" + std::filesystem::path(command_line.parameter_file).stem().string();
 }
 
+/// "Continua 0.1.0 (revision)" and the libraries, a line each.
+std::string version_text()
+{
+  std::string text = "Continua " + version() + " (" + revision() +
+                     (revision_is_dirty() ? ", with uncommitted changes" : "") + ")\n";
+  for (const auto &[library, its_version] : library_versions())
+    text += "  " + library + " " + its_version + "\n";
+  return text;
+}
+
+/// The analysis that the file asks for. Throws InputError. What is missing may stand there under a
+/// misspelt name, which is then the mistake to report.
+std::unique_ptr<Analysis>
+make_analysis(ParameterFile &file, const CommandLine &command_line, const MPI_Comm communicator)
+{
+  try
+  {
+    return analyses().make(file, command_line, communicator);
+  }
+  catch (const MissingInput &)
+  {
+    refuse_unknown_names(file);
+    throw;
+  }
+}
+
 /// Reads what the file asks for and performs it; --print-parameters and --validate only read.
 void perform_file(const CommandLine &command_line, const MPI_Comm communicator)
 {
   const bool is_writer = is_writing_rank(communicator);
   ParameterFile file(command_line.parameter_file, command_line.overrides);
-  const std::unique_ptr<Analysis> analysis = analyses().make(file, command_line, communicator);
+  const ParameterText::Section &given = file.text().root();
+  if (given.entries.empty() && given.sections.empty())
+    throw InputError(given.origin, "", "the parameter file is empty: it sets nothing",
+                     "Begin with one of the shipped files of parameter_files");
+  if (command_line.allow_mesh_commands)
+    allow_mesh_commands();
+  const std::unique_ptr<Analysis> analysis = make_analysis(file, command_line, communicator);
   if (!command_line.print_parameters.empty())
   {
     if (is_writer)
@@ -47,8 +85,12 @@ void perform_file(const CommandLine &command_line, const MPI_Comm communicator)
   }
   if (command_line.validate)
   {
-    if (is_writer)
-      std::cout << command_line.parameter_file << ": valid" << std::endl;
+    const std::vector<std::string> plan = analysis->plan();
+    if (!is_writer)
+      return;
+    std::cout << printable(command_line.parameter_file) << ": valid" << std::endl;
+    for (const std::string &line : plan)
+      std::cout << "  " << printable(line) << std::endl;
     return;
   }
   const OutputDirectory directory(output_path(command_line),
@@ -70,8 +112,7 @@ void perform(const CommandLine &command_line, const MPI_Comm communicator)
   if (command_line.help || command_line.version)
   {
     if (is_writer)
-      std::cout << (command_line.help ? CommandLine::usage()
-                                      : "Continua " + version() + " (" + revision() + ")\n");
+      std::cout << (command_line.help ? CommandLine::usage() : version_text());
   }
   else if (command_line.parameter_file.empty())
   {
@@ -81,10 +122,22 @@ void perform(const CommandLine &command_line, const MPI_Comm communicator)
   else
     perform_file(command_line, communicator);
 }
+
+/// The run failed on this rank; the other ranks may be waiting for it.
+int fail(const std::string &text, const MPI_Comm communicator)
+{
+  std::cerr << "error: " << printable(text) << std::endl;
+  if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
+    MPI_Abort(communicator, status_run_failed);
+  return status_run_failed;
+}
 } // namespace
 
 int main(int argc, char **argv)
 {
+  // This program is its own helper: it meshes with gmsh, without MPI.
+  if (is_gmsh_process(argc, argv))
+    return run_gmsh_process(argc, argv);
   // The arguments are Continua's alone: PETSc takes each that it sees for an option of its own.
   char *program_name[] = {argv[0], nullptr};
   int n_names = 1;
@@ -101,7 +154,7 @@ int main(int argc, char **argv)
   {
     // Every rank reads the same input and finds the same mistake.
     if (is_writer)
-      std::cerr << "error: " << error.what() << std::endl;
+      std::cerr << "error: " << printable(error.what()) << std::endl;
     return status_input_wrong;
   }
   catch (const Continua::Interrupted &interruption)
@@ -111,12 +164,27 @@ int main(int argc, char **argv)
       std::cerr << interruption.what() << std::endl;
     return status_run_failed;
   }
+  catch (const Continua::RunError &error)
+  {
+    return fail(error.what(), communicator);
+  }
+  catch (const std::bad_alloc &)
+  {
+    return fail("the memory of the machine is not enough for this run. Take fewer cells or steps, "
+                "or another machine.",
+                communicator);
+  }
+  // The rest are texts of libraries, and of parts of Continua that know of no run.
   catch (const std::exception &error)
   {
-    std::cerr << "error: " << error.what() << std::endl;
-    // The other ranks may be waiting for this one.
-    if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
-      MPI_Abort(communicator, status_run_failed);
-    return status_run_failed;
+    return fail(
+        std::string("the run failed, and Continua has no better reason than the text below. "
+                    "If the parameter file is right, please report it with this text.\n") +
+            error.what(),
+        communicator);
+  }
+  catch (...)
+  {
+    return fail("the run failed by an error without a text. Please report it.", communicator);
   }
 }

@@ -3,6 +3,8 @@
 
 #include "unit_test.h"
 
+#include <continua/mesh/gmsh_process.h>
+
 #include <iostream>
 #include <map>
 #include <regex>
@@ -35,6 +37,9 @@ bool matches(const std::string &text, const std::string &pattern)
 
 int main(int argc, char **argv)
 {
+  // A test that meshes with gmsh starts this program again.
+  if (Continua::is_gmsh_process(argc, argv))
+    return Continua::run_gmsh_process(argc, argv);
   const auto &tests = unit_test::table();
   const auto chosen = argc > 1 ? tests.find(argv[1]) : tests.end();
   if (chosen == tests.end())

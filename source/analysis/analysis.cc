@@ -16,6 +16,11 @@ Analysis::Analysis(const AnalysisInput &input)
 {
 }
 
+std::vector<std::string> Analysis::plan() const
+{
+  return {"analysis: " + general.analysis};
+}
+
 void Analysis::perform(const OutputDirectory &directory, Log &log, Summary &summary)
 {
   log.open(directory.file("log.txt"), command_line.restart);

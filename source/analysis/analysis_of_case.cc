@@ -3,6 +3,11 @@
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
 
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <sstream>
+
 namespace Continua
 {
 template <int dim>
@@ -12,6 +17,40 @@ AnalysisOfCase<dim>::AnalysisOfCase(const AnalysisInput &input, void (*perform_r
           input.file, input.communicator, input.command_line.restart)),
       perform_run(perform_run)
 {
+}
+
+template <int dim>
+std::vector<std::string> AnalysisOfCase<dim>::plan() const
+{
+  std::vector<std::string> lines = Analysis::plan();
+  lines.front() += ", model: " + input.general.model;
+  if (input.analysis.has_fields)
+  {
+    lines.front() += ", discretisation: " + input.general.discretisation;
+    // The coarse mesh has been made, the refined one has not.
+    std::ostringstream mesh;
+    mesh << "mesh: "
+         << static_cast<double>(input.triangulation->n_global_active_cells()) *
+                std::pow(2., dim * static_cast<double>(input.mesh.refinements))
+         << " cells" << (input.adaptation.changes_mesh() ? " at the start" : "")
+         << ", ranks: " << dealii::Utilities::MPI::n_mpi_processes(input.communicator);
+    lines.push_back(mesh.str());
+  }
+  if (input.analysis.motion == Motion::in_time)
+  {
+    const TimeParameters &time = input.time;
+    std::ostringstream text;
+    text << "time: to " << time.end_time << " s";
+    if (time.is_adaptive())
+      text << " in steps that adapt, the first of " << time.time_step << " s";
+    else if (time.changes.empty())
+      text << " in " << std::ceil(time.end_time / time.time_step - 1e-6) << " steps of "
+           << time.time_step << " s";
+    else
+      text << " in steps of " << time.time_step << " s first";
+    lines.push_back(text.str());
+  }
+  return lines;
 }
 
 template <int dim>

@@ -300,6 +300,26 @@ bool BoundaryPart::depends_on_time() const
   return along_normal.depends_on_time();
 }
 
+std::vector<std::string> BoundaryCondition::table_warnings(const double end_time) const
+{
+  std::vector<const Waveform *> waveforms;
+  for (const BoundaryPart *part : {&normal, &tangential})
+  {
+    waveforms.push_back(&part->along_normal);
+    for (const Waveform &component : part->vector)
+      waveforms.push_back(&component);
+  }
+  if (outlet)
+    waveforms.push_back(&outlet->pressure_behind);
+  std::vector<std::string> warnings;
+  for (const Waveform *const waveform : waveforms)
+    if (const std::string text = waveform->table_warning(end_time); !text.empty())
+      if (const std::string warning = "the boundary '" + name + "': " + text;
+          std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+        warnings.push_back(warning);
+  return warnings;
+}
+
 std::string BoundaryCondition::initial_jump(const double *point) const
 {
   const std::string traction = "Pa", velocity = "m/s";
@@ -432,8 +452,7 @@ read_boundary_conditions(ParameterSection section,
   }
   for (const auto &pair : pairs)
     if (taken.count(pair) == 0)
-      section.refuse(
-          "",
+      section.refuse_missing(
           "the boundary '" + boundaries[pair.first] + "' has no condition" +
               (regions.size() > 1 ? " in the region '" + regions[pair.second] + "'" : ""),
           "Add 'subsection " + boundaries[pair.first] +

@@ -102,8 +102,12 @@ Case<dim>::Case(ParameterFile &file,
   for (const std::string &region : problem.regions)
   {
     if (!materials.has_subsection(region))
-      materials.refuse("", "the region '" + region + "' has no material",
-                       "Add 'subsection " + region + "' with a Type to Materials");
+    {
+      // A misspelt name is the likelier reason.
+      materials.refuse_unknown_members(problem.regions, "region");
+      materials.refuse_missing("the region '" + region + "' has no material",
+                               "Add 'subsection " + region + "' with a Type to Materials");
+    }
     problem.materials.push_back(read_material(materials.subsection(region), problem.model));
     if (problem.model == Model::plane_stress)
       problem.plane_stress_factors.push_back(

@@ -1,9 +1,11 @@
 #include <continua/base/input_error.h>
+#include <continua/base/input_file.h>
 #include <continua/mesh/gmsh_file.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <istream>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -15,15 +17,20 @@ namespace
 class Reader
 {
 public:
-  Reader(std::istream &stream, const std::string &name) : stream(stream), origin{name, 0} {}
+  Reader(const std::string &whole, const std::string &name) : whole(whole), origin{name, 0} {}
 
-  /// Goes to the next line that is not empty; false at the end of the file.
+  /// Goes to the next line that is not empty; false at the end of the file. A line ends with a line
+  /// feed, a carriage return or both.
   bool next()
   {
-    while (std::getline(stream, text))
+    while (place < whole.size())
     {
+      const std::size_t begin = place;
+      place = std::min(whole.find_first_of("\r\n", begin), whole.size());
+      text = whole.substr(begin, place - begin);
+      place += whole.compare(place, 2, "\r\n") == 0 ? 2 : 1;
       ++origin.line;
-      const std::size_t end = text.find_last_not_of(" \t\r");
+      const std::size_t end = text.find_last_not_of(" \t");
       if (end != std::string::npos)
       {
         text.resize(end + 1);
@@ -53,6 +60,24 @@ public:
     return values;
   }
 
+  /// A number of the present line as a whole one, not smaller than `lower`.
+  int whole_number(const double value, const int lower = 0) const
+  {
+    if (!(value >= lower && value <= std::numeric_limits<int>::max()) || value != std::floor(value))
+      refuse_as_damaged("'" + text + "' should have whole numbers" +
+                        (lower == 0 ? " that are not negative" : ""));
+    return static_cast<int>(value);
+  }
+
+  /// The same of the tag of a node, of which there may be more.
+  std::size_t node_tag(const double value) const
+  {
+    constexpr double largest = 9007199254740992.; // 2^53: beyond it a double skips whole numbers
+    if (!(value >= 0. && value <= largest) || value != std::floor(value))
+      refuse_as_damaged("'" + text + "' should have the tags of nodes, whole numbers");
+    return static_cast<std::size_t>(value);
+  }
+
   [[noreturn]] void refuse(const std::string &problem, const std::string &remedy) const
   {
     throw InputError(origin, "Geometry/File", problem, remedy);
@@ -67,7 +92,8 @@ public:
   unsigned int number() const { return origin.line; }
 
 private:
-  std::istream &stream;
+  const std::string &whole;
+  std::size_t place = 0; ///< in it, of the next line
   std::string text;
   Origin origin;
 };
@@ -89,8 +115,8 @@ void read_format(Reader &reader)
 std::vector<GmshFile::Group> read_names(Reader &reader)
 {
   std::vector<GmshFile::Group> groups;
-  const double n_groups = reader.numbers(1)[0];
-  for (unsigned int i = 0; i < n_groups; ++i)
+  const int n_groups = reader.whole_number(reader.numbers(1)[0]);
+  for (int i = 0; i < n_groups; ++i)
   {
     if (!reader.next())
       reader.refuse_as_damaged("the file ends in the middle");
@@ -98,13 +124,15 @@ std::vector<GmshFile::Group> read_names(Reader &reader)
     const std::string &line = reader.line();
     char *rest = nullptr;
     GmshFile::Group group;
-    group.dimension = std::strtoul(line.c_str(), &rest, 10);
-    group.tag = std::strtol(rest, &rest, 10);
+    group.dimension = reader.whole_number(std::strtod(line.c_str(), &rest));
+    group.tag = reader.whole_number(std::strtod(rest, &rest), std::numeric_limits<int>::min());
     group.line = reader.number();
     const std::size_t begin = line.find('"');
     if (begin == std::string::npos || line.back() != '"' || line.size() < begin + 2)
       reader.refuse_as_damaged("'" + line + "' should be the name of a physical group");
     group.name = line.substr(begin + 1, line.size() - begin - 2);
+    if (const std::string problem = problem_of_text(group.name); !problem.empty())
+      reader.refuse("the name of a physical group " + problem, "Write the name in plain UTF-8");
     groups.push_back(group);
   }
   return groups;
@@ -119,17 +147,19 @@ std::map<Entity, std::vector<int>> read_entities(Reader &reader)
   std::map<Entity, std::vector<int>> groups;
   const std::vector<double> n_entities = reader.numbers(4);
   for (unsigned int dimension = 0; dimension < 4; ++dimension)
-    for (unsigned int i = 0; i < n_entities[dimension]; ++i)
+    for (int i = 0, n = reader.whole_number(n_entities[dimension]); i < n; ++i)
     {
       // TAG, a point's place or the corners of a bounding box, NUMBER OF GROUPS, GROUPS, ...
       const std::size_t place = dimension == 0 ? 4 : 7;
       const std::vector<double> values = reader.numbers(place + 1);
-      if (values[place] < 0. || values.size() < place + 1 + values[place])
+      constexpr int negative = -std::numeric_limits<int>::max();
+      const std::size_t n_tags = reader.whole_number(values[place]);
+      if (values.size() < place + 1 + n_tags)
         reader.refuse_as_damaged("the line of an entity is too short");
-      std::vector<int> &tags = groups[{dimension, static_cast<int>(values[0])}];
+      std::vector<int> &tags = groups[{dimension, reader.whole_number(values[0], negative)}];
       // A minus sign turns the entity's orientation round, which a mesh has no use for.
-      for (unsigned int j = 0; j < values[place]; ++j)
-        tags.push_back(std::abs(static_cast<int>(values[place + 1 + j])));
+      for (std::size_t j = 0; j < n_tags; ++j)
+        tags.push_back(std::abs(reader.whole_number(values[place + 1 + j], negative)));
     }
   return groups;
 }
@@ -139,13 +169,13 @@ std::map<std::size_t, unsigned int> read_points(Reader &reader,
                                                 std::vector<dealii::Point<3>> &points)
 {
   std::map<std::size_t, unsigned int> places;
-  const double n_blocks = reader.numbers(4)[0];
-  for (unsigned int block = 0; block < n_blocks; ++block)
+  const int n_blocks = reader.whole_number(reader.numbers(4)[0]);
+  for (int block = 0; block < n_blocks; ++block)
   {
-    const double n_points = reader.numbers(4)[3];
-    for (unsigned int i = 0; i < n_points; ++i)
-      places[static_cast<std::size_t>(reader.numbers(1)[0])] = points.size() + i;
-    for (unsigned int i = 0; i < n_points; ++i)
+    const int n_points = reader.whole_number(reader.numbers(4)[3]);
+    for (int i = 0; i < n_points; ++i)
+      places[reader.node_tag(reader.numbers(1)[0])] = points.size() + i;
+    for (int i = 0; i < n_points; ++i)
     {
       const std::vector<double> values = reader.numbers(3);
       points.emplace_back(values[0], values[1], values[2]);
@@ -159,26 +189,27 @@ std::vector<GmshFile::Block> read_blocks(Reader &reader,
                                          const std::map<std::size_t, unsigned int> &places)
 {
   std::vector<GmshFile::Block> blocks;
-  const double n_blocks = reader.numbers(4)[0];
-  for (unsigned int i = 0; i < n_blocks; ++i)
+  const int n_blocks = reader.whole_number(reader.numbers(4)[0]);
+  for (int i = 0; i < n_blocks; ++i)
   {
     const std::vector<double> header = reader.numbers(4);
     GmshFile::Block block;
-    block.dimension = static_cast<unsigned int>(header[0]);
-    block.entity = static_cast<int>(header[1]);
-    block.type = static_cast<unsigned int>(header[2]);
+    block.dimension = reader.whole_number(header[0]);
+    block.entity = reader.whole_number(header[1], std::numeric_limits<int>::min());
+    block.type = reader.whole_number(header[2]);
+    const int n_elements = reader.whole_number(header[3]);
     block.line = reader.number();
     const auto entity = groups.find({block.dimension, block.entity});
     if (entity != groups.end())
       block.groups = entity->second;
-    for (unsigned int j = 0; j < header[3]; ++j)
+    for (int j = 0; j < n_elements; ++j)
     {
       // TAG, TAGS OF THE VERTICES
       const std::vector<double> tags = reader.numbers(2);
       std::vector<unsigned int> vertices;
       for (std::size_t v = 1; v < tags.size(); ++v)
       {
-        const auto place = places.find(static_cast<std::size_t>(tags[v]));
+        const auto place = places.find(reader.node_tag(tags[v]));
         if (place == places.end())
           reader.refuse_as_damaged("an element has a node that is not in the file");
         vertices.push_back(place->second);
@@ -191,9 +222,9 @@ std::vector<GmshFile::Block> read_blocks(Reader &reader,
 }
 } // namespace
 
-GmshFile GmshFile::read(std::istream &stream, const std::string &name)
+GmshFile GmshFile::read(const std::string &text, const std::string &name)
 {
-  Reader reader(stream, name);
+  Reader reader(text, name);
   read_format(reader);
   GmshFile file;
   std::map<Entity, std::vector<int>> entities;

@@ -1,3 +1,4 @@
+#include <continua/base/input_file.h>
 #include <continua/mesh/gmsh_file.h>
 #include <continua/mesh/gmsh_geometry.h>
 #include <continua/mesh/gmsh_mesher.h>
@@ -8,8 +9,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
+#include <stdexcept>
 
 namespace Continua
 {
@@ -31,18 +32,19 @@ std::string in_dimensions(const unsigned int dim)
   return dim == 2 ? "two-dimensional" : "three-dimensional";
 }
 
-GmshFile read_file(const std::string &path, const unsigned int dim)
+GmshFile read_file(const std::string &path, const unsigned int dim, const double meshing_time_limit)
 {
   if (std::filesystem::path(path).extension() == ".geo")
+    return GmshFile::read(mesh_with_gmsh(path, dim, meshing_time_limit), path);
+  try
   {
-    std::istringstream text(mesh_with_gmsh(path, dim));
-    return GmshFile::read(text, path);
+    return GmshFile::read(read_input_file(path, "mesh"), path);
   }
-  std::ifstream stream(path);
-  if (!stream)
-    throw InputError({path, 0}, "Geometry/File", "the file cannot be read",
+  catch (const std::invalid_argument &problem)
+  {
+    throw InputError({path, 0}, "Geometry/File", problem.what(),
                      "Check its name and the permissions");
-  return GmshFile::read(stream, path);
+  }
 }
 
 /// The vertices of a cell in deal.II's order, from gmsh's: both go round the lower face, gmsh in a
@@ -105,6 +107,9 @@ GmshGeometry<dim>::Parameters::read(ParameterSection geometry, ParameterSection,
   geometry.add("Unit length", parameters.unit_length, Dimensions::length,
                "What a coordinate of 1 in the file means: 1 mm if it is drawn in millimetres [m]",
                Range::positive());
+  geometry.add("Meshing time limit", parameters.meshing_time_limit, Dimensions::time,
+               "The wall time after which gmsh is stopped that meshes a .geo file [s]",
+               Range::positive());
   return parameters;
 }
 
@@ -119,7 +124,7 @@ GmshGeometry<dim>::GmshGeometry(const Parameters &parameters, const bool axisymm
     boundary_names = {"those of " + std::string(dim == 2 ? "curves" : "surfaces")};
     return;
   }
-  const GmshFile file = read_file(parameters.file, dim);
+  const GmshFile file = read_file(parameters.file, dim, parameters.meshing_time_limit);
   check_elements(file);
   set_vertices(file, axisymmetric);
   set_cells(file);

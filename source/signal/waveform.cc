@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <utility>
 
@@ -15,8 +16,10 @@ using dealii::numbers::PI;
 
 namespace
 {
-std::shared_ptr<const TimeTable>
-read_table(ParameterSection &section, const std::string &key, const Dimension &dimension)
+std::shared_ptr<const TimeTable> read_table(ParameterSection &section,
+                                            const std::string &key,
+                                            const Dimension &dimension,
+                                            std::string &file)
 {
   std::string path, column;
   TimeTable::Interpolation interpolation = TimeTable::Interpolation::linear;
@@ -43,6 +46,7 @@ read_table(ParameterSection &section, const std::string &key, const Dimension &d
   if (path.empty())
     return nullptr;
 
+  file = path;
   return std::make_shared<const TimeTable>(path, dimension, interpolation, after, offset, column);
 }
 
@@ -154,15 +158,25 @@ std::shared_ptr<const Waveform::TimeFunction> Waveform::read_function(ParameterS
                                                                       const Dimension &dimension,
                                                                       const std::string &kind)
 {
+  TimeFunction function;
   if (kind == sine_squared_pulse)
-    return std::make_shared<const TimeFunction>(read_sine_squared(section, key, dimension));
-  if (kind == gaussian_pulse)
-    return std::make_shared<const TimeFunction>(read_gaussian(section, key, dimension));
-  const auto table = read_table(section, key, dimension);
-  if (!table)
-    return nullptr;
-  return std::make_shared<const TimeFunction>([table](const double time)
-                                              { return (*table)(time); });
+    function.value = read_sine_squared(section, key, dimension);
+  else if (kind == gaussian_pulse)
+    function.value = read_gaussian(section, key, dimension);
+  else
+  {
+    std::string file;
+    const auto table = read_table(section, key, dimension, file);
+    if (!table)
+      return nullptr;
+    function.value = [table](const double time) { return (*table)(time); };
+    if (!section.given("After the table"))
+    {
+      function.held_file = file;
+      function.last_time = table->last_time();
+    }
+  }
+  return std::make_shared<const TimeFunction>(function);
 }
 
 Waveform Waveform::read(ParameterSection &section,
@@ -227,7 +241,7 @@ double Waveform::operator()(const double *point, const double time) const
 {
   double value = expression(point, time);
   if (of_time)
-    value *= (*of_time)(time);
+    value *= of_time->value(time);
   if (ramp > 0. && time < ramp)
   {
     const double sine = time > 0. ? std::sin(0.5 * PI * time / ramp) : 0.;
@@ -244,6 +258,16 @@ bool Waveform::depends_on_time() const
 bool Waveform::depends_on_space() const
 {
   return expression.depends_on_space();
+}
+
+std::string Waveform::table_warning(const double end_time) const
+{
+  if (!of_time || of_time->held_file.empty() || of_time->last_time >= end_time * (1. - 1e-9))
+    return "";
+  return "the table '" + std::filesystem::path(of_time->held_file).filename().string() +
+         "' ends at t = " + shortest_number(of_time->last_time) + " s, the run at " +
+         shortest_number(end_time) +
+         " s: its last value holds in between. Set 'After the table' to hold, repeat or zero";
 }
 
 bool Waveform::is_zero() const

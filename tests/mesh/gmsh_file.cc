@@ -13,8 +13,7 @@ namespace
 {
 GmshFile read(const std::string &text)
 {
-  std::istringstream stream(text);
-  return GmshFile::read(stream, "x.msh");
+  return GmshFile::read(text, "x.msh");
 }
 
 void refused(const std::string &name, const std::string &text, const std::string &pattern)
@@ -60,6 +59,21 @@ UNIT_TEST(gmsh_file)
   refused("no elements", squares.substr(0, squares.find("$Elements")), "40:.*no .Elements");
   refused("unknown node", meshes::with(squares, "9 11 12 15 14", "9 11 12 15 18"), "57:.*node");
   refused("broken name", meshes::with(squares, "\"fluid\"", "\"fluid"), "9:.*name");
+  refused("no finite coordinate", meshes::with(squares, "2 1 0\n", "nan 1 0\n"), "38:.*nan");
+  refused("infinite coordinate", meshes::with(squares, "2 1 0\n", "2 1e999 0\n"), "38:.*1e999");
+  refused("tag too large", meshes::with(squares, "2 2 3 1\n", "2 1e300 3 1\n"),
+          "58:.*whole numbers");
+  refused("negative count", meshes::with(squares, "2 2 3 1\n", "2 2 3 -1\n"), "58:.*negative");
+  refused("half a node", meshes::with(squares, "9 11 12 15 14", "9 11 12 15 14.5"), "57:.*tags of");
+  refused("node beyond all", meshes::with(squares, "9 11 12 15 14", "9 11 12 15 1e300"),
+          "57:.*tags of");
+  refused("groups of an entity",
+          meshes::with(squares, "2 1 0 0 2 0 0 1 -3 0", "2 1 0 0 2 0 0 1e9 3 0"), "17:.*too short");
+  refused("group beyond all",
+          meshes::with(squares, "2 1 0 0 2 0 0 1 -3 0", "2 1 0 0 2 0 0 1 -3e10 0"),
+          "17:.*whole numbers");
+  refused("escape in a name", meshes::with(squares, "\"fluid\"", "\"\x1b[2J\""),
+          "9:.*control character 0x1b");
   refused("partitioned",
           meshes::with(squares, "$Nodes", "$PartitionedEntities\n$EndPartitionedEntities\n$Nodes"),
           "23:.*partition");

@@ -92,7 +92,7 @@ UNIT_TEST(gmsh_geometry)
       [] {
         GmshGeometry<2>({"none.msh", 1.}, false);
       },
-      "none.msh.*cannot be read");
+      "none.msh.*does not exist");
   check::absolute("without a file, for the manual",
                   measures::Measures<2>(GmshGeometry<2>({"", 1.}, false)).mesh.n_cells(), 1., 0.);
 }

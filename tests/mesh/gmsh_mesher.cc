@@ -8,8 +8,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <filesystem>
 #include <fstream>
-#include <sstream>
 
 using namespace Continua;
 
@@ -31,11 +31,18 @@ UNIT_TEST(gmsh_mesher)
            "Physical Curve(\"rest\") = {1, 2, 3};\n";
     std::ofstream("wrong.geo") << "Point(1) = {0, 0, 0};\nLine(1 = {1, 2};\n";
     std::ofstream("coarse.geo") << "Point(1) = {0, 0, 0};\n";
+    std::ofstream("command.geo") << "Point(1) = {0, 0, 0};\nSystemCall \"touch made\";\n";
+    // What gmsh leaves out by a condition it reads without regard to strings: the command stands in
+    // one for whoever reads the file, and outside for gmsh.
+    std::ofstream("hidden.geo") << "If(0) \" EndIf SystemCall \"touch made\"; //\"\n"
+                                << "Point(1) = {0, 0, 0};\n";
+    std::ofstream("endless.geo") << "For i In {1 : 1e12}\nEndFor\n";
+    std::ofstream("exit.geo") << "Point(1) = {0, 0, 0};\nExit;\n";
+    std::filesystem::remove("made");
   }
   MPI_Barrier(MPI_COMM_WORLD);
 
-  std::istringstream text(mesh_with_gmsh("ring.geo", 2));
-  const GmshFile file = GmshFile::read(text, "ring.geo");
+  const GmshFile file = GmshFile::read(mesh_with_gmsh("ring.geo", 2), "ring.geo");
   const measures::Measures<2> ring(GmshGeometry<2>({"ring.geo", 1.}, false));
   std::string why;
   try
@@ -46,6 +53,27 @@ UNIT_TEST(gmsh_mesher)
   {
     why = error.what();
   }
+  const auto reason = [](const std::string &geo_file, const double time_limit = 600.)
+  {
+    try
+    {
+      mesh_with_gmsh(geo_file, 2, time_limit);
+      return std::string();
+    }
+    catch (const InputError &error)
+    {
+      return std::string(error.what());
+    }
+  };
+  const std::string command = reason("command.geo");
+  reason("hidden.geo");
+  MPI_Barrier(MPI_COMM_WORLD);
+  const bool was_made = std::filesystem::exists("made");
+  const std::string endless = reason("endless.geo", 1.);
+  allow_mesh_commands();
+  const std::string allowed = reason("command.geo"), ended = reason("exit.geo");
+  MPI_Barrier(MPI_COMM_WORLD);
+  const bool is_made = std::filesystem::exists("made");
   // Every rank must have the same; the checks are printed by one.
   const bool alike = dealii::Utilities::MPI::min(double(file.points.size()), MPI_COMM_WORLD) ==
                          dealii::Utilities::MPI::max(double(file.points.size()), MPI_COMM_WORLD) &&
@@ -57,6 +85,12 @@ UNIT_TEST(gmsh_mesher)
   // The chords of an arc of angle a = pi/80 are shorter by a^2/24.
   check::relative("inside", ring.boundary("inside"), dealii::numbers::PI / 2, 1e-4);
   check::relative("area", ring.region("ring"), 0.75 * dealii::numbers::PI, 3e-4);
+  check::is_true("a command", command.find("command.geo:2: 'Geometry/File'") == 0);
+  check::is_true("nothing was executed", !was_made);
+  check::is_true("time limit", endless.find("did not end within 1 s") != std::string::npos);
+  check::is_true("a command that is allowed", allowed.empty() && is_made);
+  check::is_true("the end of gmsh",
+                 ended.find("ended before the mesh was made") != std::string::npos);
   check::is_true("error of gmsh", why.find("wrong.geo: 'Geometry/File'") == 0 &&
                                       why.find("line 2") != std::string::npos);
 }

@@ -11,6 +11,7 @@
 #include <mpi.h>
 
 #include <string>
+#include <vector>
 
 namespace Continua
 {
@@ -40,6 +41,8 @@ public:
 
   /// Whether --restart goes on from a checkpoint in the output folder.
   virtual bool has_checkpoints() const { return false; }
+  /// What perform() would do, a line each: analysis, model, discretisation, cells, steps.
+  virtual std::vector<std::string> plan() const;
   /// Opens the log in the folder, leaves there the resolved parameters and the user's files, and
   /// performs the analysis. `summary` is filled on the way, also of an analysis that fails; rank 0
   /// has all of it. Collective; throws RunError or Interrupted.

@@ -19,6 +19,7 @@ public:
   AnalysisOfCase(const AnalysisInput &input, void (*perform_run)(Run<dim> &));
 
   bool has_checkpoints() const override { return input.analysis.has_checkpoints; }
+  std::vector<std::string> plan() const override;
 
 private:
   Case<dim> input;

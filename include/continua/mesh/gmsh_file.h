@@ -3,7 +3,6 @@
 
 #include <deal.II/base/point.h>
 
-#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -42,10 +41,11 @@ struct GmshFile
   std::vector<dealii::Point<3>> points; ///< in the file's unit of length
 
   /**
-   * Reads a file; `name` stands in the messages. Throws InputError with line and remedy if it has
-   * another format or is damaged.
+   * Reads the text of a file; `name` stands in the messages. Throws InputError with line and remedy
+   * if it has another format or is damaged: a number that is not finite, too large, or not whole
+   * where it counts or names something.
    */
-  static GmshFile read(std::istream &stream, const std::string &name);
+  static GmshFile read(const std::string &text, const std::string &name);
 };
 } // namespace Continua
 

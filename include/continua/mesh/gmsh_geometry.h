@@ -25,7 +25,8 @@ public:
   struct Parameters
   {
     std::string file;
-    double unit_length = 1.; ///< what a coordinate of 1 in the file means [m]
+    double unit_length = 1.;          ///< what a coordinate of 1 in the file means [m]
+    double meshing_time_limit = 600.; ///< of gmsh with a .geo file, by the wall clock [s]
 
     /// Throws InputError.
     static Parameters read(ParameterSection geometry, ParameterSection mesh, bool axisymmetric);

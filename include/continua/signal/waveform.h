@@ -56,9 +56,18 @@ public:
   bool depends_on_time() const;
   bool depends_on_space() const;
   bool is_zero() const;
+  /// What to warn of in a run to `end_time` [s]: a table that ends before it, without a word of the
+  /// user about what holds then; empty if there is nothing.
+  std::string table_warning(double end_time) const;
 
 private:
-  using TimeFunction = std::function<double(double)>;
+  struct TimeFunction
+  {
+    std::function<double(double)> value;
+    /// A table whose last value holds after its end by default, and its last time [s]; else empty.
+    std::string held_file;
+    double last_time = 0.;
+  };
 
   /// The value, or what the function of time is multiplied by.
   Expression expression;

@@ -1,0 +1,2 @@
+Merge "two-regions.geo";
+Exit;

@@ -1,0 +1,1 @@
+Include "writes.geo";

@@ -1,0 +1,2 @@
+x = 1;
+Printf("%g (%g)", Sin(x), x) >> "continua-was-here";
