@@ -1,10 +1,14 @@
 #include <continua/analysis/refinement_indicator.h>
 
+#include <continua/base/input_error.h>
+#include <continua/base/units.h>
+#include <continua/continuum/step_extremes.h>
 #include <continua/mesh/geometric_indicators.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Continua
 {
@@ -36,6 +40,26 @@ Vector<float> single_indicator(const Indicator indicator,
   return per_cell;
 }
 
+/// No cell could be chosen by an indicator that is no number. Collective; throws RunError.
+template <int dim>
+void refuse_not_finite(const Triangulation<dim> &triangulation,
+                       const MPI_Comm communicator,
+                       const Indicator indicator,
+                       const double time,
+                       const Vector<float> &per_cell)
+{
+  unsigned int n_not_finite = 0;
+  for (const auto &cell : triangulation.active_cell_iterators())
+    if (cell->is_locally_owned() && !std::isfinite(per_cell[cell->active_cell_index()]))
+      ++n_not_finite;
+  n_not_finite = Utilities::MPI::sum(n_not_finite, communicator);
+  if (n_not_finite > 0)
+    throw RunError(std::string(indicator == Indicator::expression ? "'Adaptivity/Expression'"
+                                                                  : "a refinement indicator") +
+                   " is not finite in " + std::to_string(n_not_finite) + " cells at t = " +
+                   shortest_number(time) + " s" + reason_not_finite(communicator));
+}
+
 /// Without what is negative, over the largest value of all ranks.
 template <int dim>
 void normalise(const Triangulation<dim> &triangulation,
@@ -62,6 +86,8 @@ refinement_indicator(const Case<dim> &input, ContinuumSolver<dim> &solver, const
   for (unsigned int i = 0; i < adaptation.indicators.size(); ++i)
   {
     Vector<float> per_cell = single_indicator(adaptation.indicators[i], input, solver, time);
+    refuse_not_finite(*input.triangulation, input.communicator, adaptation.indicators[i], time,
+                      per_cell);
     if (combined ||
         (adaptation.strategy == AdaptationStrategy::threshold && !adaptation.is_geometric()))
       normalise(*input.triangulation, input.communicator, per_cell);

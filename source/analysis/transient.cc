@@ -57,6 +57,9 @@ void Transient<dim>::perform()
                           "known, and the time step does not adapt"
                         : "each change of the mesh excites fast motions, which an adaptive time "
                           "step follows: a fixed one may need fewer steps");
+  for (const BoundaryCondition &condition : run.input.problem.conditions)
+    for (const std::string &warning : condition.table_warnings(run.input.time.end_time))
+      run.log.warning(warning);
   const SignalWatch watch;
   if (run.command_line.restart)
     restart();

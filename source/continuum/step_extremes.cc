@@ -1,6 +1,8 @@
 #include <continua/continuum/step_extremes.h>
 
+#include <continua/base/collective.h>
 #include <continua/base/input_error.h>
+#include <continua/signal/expression.h>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +11,14 @@
 
 namespace Continua
 {
+std::string reason_not_finite(const MPI_Comm communicator)
+{
+  for (const std::string &text : all_gather(communicator, Expression::value_not_finite()))
+    if (!text.empty())
+      return "; " + text;
+  return "";
+}
+
 void set_extremes(const Step &step,
                   const DistributedVector &start,
                   const DistributedVector &balanced,
@@ -35,7 +45,8 @@ void set_extremes(const Step &step,
   if (extremes[2] > 0.)
   {
     std::ostringstream text;
-    text << "the solution is not finite in the step to t = " << step.time << " s";
+    text << "the solution is not finite in the step to t = " << step.time << " s"
+         << reason_not_finite(start.get_mpi_communicator());
     throw RunError(text.str());
   }
   report.largest_velocity = extremes[0];

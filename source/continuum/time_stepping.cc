@@ -357,7 +357,8 @@ void TimeStepping::solve_steady(const double time)
   if (!solid)
     outlets.couple_steady(time, velocity_work, pressure);
   if (!std::isfinite(velocity_work.linfty_norm()))
-    throw RunError("the steady solution is not finite");
+    throw RunError("the steady solution is not finite" +
+                   reason_not_finite(velocity_work.get_mpi_communicator()));
   (solid ? history.displacement() : velocity).equ(1., velocity_work);
   present_time = time;
 }

@@ -96,7 +96,9 @@ Vector<float> expression_indicator(const Triangulation<dim> &triangulation,
       };
       double largest = value(cell->center());
       for (const unsigned int v : cell->vertex_indices())
-        largest = std::max(largest, value(cell->vertex(v)));
+        if (const double at_vertex = value(cell->vertex(v));
+            at_vertex > largest || std::isnan(at_vertex)) // no number stays none
+          largest = at_vertex;
       per_cell[cell->active_cell_index()] = largest;
     }
   return per_cell;

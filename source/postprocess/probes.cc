@@ -13,11 +13,15 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <map>
+#include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace Continua
 {
@@ -279,6 +283,33 @@ void Probes<dim>::attach_stations(const unsigned int p)
   }
 }
 
+namespace
+{
+/// "x = 0 to 2 m, y = 0 to 1 m": between the vertices of the cells in the regions, all if there are
+/// none.
+template <int dim>
+std::string extent(const dealii::Triangulation<dim> &coarse_mesh,
+                   const std::set<unsigned int> &region_ids)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<std::pair<double, double>, dim> limits;
+  limits.fill({infinity, -infinity});
+  for (const auto &cell : coarse_mesh.cell_iterators_on_level(0))
+    if (region_ids.empty() || region_ids.count(cell->material_id()) > 0)
+      for (const unsigned int v : cell->vertex_indices())
+        for (unsigned int d = 0; d < dim; ++d)
+        {
+          limits[d].first = std::min(limits[d].first, cell->vertex(v)[d]);
+          limits[d].second = std::max(limits[d].second, cell->vertex(v)[d]);
+        }
+  std::ostringstream text;
+  const char *const names[] = {"x = ", ", y = ", ", z = "};
+  for (unsigned int d = 0; d < dim; ++d)
+    text << names[d] << limits[d].first << " to " << limits[d].second << " m";
+  return text.str();
+}
+} // namespace
+
 template <int dim>
 void Probes<dim>::check(const dealii::Triangulation<dim> &coarse_mesh,
                         const std::vector<FieldComponent> &fields,
@@ -329,7 +360,9 @@ void Probes<dim>::check(const dealii::Triangulation<dim> &coarse_mesh,
         inside = inside || ((region_ids.empty() || region_ids.count(cell->material_id()) > 0) &&
                             cell_holds_point<dim>(mapping, cell, probe.request.point, unit_point));
       if (!inside)
-        probe.section.refuse("Point", "the point is not inside the mesh",
+        probe.section.refuse("Point",
+                             "the point is not inside the mesh, which extends over " +
+                                 extent(coarse_mesh, region_ids),
                              "Give a point of the undeformed body, in the Region if there is one");
     }
   }

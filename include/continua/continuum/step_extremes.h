@@ -5,6 +5,10 @@
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/time_integration/step.h>
 
+#include <mpi.h>
+
+#include <string>
+
 namespace Continua
 {
 /// Sets the report's largest velocity, and its largest change from the step's start, of a step that
@@ -15,6 +19,10 @@ void set_extremes(const Step &step,
                   const DistributedVector &balanced,
                   const DistributedVector &pressure,
                   StepReport &report);
+
+/// "; " and the first expression, of all ranks, that had a value which is not finite; empty if
+/// there is none: the likely reason for a solution that is not finite. Collective.
+std::string reason_not_finite(MPI_Comm communicator);
 } // namespace Continua
 
 #endif
