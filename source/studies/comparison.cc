@@ -93,8 +93,9 @@ Comparison::Way Comparison::read_way(const unsigned int way) const
   return result;
 }
 
-Comparison::Plan
-Comparison::plan(const unsigned int way, const unsigned int mesh, const std::string &output) const
+Comparison::Plan Comparison::plan_run(const unsigned int way,
+                                      const unsigned int mesh,
+                                      const std::string &output) const
 {
   const Way &of_way = ways[way];
   Plan result;
@@ -128,7 +129,7 @@ std::vector<Comparison::Plan> Comparison::plans(const std::string &output) const
   std::vector<Plan> result;
   for (unsigned int way = 0; way < 2; ++way)
     for (const unsigned int mesh : parameters.meshes_of(way))
-      result.push_back(plan(way, mesh, output));
+      result.push_back(plan_run(way, mesh, output));
   std::stable_sort(result.begin(), result.end(),
                    [](const Plan &a, const Plan &b) { return a.mesh < b.mesh; });
   return result;

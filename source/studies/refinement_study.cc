@@ -141,9 +141,9 @@ void RefinementStudy::refine(CommandLine &of_run,
   }
 }
 
-PlannedRun RefinementStudy::plan(const unsigned int way,
-                                 const unsigned int cycle,
-                                 const std::string &output) const
+PlannedRun RefinementStudy::plan_run(const unsigned int way,
+                                     const unsigned int cycle,
+                                     const std::string &output) const
 {
   PlannedRun result;
   result.name = parameters.ways[way] + "-" + std::to_string(cycle);
@@ -166,7 +166,7 @@ void RefinementStudy::compute(const OutputDirectory &directory, Log &log, Summar
   for (unsigned int cycle = 0; cycle <= parameters.cycles; ++cycle)
     for (unsigned int way = 0; way < ways.size(); ++way)
     {
-      plans.push_back(plan(way, cycle, directory.path()));
+      plans.push_back(plan_run(way, cycle, directory.path()));
       runs.emplace_back();
       runs.back().way = way;
       runs.back().cycle = cycle;

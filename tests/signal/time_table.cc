@@ -147,7 +147,7 @@ void test_refusals()
                   TimeTable::After::hold, 0.);
       },
       "no-such-file.csv: .*does not exist");
-  refused("empty file", "", "time-table-test.csv: .*no header");
+  refused("empty file", "", "time-table-test.csv: .*is empty");
   refused("header as a comment", "# time [ms]\n0\n1\n", ":2: .*one column.*#");
   refused("numbers as a header", "0, 1\n1, 2\n", ":1: .*no unit");
   refused("no unit of time", "time, pressure [Pa]\n0, 1\n1, 2\n",

@@ -61,7 +61,7 @@ private:
   void read_ways();
   template <int dim>
   Way read_way(unsigned int way) const;
-  Plan plan(unsigned int way, unsigned int mesh, const std::string &output) const;
+  Plan plan_run(unsigned int way, unsigned int mesh, const std::string &output) const;
   /// The runs in their order: mesh by mesh, so that what fails or is misspelt shows early.
   std::vector<Plan> plans(const std::string &output) const;
   void report(const std::vector<ComparedRun> &runs,

@@ -51,7 +51,7 @@ private:
   Way read_way(const std::string &name) const;
   void check(const Way &way, const std::string &name, const ParameterSection &section) const;
   double time_step(const Way &way, unsigned int cycle) const;
-  PlannedRun plan(unsigned int way, unsigned int cycle, const std::string &output) const;
+  PlannedRun plan_run(unsigned int way, unsigned int cycle, const std::string &output) const;
   void refine(CommandLine &of_run, unsigned int way, unsigned int cycle) const;
 };
 } // namespace Continua
