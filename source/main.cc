@@ -140,12 +140,14 @@ int main(int argc, char **argv)
   // This program is its own helper: it meshes with gmsh, without MPI.
   if (is_gmsh_process(argc, argv))
     return run_gmsh_process(argc, argv);
-  // Whoever reads the output may go (| head): the rest of it is dropped, and the run goes on. The
-  // signal is blocked rather than ignored, since libraries set it back to its default.
-  sigset_t of_closed_screen;
-  sigemptyset(&of_closed_screen);
-  sigaddset(&of_closed_screen, SIGPIPE);
-  pthread_sigmask(SIG_BLOCK, &of_closed_screen, nullptr);
+  // Whoever reads the output may go (| head): the rest of it is dropped, and the run goes on. A
+  // file may reach the largest size that is allowed: writing it then fails with a reason. The
+  // signals are blocked rather than ignored, since libraries set them back to their default.
+  sigset_t of_writing;
+  sigemptyset(&of_writing);
+  sigaddset(&of_writing, SIGPIPE);
+  sigaddset(&of_writing, SIGXFSZ);
+  pthread_sigmask(SIG_BLOCK, &of_writing, nullptr);
   // The arguments are Continua's alone: PETSc takes each that it sees for an option of its own.
   char *program_name[] = {argv[0], nullptr};
   int n_names = 1;

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <sstream>
 
@@ -170,34 +171,59 @@ template <int dim>
 void Transient<dim>::restart()
 {
   const ArchiveReader archive = checkpoint.read();
-  run.input.power_laws.load(archive, run.input.problem, run.input.time);
-  run.input.absorbing_ends.load(archive, run.input.problem);
+  // What is read of it, with a word of where it comes from.
+  const auto reading = [this](const std::function<void()> &read)
+  {
+    try
+    {
+      read();
+    }
+    catch (const std::exception &error)
+    {
+      throw RunError("the checkpoint in '" + run.directory.file("checkpoint") +
+                     "' has right checksums but cannot be used: " + error.what());
+    }
+  };
+  reading(
+      [&]()
+      {
+        run.input.power_laws.load(archive, run.input.problem, run.input.time);
+        run.input.absorbing_ends.load(archive, run.input.problem);
+      });
   const std::string mesh_file = checkpoint.mesh_file();
   mesh_has_changed = !mesh_file.empty();
   run.initialise(mesh_file);
-  time_control.load(archive);
-  run.solver->load(archive);
-  for (const ScheduledRecord<dim> &entry : records)
-    entry.record->load(archive);
-  largest_energy = archive.value("largest energy");
+  double size = 0.;
+  unsigned long n_rows_written = 0;
+  bool is_due_to_adapt = false;
+  std::vector<std::string> warnings;
+  reading(
+      [&]()
+      {
+        time_control.load(archive);
+        run.solver->load(archive);
+        for (const ScheduledRecord<dim> &entry : records)
+          entry.record->load(archive);
+        largest_energy = archive.value("largest energy");
+        n_restarts = archive.integer("restarts") + 1;
+        earlier_wall_time = archive.value("wall time");
+        std::istringstream lines(archive.text("warnings"));
+        for (std::string line; std::getline(lines, line);)
+          warnings.push_back(line);
+        size = archive.value("size of the last step");
+        n_rows_written = archive.integer("rows of probes.csv");
+        is_due_to_adapt = archive.integer("adaptation is due") == 1;
+      });
   const double time = time_control.time();
-  n_restarts = archive.integer("restarts") + 1;
-  earlier_wall_time = archive.value("wall time");
   run.summary.set("restarts", static_cast<double>(n_restarts));
   run.summary.set("wall time before the restart [s]", earlier_wall_time);
-  std::vector<std::string> warnings;
-  std::istringstream lines(archive.text("warnings"));
-  for (std::string line; std::getline(lines, line);)
-    warnings.push_back(line);
   run.log.resume_warnings(warnings);
   // A row that stands there only because the first part of the run ended there is not one of the
   // whole run.
-  const double size = archive.value("size of the last step");
   const auto kept = [&](const Schedule &schedule)
   { return schedule.due(time, size) ? time : time - 0.5 * size; };
   run.input.probes.open(run.directory.file("probes.csv"), kept(probe_schedule));
-  const unsigned long n_rows =
-      archive.integer("rows of probes.csv") - (probe_schedule.due(time, size) ? 0 : 1);
+  const unsigned long n_rows = n_rows_written - (probe_schedule.due(time, size) ? 0 : 1);
   if (run.input.probes.n_columns() > 0 && run.input.probes.times().size() != n_rows)
     run.log.warning("probes.csv has " + std::to_string(run.input.probes.times().size()) +
                     " rows up to the restart, the run that is continued had written " +
@@ -205,7 +231,7 @@ void Transient<dim>::restart()
   for (const ScheduledRecord<dim> &entry : records)
     entry.record->resume(run.directory.path(), kept(entry.schedule));
   // The mesh does not change at the end of a run; if the run goes on it does.
-  if (archive.integer("adaptation is due") == 1 && !time_control.at_end())
+  if (is_due_to_adapt && !time_control.at_end())
     adapt();
   std::ostringstream text;
   text << "Restart at t = " << time << " s, step " << time_control.n_steps();

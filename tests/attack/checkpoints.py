@@ -10,6 +10,7 @@ from archive import Archive
 from program import Verdict, judge_reading
 
 LENGTHS = (0, 1, 7, -1, -8, 1 << 20, 1 << 40, (1 << 63) - 1, 1 << 63, (1 << 64) - 8)
+FORGED = ("length", "resize", "type", "drop")
 CURRENT = ("", "0\n", "-1\n", "99999999999999999999\n", "../../../shared/whole/checkpoint/8\n", "5/../5\n", ".\n",
            "..\n", "5 6\n", "5\0\n", "/\n", "current\n", "5" * 5000 + "\n", "5\n")
 
@@ -90,6 +91,10 @@ class Attack:
         if found is None:
             found = runs.difference(self.reference.expected, output)
             return Verdict("wrong", "exit status 0, but " + found) if found else Verdict("accepted", "")
+        if found.kind != "refused" and words[0] in FORGED and done.status == 1 \
+                and "right checksums but cannot be used" in done.errors:
+            # Whoever forges all checksums, too, is found out while the state is read, which is later.
+            return Verdict("refused", "")
         if found.kind == "refused":
             after = runs.content(output)
             changed = [name for name in before if after.get(name) != before[name]]
