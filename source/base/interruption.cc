@@ -75,9 +75,10 @@ SignalWatch::SignalWatch()
 
 SignalWatch::~SignalWatch()
 {
-  // The handler of the others stays: the program is at its end, or watches again.
+  // The handler of the others stays: the program is at its end, or watches again. So do all after a
+  // signal: what repeats it at once must not end the program while it puts things in order.
   for (unsigned int i = 0; i < signals.size(); ++i)
-    if (signals[i].insists)
+    if (signals[i].insists && first_signal == 0)
       sigaction(signals[i].number, &earlier_actions[i], nullptr);
   is_watching = false;
 }

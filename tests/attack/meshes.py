@@ -40,7 +40,8 @@ class Attack:
 
     @staticmethod
     def arguments(folder, name):
-        return [os.path.join(folder, CASE), "--set", f"Geometry/File={os.path.join(folder, name)}"]
+        return [os.path.join(folder, CASE), "--set", f"Geometry/File={os.path.join(folder, name)}",
+                "--set", "Geometry/Meshing time limit=20 s"]
 
     def corpus(self):
         return runs.corpus_files("meshes")
