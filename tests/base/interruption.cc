@@ -78,22 +78,26 @@ UNIT_TEST(interruption)
   check::is_true("SIGUSR1 again does not", twice(SIGUSR1) == 7);
   check::is_true("SIGXCPU again does not", twice(SIGXCPU) == 7);
   check::is_true("SIGHUP again does not", twice(SIGHUP) == 7);
-  const auto after = [](const int signal)
+  const auto after = [](const int signal, const bool came_before, const unsigned int seconds)
   {
     return end_of(
-        [signal]()
+        [&]()
         {
           {
             const SignalWatch watch;
-            raise(signal);
+            if (came_before)
+              raise(signal);
           }
+          sleep(seconds);
           raise(signal);
         });
   };
-  check::is_true("after the watch SIGUSR1 does not end the program", after(SIGUSR1) == 7);
-  check::is_true("after the watch SIGHUP does not", after(SIGHUP) == 7);
-  check::is_true("after the watch SIGXCPU does not", after(SIGXCPU) == 7);
-  check::is_true("after the watch SIGTERM does", after(SIGTERM) == -SIGTERM);
+  check::is_true("after the watch SIGUSR1 does not end the program", after(SIGUSR1, true, 0) == 7);
+  check::is_true("after the watch SIGHUP does not", after(SIGHUP, true, 0) == 7);
+  check::is_true("after the watch SIGXCPU does not", after(SIGXCPU, true, 0) == 7);
+  check::is_true("after the watch SIGTERM does", after(SIGTERM, false, 0) == -SIGTERM);
+  check::is_true("SIGTERM that is repeated at once does not", after(SIGTERM, true, 0) == 7);
+  check::is_true("SIGTERM that is repeated later does", after(SIGTERM, true, 2) == -SIGTERM);
 
   // nohup
   check::is_true("SIGHUP that is ignored stays so", end_of(

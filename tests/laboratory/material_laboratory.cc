@@ -69,5 +69,6 @@ UNIT_TEST(material_laboratory)
   check::relative("storage modulus", moduli.front()[1], young.real(), 1e-9);
   check::relative("loss modulus", moduli.front()[2], young.imag(), 1e-9);
   // Two periods of 20 steps; the relaxation has not died away by then.
-  check::absolute("rows of the loops", rows_of(directory.file("harmonic-1.csv")).size(), 40., 0.);
+  check::absolute("rows of the loops", rows_of(directory.path() + "/harmonic-1.csv").size(), 40.,
+                  0.);
 }
