@@ -27,7 +27,17 @@ void AnalysisOfCase<dim>::check_restart(const OutputDirectory &directory) const
 {
   const Checkpoint checkpoint(communicator, directory, file);
   const ArchiveReader archive = checkpoint.read();
-  checkpoint.check_tables(archive, directory.path(), keeps_last_row(input, archive));
+  try
+  {
+    checkpoint.check_tables(archive, directory.path(), keeps_last_row(input, archive));
+  }
+  catch (const RunError &error)
+  {
+    // All ranks have read the same.
+    throw InputError({directory.file("checkpoint"), 0}, "--restart",
+                     std::string("the checkpoint cannot be read: ") + error.what(),
+                     "Put it back from a copy, or run anew with --overwrite");
+  }
 }
 
 template <int dim>

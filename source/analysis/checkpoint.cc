@@ -392,6 +392,33 @@ void Checkpoint::check_tables(
                        "Put the file back from a copy, or run anew with --overwrite");
 }
 
+void Checkpoint::cut_tables(
+    const ArchiveReader &archive,
+    const std::string &output,
+    const std::function<bool(const std::string &table)> &keeps_last_row) const
+{
+  const std::vector<unsigned long> numbers = archive.integers("tables: lengths and checksums");
+  std::istringstream names(archive.text("tables"));
+  std::size_t i = 0;
+  for (std::string name; std::getline(names, name); i += 4)
+  {
+    // The log keeps what it says.
+    if (fs::path(name).extension() != ".csv")
+      continue;
+    const std::uintmax_t length = numbers.at(i + (keeps_last_row(name) ? 0 : 2));
+    on_writing_rank(communicator,
+                    [&]()
+                    {
+                      const fs::path file = fs::path(output) / name;
+                      std::error_code error;
+                      if (fs::file_size(file, error) > length && !error)
+                        fs::resize_file(file, length, error);
+                      if (error)
+                        throw RunError("cannot cut '" + file.string() + "': " + error.message());
+                    });
+  }
+}
+
 std::string Checkpoint::mesh_file() const
 {
   const std::string file = folder + "/" + current() + "/mesh";

@@ -222,6 +222,7 @@ void Transient<dim>::restart()
   // whole run.
   const auto kept = [&](const Schedule &schedule)
   { return schedule.due(time, size) ? time : time - 0.5 * size; };
+  checkpoint.cut_tables(archive, run.directory.path(), keeps_last_row(run.input, archive));
   run.input.probes.open(run.directory.file("probes.csv"), kept(probe_schedule));
   const unsigned long n_rows = n_rows_written - (probe_schedule.due(time, size) ? 0 : 1);
   if (run.input.probes.n_columns() > 0 && run.input.probes.times().size() != n_rows)

@@ -53,6 +53,11 @@ public:
   void check_tables(const ArchiveReader &archive,
                     const std::string &output,
                     const std::function<bool(const std::string &table)> &keeps_last_row) const;
+  /// Removes from the tables of numbers what stands behind the rows that check_tables() has looked
+  /// at: rows that were written after the archive. Throws RunError.
+  void cut_tables(const ArchiveReader &archive,
+                  const std::string &output,
+                  const std::function<bool(const std::string &table)> &keeps_last_row) const;
   /// The mesh file of the last complete checkpoint; empty if the mesh was not changed.
   std::string mesh_file() const;
 
