@@ -178,6 +178,10 @@ void Transient<dim>::restart()
     {
       read();
     }
+    catch (const Interrupted &)
+    {
+      throw;
+    }
     catch (const std::exception &error)
     {
       throw RunError("the checkpoint in '" + run.directory.file("checkpoint") +

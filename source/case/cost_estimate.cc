@@ -12,7 +12,7 @@ namespace Continua
 {
 namespace
 {
-// The constants of this file are fits to runs; doc/reliability.md has the runs, the command that
+// The constants of this file are fits to runs; doc/estimates.md has the runs, the command that
 // repeats them, and the machine.
 
 /// What a rank holds before it has a mesh: the program and its libraries [bytes].

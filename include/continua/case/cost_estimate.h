@@ -30,7 +30,7 @@ struct CostInput
 
 /**
  * How large a run is and what it costs, from formulas that need no mesh: within a factor of two of
- * what was measured on the runs that doc/reliability.md lists, on one core of the machine named
+ * what was measured on the runs that doc/estimates.md lists, on one core of the machine named
  * there. Wave theory, the fit of absorbing ends, fields that are written, and meshes that adapt are
  * not part of it.
  */
