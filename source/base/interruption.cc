@@ -54,6 +54,16 @@ void handle(const int signal)
     std::raise(signal);
   }
 }
+/// Blocks or unblocks the signals that never end the program.
+void mask_others(const int how)
+{
+  sigset_t others;
+  sigemptyset(&others);
+  for (const WatchedSignal &signal : signals)
+    if (!signal.insists)
+      sigaddset(&others, signal.number);
+  pthread_sigmask(how, &others, nullptr);
+}
 } // namespace
 
 SignalWatch::SignalWatch()
@@ -71,6 +81,7 @@ SignalWatch::SignalWatch()
     if (signals[i].number == SIGHUP && earlier_actions[i].sa_handler == SIG_IGN)
       sigaction(SIGHUP, &earlier_actions[i], nullptr);
   }
+  mask_others(SIG_UNBLOCK);
 }
 
 SignalWatch::~SignalWatch()
@@ -81,6 +92,8 @@ SignalWatch::~SignalWatch()
     if (signals[i].insists && first_signal == 0)
       sigaction(signals[i].number, &earlier_actions[i], nullptr);
   is_watching = false;
+  // Libraries that end with MPI put back the action that they found, which would end the program.
+  mask_others(SIG_BLOCK);
 }
 
 int SignalWatch::pending()

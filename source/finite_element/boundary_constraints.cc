@@ -40,6 +40,8 @@ struct Node
 /// Faces of one condition whose normals differ by less than about 25 degrees are one smooth
 /// boundary at a node.
 constexpr double same_face_cosine = 0.9;
+/// Components of a direction of length 1 that are below this are zero.
+constexpr double round_off_of_direction = 1e-12;
 /// An equation of which less than this is left after elimination depends on the earlier ones.
 constexpr double dependent_remainder = 0.1;
 
@@ -248,7 +250,7 @@ double BoundaryConstraints<dim>::Source::value(const double time) const
     for (std::size_t m = 0; m < flow_shapes.size(); ++m)
       sum -= along * flow_shapes[m] * amplitudes[m];
   }
-  else if (std::abs(along) > 1e-12)
+  else if (std::abs(along) > round_off_of_direction)
     sum += (part->negative ? -along : along) * part->along_normal(point, time);
   return sum;
 }
@@ -263,6 +265,9 @@ bool BoundaryConstraints<dim>::vanishes(const std::map<unsigned int, double> &we
     double value = 0., scale = 0.;
     for (const auto &weight : weights)
     {
+      // What round-off in a normal of length 1 leaves is no part of the condition.
+      if (std::abs(weight.second) < round_off_of_direction)
+        continue;
       const double term = weight.second * sources[weight.first].value(time);
       value += term;
       scale += std::abs(term);
@@ -329,7 +334,7 @@ void BoundaryConstraints<dim>::build()
       entry_of_dof.time_dependent = false;
       boundary.add_line(node.dofs[equation.pivot]);
       for (unsigned int c = 0; c < dim; ++c)
-        if (c != equation.pivot && std::abs(equation.direction[c]) > 1e-12)
+        if (c != equation.pivot && std::abs(equation.direction[c]) > round_off_of_direction)
         {
           boundary.add_entry(node.dofs[equation.pivot], node.dofs[c], -equation.direction[c]);
           entry_of_dof.masters.push_back(

@@ -25,6 +25,9 @@ int end_of(const std::function<void()> &function)
   {
     for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGXCPU, SIGUSR1})
       std::signal(signal, SIG_DFL);
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, nullptr);
     function();
     _exit(7);
   }
@@ -78,6 +81,17 @@ UNIT_TEST(interruption)
   check::is_true("SIGUSR1 again does not", twice(SIGUSR1) == 7);
   check::is_true("SIGXCPU again does not", twice(SIGXCPU) == 7);
   check::is_true("SIGHUP again does not", twice(SIGHUP) == 7);
+  check::is_true("SIGHUP after the watch, when a library put its action back",
+                 end_of(
+                     []()
+                     {
+                       {
+                         const SignalWatch watch;
+                         raise(SIGHUP);
+                       }
+                       std::signal(SIGHUP, SIG_DFL);
+                       raise(SIGHUP);
+                     }) == 7);
   const auto after = [](const int signal, const bool came_before, const unsigned int seconds)
   {
     return end_of(

@@ -8,6 +8,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 
 
 class TestFailure(Exception):
@@ -55,18 +56,32 @@ def environment():
     return variables
 
 
+def on_ranks(command, ranks, errors=None):
+    """The command under mpiexec when ranks > 1. The ranks append what they write to standard error to the file
+    `errors`: Open MPI 5 may bring it into standard output."""
+    if ranks == 1:
+        return command
+    if errors:
+        command = ["sh", "-c", 'exec "$@" 2>>"$0"', errors, *command]
+    return ["mpiexec", "--bind-to", "none", "-n", str(ranks), *command]
+
+
 def run(program, arguments, ranks=1, folder=None, time_limit=300):
     """Runs the program under mpiexec when ranks > 1. Returns its subprocess.CompletedProcess with text streams."""
     command = [program, *arguments]
-    if ranks > 1:
-        command = ["mpiexec", "--bind-to", "none", "-n", str(ranks), *command]
-    print("+", " ".join(command), flush=True)
-    try:
-        return subprocess.run(command, cwd=folder, env=environment(), stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace",
-                              timeout=time_limit, check=False)
-    except subprocess.TimeoutExpired as expired:
-        raise TestFailure(f"the run took more than {time_limit} s") from expired
+    print("+", " ".join(on_ranks(command, ranks)), flush=True)
+    with tempfile.TemporaryDirectory() as temporary:
+        errors = os.path.join(temporary, "errors")
+        try:
+            done = subprocess.run(on_ranks(command, ranks, errors), cwd=folder, env=environment(),
+                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                  errors="replace", timeout=time_limit, check=False)
+        except subprocess.TimeoutExpired as expired:
+            raise TestFailure(f"the run took more than {time_limit} s") from expired
+        if os.path.exists(errors):
+            with open(errors, encoding="utf-8", errors="replace") as stream:
+                done.stderr = stream.read() + done.stderr
+        return done
 
 
 def run_to_the_end(program, arguments, ranks=1, folder=None, time_limit=300):

@@ -97,9 +97,7 @@ class Background:
     """A run that goes on while the driver looks at it."""
 
     def __init__(self, program, arguments, ranks=1):
-        command = [program, *arguments]
-        if ranks > 1:
-            command = ["mpiexec", "--bind-to", "none", "-n", str(ranks), *command]
+        command = driver.on_ranks([program, *arguments], ranks)
         print("+", " ".join(command), "&", flush=True)
         # A limit on the size of files ends no process: it stands for a full disk.
         self.process = subprocess.Popen(command, env=driver.environment(), stdin=subprocess.DEVNULL,

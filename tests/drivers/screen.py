@@ -26,12 +26,10 @@ def main():
     arguments = parser.parse_args()
 
     folder = driver.fresh_folder(arguments.folder)
-    command = arguments.command
-    if arguments.ranks > 1:
-        command = ["mpiexec", "--bind-to", "none", "-n", str(arguments.ranks), *command]
     output = os.path.join(folder, "stdout")
-    with open(output, "w", encoding="utf-8") as stdout, \
-            open(os.path.join(folder, "stderr"), "w+", encoding="utf-8", errors="replace") as stderr:
+    error_file = os.path.join(folder, "stderr")
+    command = driver.on_ranks(arguments.command, arguments.ranks, error_file)
+    with open(output, "w", encoding="utf-8") as stdout, open(error_file, "a+", encoding="utf-8", errors="replace") as stderr:
         status = subprocess.run(command, cwd=folder, env=driver.environment(), stdin=subprocess.DEVNULL, stdout=stdout,
                                 stderr=stderr, check=False).returncode
         stderr.seek(0)
