@@ -44,6 +44,8 @@ void Analysis::perform(const OutputDirectory &directory, Log &log, Summary &summ
     log.warning(directory.warning());
   directory.copy_inputs(file.input_files());
   log.line("Continua" + (general.title.empty() ? "" : ": " + general.title));
+  for (const std::string &note : file.text().notes())
+    log.line(note);
   log.detail("version " + version() + ", revision " + revision());
   compute(directory, log, summary);
 }

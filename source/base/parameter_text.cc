@@ -22,28 +22,96 @@ std::string place(const Origin &origin)
   return origin.file + (origin.line > 0 ? ":" + std::to_string(origin.line) : "");
 }
 
-/// Leaves every entry the one setting that holds.
-void settle(ParameterText::Section &section, const std::string &path)
+/// Whether an `unset` takes back anything in the section.
+bool takes_back(const ParameterText::Setting &unset, const ParameterText::Section &section)
+{
+  const auto is_taken_back = [&unset](const ParameterText::Setting &setting)
+  { return overrides(unset, setting); };
+  return std::any_of(section.entries.begin(), section.entries.end(),
+                     [&](const auto &entry) {
+                       return std::any_of(entry.settings.begin(), entry.settings.end(),
+                                          is_taken_back);
+                     }) ||
+         std::any_of(section.sections.begin(), section.sections.end(),
+                     [&](const auto &child) { return takes_back(unset, child); });
+}
+
+/// Throws InputError for an `unset` that takes nothing back.
+void check_unsets(const ParameterText::Section &section, const std::string &path)
+{
+  const auto refuse = [](const ParameterText::Setting &unset, const std::string &name)
+  {
+    throw InputError(unset.origin, name, "there is nothing to unset: no included file sets it",
+                     "Remove the line, or correct the name");
+  };
+  for (const ParameterText::Entry &entry : section.entries)
+    for (const ParameterText::Setting &setting : entry.settings)
+      if (setting.is_unset &&
+          std::none_of(entry.settings.begin(), entry.settings.end(),
+                       [&setting](const auto &other) { return overrides(setting, other); }))
+        refuse(setting, path + entry.key);
+  for (const ParameterText::Section &child : section.sections)
+  {
+    for (const ParameterText::Setting &unset : child.unsets)
+      if (!takes_back(unset, child))
+        refuse(unset, path + child.name);
+    check_unsets(child, path + child.name + "/");
+  }
+}
+
+/// Drops what an `unset` takes back in the section.
+void take_back(const ParameterText::Setting &unset, ParameterText::Section &section)
 {
   for (ParameterText::Entry &entry : section.entries)
-  {
-    std::vector<ParameterText::Setting> &settings = entry.settings;
-    std::vector<ParameterText::Setting> highest;
-    for (const ParameterText::Setting &setting : settings)
-      if (std::none_of(settings.begin(), settings.end(),
-                       [&setting](const auto &other) { return overrides(other, setting); }))
-        highest.push_back(setting);
-    for (const ParameterText::Setting &setting : highest)
-      if (setting.value != highest.front().value)
-        throw InputError(setting.origin, path + entry.key,
-                         "is '" + setting.value + "' here, but '" + highest.front().value +
-                             "' in " + place(highest.front().origin) +
-                             ", and neither file includes the other",
-                         "Set it in the file that includes both, or in one of them only");
-    settings = {highest.front()};
-  }
+    entry.settings.erase(std::remove_if(entry.settings.begin(), entry.settings.end(),
+                                        [&unset](const auto &setting)
+                                        { return overrides(unset, setting); }),
+                         entry.settings.end());
   for (ParameterText::Section &child : section.sections)
+    take_back(unset, child);
+}
+
+/// Leaves the entry the one setting that holds, or none if it is unset.
+void settle(ParameterText::Entry &entry, const std::string &path)
+{
+  std::vector<ParameterText::Setting> highest;
+  for (const ParameterText::Setting &setting : entry.settings)
+    if (std::none_of(entry.settings.begin(), entry.settings.end(),
+                     [&setting](const auto &other) { return overrides(other, setting); }))
+      highest.push_back(setting);
+  const auto words = [](const ParameterText::Setting &setting)
+  { return setting.is_unset ? "unset" : "'" + setting.value + "'"; };
+  for (const ParameterText::Setting &setting : highest)
+    if (words(setting) != words(highest.front()))
+      throw InputError(setting.origin, path + entry.key,
+                       "is " + words(setting) + " here, but " + words(highest.front()) + " in " +
+                           place(highest.front().origin) + ", and neither file includes the other",
+                       "Set it in the file that includes both, or in one of them only");
+  entry.settings.clear();
+  if (!highest.empty() && !highest.front().is_unset)
+    entry.settings.push_back(highest.front());
+}
+
+/// The same for every entry of the section; a section that an `unset` leaves empty goes.
+void settle(ParameterText::Section &section, const std::string &path)
+{
+  for (ParameterText::Section &child : section.sections)
+  {
+    for (const ParameterText::Setting &unset : child.unsets)
+      take_back(unset, child);
     settle(child, path + child.name + "/");
+  }
+  for (ParameterText::Entry &entry : section.entries)
+    settle(entry, path);
+  section.entries.erase(std::remove_if(section.entries.begin(), section.entries.end(),
+                                       [](const auto &entry) { return entry.settings.empty(); }),
+                        section.entries.end());
+  section.sections.erase(std::remove_if(section.sections.begin(), section.sections.end(),
+                                        [](const auto &child) {
+                                          return !child.unsets.empty() && child.entries.empty() &&
+                                                 child.sections.empty();
+                                        }),
+                         section.sections.end());
 }
 
 void set(ParameterText::Section &section,
@@ -55,9 +123,11 @@ void set(ParameterText::Section &section,
   for (const ParameterText::Setting &earlier : entry.settings)
     if (earlier.inclusions == setting.inclusions)
       throw InputError(setting.origin, path,
-                       earlier.origin.line > 0 ? "is set a second time; the first is in line " +
-                                                     std::to_string(earlier.origin.line)
-                                               : "is set a second time",
+                       std::string("is ") +
+                           (setting.is_unset == earlier.is_unset
+                                ? std::string(setting.is_unset ? "unset" : "set") + " a second time"
+                                : "set and unset in one file") +
+                           "; the first is in line " + std::to_string(earlier.origin.line),
                        "Remove one of the two");
   entry.settings.push_back(setting);
 }
@@ -157,7 +227,7 @@ ParameterText::Section &ParameterText::Section::get_section(const std::string &s
   for (Section &existing : sections)
     if (existing.name == section_name)
       return existing;
-  sections.push_back({section_name, place, {}, {}});
+  sections.push_back({section_name, place, {}, {}, {}});
   return sections.back();
 }
 
@@ -169,6 +239,7 @@ ParameterText::ParameterText(const std::string &path, const std::vector<std::str
     read(path, {}, top, {n_inclusions++}, stack);
   for (const std::string &text : overrides)
     set_from_command_line(text);
+  check_unsets(top, "");
   settle(top, "");
 }
 
@@ -263,6 +334,24 @@ void ParameterText::read(const std::string &path,
       set(*open.back(), join_path(entry_path), key,
           {collapse_blanks(rest.substr(equals + 1)), here, inclusions});
     }
+    else if (keyword == "unset" || keyword == "UNSET")
+    {
+      const std::string word = "subsection ";
+      const bool is_section = rest.compare(0, word.size(), word) == 0;
+      const std::string name = is_section ? rest.substr(word.size()) : rest;
+      if (name.empty() || name == "subsection" || name.find('=') != std::string::npos)
+        throw InputError(here, "",
+                         shown(line, is_included) +
+                             (name.find('=') == std::string::npos ? " has no name" : " has an '='"),
+                         "Write 'unset KEY' or 'unset subsection NAME'");
+      const Setting unset{"", here, inclusions, true};
+      std::vector<std::string> entry_path = names;
+      entry_path.push_back(name);
+      if (is_section)
+        open.back()->get_section(name, here).unsets.push_back(unset);
+      else
+        set(*open.back(), join_path(entry_path), name, unset);
+    }
     else if (keyword == "include" || keyword == "INCLUDE")
     {
       if (rest.empty())
@@ -274,8 +363,8 @@ void ParameterText::read(const std::string &path,
     }
     else
       throw InputError(here, "", shown(line, is_included) + " cannot be understood",
-                       "A line is 'subsection NAME', 'set KEY = VALUE', 'end', 'include FILE' "
-                       "or a comment that starts with '#'");
+                       "A line is 'subsection NAME', 'set KEY = VALUE', 'end', 'include FILE', "
+                       "'unset KEY', 'unset subsection NAME' or a comment that starts with '#'");
   }
   if (!opened_at.empty())
     throw InputError(opened_at.back(), join_path(names),
@@ -313,6 +402,17 @@ void ParameterText::set_from_command_line(const std::string &override_text)
   Section *section = &top;
   for (std::size_t i = 0; i + 1 < names.size(); ++i)
     section = &section->get_section(names[i], here);
-  set(*section, join_path(names), names.back(), {value, here, {}});
+  std::vector<Setting> &settings = section->get_entry(names.back()).settings;
+  const auto earlier =
+      std::find_if(settings.begin(), settings.end(),
+                   [](const Setting &setting) { return setting.inclusions.empty(); });
+  if (earlier == settings.end())
+  {
+    settings.push_back({value, here, {}});
+    return;
+  }
+  note_list.push_back("the command line sets '" + join_path(names) + "' to '" + earlier->value +
+                      "' and then to '" + value + "'; the last one holds");
+  earlier->value = value;
 }
 } // namespace Continua

@@ -23,11 +23,19 @@ def logical_lines(data):
     return [b" ".join(line.split()) for line in lines]
 
 
+UNSET = object()  # the value of an entry that is taken back
+
+
+def includes(chain, other):
+    """Whether the file of one chain of inclusions includes that of the other."""
+    return len(chain) < len(other) and other[:len(chain)] == chain
+
+
 class Reader:
     """{path: [(chain of inclusions, value)]} of a file and what it includes."""
 
     def __init__(self, path):
-        self.settings, self.n_inclusions = {}, 0
+        self.settings, self.n_inclusions, self.unset_sections = {}, 0, []
         self.read(path, (), (0,), [])
 
     def read(self, path, section, chain, stack):
@@ -51,6 +59,11 @@ class Reader:
             elif keyword in (b"set", b"SET") and b"=" in rest:
                 key, _, value = rest.partition(b"=")
                 self.set(section + (b" ".join(key.split()),), chain, b" ".join(value.split()))
+            elif keyword in (b"unset", b"UNSET") and rest and b"=" not in rest and rest != b"subsection":
+                if rest.startswith(b"subsection "):
+                    self.unset_sections.append((section + (rest[len(b"subsection "):],), chain))
+                else:
+                    self.set(section + (rest,), chain, UNSET)
             elif keyword in (b"include", b"INCLUDE") and rest:
                 self.n_inclusions += 1
                 self.read(os.path.normpath(os.path.join(os.path.dirname(path), os.fsdecode(rest))), section,
@@ -71,12 +84,25 @@ class Reader:
     def values(self):
         """{path: value}: a file holds against those that it includes."""
         result = {}
+        for place, chain in self.unset_sections:
+            if not any(path[:len(place)] == place and includes(chain, other)
+                       for path, settings in self.settings.items() for other, _ in settings):
+                raise Unreadable(f"nothing to unset in {place[-1]!r}")
         for path, settings in self.settings.items():
+            for chain, value in settings:
+                if value is UNSET and not any(includes(chain, other) for other, _ in settings):
+                    raise Unreadable(f"nothing to unset by {path[-1]!r}")
+            settings = [(chain, value) for chain, value in settings
+                        if not any(path[:len(place)] == place and len(path) > len(place) and includes(unset, chain)
+                                   for place, unset in self.unset_sections)]
+            if not settings:
+                continue
             highest = [(chain, value) for chain, value in settings
-                       if not any(len(other) < len(chain) and chain[:len(other)] == other for other, _ in settings)]
+                       if not any(includes(other, chain) for other, _ in settings)]
             if len({value for _, value in highest}) > 1:
                 raise Unreadable("two files disagree")
-            result[b"/".join(path)] = highest[0][1]
+            if highest[0][1] is not UNSET:
+                result[b"/".join(path)] = highest[0][1]
         return result
 
 

@@ -90,8 +90,18 @@ class Attack:
 
     @staticmethod
     def read_by(mutant):
-        with open(mutant, "rb") as stream:
-            return set(re.findall(r"[\w.-]+\.(?:prm|csv|geo|msh)", stream.read().decode("latin-1")))
+        """The names of the files that the mutant names, and of those that these name."""
+        names, left = set(), [mutant]
+        while left:
+            path = left.pop()
+            with open(path, "rb") as stream:
+                found = re.findall(r"[\w./-]+\.(?:prm|csv|geo|msh)", stream.read().decode("latin-1"))
+            for name in found:
+                other = os.path.normpath(os.path.join(os.path.dirname(path), name))
+                if os.path.basename(name) not in names and name.endswith(".prm") and os.path.isfile(other):
+                    left.append(other)
+                names.add(os.path.basename(name))
+        return names
 
     @staticmethod
     def substitution(mutant, values):

@@ -300,6 +300,54 @@ void test_includes()
   check::is_true("include in a subsection", f.cells == 3);
 }
 
+void test_unset()
+{
+  write("whole.prm", "set Title = whole\nsubsection Mesh\n  set Cells = 7\n  subsection Deep\n"
+                     "    set A = 1\n  end\nend\nsubsection Probe\n  set Point = 1\nend\n");
+  write("less.prm", "include whole.prm\nunset Title\n");
+  ParameterFile taken =
+      file("include less.prm\nunset subsection Probe\nsubsection Mesh\n  unset Cells\nend\n");
+  const ParameterText &text = taken.text();
+  check::is_true("unset in an included file", text.root().entry("Title") == nullptr);
+  check::is_true("unset entry", text.find({"Mesh"})->entry("Cells") == nullptr);
+  check::equal("what stays", text.find({"Mesh", "Deep"})->entry("A")->value(), "1");
+  check::is_true("unset subsection", text.find({"Probe"}) == nullptr);
+
+  // A subsection that the including file fills anew, with a subsection inside that an included
+  // file had unset already.
+  write("without.prm", "include whole.prm\nsubsection Mesh\n  unset subsection Deep\nend\n");
+  ParameterFile anew =
+      file("include without.prm\nunset subsection Mesh\nsubsection Mesh\n  set Refine = 2\nend\n");
+  const ParameterText::Section *const mesh = anew.text().find({"Mesh"});
+  check::is_true("own entries stay", mesh->entry("Refine") != nullptr);
+  check::is_true("included ones go", mesh->entry("Cells") == nullptr && mesh->sections.empty());
+
+  ParameterFile above = file("include less.prm\nset Title = mine\n", {"Mesh/Cells=3"});
+  check::equal("set above an unset", above.text().root().entry("Title")->value(), "mine");
+  check::equal("command line", above.text().find({"Mesh"})->entry("Cells")->value(), "3");
+  check::is_true("no note", above.text().notes().empty());
+
+  refused("idle unset", "include whole.prm\nsubsection Mesh\n  unset Cell\nend\n",
+          "case.prm:3: 'Mesh/Cell': there is nothing to unset");
+  refused("idle unset of a subsection", "include whole.prm\nunset subsection Msh\n",
+          "case.prm:2: 'Msh': there is nothing to unset");
+  refused("unset of its own", "set A = 1\nunset A\n",
+          "case.prm:2: 'A': is set and unset in one file; the first is in line 1");
+  refused("unset twice", "include whole.prm\nunset Title\nunset Title\n",
+          "case.prm:3: 'Title': is unset a second time; the first is in line 2");
+  refused("unset with a value", "include whole.prm\nunset Title = 1\n", "has an '='");
+  refused("unset of nothing", "unset\n", "case.prm:1: 'unset' has no name");
+  refused("unset of no section", "unset subsection\n", "has no name");
+  refused("unset beside", "include less.prm\ninclude whole.prm\n",
+          "whole.prm:1: 'Title': is 'whole' here, but unset in .*less.prm:2");
+
+  ParameterFile twice = file("set A = 1\n", {"A=2", "B/C=1", " A = 3"});
+  check::equal("the last of the command line", twice.text().root().entry("A")->value(), "3");
+  check::is_true("its note", twice.text().notes() ==
+                                 Words{"the command line sets 'A' to '2' and then to '3'; the last "
+                                       "one holds"});
+}
+
 void test_text_errors()
 {
   check::throws<InputError>(
@@ -354,8 +402,6 @@ void test_text_errors()
   refused("carriage returns alone", "set A = 1\rnonsense\r", "case.prm:2: 'nonsense'");
   refused("twice", "subsection A\nset B = 1\nend\nsubsection A\nset B = 1\nend\n",
           "case.prm:5: 'A/B': is set a second time; the first is in line 2");
-  refused("twice on the command line", "", "command line.*: 'A': is set a second time", {},
-          {"A=1", "A=2"});
   refused("command line without =", "", "command line \\(--set\\): 'A' has no '='", {}, {"A"});
   refused("command line without key", "", "empty name", {}, {"A/=1"});
   refused("command line with a comment", "", "'#'", {}, {"A=1 # x"});
@@ -487,6 +533,7 @@ UNIT_TEST(parameter_file)
   test_empty_values();
   test_documentation();
   test_includes();
+  test_unset();
   test_text_errors();
   test_unknown();
   test_value_errors();

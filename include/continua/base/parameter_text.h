@@ -24,6 +24,7 @@ public:
     /// The chain of inclusions that leads to the file, one number for each; empty for the command
     /// line.
     std::vector<unsigned int> inclusions;
+    bool is_unset = false; ///< an `unset`: takes back what included files set; there is no value
   };
   struct Entry
   {
@@ -39,6 +40,7 @@ public:
     Origin origin; ///< where it was first opened; the top section: the file, without a line
     std::vector<Entry> entries;
     std::vector<Section> sections;
+    std::vector<Setting> unsets; ///< each takes back all that included files set in the section
 
     /// Null if there is none of that name.
     const Entry *entry(const std::string &key) const;
@@ -60,6 +62,8 @@ public:
   const Section &root() const { return top; }
   /// The files that were read, the `.prm` first.
   const std::vector<std::string> &files() const { return files_read; }
+  /// What a user may want to know: entries that the command line sets several times.
+  const std::vector<std::string> &notes() const { return note_list; }
 
 private:
   /// Reads a file into a section of the tree. `stack` holds the files that are being read.
@@ -72,6 +76,7 @@ private:
 
   Section top;
   std::vector<std::string> files_read;
+  std::vector<std::string> note_list;
   unsigned int n_inclusions = 0;
   unsigned int n_statements = 0; ///< of all files, those of a file once for each include
 };
