@@ -1,6 +1,8 @@
 #include <continua/boundary/boundary_condition.h>
 
 #include <continua/base/joined.h>
+#include <continua/base/parameter_file.h>
+#include <continua/base/parameter_text.h>
 #include <continua/base/required_entry.h>
 
 #include <algorithm>
@@ -14,24 +16,6 @@ namespace Continua
 namespace
 {
 using Kind = BoundaryPart::Kind;
-
-std::vector<Waveform> read_vector(ParameterSection &section,
-                                  const std::string &key,
-                                  const unsigned int n_components,
-                                  const Dimension &dimension,
-                                  const std::string &text,
-                                  const bool required)
-{
-  std::vector<Expression> expressions(n_components);
-  add_expressions(section, key, expressions, n_components, dimension, text);
-  if (required)
-    section.require(key);
-  std::vector<Waveform> components;
-  components.reserve(n_components);
-  for (const Expression &expression : expressions)
-    components.emplace_back(expression);
-  return components;
-}
 
 void read_fixed(ParameterSection &, BoundaryCondition &condition, unsigned int)
 {
@@ -213,13 +197,15 @@ void read_mixed(ParameterSection &section, BoundaryCondition &condition, const u
     condition.normal.along_normal = Waveform(value);
   }
   if (condition.tangential.kind == Kind::velocity)
-    condition.tangential.vector = read_vector(
+    condition.tangential.vector = Waveform::read_vector(
         section, "Tangential velocity", dim, Dimensions::velocity,
-        "Cartesian components of a velocity, whose part along the boundary counts.", true);
+        "Cartesian components of a velocity, whose part along the boundary counts.", true,
+        "Tangential");
   else
-    condition.tangential.vector = read_vector(
+    condition.tangential.vector = Waveform::read_vector(
         section, "Tangential traction", dim, Dimensions::pressure,
-        "Cartesian components of a traction, whose part along the boundary counts.", false);
+        "Cartesian components of a traction, whose part along the boundary counts.", false,
+        "Tangential");
 }
 
 struct Row
@@ -380,6 +366,23 @@ const Words<BoundaryType> &boundary_type_words()
     return result;
   }();
   return words;
+}
+
+std::set<std::string> fixed_boundaries(const ParameterFile &file)
+{
+  std::set<std::string> names;
+  const ParameterText::Section *const section = file.text().find({"Boundaries"});
+  if (section == nullptr)
+    return names;
+  for (const ParameterText::Section &child : section->sections)
+  {
+    const ParameterText::Entry *const type = child.entry("Type");
+    const ParameterText::Entry *const boundary = child.entry("Boundary");
+    if (type != nullptr && type->value() == "fixed")
+      names.insert(boundary != nullptr && !boundary->value().empty() ? boundary->value()
+                                                                     : child.name);
+  }
+  return names;
 }
 
 std::vector<BoundaryCondition>

@@ -1,5 +1,7 @@
 #include <continua/continuum/problem.h>
 
+#include <algorithm>
+
 namespace Continua
 {
 void InteriorData::read(ParameterSection body_force_section,
@@ -7,21 +9,21 @@ void InteriorData::read(ParameterSection body_force_section,
                         const std::vector<std::string> &regions,
                         const unsigned int n_dimensions)
 {
-  std::vector<Expression> force(n_dimensions);
-  add_expressions(body_force_section, "Force density", force, n_dimensions,
-                  Dimensions::force_density,
-                  "Cartesian components of the force per volume rho b on all regions.");
-  std::vector<Expression> of_mass(n_dimensions);
-  add_expressions(body_force_section, "Acceleration", of_mass, n_dimensions,
-                  Dimensions::acceleration,
-                  "Cartesian components of the force per mass b, such as gravity; each region's "
-                  "density times it.");
-  if (body_force_section.given("Acceleration"))
-    for (const Expression &component : of_mass)
-      acceleration.emplace_back(component);
-  if (body_force_section.given("Force density"))
-    for (const Expression &component : force)
-      body_force.emplace_back(component);
+  const auto read_force =
+      [&](const std::string &key, const Dimension &dimension, const std::string &text)
+  {
+    std::vector<Waveform> components =
+        Waveform::read_vector(body_force_section, key, n_dimensions, dimension, text, false, key);
+    if (std::all_of(components.begin(), components.end(),
+                    [](const Waveform &component) { return component.is_zero(); }))
+      components.clear();
+    return components;
+  };
+  body_force = read_force("Force density", Dimensions::force_density,
+                          "Cartesian components of the force per volume rho b on all regions.");
+  acceleration = read_force("Acceleration", Dimensions::acceleration,
+                            "Cartesian components of the force per mass b, such as gravity; each "
+                            "region's density times it.");
 
   const auto read_vector =
       [&](const std::string &key, const Dimension &dimension, const std::string &text)
@@ -58,5 +60,17 @@ void InteriorData::read(ParameterSection body_force_section,
       if (component.depends_on_time())
         initial_state.refuse("", "an initial value depends on t",
                              "Write it as a function of x, y, z");
+}
+
+std::vector<std::string> InteriorData::table_warnings(const double end_time) const
+{
+  std::vector<std::string> warnings;
+  for (const auto *components : {&body_force, &acceleration})
+    for (const Waveform &component : *components)
+      if (const std::string text = component.table_warning(end_time); !text.empty())
+        if (const std::string warning = "the body force: " + text;
+            std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+          warnings.push_back(warning);
+  return warnings;
 }
 } // namespace Continua

@@ -5,6 +5,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -16,52 +17,86 @@ using dealii::numbers::PI;
 
 namespace
 {
-std::shared_ptr<const TimeTable> read_table(ParameterSection &section,
-                                            const std::string &key,
-                                            const Dimension &dimension,
-                                            std::string &file)
+/// The name of an entry in the section: `prefix` comes before it, where there is one.
+std::string named(const std::string &prefix, std::string entry)
 {
-  std::string path, column;
+  if (prefix.empty())
+    return entry;
+  entry.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(entry.front())));
+  return prefix + " " + entry;
+}
+
+/// What a table over time is read with, but for its column.
+struct TableEntries
+{
+  std::string path; ///< empty only where the documentation of the entries is made
   TimeTable::Interpolation interpolation = TimeTable::Interpolation::linear;
   TimeTable::After after = TimeTable::After::hold;
-  double offset = 0.;
-  section.add_input_file("Table", path,
+  double offset = 0.;    ///< in SI
+  std::string held_file; ///< the path, if the user does not say what holds after the table
+
+  /// Null without a path.
+  std::shared_ptr<const TimeTable> table(const Dimension &dimension,
+                                         const std::string &column) const
+  {
+    if (path.empty())
+      return nullptr;
+    return std::make_shared<const TimeTable>(path, dimension, interpolation, after, offset, column);
+  }
+};
+
+TableEntries read_table(ParameterSection &section,
+                        const std::string &prefix,
+                        const std::string &key,
+                        const Dimension &dimension)
+{
+  TableEntries table;
+  section.add_input_file(named(prefix, "Table"), table.path,
                          "A csv file of " + key +
                              " over time, with a header such as 'time [ms], value [" +
                              dimension.unit() + "]'.");
-  section.add("Column", column, "The column to use; may be left out if there is but one.");
   add_choice(
-      section, "Interpolation", interpolation,
+      section, named(prefix, "Interpolation"), table.interpolation,
       {{"linear", TimeTable::Interpolation::linear}, {"cubic", TimeTable::Interpolation::cubic}},
       "Between the rows; cubic is smooth and does not overshoot.");
-  section.add("Offset", offset, dimension, "Added to the values of the table.");
-  add_choice(section, "After the table", after,
+  section.add(named(prefix, "Offset"), table.offset, dimension,
+              "Added to the values of the table.");
+  add_choice(section, named(prefix, "After the table"), table.after,
              {{"hold", TimeTable::After::hold},
               {"repeat", TimeTable::After::repeat},
               {"zero", TimeTable::After::zero}},
              "After the last row: its value, the table again with the period last time - "
              "first time, or zero without the offset.");
-  section.require("Table");
-  // Without a table only where the documentation of the entries is made.
-  if (path.empty())
-    return nullptr;
-
-  file = path;
-  return std::make_shared<const TimeTable>(path, dimension, interpolation, after, offset, column);
+  section.require(named(prefix, "Table"));
+  if (!section.given(named(prefix, "After the table")))
+    table.held_file = table.path;
+  return table;
 }
 
-std::function<double(double)>
-read_sine_squared(ParameterSection &section, const std::string &key, const Dimension &dimension)
+std::string read_column(ParameterSection &section, const std::string &prefix)
 {
+  std::string column;
+  section.add(named(prefix, "Column"), column,
+              "The column to use; may be left out if there is but one.");
+  return column;
+}
+
+std::function<double(double)> read_sine_squared(ParameterSection &section,
+                                                const std::string &prefix,
+                                                const std::string &key,
+                                                const Dimension &dimension)
+{
+  const std::string amplitude_key = named(prefix, "Amplitude"),
+                    duration_key = named(prefix, "Duration");
   double amplitude = 0., start = 0.;
   double duration = std::numeric_limits<double>::infinity();
-  section.add("Amplitude", amplitude, dimension, "Largest value of the pulse of " + key + ".");
-  section.add("Duration", duration, Dimensions::time,
+  section.add(amplitude_key, amplitude, dimension, "Largest value of the pulse of " + key + ".");
+  section.add(duration_key, duration, Dimensions::time,
               "T: the pulse is A sin^2(pi (t - t0)/T) from its start t0 to t0 + T.",
               Range::positive());
-  section.add("Start", start, Dimensions::time, "t0: when the pulse begins.");
-  section.require("Amplitude");
-  section.require("Duration");
+  section.add(named(prefix, "Start"), start, Dimensions::time, "t0: when the pulse begins.");
+  section.require(amplitude_key);
+  section.require(duration_key);
   return [=](const double time)
   {
     const double phase = (time - start) / duration;
@@ -72,19 +107,24 @@ read_sine_squared(ParameterSection &section, const std::string &key, const Dimen
   };
 }
 
-std::function<double(double)>
-read_gaussian(ParameterSection &section, const std::string &key, const Dimension &dimension)
+std::function<double(double)> read_gaussian(ParameterSection &section,
+                                            const std::string &prefix,
+                                            const std::string &key,
+                                            const Dimension &dimension)
 {
+  const std::string amplitude_key = named(prefix, "Amplitude"),
+                    peak_key = named(prefix, "Time of the peak"),
+                    width_key = named(prefix, "Width");
   double amplitude = 0., peak = 0.;
   double width = std::numeric_limits<double>::infinity();
-  section.add("Amplitude", amplitude, dimension, "Largest value of the pulse of " + key + ".");
-  section.add("Time of the peak", peak, Dimensions::time,
+  section.add(amplitude_key, amplitude, dimension, "Largest value of the pulse of " + key + ".");
+  section.add(peak_key, peak, Dimensions::time,
               "t0: the pulse is A exp(-((t - t0)/s)^2), for all times.");
-  section.add("Width", width, Dimensions::time,
+  section.add(width_key, width, Dimensions::time,
               "s: from its peak to where the pulse has fallen to A/e.", Range::positive());
-  section.require("Amplitude");
-  section.require("Time of the peak");
-  section.require("Width");
+  section.require(amplitude_key);
+  section.require(peak_key);
+  section.require(width_key);
   return [=](const double time)
   {
     const double distance = (time - peak) / width;
@@ -99,18 +139,21 @@ const std::vector<std::string> kinds = {formula, "table", sine_squared_pulse, ga
 
 /// The entries of each kind but the formula, which has KEY.
 const std::vector<std::pair<std::string, std::vector<std::string>>> entries_of_kinds = {
-    {"table", {"Table", "Column", "Interpolation", "Offset", "After the table", "Direction"}},
+    {"table",
+     {"Table", "Column", "Columns", "Interpolation", "Offset", "After the table", "Direction"}},
     {sine_squared_pulse, {"Amplitude", "Duration", "Start", "Direction"}},
     {gaussian_pulse, {"Amplitude", "Time of the peak", "Width", "Direction"}}};
 
 /// Refuses what belongs to another kind of waveform than the one chosen.
 void refuse_other_entries(const ParameterSection &section,
+                          const std::string &prefix,
                           const std::string &key,
                           const std::string &chosen)
 {
+  const std::string waveform = named(prefix, "Waveform");
   if (chosen != formula && section.given(key))
-    section.refuse(key, "is given as well as 'Waveform = " + chosen + "'",
-                   "Remove it, or set 'Waveform = formula'");
+    section.refuse(key, "is given as well as '" + waveform + " = " + chosen + "'",
+                   "Remove it, or set '" + waveform + " = formula'");
   for (const auto &kind : entries_of_kinds)
     for (const std::string &entry : kind.second)
     {
@@ -119,29 +162,30 @@ void refuse_other_entries(const ParameterSection &section,
       for (const auto &other : entries_of_kinds)
         if (std::find(other.second.begin(), other.second.end(), entry) != other.second.end())
         {
-          users += (users.empty() ? "'Waveform = " : " or 'Waveform = ") + other.first + "'";
+          users += (users.empty() ? "'" : " or '") + waveform + " = " + other.first + "'";
           used = used || other.first == chosen;
         }
-      if (!used && section.given(entry))
-        section.refuse(entry, "is of use with " + users + " only", "Set that, or remove the entry");
+      if (!used && section.given(named(prefix, entry)))
+        section.refuse(named(prefix, entry), "is of use with " + users + " only",
+                       "Set that, or remove the entry");
     }
 }
 
-std::string read_kind(ParameterSection &section, const std::string &key)
+std::string read_kind(ParameterSection &section, const std::string &prefix, const std::string &key)
 {
   std::string kind = formula;
-  section.add_choice("Waveform", kind, kinds,
+  section.add_choice(named(prefix, "Waveform"), kind, kinds,
                      "How '" + key +
                          "' is given: by an expression, by a table over time, or as a single "
                          "pulse.");
-  refuse_other_entries(section, key, kind);
+  refuse_other_entries(section, prefix, key, kind);
   return kind;
 }
 
-double read_ramp(ParameterSection &section)
+double read_ramp(ParameterSection &section, const std::string &prefix)
 {
   double ramp = 0.;
-  section.add("Ramp", ramp, Dimensions::time,
+  section.add(named(prefix, "Ramp"), ramp, Dimensions::time,
               "The value is multiplied by sin^2(pi t/(2 Ramp)) until this time, so that it rises "
               "smoothly from zero; 0: it is not.",
               Range::not_negative());
@@ -153,29 +197,28 @@ Waveform::Waveform(const double constant) : expression(constant) {}
 
 Waveform::Waveform(const Expression &expression) : expression(expression) {}
 
-std::shared_ptr<const Waveform::TimeFunction> Waveform::read_function(ParameterSection &section,
-                                                                      const std::string &key,
-                                                                      const Dimension &dimension,
-                                                                      const std::string &kind)
+std::shared_ptr<const Waveform::TimeFunction> Waveform::read_pulse(ParameterSection &section,
+                                                                   const std::string &prefix,
+                                                                   const std::string &key,
+                                                                   const Dimension &dimension,
+                                                                   const std::string &kind)
 {
   TimeFunction function;
-  if (kind == sine_squared_pulse)
-    function.value = read_sine_squared(section, key, dimension);
-  else if (kind == gaussian_pulse)
-    function.value = read_gaussian(section, key, dimension);
-  else
-  {
-    std::string file;
-    const auto table = read_table(section, key, dimension, file);
-    if (!table)
-      return nullptr;
-    function.value = [table](const double time) { return (*table)(time); };
-    if (!section.given("After the table"))
-    {
-      function.held_file = file;
-      function.last_time = table->last_time();
-    }
-  }
+  function.value = kind == sine_squared_pulse ? read_sine_squared(section, prefix, key, dimension)
+                                              : read_gaussian(section, prefix, key, dimension);
+  return std::make_shared<const TimeFunction>(function);
+}
+
+std::shared_ptr<const Waveform::TimeFunction>
+Waveform::function_of_table(const std::shared_ptr<const TimeTable> &table,
+                            const std::string &held_file)
+{
+  if (!table)
+    return nullptr;
+  TimeFunction function;
+  function.value = [table](const double time) { return (*table)(time); };
+  function.held_file = held_file;
+  function.last_time = table->last_time();
   return std::make_shared<const TimeFunction>(function);
 }
 
@@ -186,7 +229,7 @@ Waveform Waveform::read(ParameterSection &section,
                         const bool required)
 {
   Waveform waveform;
-  const std::string kind = read_kind(section, key);
+  const std::string kind = read_kind(section, "", key);
   if (kind == formula)
   {
     add_expression(section, key, waveform.expression, dimension, text);
@@ -195,12 +238,20 @@ Waveform Waveform::read(ParameterSection &section,
   }
   else
   {
-    if (section.given("Direction"))
-      section.refuse("Direction", "'" + key + "' is a number, not a vector", "Remove the entry");
-    waveform.of_time = read_function(section, key, dimension, kind);
+    for (const std::string entry : {"Direction", "Columns"})
+      if (section.given(entry))
+        section.refuse(entry, "'" + key + "' is a number, not a vector", "Remove the entry");
+    if (kind == "table")
+    {
+      const TableEntries table = read_table(section, "", key, dimension);
+      waveform.of_time =
+          function_of_table(table.table(dimension, read_column(section, "")), table.held_file);
+    }
+    else
+      waveform.of_time = read_pulse(section, "", key, dimension, kind);
     waveform.expression = Expression(1.);
   }
-  waveform.ramp = read_ramp(section);
+  waveform.ramp = read_ramp(section, "");
   return waveform;
 }
 
@@ -208,30 +259,67 @@ std::vector<Waveform> Waveform::read_vector(ParameterSection &section,
                                             const std::string &key,
                                             const unsigned int n_components,
                                             const Dimension &dimension,
-                                            const std::string &text)
+                                            const std::string &text,
+                                            const bool required,
+                                            const std::string &prefix)
 {
+  const std::string kind = read_kind(section, prefix, key);
   std::vector<Expression> components(n_components);
-  std::shared_ptr<const TimeFunction> of_time;
-  const std::string kind = read_kind(section, key);
+  std::vector<std::shared_ptr<const TimeFunction>> of_time(n_components);
   if (kind == formula)
   {
     add_expressions(section, key, components, n_components, dimension, text);
-    section.require(key);
+    if (required)
+      section.require(key);
   }
   else
   {
-    of_time = read_function(section, key, dimension, kind);
-    add_expressions(section, "Direction", components, n_components, Dimensions::none,
-                    "What the value over time is multiplied by in each direction.");
-    section.require("Direction");
+    const std::string columns_key = named(prefix, "Columns"),
+                      direction_key = named(prefix, "Direction");
+    std::vector<std::string> columns;
+    if (kind == "table")
+    {
+      const TableEntries table = read_table(section, prefix, key, dimension);
+      section.add(columns_key, columns,
+                  "The columns of the components, one for each direction, in place of 'Column' and "
+                  "'Direction'.");
+      if (columns.empty())
+        of_time.assign(n_components,
+                       function_of_table(table.table(dimension, read_column(section, prefix)),
+                                         table.held_file));
+      else
+      {
+        for (const std::string &entry : {named(prefix, "Column"), direction_key})
+          if (section.given(entry))
+            section.refuse(entry, "is given as well as '" + columns_key + "'",
+                           "Remove one of the two");
+        if (columns.size() != n_components)
+          section.refuse(columns_key,
+                         "there are " + std::to_string(columns.size()) + " columns for " +
+                             std::to_string(n_components) + " components",
+                         "Name one column for each direction");
+        for (unsigned int c = 0; c < n_components; ++c)
+          of_time[c] = function_of_table(table.table(dimension, columns[c]), table.held_file);
+      }
+    }
+    else
+      of_time.assign(n_components, read_pulse(section, prefix, key, dimension, kind));
+    if (columns.empty())
+    {
+      add_expressions(section, direction_key, components, n_components, Dimensions::none,
+                      "What the value over time is multiplied by in each direction.");
+      section.require(direction_key);
+    }
+    else
+      components.assign(n_components, Expression(1.));
   }
-  const double ramp = read_ramp(section);
+  const double ramp = read_ramp(section, prefix);
   std::vector<Waveform> waveforms;
   waveforms.reserve(n_components);
-  for (const Expression &component : components)
+  for (unsigned int c = 0; c < n_components; ++c)
   {
-    waveforms.emplace_back(component);
-    waveforms.back().of_time = of_time;
+    waveforms.emplace_back(components[c]);
+    waveforms.back().of_time = of_time[c];
     waveforms.back().ramp = ramp;
   }
   return waveforms;

@@ -84,6 +84,12 @@ std::vector<std::pair<std::string, std::string>> boundary_types();
 const Words<BoundaryType> &boundary_type_words();
 
 /**
+ * The names of the boundaries that the section Boundaries sets to Type = fixed, for a geometry,
+ * which is made before the conditions can be read. Declares and refuses nothing.
+ */
+std::set<std::string> fixed_boundaries(const ParameterFile &file);
+
+/**
  * Reads the section Boundaries: one child for each boundary, named after it; or a child of any name
  * with `Boundary` and `Region`. `pairs` are the (boundary, region) pairs that the mesh has: each
  * must get exactly one condition. Throws InputError.

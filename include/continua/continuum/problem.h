@@ -32,6 +32,8 @@ struct InteriorData
             ParameterSection initial_state,
             const std::vector<std::string> &regions,
             unsigned int n_dimensions);
+  /// What to warn of in a run to `end_time` [s]: tables that end before it, each once.
+  std::vector<std::string> table_warnings(double end_time) const;
 };
 
 /// The physical problem on one mesh, the same for every discretisation. Regions are numbered by

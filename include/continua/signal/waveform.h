@@ -11,6 +11,8 @@
 
 namespace Continua
 {
+class TimeTable;
+
 /**
  * A value over time and space. In a section, `Waveform` says where it comes from:
  *
@@ -23,8 +25,9 @@ namespace Continua
  *
  * With any of them `Ramp` T (default 0: none) multiplies the value by sin^2(pi t/(2 T)) until T, so
  * that it starts from zero and without a kink. KEY is declared with a formula only; giving it
- * otherwise, or an entry of another waveform, is an InputError. A section holds one waveform, since
- * these entries do not have KEY in their names. Copies share what they have from a table or pulse.
+ * otherwise, or an entry of another waveform, is an InputError. These entries do not have KEY in
+ * their names: further waveforms of a section have a prefix, "Tangential table" for "Table". Copies
+ * share what they have from a table or pulse.
  */
 class Waveform
 {
@@ -40,13 +43,16 @@ public:
                        const std::string &text,
                        bool required);
 
-  /// A vector of `n_components`: KEY with one expression a component, or a table or pulse of its
-  /// size over time and `Direction`, the components' factors as functions of (x, y, z).
+  /// A vector of `n_components`: KEY with one expression a component; or a table or pulse of its
+  /// size over time and `Direction`, the components' factors as functions of (x, y, z); or a table
+  /// with one of its `Columns` for each component. All but KEY have the `prefix`.
   static std::vector<Waveform> read_vector(ParameterSection &section,
                                            const std::string &key,
                                            unsigned int n_components,
                                            const Dimension &dimension,
-                                           const std::string &text);
+                                           const std::string &text,
+                                           bool required = true,
+                                           const std::string &prefix = "");
 
   /// The value in SI at a point with three coordinates [m] and a time [s].
   double operator()(const double *point, double time) const;
@@ -74,10 +80,13 @@ private:
   std::shared_ptr<const TimeFunction> of_time; ///< a table or pulse, or null
   double ramp = 0.;                            ///< [s]
 
-  static std::shared_ptr<const TimeFunction> read_function(ParameterSection &section,
-                                                           const std::string &key,
-                                                           const Dimension &dimension,
-                                                           const std::string &kind);
+  static std::shared_ptr<const TimeFunction> read_pulse(ParameterSection &section,
+                                                        const std::string &prefix,
+                                                        const std::string &key,
+                                                        const Dimension &dimension,
+                                                        const std::string &kind);
+  static std::shared_ptr<const TimeFunction>
+  function_of_table(const std::shared_ptr<const TimeTable> &table, const std::string &held_file);
 };
 } // namespace Continua
 
