@@ -97,7 +97,8 @@ Case<dim>::Case(ParameterFile &file,
   const bool axisymmetric = problem.model == Model::axisymmetric;
   const bool in_time = analysis.motion == Motion::in_time;
 
-  geometry = make_geometry<dim>(root.subsection("Geometry"), root.subsection("Mesh"), axisymmetric);
+  geometry = make_geometry<dim>(root.subsection("Geometry"), root.subsection("Mesh"), axisymmetric,
+                                fixed_boundaries(file));
   mesh = MeshParameters::read(root.subsection("Mesh"));
   problem.regions = geometry->regions();
   problem.boundaries = geometry->boundaries();

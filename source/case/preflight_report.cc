@@ -225,15 +225,10 @@ void PreflightReport::report_tube_mesh(const double wavelength)
   add("fluid cells in the Stokes layer", layer / input.normal_cell, "1",
       "the thickest cells at the wall, " + text_of(input.normal_cell, "m"));
   if (input.normal_cell > largest_layer_cell * layer)
-  {
-    std::ostringstream text;
-    text.precision(3);
-    text << "pre-flight: the fluid's cells at the wall, " << text_of(input.normal_cell, "m")
-         << ", are thicker than " << largest_layer_cell << " times the Stokes layer of "
-         << text_of(layer, "m")
-         << ": the wave's friction is wrong; grade the mesh towards the wall";
-    warning_list.push_back(text.str());
-  }
+    warning_list.push_back("pre-flight: the fluid's cells at the wall, " +
+                           text_of(input.normal_cell, "m") +
+                           ", are thicker than the Stokes layer of " + text_of(layer, "m") +
+                           ": the wave's friction is wrong; grade the mesh towards the wall");
 }
 
 void PreflightReport::report_outlet(const PreflightInput::End &end, const std::string &which)

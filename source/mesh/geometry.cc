@@ -104,8 +104,10 @@ std::vector<std::pair<std::string, std::string>> geometry_types()
 }
 
 template <int dim>
-std::unique_ptr<Geometry<dim>>
-make_geometry(ParameterSection geometry, ParameterSection mesh, const bool axisymmetric)
+std::unique_ptr<Geometry<dim>> make_geometry(ParameterSection geometry,
+                                             ParameterSection mesh,
+                                             const bool axisymmetric,
+                                             const std::set<std::string> &fixed_boundaries)
 {
   Assert(!(axisymmetric && dim == 3), dealii::ExcInternalError());
   std::string type = table<dim>().front().name;
@@ -145,6 +147,7 @@ make_geometry(ParameterSection geometry, ParameterSection mesh, const bool axisy
     mesh.refuse(entry_of_cells(mesh), problem.str(),
                 "Give fewer cells, and divide them by Mesh/Refinements");
   }
+  result->note_fixed_boundaries(fixed_boundaries);
   if (geometry.has_subsection("Regions"))
     result =
         std::make_unique<PaintedGeometry<dim>>(std::move(result), geometry.subsection("Regions"));
@@ -153,6 +156,8 @@ make_geometry(ParameterSection geometry, ParameterSection mesh, const bool axisy
 
 template std::vector<std::pair<std::string, std::string>> geometry_types<2>();
 template std::vector<std::pair<std::string, std::string>> geometry_types<3>();
-template std::unique_ptr<Geometry<2>> make_geometry(ParameterSection, ParameterSection, bool);
-template std::unique_ptr<Geometry<3>> make_geometry(ParameterSection, ParameterSection, bool);
+template std::unique_ptr<Geometry<2>>
+make_geometry(ParameterSection, ParameterSection, bool, const std::set<std::string> &);
+template std::unique_ptr<Geometry<3>>
+make_geometry(ParameterSection, ParameterSection, bool, const std::set<std::string> &);
 } // namespace Continua

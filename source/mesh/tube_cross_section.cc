@@ -12,8 +12,7 @@ using dealii::Point;
 
 namespace
 {
-/// Half the side of the core over the inner radius.
-const double half_side = 0.6 * std::sqrt(0.5);
+constexpr double half_side = TubeCrossSection::half_side;
 constexpr double eighth_turn = 0.25 * dealii::numbers::PI;
 
 // In the first eighth of the turn, 0 <= z <= y, with 0 <= w <= 1 from the y axis to the diagonal.

@@ -6,8 +6,8 @@
 #include <continua/mesh/tube_geometry.h>
 #include <continua/mesh/tube_manifold.h>
 
-#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Continua
 {
@@ -118,11 +118,13 @@ TubeGeometry<dim>::Parameters::read(ParameterSection geometry, ParameterSection 
 
   mesh.add("Axial cells", parameters.axial_cells, "Coarse cells along the axis", 1);
   mesh.add("Axial grading", parameters.axial_grading, Dimensions::none,
-           "Size of the cells at both ends over that in the middle; 0 makes the cells at the ends "
-           "sqrt(R h)/2 long, R the inner radius and h the wall's thickness, since a clamped wall "
-           "bends there, but not longer than those in the middle, and neighbours differ by a "
-           "factor of 1.5 at most",
-           Range{0., grading_range.upper, false, false});
+           "Length of the first cell at an end where the wall is clamped (Boundaries/wall inlet "
+           "end and wall outlet end with Type = fixed) over Length / 'Axial cells'. From there "
+           "each cell is at most 1.5 times as long as the one before, until the equal cells of the "
+           "rest of the tube are reached. 0 makes the first cell sqrt(R h)/2 long, R the inner "
+           "radius and h the wall's thickness, since a clamped wall bends there; 1 makes all cells "
+           "equal, as they are at ends that are not clamped",
+           Range{0., 1., false, false});
   if (parameters.axial_grading > 0. && parameters.axial_grading < grading_range.lower)
     mesh.refuse("Axial grading", "it is less than " + shortest_number(grading_range.lower),
                 "Give 0 for an automatic one, or a larger one");
@@ -130,11 +132,17 @@ TubeGeometry<dim>::Parameters::read(ParameterSection geometry, ParameterSection 
            "Coarse cells across the fluid's radius; in three dimensions between the wall and the "
            "square core of the cross-section, which reaches to 0.6 of the radius on the diagonals",
            1);
-  mesh.add("Radial grading", parameters.radial_grading, Dimensions::none,
-           "Size of the fluid's cell at the wall over that of the innermost of 'Radial cells'; "
-           "below one the cells are small at the wall, as the viscous layer there asks for, which "
-           "is sqrt(2 nu/omega) thick [1]",
-           grading_range);
+  mesh.add(
+      "Radial grading", parameters.radial_grading, Dimensions::none,
+      "Size of the fluid's cell at the wall over that of the innermost of 'Radial cells'; "
+      "below one the cells are small at the wall, as the viscous layer there asks for, which "
+      "is sqrt(2 nu/omega) thick. 0 makes the cell at the wall 1/128 of the radius thick, less "
+      "than the viscous layer up to a Womersley number of 181; neighbours then differ by a "
+      "factor of 2.5 at most [1]",
+      Range{0., grading_range.upper, false, false});
+  if (parameters.radial_grading > 0. && parameters.radial_grading < grading_range.lower)
+    mesh.refuse("Radial grading", "it is less than " + shortest_number(grading_range.lower),
+                "Give 0 for an automatic one, or a larger one");
   LayeredStack stack = scaled_stack(parameters.law);
   stack.read_wall_cells(mesh);
   parameters.wall_cells = stack.wall_cells;
@@ -154,7 +162,13 @@ TubeGeometry<dim>::TubeGeometry(const Parameters &parameters)
     : parameters(parameters), stack(scaled_stack(parameters.law))
 {
   stack.fluid_cells = parameters.radial_cells;
-  stack.fluid_grading = parameters.radial_grading;
+  // In three dimensions the rings fill the radius but for the core, the least of it on its
+  // diagonals; their outermost cells are thickest where they fill the most.
+  const double depth = dim == 2 ? 1. : 1. - TubeCrossSection::half_side;
+  stack.fluid_grading = parameters.radial_grading > 0.
+                            ? parameters.radial_grading
+                            : ratio_for_last_cell(parameters.radial_cells,
+                                                  1. / (cells_at_wall * depth), radial_growth);
   stack.wall_cells = parameters.wall_cells;
   if (stack.wall_cells.size() == 1)
     stack.wall_cells.assign(stack.wall_thicknesses.size(), stack.wall_cells.front());
@@ -180,40 +194,26 @@ std::vector<std::string> TubeGeometry<dim>::boundaries() const
 }
 
 template <int dim>
-double TubeGeometry<dim>::automatic_axial_grading(const TubeLaw &law,
-                                                  const unsigned int axial_cells)
+void TubeGeometry<dim>::note_fixed_boundaries(const std::set<std::string> &names)
 {
-  constexpr double largest_growth = 1.5;
-  double bending_length = std::numeric_limits<double>::infinity();
-  for (const double end : {0., law.length()})
-    bending_length = std::min(bending_length,
-                              std::sqrt(0.5 * law.inner_diameter(end) * law.wall_thickness(end)));
-  const double wanted = 0.5 * bending_length / law.length();
-  const auto first_cell = [axial_cells](const double ratio)
-  { return symmetrically_graded_points(0., 1., axial_cells, ratio)[1]; };
-
-  const unsigned int n_to_middle = (axial_cells - 1) / 2;
-  double smallest = std::max(grading_range.lower, std::pow(largest_growth, -1. * n_to_middle));
-  double largest = 1.;
-  if (first_cell(largest) <= wanted)
-    return largest;
-  if (first_cell(smallest) >= wanted)
-    return smallest;
-  while (largest / smallest > 1. + 1e-12)
-  {
-    const double middle = std::sqrt(smallest * largest);
-    (first_cell(middle) < wanted ? smallest : largest) = middle;
-  }
-  return largest;
+  parameters.clamped = {{names.count("wall inlet end") > 0, names.count("wall outlet end") > 0}};
 }
 
 template <int dim>
 std::vector<double> TubeGeometry<dim>::axial_points() const
 {
-  const double grading = parameters.axial_grading == 0.
-                             ? automatic_axial_grading(parameters.law, parameters.axial_cells)
-                             : parameters.axial_grading;
-  return symmetrically_graded_points(0., parameters.law.length(), parameters.axial_cells, grading);
+  const TubeLaw &law = parameters.law;
+  std::array<double, 2> end_cells;
+  end_cells.fill(std::numeric_limits<double>::infinity());
+  for (unsigned int i = 0; i < 2; ++i)
+    if (parameters.clamped[i])
+    {
+      const double z = i == 0 ? 0. : law.length();
+      end_cells[i] = parameters.axial_grading > 0.
+                         ? parameters.axial_grading * law.length() / parameters.axial_cells
+                         : 0.5 * std::sqrt(0.5 * law.inner_diameter(z) * law.wall_thickness(z));
+    }
+  return points_with_end_zones(0., law.length(), parameters.axial_cells, end_cells, axial_growth);
 }
 
 template <int dim>

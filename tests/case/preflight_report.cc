@@ -46,7 +46,7 @@ PreflightInput tube()
   input.is_tube = true;
   input.length = 0.446;
   input.axial_cell = 3e-3;
-  input.normal_cell = 2.9e-4;
+  input.normal_cell = 1.2e-4;
   for (PreflightInput::End &end : input.ends)
   {
     end.section.inner_radius = 0.0125;
@@ -83,7 +83,7 @@ void numbers()
       {"wavelength", 0.1273978878234},
       {"cells per wavelength", 0.1273978878234 / 3e-3},
       {"Stokes layer", 0.0001262829722779927},
-      {"fluid cells in the Stokes layer", 0.0001262829722779927 / 2.9e-4},
+      {"fluid cells in the Stokes layer", 0.0001262829722779927 / 1.2e-4},
       {"reflection, near end", -1.},
       {"reflection, far end", 1.},
       {"early reflection by the clamped far end", 0.0007142057691310108},
@@ -199,8 +199,9 @@ UNIT_TEST(preflight_report)
     input.axial_cell = 0.02;
     warns("long cells", input, "12.* velocity nodes per wavelength");
     input = tube();
-    input.normal_cell = 4e-4;
-    warns("thick cells at the wall", input, "400 um, are thicker than 3 times .* 126.3 um");
+    input.normal_cell = 1.3e-4;
+    warns("thick cells at the wall", input,
+          "130 um, are thicker than the Stokes layer of 126.3 um");
     input = tube();
     input.ends[1].wall_cell = 1e-3;
     warns("long cells at a clamped end", input, "clamped far end, 1 mm long");

@@ -9,6 +9,9 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q.h>
 
+#include <algorithm>
+#include <map>
+
 using namespace Continua;
 using dealii::Point;
 using dealii::numbers::PI;
@@ -80,7 +83,9 @@ void test_section()
   parameters.radial_cells = 4;
   parameters.radial_grading = 0.2;
   parameters.wall_cells = {2};
-  const measures::Measures<2> tube(TubeGeometry<2>{parameters});
+  TubeGeometry<2> geometry(parameters);
+  geometry.note_fixed_boundaries({"wall inlet end"});
+  const measures::Measures<2> tube(geometry);
   check::equal("regions", joined(tube.region_names), "fluid; wall; ");
   check::absolute("cells", tube.mesh.n_cells(), 30., 0.);
   check::relative("fluid", tube.region("fluid"), 0.004, 1e-13);
@@ -95,7 +100,7 @@ void test_section()
   double at_axis = 0.;
   double at_wall = 0.;
   double at_inlet = 0.;
-  double in_the_middle = 0.;
+  double at_outlet = 0.;
   for (const auto &cell : tube.mesh.active_cell_iterators())
   {
     if (cell->at_boundary(2))
@@ -104,28 +109,80 @@ void test_section()
       at_wall = cell->extent_in_direction(1);
     if (cell->at_boundary(0))
       at_inlet = cell->extent_in_direction(0);
-    if (std::abs(cell->center()[0] - 0.4) < 1e-6)
-      in_the_middle = cell->extent_in_direction(0);
+    if (cell->at_boundary(1))
+      at_outlet = cell->extent_in_direction(0);
   }
   check::relative("radial grading", at_wall / at_axis, 0.2, 1e-12);
-  check::relative("axial grading", at_inlet / in_the_middle, 0.5, 1e-12);
+  // Half of 0.16 m, 0.12 m, 0.18 m and two equal ones.
+  check::relative("axial grading", at_inlet, 0.08, 1e-12);
+  check::relative("equal cells", at_outlet, 0.21, 1e-12);
+}
+
+/// The lengths of the cells along the axis, in their order.
+std::vector<double> axial_cells(const TubeGeometry<2> &tube)
+{
+  dealii::Triangulation<2> mesh;
+  tube.create(mesh);
+  // Cells of one column have the same centre but for the last digits.
+  std::map<long, double> lengths;
+  for (const auto &cell : mesh.active_cell_iterators())
+    lengths[std::lround(1e9 * cell->center()[0])] = cell->vertex(1)[0] - cell->vertex(0)[0];
+  std::vector<double> result;
+  for (const auto &[x, length] : lengths)
+    result.push_back(length);
+  return result;
 }
 
 void test_automatic_grading()
 {
-  // Tube A: sqrt(12.5 mm 0.1 mm) / 2 = 0.559 mm.
+  // Tube A: sqrt(12.5 mm 0.1 mm) / 2 = 0.559 mm, and equal cells of 446 mm / 200 = 2.23 mm.
+  const double bending = 0.5 * std::sqrt(1.25e-6), equal = 0.446 / 200.;
   TubeGeometry<2>::Parameters parameters;
   parameters.law = TubeLaw::thesis('A');
   parameters.axial_cells = 200;
-  measures::Measures<2> tube(TubeGeometry<2>{parameters});
-  check::relative("cell at the clamped end", tube.mesh.begin_active()->extent_in_direction(0),
-                  0.5 * std::sqrt(1.25e-6), 1e-9);
-  check::absolute("one cell", TubeGeometry<2>::automatic_axial_grading(parameters.law, 1), 1., 0.);
-  check::absolute("fine everywhere", TubeGeometry<2>::automatic_axial_grading(parameters.law, 1000),
-                  1., 0.);
-  // Ten cells from the end to the middle.
-  check::relative("few cells", TubeGeometry<2>::automatic_axial_grading(parameters.law, 21),
-                  std::pow(1.5, -10.), 1e-12);
+  parameters.radial_cells = 1;
+  parameters.wall_cells = {1};
+  TubeGeometry<2> tube(parameters);
+  const auto extremes = [](const std::vector<double> &lengths)
+  { return std::minmax_element(lengths.begin(), lengths.end()); };
+  std::vector<double> lengths = axial_cells(tube);
+  check::relative("free ends: shortest", *extremes(lengths).first, equal, 1e-9);
+  check::relative("free ends: longest", *extremes(lengths).second, equal, 1e-9);
+
+  tube.note_fixed_boundaries({"inlet", "outlet", "wall inlet end", "wall outlet end"});
+  lengths = axial_cells(tube);
+  check::relative("clamped ends: first", lengths.front(), bending, 1e-9);
+  check::relative("clamped ends: second", lengths[1], 1.5 * bending, 1e-9);
+  check::relative("clamped ends: last", lengths.back(), bending, 1e-9);
+  const double longest = *extremes(lengths).second;
+  check::is_true("clamped ends: longest at most 1.05 of equal cells", longest < 1.05 * equal);
+  double rest = 0.;
+  for (std::size_t i = 4; i + 4 < lengths.size(); ++i)
+    rest = std::max(rest, std::abs(lengths[i] / longest - 1.));
+  check::absolute("clamped ends: the rest is equal", rest, 0., 1e-9);
+
+  tube.note_fixed_boundaries({"wall outlet end"});
+  lengths = axial_cells(tube);
+  check::relative("clamped outlet: first", lengths.front(), *extremes(lengths).second, 1e-9);
+  check::relative("clamped outlet: last", lengths.back(), bending, 1e-9);
+
+  // Each end has its own length: R and h of tube F are halved at the outlet.
+  parameters.law = TubeLaw::thesis('F');
+  TubeGeometry<2> tapered(parameters);
+  tapered.note_fixed_boundaries({"wall inlet end", "wall outlet end"});
+  lengths = axial_cells(tapered);
+  check::relative("taper: first", lengths.front(), bending, 1e-9);
+  check::relative("taper: last", lengths.back(), 0.5 * bending, 1e-9);
+
+  // Cells in the layer at the wall: R / 128.
+  parameters.law = TubeLaw::thesis('A');
+  parameters.radial_cells = 6;
+  parameters.axial_cells = 1;
+  dealii::Triangulation<2> mesh;
+  TubeGeometry<2>(parameters).create(mesh);
+  for (const auto &cell : mesh.active_cell_iterators())
+    if (cell->material_id() == 0 && cell->neighbor(3)->material_id() == 1)
+      check::relative("cell at the wall", cell->extent_in_direction(1), 12.5e-3 / 128., 1e-9);
 }
 
 void test_laws()

@@ -29,7 +29,7 @@ public:
   static constexpr double least_nodes_per_wavelength = 20.;
   static constexpr double least_steps_per_period = 40.;
   static constexpr double largest_loss = 0.01;         ///< of the amplitude over the run
-  static constexpr double largest_layer_cell = 3.;     ///< thickness over that of Stokes's layer
+  static constexpr double largest_layer_cell = 1.;     ///< thickness over that of Stokes's layer
   static constexpr double largest_clamped_cell = 0.75; ///< axial extent over sqrt(R h)
   /// @}
 

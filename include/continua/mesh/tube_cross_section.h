@@ -40,6 +40,8 @@ public:
   static dealii::Point<2> point(double rho, double u);
   /// The place (rho, u), 0 <= u <= 8, of a scaled point outside the core.
   static dealii::Point<2> place(const dealii::Point<2> &point);
+  /// Half the side of the core over the inner radius.
+  static constexpr double half_side = 0.4242640687119285; // 0.6 sqrt(1/2)
   /// The period of u.
   static constexpr double full_turn = 8.;
 

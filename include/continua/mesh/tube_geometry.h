@@ -27,10 +27,13 @@ public:
     TubeLaw law;
     bool full = false; ///< in three dimensions: not a quarter alone
     unsigned int axial_cells = 20;
-    /// Size of the cells at both ends over that in the middle; 0: as `automatic_axial_grading`.
+    /// Length of the first cell at an end where the wall is clamped over length / axial_cells; 0:
+    /// that cell is sqrt(R h)/2 long.
     double axial_grading = 0.;
-    unsigned int radial_cells = 6;              ///< of the fluid; in three dimensions its rings
-    double radial_grading = 0.05;               ///< of those, outermost over innermost
+    std::array<bool, 2> clamped = {{false, false}}; ///< the wall, at the inlet and at the outlet
+    unsigned int radial_cells = 6;                  ///< of the fluid; in three dimensions its rings
+    /// Of those, outermost over innermost; 0: the outermost is R / `cells_at_wall` thick.
+    double radial_grading = 0.;
     std::vector<unsigned int> wall_cells = {1}; ///< of each layer, or one number for all
     unsigned int circumferential_cells = 6;     ///< of a quarter, in three dimensions; even
 
@@ -45,20 +48,25 @@ public:
   void create(dealii::Triangulation<dim> &triangulation) const override;
   MeshExtent extent() const override;
   std::unique_ptr<Geometry<dim>> coarsened(double most_cells) const override;
+  /// Grades the cells towards the clamped ends of the wall.
+  void note_fixed_boundaries(const std::set<std::string> &names) override;
   const TubeLaw *tube_law() const override;
 
-  /**
-   * The size of the cells at both ends over that in the middle with which the first cell is
-   * sqrt(R h)/2 long, R the inner radius and h the wall's thickness at the end where that is less:
-   * there a clamped wall bends, over the length sqrt(R h) / (3 (1 - nu^2))^(1/4). At most 1, and
-   * not so small that neighbours differ by more than a factor of 1.5.
-   */
-  static double automatic_axial_grading(const TubeLaw &law, unsigned int axial_cells);
+  /// How often the fluid's outermost cell fits into the radius by default. The Stokes layer
+  /// sqrt(2 nu/omega) = sqrt(2) R / (Womersley number) is thicker up to a Womersley number of 181.
+  static constexpr double cells_at_wall = 128.;
+  /// By how much neighbouring cells differ at most, along the axis and across it.
+  static constexpr double axial_growth = 1.5, radial_growth = 2.5;
 
 private:
+  /**
+   * The vertices along the axis [m]: equal cells, and shorter ones at clamped ends, since the wall
+   * bends there over the length sqrt(R h) / (3 (1 - nu^2))^(1/4), R its inner radius, h its
+   * thickness.
+   */
   std::vector<double> axial_points() const;
 
-  const Parameters parameters;
+  Parameters parameters;
   /// Along the scaled radius: the fluid from 0 to 1, the wall from 1 to 2.
   LayeredStack stack;
 };
