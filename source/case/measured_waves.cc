@@ -12,13 +12,10 @@ namespace Continua
 const Dimension &dimension_of_station_field(const std::string &field)
 {
   static const std::map<std::string, Dimension> dimensions = {
-      {"pressure", Dimensions::pressure},
-      {"axis pressure", Dimensions::pressure},
-      {"flow rate", Dimensions::flow_rate},
-      {"wall distension", Dimensions::length},
-      {"pressure gradient", Dimensions::force_density},
-      {"wall shear stress", Dimensions::pressure},
-      {"hoop stress", Dimensions::pressure}};
+      {"pressure", Dimensions::pressure},          {"axis pressure", Dimensions::pressure},
+      {"flow rate", Dimensions::flow_rate},        {"velocity integral", Dimensions::flow_rate},
+      {"wall distension", Dimensions::length},     {"pressure gradient", Dimensions::force_density},
+      {"wall shear stress", Dimensions::pressure}, {"hoop stress", Dimensions::pressure}};
   return dimensions.at(field);
 }
 

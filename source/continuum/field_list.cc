@@ -1,5 +1,6 @@
 #include <continua/continuum/field_list.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Continua
@@ -16,6 +17,16 @@ std::array<double, 6> FieldDefinition<dim>::factors(const dealii::Point<dim> &po
   if (combination == Combination::component)
   {
     result[component] = 1.;
+    return result;
+  }
+  if (combination == Combination::along)
+  {
+    std::copy(direction.begin(), direction.end(), result.begin());
+    return result;
+  }
+  if (combination == Combination::trace)
+  {
+    std::fill_n(result.begin(), 3, 1.);
     return result;
   }
   // e_r = (0, c, s) and e_theta = (0, -s, c); in axisymmetry e_r = e_y, and z goes round the axis.
@@ -37,9 +48,23 @@ std::array<double, 6> FieldDefinition<dim>::factors(const dealii::Point<dim> &po
     result[4] = -s;
     break;
   case Combination::component:
+  case Combination::along:
+  case Combination::trace:
     break;
   }
   return result;
+}
+
+template <int dim>
+FieldDefinition<dim> field_along(const typename FieldDefinition<dim>::Quantity quantity,
+                                 const dealii::Tensor<1, dim> &direction)
+{
+  FieldDefinition<dim> field;
+  field.quantity = quantity;
+  field.combination = FieldDefinition<dim>::Combination::along;
+  for (unsigned int c = 0; c < dim; ++c)
+    field.direction[c] = direction[c];
+  return field;
 }
 
 template <int dim>
@@ -62,6 +87,7 @@ std::vector<FieldDefinition<dim>> field_list(const Model model)
     list.push_back({{"stress " + pair(k), "Pa"}, Quantity::stress, none, k});
   for (unsigned int k = 0; k < n_stresses<dim>(); ++k)
     list.push_back({{"strain " + pair(k), "1"}, Quantity::strain, none, k});
+  list.push_back({{"dilatation", "1"}, Quantity::strain, Combination::trace, 0});
   if (model == Model::axisymmetric || model == Model::three_dimensional)
   {
     list.push_back({{"radial velocity", "m/s"}, Quantity::velocity, Combination::radial, 0});
@@ -83,6 +109,8 @@ std::vector<FieldComponent> field_names(const Model model)
 
 template struct FieldDefinition<2>;
 template struct FieldDefinition<3>;
+template FieldDefinition<2> field_along(FieldDefinition<2>::Quantity, const dealii::Tensor<1, 2> &);
+template FieldDefinition<3> field_along(FieldDefinition<3>::Quantity, const dealii::Tensor<1, 3> &);
 template std::vector<FieldDefinition<2>> field_list(Model);
 template std::vector<FieldDefinition<3>> field_list(Model);
 template std::vector<FieldComponent> field_names<2>(Model);

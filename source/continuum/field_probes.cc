@@ -18,12 +18,16 @@ FieldProbes<dim>::FieldProbes(const Problem &problem)
 template <int dim>
 unsigned int FieldProbes<dim>::add(const ProbeRequest<dim> &request)
 {
-  const auto field = std::find_if(definitions.begin(), definitions.end(),
-                                  [&](const FieldDefinition<dim> &candidate)
-                                  { return candidate.name.name == request.field; });
-  if (field == definitions.end())
-    throw std::invalid_argument("there is no field '" + request.field + "'");
-  Probe probe{request, *field, {}};
+  Probe probe{request, {}, {}};
+  if (!request.has_no_field())
+  {
+    const auto field = std::find_if(definitions.begin(), definitions.end(),
+                                    [&](const FieldDefinition<dim> &candidate)
+                                    { return candidate.name.name == request.field; });
+    if (field == definitions.end())
+      throw std::invalid_argument("there is no field '" + request.field + "'");
+    probe.field = *field;
+  }
   build(probe);
   probes.push_back(probe);
   return probes.size() - 1;
@@ -68,10 +72,25 @@ void FieldProbes<dim>::build(Probe &probe) const
     if (measure == 0.)
       throw std::invalid_argument("a section without area");
     break;
+  case Kind::section_flow:
+    measure = add_flow(probe.request, weights);
+    if (measure == 0.)
+      throw std::invalid_argument("a section without area");
+    break;
+  case Kind::volume_mean:
+  case Kind::volume_integral:
+    measure = add_volume(probe.request, probe.field, weights);
+    if (measure == 0.)
+      throw std::invalid_argument("the region has no cells");
+    break;
+  case Kind::volume_change:
+    measure = add_interface(probe.request, weights);
+    if (measure == 0.)
+      throw std::invalid_argument("the region has no surface with another one");
+    break;
   }
-  const bool integral =
-      probe.request.kind == Kind::boundary_integral || probe.request.kind == Kind::section_integral;
-  probe.weights = ProbeWeights(weights, integral ? 1. : 1. / measure);
+  const bool is_whole = probe.request.is_integral() || probe.request.has_no_field();
+  probe.weights = ProbeWeights(weights, is_whole ? 1. : 1. / measure);
 }
 
 template <int dim>

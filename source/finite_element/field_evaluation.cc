@@ -1,5 +1,6 @@
 #include <continua/base/collective.h>
 #include <continua/finite_element/field_evaluation.h>
+#include <continua/finite_element/section_flow.h>
 
 #include <continua/mesh/cell_point.h>
 #include <continua/mesh/cells_in_tree_order.h>
@@ -123,6 +124,76 @@ double FieldEvaluation<dim>::add_section(const ProbeRequest<dim> &request,
     add_values(field, part.cell, part.quadrature, weights, collector);
   }
   return Utilities::MPI::sum(area, space.communicator);
+}
+
+template <int dim>
+double FieldEvaluation<dim>::add_volume(const ProbeRequest<dim> &request,
+                                        const FieldDefinition<dim> &field,
+                                        Collector &collector) const
+{
+  const QGauss<dim> quadrature(space.n_quadrature_points());
+  FEValues<dim> values(space.mapping, space.velocity_element, quadrature,
+                       update_values | update_gradients | update_quadrature_points |
+                           update_JxW_values);
+  hp::FEValues<dim> pressure_values(space.mappings, space.pressure_elements,
+                                    hp::QCollection<dim>(quadrature), update_values);
+  double volume = 0.;
+  for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
+    if (cell->is_locally_owned() && this->counts(request, cell->material_id()))
+    {
+      values.reinit(cell);
+      pressure_values.reinit(typename DoFHandler<dim>::active_cell_iterator(
+          &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs));
+      for (const unsigned int q : values.quadrature_point_indices())
+      {
+        const double weight = values.JxW(q) * space.measure(values.quadrature_point(q));
+        volume += weight;
+        add_value(field, cell, values, pressure_values.get_present_fe_values(), q, weight,
+                  collector);
+      }
+    }
+  return Utilities::MPI::sum(volume, space.communicator);
+}
+
+template <int dim>
+double FieldEvaluation<dim>::add_interface(const ProbeRequest<dim> &request,
+                                           Collector &collector) const
+{
+  FEFaceValues<dim> values(
+      space.mapping, space.velocity_element, QGauss<dim - 1>(space.n_quadrature_points()),
+      update_values | update_normal_vectors | update_quadrature_points | update_JxW_values);
+  std::vector<types::global_dof_index> indices(space.velocity_element.n_dofs_per_cell());
+  double area = 0.;
+  for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
+    if (cell->is_locally_owned() && this->counts(request, cell->material_id()))
+      for (const unsigned int f : cell->face_indices())
+      {
+        if (cell->at_boundary(f) || this->counts(request, cell->neighbor(f)->material_id()))
+          continue;
+        values.reinit(cell, f);
+        cell->get_dof_indices(indices);
+        for (const unsigned int q : values.quadrature_point_indices())
+        {
+          const double weight = values.JxW(q) * space.measure(values.quadrature_point(q));
+          area += weight;
+          for (unsigned int i = 0; i < indices.size(); ++i)
+          {
+            const unsigned int c = space.velocity_element.system_to_component_index(i).first;
+            const double factor = weight * values.normal_vector(q)[c] * values.shape_value(i, q);
+            if (factor != 0.)
+              space.velocity_hanging.distribute_local_to_global(
+                  indices[i], factor, collector.weights(Source::displacement));
+          }
+        }
+      }
+  return Utilities::MPI::sum(area, space.communicator);
+}
+
+template <int dim>
+double FieldEvaluation<dim>::add_flow(const ProbeRequest<dim> &request, Collector &collector) const
+{
+  const SectionFlow<dim> flow(space, request.region_ids, request.point, request.normal);
+  return flow.add_weights(collector.weights(Source::velocity)) ? 1. : 0.;
 }
 
 template <int dim>

@@ -152,6 +152,58 @@ double CellEvaluation<dim>::add_section(const ProbeRequest<dim> &request,
 }
 
 template <int dim>
+double CellEvaluation<dim>::add_volume(const ProbeRequest<dim> &request,
+                                       const FieldDefinition<dim> &field,
+                                       Collector &collector) const
+{
+  double volume = 0.;
+  for (unsigned int cell = 0; cell < space.mesh.n_owned_cells(); ++cell)
+  {
+    const FiniteVolume<dim> &finite_volume = space.mesh.cells()[cell];
+    if (!this->counts(request, finite_volume.material_id))
+      continue;
+    volume += finite_volume.volume;
+    add_value(field, {cell, CellPlace::none}, finite_volume.centre, finite_volume.volume,
+              collector);
+  }
+  return Utilities::MPI::sum(volume, space.communicator);
+}
+
+template <int dim>
+double CellEvaluation<dim>::add_interface(const ProbeRequest<dim> &request,
+                                          Collector &collector) const
+{
+  double area = 0.;
+  for (unsigned int face = 0; face < space.mesh.faces().size(); ++face)
+  {
+    const VolumeFace<dim> &surface = space.mesh.faces()[face];
+    if (!surface.is_interface)
+      continue;
+    for (const unsigned int side : {0, 1})
+    {
+      const FiniteVolume<dim> &volume = space.mesh.cells()[surface.cell(side)];
+      if (!volume.is_owned || !this->counts(request, volume.material_id) ||
+          this->counts(request, space.mesh.cells()[surface.cell(1 - side)].material_id))
+        continue;
+      area += surface.area;
+      add_value(field_along<dim>(FieldDefinition<dim>::Quantity::displacement, surface.normal),
+                {surface.cell(side), face}, surface.centre,
+                side == 0 ? surface.area : -surface.area, collector);
+    }
+  }
+  return Utilities::MPI::sum(area, space.communicator);
+}
+
+template <int dim>
+double CellEvaluation<dim>::add_flow(const ProbeRequest<dim> &request, Collector &collector) const
+{
+  return add_section(request,
+                     field_along<dim>(FieldDefinition<dim>::Quantity::velocity,
+                                      request.normal / request.normal.norm()),
+                     collector);
+}
+
+template <int dim>
 void CellEvaluation<dim>::add_value(const FieldDefinition<dim> &field,
                                     const CellPlace &place,
                                     const Point<dim> &point,

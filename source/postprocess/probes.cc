@@ -58,14 +58,30 @@ std::vector<FieldComponent> expand(const ParameterSection &section,
   return components;
 }
 
-/// The unit of a field integrated over a boundary or section.
-std::string unit_of_integral(const std::string &unit, const Model model)
+/// The unit of a field integrated over a boundary, a section or a volume; in the plane, of a depth
+/// of 1 m, over a line or an area.
+std::string unit_of_integral(const std::string &unit, const Model model, const bool over_volume)
 {
   Dimension dimension;
   unit_factor(unit, dimension);
-  const bool line = model == Model::plane_strain || model == Model::plane_stress;
-  dimension.length += line ? 1 : 2;
+  const bool is_plane = model == Model::plane_strain || model == Model::plane_stress;
+  dimension.length += (over_volume ? 3 : 2) - (is_plane ? 1 : 0);
   return dimension.unit();
+}
+
+/// What a volume has beside the fields: by how much it has grown.
+const std::string volume_change = "volume change";
+
+/// Whether the region meets another one.
+template <int dim>
+bool has_interface(const dealii::Triangulation<dim> &coarse_mesh, const unsigned int region)
+{
+  for (const auto &cell : coarse_mesh.cell_iterators_on_level(0))
+    if (cell->material_id() == region)
+      for (const unsigned int f : cell->face_indices())
+        if (!cell->at_boundary(f) && cell->neighbor(f)->material_id() != region)
+          return true;
+  return false;
 }
 } // namespace
 
@@ -80,6 +96,7 @@ const Words<typename Probes<dim>::Place> &Probes<dim>::place_words()
   static const Words<Place> words = {{"Point", Place::point},
                                      {"Boundary", Place::boundary},
                                      {"Section", Place::section},
+                                     {"Volume", Place::volume},
                                      {"Stations", Place::stations}};
   return words;
 }
@@ -98,9 +115,15 @@ void Probes<dim>::read_entries(Probe &probe) const
       "Section", probe.position, Dimensions::length,
       "Instead of a point: the plane x = Section through the undeformed body, or its Region "
       "[m]");
+  section.add(
+      "Volume", probe.volume,
+      "Instead of a point: name of a region, over the volume of which the fields are taken. "
+      "It has the further field 'volume change': by how much the region has grown by the "
+      "motion of its surface with other regions, such as a lumen by that of its wall "
+      "[m^3]");
   probe.stations.add_entries(section);
   add_choice(section, "Value", probe.value, {{"mean", Value::mean}, {"integral", Value::integral}},
-             "What to record of the fields on the boundary or section, of which the "
+             "What to record of the fields on the boundary, section or volume, of which the "
              "integral is over the part that is modelled");
   section.add("Region", probe.region,
               "Whose side counts where a field jumps between regions; empty: any");
@@ -125,12 +148,14 @@ void Probes<dim>::check_entries(Probe &probe) const
     places.push_back(Place::boundary);
   if (!std::isnan(probe.position))
     places.push_back(Place::section);
+  if (!probe.volume.empty())
+    places.push_back(Place::volume);
   if (probe.stations.given())
     places.push_back(Place::stations);
   if (places.size() != 1)
     section.refuse(places.empty() ? "" : word_of(place_words(), places.back()),
                    places.empty() ? "the probe has no place" : "the probe has more than one place",
-                   "Give either Point or Boundary or Section or Stations");
+                   "Give either Point or Boundary or Section or Volume or Stations");
   probe.place = places.front();
   if (probe.place == Place::point && probe.point.size() != dim)
     section.refuse("Point", "the point has " + std::to_string(probe.point.size()) + " coordinates",
@@ -140,12 +165,14 @@ void Probes<dim>::check_entries(Probe &probe) const
                    probe.place == Place::point
                        ? "a point has neither a mean nor an integral"
                        : "what is recorded at stations is said by the fields",
-                   "Leave the entry out, or give Boundary or Section instead of " +
+                   "Leave the entry out, or give Boundary, Section or Volume instead of " +
                        word_of(place_words(), probe.place));
   if (probe.place == Place::stations && section.given("Region"))
     section.refuse("Region", "the region of stations is the fluid", "Set Fluid instead");
+  if (probe.place == Place::volume && section.given("Region"))
+    section.refuse("Region", "the volume is that of a region already", "Leave the entry out");
   if (probe.place != Place::stations)
-    for (const char *key : {"Fluid", "Pair distance"})
+    for (const char *key : {"Fluid", "Pair distance", "Pair"})
       if (section.given(key))
         section.refuse(key, "the entry belongs to Stations", "Leave it out");
   if (!probe.signal_analysis && !probe.modes.empty())
@@ -183,12 +210,18 @@ void Probes<dim>::read(ParameterSection section,
       probe.request.kind = mean ? Kind::section_mean : Kind::section_integral;
       probe.request.point[0] = probe.position;
     }
+    else if (probe.place == Place::volume)
+    {
+      probe.request.kind = mean ? Kind::volume_mean : Kind::volume_integral;
+      probe.request.region_ids = {find_name(child, "Volume", probe.volume, regions)};
+    }
     else
     {
       const Stations<dim> &stations = probe.stations;
       probe.stations.set(child, probe.fields, regions);
       stations_probes.push_back(
           {child, name, stations.positions(), stations.fields(), stations.pair_distance(),
+           stations.pair_offset(),
            std::vector<std::vector<unsigned int>>(stations.positions().size())});
     }
     if (!probe.region.empty())
@@ -222,6 +255,7 @@ unsigned int Probes<dim>::add_to_solver(const Probe &probe, const ProbeRequest<d
         {Place::boundary,
          "Give a boundary on which the field exists, next to the Region if there is one"},
         {Place::section, "Give a position at which the plane cuts the body, or the Region"},
+        {Place::volume, "Give a region that meets another one, or leave 'volume change' out"},
         {Place::stations, "Give positions inside the tube"}};
     probe.section.refuse(word_of(place_words(), probe.place), error.what(),
                          remedies.at(probe.place));
@@ -229,33 +263,45 @@ unsigned int Probes<dim>::add_to_solver(const Probe &probe, const ProbeRequest<d
 }
 
 template <int dim>
+std::vector<FieldComponent> Probes<dim>::components(const Probe &probe,
+                                                    const std::vector<FieldComponent> &fields)
+{
+  std::vector<FieldComponent> result;
+  for (const std::string &word : probe.fields)
+  {
+    const std::string name = collapse_blanks(word);
+    if (probe.place == Place::volume && name == volume_change)
+      result.push_back({volume_change, "1"});
+    else
+      for (const FieldComponent &field : expand(probe.section, name, fields))
+        result.push_back(field);
+  }
+  for (std::size_t i = 0; i < result.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (result[j].name == result[i].name)
+        probe.section.refuse("Fields", "'" + result[i].name + "' is recorded twice",
+                             "Name every field once");
+  return result;
+}
+
+template <int dim>
 void Probes<dim>::attach_fields(const unsigned int p, const Model model)
 {
   Probe &probe = probes[p];
-  using Kind = typename ProbeRequest<dim>::Kind;
-  const bool integral =
-      probe.request.kind == Kind::boundary_integral || probe.request.kind == Kind::section_integral;
-  std::vector<FieldComponent> components;
-  for (const std::string &word : probe.fields)
-    for (const FieldComponent &field :
-         expand(probe.section, collapse_blanks(word), solver->fields()))
-    {
-      if (std::any_of(components.begin(), components.end(),
-                      [&field](const FieldComponent &other) { return other.name == field.name; }))
-        probe.section.refuse("Fields", "'" + field.name + "' is recorded twice",
-                             "Name every field once");
-      components.push_back(field);
-    }
-  for (FieldComponent &field : components)
+  std::vector<FieldComponent> recorded = components(probe, solver->fields());
+  for (FieldComponent &field : recorded)
   {
-    probe.request.field = field.name;
-    if (integral)
-      field.unit = unit_of_integral(field.unit, model);
+    ProbeRequest<dim> request = probe.request;
+    request.field = field.name;
+    if (field.name == volume_change)
+      request.kind = ProbeRequest<dim>::Kind::volume_change;
+    if (request.is_integral() || request.has_no_field())
+      field.unit = unit_of_integral(field.unit, model, probe.place == Place::volume);
     columns.push_back({p,
                        probe.section.name(),
                        field,
-                       components.size() == 1,
-                       {{add_to_solver(probe, probe.request), 1.}},
+                       recorded.size() == 1,
+                       {{add_to_solver(probe, request), 1.}},
                        {}});
   }
 }
@@ -329,8 +375,17 @@ void Probes<dim>::check(const dealii::Triangulation<dim> &coarse_mesh,
       probe.stations.check(probe.section, coarse_mesh);
       continue;
     }
-    for (const std::string &word : probe.fields)
-      expand(probe.section, collapse_blanks(word), fields);
+    for (const FieldComponent &field : components(probe, fields))
+      if (field.name == volume_change &&
+          !has_interface(coarse_mesh, *probe.request.region_ids.begin()))
+        probe.section.refuse(
+            "Fields",
+            "the region '" + probe.volume +
+                "' meets no other one, whose motion could change its volume",
+            "Leave 'volume change' out; the integral of 'dilatation' is the change "
+            "of volume by strain");
+    if (probe.place == Place::volume)
+      continue;
     const std::set<unsigned int> &region_ids = probe.request.region_ids;
     if (probe.place == Place::boundary)
     {
@@ -572,9 +627,8 @@ void Probes<dim>::name_quantities(const std::vector<FieldComponent> &fields,
         recorded.emplace_back(probe.section.name() + " " + probe.stations.label(column.station),
                               column.field.name);
     else
-      for (const std::string &word : probe.fields)
-        for (const FieldComponent &field : expand(probe.section, collapse_blanks(word), fields))
-          recorded.emplace_back(probe.section.name(), field.name);
+      for (const FieldComponent &field : components(probe, fields))
+        recorded.emplace_back(probe.section.name(), field.name);
     const bool alone =
         probe.stations.given() ? probe.stations.fields().size() == 1 : recorded.size() == 1;
     for (const auto &[name, field] : recorded)

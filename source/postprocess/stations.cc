@@ -1,6 +1,7 @@
 #include <continua/postprocess/stations.h>
 
 #include <continua/base/parameter_text.h>
+#include <continua/base/words.h>
 #include <continua/mesh/cell_point.h>
 #include <continua/mesh/plane_section.h>
 #include <continua/postprocess/name_choice.h>
@@ -19,9 +20,10 @@ namespace Continua
 namespace
 {
 const std::vector<FieldComponent> station_fields = {
-    {"pressure", "Pa"},       {"axis pressure", "Pa"},       {"flow rate", "m^3/s"},
-    {"wall distension", "m"}, {"pressure gradient", "Pa/m"}, {"wall shear stress", "Pa"},
-    {"hoop stress", "Pa"}};
+    {"pressure", "Pa"},          {"axis pressure", "Pa"},
+    {"flow rate", "m^3/s"},      {"velocity integral", "m^3/s"},
+    {"wall distension", "m"},    {"pressure gradient", "Pa/m"},
+    {"wall shear stress", "Pa"}, {"hoop stress", "Pa"}};
 
 /// "0.1 m", without the round-off of a unit's conversion.
 std::string metres(const double value)
@@ -38,13 +40,18 @@ void Stations<dim>::add_entries(ParameterSection section)
   section.add("Stations", station_positions, Dimensions::length,
               "Instead of a point: positions along the axis of a tube, the x axis, of the "
               "undeformed body [m]; the Fields are then among pressure (mean over the section), "
-              "axis pressure, flow rate, wall distension (change of the inner diameter), pressure "
+              "axis pressure, flow rate (by the balance of mass), velocity integral (over the "
+              "section), wall distension (change of the inner diameter), pressure "
               "gradient, wall shear stress, hoop stress (mean over the wall)");
   section.add("Fluid", fluid, "With Stations: the region of the fluid; all others are the wall");
   section.add("Pair distance", distance, Dimensions::length,
-              "With Stations: from a station to the second section of its pressure gradient, "
-              "downstream [m]",
+              "With Stations: from the first to the second section of a pressure gradient [m]",
               Range::positive());
+  add_choice(section, "Pair", pair, {{"centred", Pair::centred}, {"downstream", Pair::downstream}},
+             "With Stations: where the two sections of a pressure gradient are: centred - half a "
+             "Pair distance before and behind the station, the value belongs to the station; "
+             "downstream - at the station and one Pair distance behind it, as two catheters that "
+             "measure pressure and gradient at one time");
 }
 
 template <int dim>
@@ -108,12 +115,13 @@ void Stations<dim>::check(const ParameterSection &section,
     if (position < begin - round_off || position > end + round_off)
       section.refuse("Stations", "the station " + label(s) + " is outside the tube",
                      "Give positions " + range + metres(end));
-    if (has("pressure gradient") && position + distance > end + round_off)
-      section.refuse("Stations",
-                     "the pressure gradient at " + label(s) + " needs the section at " +
-                         metres(position + distance) + ", which is outside the tube",
-                     "Give positions " + range + metres(end - distance) +
-                         ", or a shorter Pair distance");
+    for (const double place : {position + pair_offset(), position + pair_offset() + distance})
+      if (has("pressure gradient") && (place < begin - round_off || place > end + round_off))
+        section.refuse("Stations",
+                       "the pressure gradient at " + label(s) + " needs the section at " +
+                           metres(place) + ", which is outside the tube",
+                       "Give positions between " + metres(begin - pair_offset()) + " and " +
+                           metres(end - distance - pair_offset()) + ", or a shorter Pair distance");
   }
 
   // Of a high degree, since a coarse cell may stand for a large part of a circle.
@@ -200,13 +208,16 @@ std::vector<typename Stations<dim>::Column> Stations<dim>::columns() const
       else if (name == "axis pressure")
         add(Kind::point, "pressure", fluid_ids, x, 1.);
       else if (name == "flow rate")
+        add(Kind::section_flow, "", fluid_ids, x, n_copies);
+      else if (name == "velocity integral")
         add(Kind::section_integral, "velocity x", fluid_ids, x, n_copies);
       else if (name == "wall distension")
         add(Kind::rim_mean, "radial displacement", fluid_ids, x, 2.);
       else if (name == "pressure gradient")
       {
-        add(Kind::section_mean, "pressure", fluid_ids, x + distance, 1. / distance);
-        add(Kind::section_mean, "pressure", fluid_ids, x, -1. / distance);
+        const double first = x + pair_offset();
+        add(Kind::section_mean, "pressure", fluid_ids, first + distance, 1. / distance);
+        add(Kind::section_mean, "pressure", fluid_ids, first, -1. / distance);
       }
       else if (name == "wall shear stress")
         add(Kind::rim_mean, name, fluid_ids, x, 1.);

@@ -206,7 +206,7 @@ void test_stations()
     return std::make_unique<ParameterFile>("probes.prm");
   };
   const auto file = read("set Stations = 100 mm, 0.9 m\n"
-                         "set Pair distance = 500 mm\n"
+                         "set Pair distance = 500 mm\nset Pair = downstream\n"
                          "set Fields = pressure, axis pressure, flow rate, wall distension, "
                          "pressure gradient, wall shear stress, hoop stress\n");
   Probes<3> probes(MPI_COMM_WORLD);
@@ -258,7 +258,8 @@ void test_stations()
   };
   refused("station outside", "set Stations = 10 cm, 2.1 m\nset Fields = pressure\n",
           "probes.prm:3: 'Probes/tube/Stations': the station 2.1 m .*between 0 m and 2 m");
-  refused("pair sticks out", "set Stations = 1.99 m\nset Fields = pressure gradient\n",
+  refused("pair sticks out",
+          "set Stations = 1.99 m\nset Pair = downstream\nset Fields = pressure gradient\n",
           "probes.prm:3: .*2.007 m.*between 0 m and 1.983 m");
   refused("station twice", "set Stations = 10 cm, 0.1 m\nset Fields = pressure\n", "given twice");
   refused("no such field at stations", "set Stations = 1\nset Fields = velocity\n",

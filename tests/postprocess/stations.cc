@@ -109,12 +109,20 @@ UNIT_TEST(stations)
   };
   check::is_true("pressure", asks(0, 0, Kind::section_mean, "pressure", 1, 0.25, 1.));
   check::is_true("axis pressure", asks(1, 0, Kind::point, "pressure", 1, 0.25, 1.));
-  check::is_true("flow rate", asks(2, 0, Kind::section_integral, "velocity x", 1, 0.25, 1.));
+  check::is_true("flow rate", asks(2, 0, Kind::section_flow, "", 1, 0.25, 1.));
   check::is_true("wall distension", asks(3, 0, Kind::rim_mean, "radial displacement", 1, 0.25, 2.));
   check::is_true("pressure gradient",
-                 asks(4, 0, Kind::section_mean, "pressure", 1, 0.3, 20.) &&
-                     asks(4, 1, Kind::section_mean, "pressure", 1, 0.25, -20.) &&
+                 asks(4, 0, Kind::section_mean, "pressure", 1, 0.275, 20.) &&
+                     asks(4, 1, Kind::section_mean, "pressure", 1, 0.225, -20.) &&
                      columns[11].terms.size() == 2);
+  const auto downstream = make<2>("set Stations = 0.25\nset Fluid = water\nset Pair distance = 5 "
+                                  "cm\nset Pair = downstream\n",
+                                  {"pressure gradient", "velocity integral"})
+                              .columns();
+  check::absolute("pair downstream, first", downstream[0].terms[1].first.point[0], 0.25, 1e-15);
+  check::absolute("pair downstream, second", downstream[0].terms[0].first.point[0], 0.3, 1e-15);
+  check::is_true("velocity integral", downstream[1].terms[0].first.kind == Kind::section_integral &&
+                                          downstream[1].terms[0].first.field == "velocity x");
   check::is_true("wall shear stress", asks(5, 0, Kind::rim_mean, "wall shear stress", 1, 0.25, 1.));
   check::is_true("hoop stress", asks(6, 0, Kind::section_mean, "hoop stress", 0, 0.25, 1.));
   check::is_true("none are given", !Stations<2>().given());
@@ -128,8 +136,10 @@ UNIT_TEST(stations)
 
   refuses("outside", "set Stations = 1.5 m\n", flow,
           "1.5 m is outside the tube.*between 0 m and 1 m");
-  refuses("the other one of a pair", "set Stations = 0.99 m\n", {"pressure gradient"},
-          "needs the section at 1.007 m, which is outside");
+  refuses("the second one of a pair", "set Stations = 0.99 m\nset Pair = downstream\n",
+          {"pressure gradient"}, "needs the section at 1.007 m, which is outside");
+  refuses("the first one of a pair", "set Stations = 5 mm\n", {"pressure gradient"},
+          "needs the section at -0.0035 m, .*between 0.0085 m and 0.9915 m");
   refuses("twice", "set Stations = 0.5, 0.5\n", flow, "0.5 m is given twice");
   refuses("behind", "set Stations = 0.5, 0.2\n", flow, "0.2 m stands behind 0.5 m");
   refuses("unknown field", "set Stations = 0.5\n", {"presure"}, "no field 'presure'.*pressure");

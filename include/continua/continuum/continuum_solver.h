@@ -42,16 +42,33 @@ struct ProbeRequest
     boundary_integral,
     section_mean,
     section_integral,
-    rim_mean ///< over the rim of a section that faces away from the x axis: a tube's inner wall
+    rim_mean, ///< over the rim of a section that faces away from the x axis: a tube's inner wall
+    /// Flow rate along the normal of a section, by the discrete equation of mass balance where the
+    /// discretisation has one; there is no field.
+    section_flow,
+    volume_mean, ///< over the regions
+    volume_integral,
+    /// By how much the volume of the regions has grown by the motion of their surface with other
+    /// regions; there is no field.
+    volume_change
   };
   Kind kind = Kind::point;
-  std::string field;        ///< one of the solver's fields()
+  std::string field;        ///< one of the solver's fields(), but for the kinds that have none
   dealii::Point<dim> point; ///< [m]; for points, and one of the plane for sections
   /// Of the plane, for sections; of any length.
   dealii::Tensor<1, dim> normal = dealii::Point<dim>::unit_vector(0);
   unsigned int boundary_id = 0; ///< for boundaries
   /// The regions whose side counts (a field may jump); empty: any that is there.
   std::set<unsigned int> region_ids;
+
+  /// Whether the unit is that of the field over a line, an area or a volume.
+  bool is_integral() const
+  {
+    return kind == Kind::boundary_integral || kind == Kind::section_integral ||
+           kind == Kind::volume_integral;
+  }
+  /// Whether the kind itself is what is asked for.
+  bool has_no_field() const { return kind == Kind::section_flow || kind == Kind::volume_change; }
 };
 
 /// What a step tells.

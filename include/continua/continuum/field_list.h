@@ -31,6 +31,8 @@ struct FieldDefinition
   enum class Combination
   {
     component, ///< one of them
+    along,     ///< v.direction
+    trace,     ///< of a strain: the sum of those along the axes
     radial,    ///< e_r.v
     hoop,      ///< e_theta.sigma.e_theta
     drag       ///< -e_x.sigma.e_r: what a fluid exerts downstream on a wall around it
@@ -39,11 +41,17 @@ struct FieldDefinition
   Quantity quantity = Quantity::pressure;
   Combination combination = Combination::component;
   unsigned int component = 0;
+  std::array<double, 3> direction = {{0., 0., 0.}};
 
   /// The factors of the components (of a vector x, y, z; of a stress those of stress_pairs) at a
   /// point of the undeformed body. On the x axis, where there is no e_r, it is e_y.
   std::array<double, 6> factors(const dealii::Point<dim> &point) const;
 };
+
+/// A velocity or a displacement along a direction, which need not have length 1.
+template <int dim>
+FieldDefinition<dim> field_along(typename FieldDefinition<dim>::Quantity quantity,
+                                 const dealii::Tensor<1, dim> &direction);
 
 /// All fields of the model, in the order in which they are offered. `radial velocity`, `radial
 /// displacement`, `hoop stress` and `wall shear stress` exist in axisymmetry and three dimensions.

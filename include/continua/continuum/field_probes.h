@@ -56,6 +56,14 @@ private:
   virtual double add_section(const ProbeRequest<dim> &request,
                              const FieldDefinition<dim> &field,
                              Collector &collector) const = 0;
+  virtual double add_volume(const ProbeRequest<dim> &request,
+                            const FieldDefinition<dim> &field,
+                            Collector &collector) const = 0;
+  /// Of a field that has a direction: the displacement along the normal that points out of the
+  /// regions, on their surface with other regions.
+  virtual double add_interface(const ProbeRequest<dim> &request, Collector &collector) const = 0;
+  /// The flow rate; 0 if the plane misses the regions.
+  virtual double add_flow(const ProbeRequest<dim> &request, Collector &collector) const = 0;
   void build(Probe &probe) const;
 
   const std::vector<FieldDefinition<dim>> definitions;

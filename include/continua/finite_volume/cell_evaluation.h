@@ -59,6 +59,11 @@ private:
   double add_section(const ProbeRequest<dim> &request,
                      const FieldDefinition<dim> &field,
                      Collector &collector) const override;
+  double add_volume(const ProbeRequest<dim> &request,
+                    const FieldDefinition<dim> &field,
+                    Collector &collector) const override;
+  double add_interface(const ProbeRequest<dim> &request, Collector &collector) const override;
+  double add_flow(const ProbeRequest<dim> &request, Collector &collector) const override;
   /// The faces with their own value, of a cell, that hold a point given in its unit cell.
   std::vector<CellPlace> faces_at(unsigned int cell,
                                   const dealii::Point<dim> &unit_point,

@@ -31,17 +31,18 @@ struct StationsProbe
   std::vector<double> positions;   ///< [m]
   std::vector<std::string> fields; ///< see Stations
   double pair_distance;            ///< [m], of the pressure gradients
+  double pair_offset;              ///< from a station to the first section of its pair [m]
   /// The column in Probes of a station and a field.
   std::vector<std::vector<unsigned int>> columns;
 };
 
 /**
  * The section Probes: a named family, each child a point of the undeformed body, a boundary, a
- * plane section or the stations of a tube, where fields are recorded over time in probes.csv
- * (columns "NAME: FIELD [UNIT]", of stations "NAME 0.1 m: FIELD [UNIT]"), and what these histories
- * say of an oscillation. The order of calls: read() before there is a solver, attach() when it is
- * initialised, open(), record() as often as wanted, finish(). All are collective; the histories are
- * kept on every rank, the file is written by rank 0.
+ * plane section, the volume of a region or the stations of a tube, where fields are recorded over
+ * time in probes.csv (columns "NAME: FIELD [UNIT]", of stations "NAME 0.1 m: FIELD [UNIT]"), and
+ * what these histories say of an oscillation. The order of calls: read() before there is a solver,
+ * attach() when it is initialised, open(), record() as often as wanted, finish(). All are
+ * collective; the histories are kept on every rank, the file is written by rank 0.
  */
 template <int dim>
 class Probes
@@ -117,6 +118,7 @@ private:
     point,
     boundary,
     section,
+    volume,
     stations
   };
   /// Each place by the entry that gives it.
@@ -136,6 +138,7 @@ private:
     std::vector<double> point;
     std::string boundary;
     double position = std::numeric_limits<double>::quiet_NaN(); ///< of a section [m]
+    std::string volume;                                         ///< name of its region
     Stations<dim> stations;
     Value value = Value::mean;
     std::string region;
@@ -159,6 +162,9 @@ private:
   void read_entries(Probe &probe) const;
   /// Refuses entries that do not go together.
   void check_entries(Probe &probe) const;
+  /// What a probe without stations records, out of all `fields`. Throws InputError.
+  static std::vector<FieldComponent> components(const Probe &probe,
+                                                const std::vector<FieldComponent> &fields);
   void attach_fields(unsigned int probe, Model model);
   void attach_stations(unsigned int probe);
   /// Asks the solver; what it cannot tell is refused as the probe's place.

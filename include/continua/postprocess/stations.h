@@ -15,16 +15,18 @@ namespace Continua
 {
 /**
  * What a user of a tube measures at stations along its axis, the x axis: the entries `Stations`,
- * `Fluid` and `Pair distance` of a probe, and the fields that it then may have. Each is a sum of
- * numbers that the solver can tell:
+ * `Fluid`, `Pair distance` and `Pair` of a probe, and the fields that it then may have. Each is a
+ * sum of numbers that the solver can tell:
  *
  * - `pressure`: mean over the fluid's section [Pa];
  * - `axis pressure`: on the x axis [Pa];
- * - `flow rate`: of the whole tube, also where a part of its circumference is modelled [m^3/s];
+ * - `flow rate`: by the discrete balance of mass (see SectionFlow), of the whole tube, also where a
+ *   part of its circumference is modelled [m^3/s];
+ * - `velocity integral`: of the axial velocity over the section, of the whole tube [m^3/s];
  * - `wall distension`: change of the inner diameter, twice the mean radial displacement of the
  *   inner wall round the rim of the fluid's section [m];
- * - `pressure gradient`: difference between the section means at the station and one pair distance
- *   downstream, over that distance [Pa/m];
+ * - `pressure gradient`: difference between the section means of a pair, one pair distance apart,
+ *   over that distance [Pa/m]; the station is the middle of the pair or its first section;
  * - `wall shear stress`: mean round the rim, on the fluid's side, positive when the fluid drags the
  *   wall downstream [Pa];
  * - `hoop stress`: mean over the section of the wall, which is every region but the fluid [Pa].
@@ -56,6 +58,8 @@ public:
   const std::vector<double> &positions() const { return station_positions; } ///< [m]
   const std::vector<std::string> &fields() const { return field_names; }
   double pair_distance() const { return distance; } ///< [m]
+  /// From a station to the first section of its pair [m]: 0 or less.
+  double pair_offset() const { return pair == Pair::centred ? -0.5 * distance : 0.; }
   /// All columns, by station and field. Integrals are of the part of the circumference that check()
   /// found; of the whole before.
   std::vector<Column> columns() const;
@@ -67,6 +71,12 @@ private:
   std::vector<std::string> field_names;
   std::string fluid = "fluid";
   double distance = 17e-3;
+  enum class Pair
+  {
+    centred,
+    downstream
+  };
+  Pair pair = Pair::centred;
   std::set<unsigned int> fluid_ids, wall_ids;
   double n_copies = 1.; ///< of the modelled part in the whole circumference
 

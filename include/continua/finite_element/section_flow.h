@@ -1,0 +1,80 @@
+#ifndef continua_finite_element_section_flow_h
+#define continua_finite_element_section_flow_h
+
+#include <continua/finite_element/space.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <set>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * The flow rate through a plane section of a liquid, as the discrete equation of mass balance has
+ * it: with a pressure test function q that is 1 upstream of the section and 0 downstream,
+ *
+ *     Q = -integral of v . grad q,
+ *
+ * so that Q is to round-off what enters at the boundaries upstream less what the liquid there
+ * stores by its walls' motion and by its compression. The integral of the velocity over the plane
+ * itself is no such number: Taylor-Hood elements conserve mass in this weak sense only.
+ *
+ * q falls over a few cells about the section. It is a sum of up to four ramps, each as wide as the
+ * longest cell there, nodal interpolants in the pressure space, with factors that make the mean
+ * over the section's surroundings exact for flow rates that are cubic polynomials of the distance
+ * (of a lower degree where the liquid is only a few cells long). Near an end of the liquid the
+ * ramps lie on one side.
+ */
+template <int dim>
+class SectionFlow
+{
+public:
+  /// Of the regions (material ids; empty: all) through the plane; the flow along `normal`, of any
+  /// length, counts as positive.
+  SectionFlow(const Space<dim> &space,
+              const std::set<unsigned int> &regions,
+              const dealii::Point<dim> &point,
+              const dealii::Tensor<1, dim> &normal);
+
+  /// Adds to `weights` what an entry of the velocity contributes [m^2, in the plane m]. False, on
+  /// all ranks, if the plane misses the regions. Collective.
+  bool add_weights(DistributedVector &weights) const;
+
+private:
+  const Space<dim> &space;
+  const std::set<unsigned int> regions;
+  const dealii::Point<dim> point;
+  const dealii::Tensor<1, dim> normal;
+
+  /// The places of the ramps along the normal.
+  struct Ramps
+  {
+    double width = 0.;           ///< [m]
+    std::vector<double> centres; ///< [m]
+    double begin() const { return centres.front() - 0.5 * width; }
+    double end() const { return centres.back() + 0.5 * width; }
+    /// 1 before the ramp, 0 behind it.
+    double value(unsigned int ramp, double distance) const;
+  };
+  /// The distances of a cell's vertices from the plane, the least and the largest [m].
+  std::array<double, 2>
+  range_of(const typename dealii::Triangulation<dim>::cell_iterator &cell) const;
+  bool counts(const typename dealii::Triangulation<dim>::cell_iterator &cell) const;
+  /// No ramps if the plane misses the regions.
+  Ramps ramps() const;
+  /// The factors of the ramps, whose nodal values are given.
+  std::vector<double> factors(const Ramps &ramps,
+                              const std::vector<DistributedVector> &nodal_values) const;
+  /// Calls `add`(cell of the velocity, its values, gradients of the function of the nodal values)
+  /// for every cell of this rank that the ramps touch.
+  template <typename Add>
+  void for_cells(const Ramps &ramps,
+                 const std::vector<DistributedVector> &nodal_values,
+                 const Add &add) const;
+};
+} // namespace Continua
+
+#endif

@@ -1,0 +1,274 @@
+#include <continua/finite_element/section_flow.h>
+#include <continua/mesh/cells_in_tree_order.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/hp/fe_values.h>
+#include <deal.II/lac/lapack_full_matrix.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Continua
+{
+using namespace dealii;
+
+namespace
+{
+/// Four ramps make the mean exact for cubic polynomials.
+constexpr unsigned int most_ramps = 4;
+/// What counts as the same place, relative to the length of the liquid.
+constexpr double tolerance = 1e-9;
+/// Below this part of the largest one a singular value is left out.
+constexpr double least_singular_value = 1e-6;
+
+/// The vector of least length with which `matrix` times it comes closest to `right_hand_side`.
+std::vector<double> least_squares(const FullMatrix<double> &matrix,
+                                  const std::vector<double> &right_hand_side)
+{
+  LAPACKFullMatrix<double> inverse(matrix.m(), matrix.n());
+  inverse = matrix;
+  inverse.compute_inverse_svd(least_singular_value);
+  Vector<double> known(right_hand_side.begin(), right_hand_side.end()), found(matrix.n());
+  inverse.vmult(found, known);
+  return std::vector<double>(found.begin(), found.end());
+}
+} // namespace
+
+template <int dim>
+SectionFlow<dim>::SectionFlow(const Space<dim> &space,
+                              const std::set<unsigned int> &regions,
+                              const Point<dim> &point,
+                              const Tensor<1, dim> &normal)
+    : space(space), regions(regions), point(point), normal(normal / normal.norm())
+{
+}
+
+template <int dim>
+double SectionFlow<dim>::Ramps::value(const unsigned int ramp, const double distance) const
+{
+  return std::max(0., std::min(1., 0.5 - (distance - centres[ramp]) / width));
+}
+
+template <int dim>
+std::array<double, 2>
+SectionFlow<dim>::range_of(const typename Triangulation<dim>::cell_iterator &cell) const
+{
+  std::array<double, 2> range = {
+      {std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()}};
+  for (const unsigned int v : cell->vertex_indices())
+  {
+    const double distance = (cell->vertex(v) - point) * normal;
+    range = {{std::min(range[0], distance), std::max(range[1], distance)}};
+  }
+  return range;
+}
+
+template <int dim>
+bool SectionFlow<dim>::counts(const typename Triangulation<dim>::cell_iterator &cell) const
+{
+  return regions.empty() || regions.count(cell->material_id()) > 0;
+}
+
+template <int dim>
+typename SectionFlow<dim>::Ramps SectionFlow<dim>::ramps() const
+{
+  const auto largest = [this](const double value)
+  { return Utilities::MPI::max(value, space.communicator); };
+  double begin = std::numeric_limits<double>::max(), end = -begin;
+  std::vector<std::array<double, 2>> cells;
+  for (const auto &cell : space.triangulation.active_cell_iterators())
+    if (cell->is_locally_owned() && counts(cell))
+    {
+      cells.push_back(range_of(cell));
+      begin = std::min(begin, cells.back()[0]);
+      end = std::max(end, cells.back()[1]);
+    }
+  begin = -largest(-begin);
+  end = largest(end);
+  const double slack = tolerance * (end - begin);
+  if (!(begin <= slack && end >= -slack))
+    return {};
+
+  // The longest cell that the plane touches, then the longest one that the ramps would.
+  Ramps result;
+  for (double reach = slack; reach < 2. * result.width || result.width == 0.;)
+  {
+    double longest = 0.;
+    for (const auto &range : cells)
+      if (range[0] <= reach && range[1] >= -reach)
+        longest = std::max(longest, range[1] - range[0]);
+    longest = largest(longest);
+    if (longest == 0.)
+      return {};
+    const bool is_last = reach > slack;
+    result.width = longest;
+    reach = 2. * longest;
+    if (is_last)
+      break;
+  }
+  const unsigned int n =
+      std::max(1., std::min<double>(most_ramps, std::floor((end - begin) / result.width + 1e-6)));
+  result.width = std::min(result.width, (end - begin) / n);
+  double first = -0.5 * n * result.width;
+  first = std::min(std::max(first, begin), end - n * result.width);
+  for (unsigned int ramp = 0; ramp < n; ++ramp)
+    result.centres.push_back(first + (ramp + 0.5) * result.width);
+  return result;
+}
+
+template <int dim>
+template <typename Add>
+void SectionFlow<dim>::for_cells(const Ramps &ramps,
+                                 const std::vector<DistributedVector> &nodal_values,
+                                 const Add &add) const
+{
+  const QGauss<dim> quadrature(space.n_quadrature_points());
+  FEValues<dim> velocity(space.mapping, space.velocity_element, quadrature,
+                         update_values | update_quadrature_points | update_JxW_values);
+  hp::FEValues<dim> pressure(space.mappings, space.pressure_elements,
+                             hp::QCollection<dim>(quadrature), update_gradients);
+  std::vector<std::vector<Tensor<1, dim>>> gradients(
+      nodal_values.size(), std::vector<Tensor<1, dim>>(quadrature.size()));
+  for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
+  {
+    if (!cell->is_locally_owned() || !counts(cell))
+      continue;
+    // Curved cells and hanging nodes reach a little farther than the ramps do.
+    const std::array<double, 2> range = range_of(cell);
+    const double margin = range[1] - range[0];
+    if (range[0] > ramps.end() + margin || range[1] < ramps.begin() - margin)
+      continue;
+    velocity.reinit(cell);
+    pressure.reinit(typename DoFHandler<dim>::active_cell_iterator(
+        &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs));
+    const FEValuesExtractors::Scalar component(space.pressure_component(cell->material_id()));
+    for (unsigned int i = 0; i < nodal_values.size(); ++i)
+      pressure.get_present_fe_values()[component].get_function_gradients(nodal_values[i],
+                                                                         gradients[i]);
+    add(cell, velocity, gradients);
+  }
+}
+
+template <int dim>
+std::vector<double>
+SectionFlow<dim>::factors(const Ramps &ramps,
+                          const std::vector<DistributedVector> &nodal_values) const
+{
+  const unsigned int n = ramps.centres.size();
+  const auto distance = [&](const Point<dim> &x) { return (x - point) * normal / ramps.width; };
+  // The mean area over the fall of each ramp, and a line through these areas.
+  std::vector<double> own_areas(n), areas(n);
+  for_cells(ramps, nodal_values,
+            [&](const auto &, const FEValues<dim> &values, const auto &gradients)
+            {
+              for (const unsigned int q : values.quadrature_point_indices())
+                for (unsigned int i = 0; i < n; ++i)
+                  own_areas[i] -= gradients[i][q] * normal * values.JxW(q) *
+                                  space.measure(values.quadrature_point(q));
+            });
+  Utilities::MPI::sum(own_areas, space.communicator, areas);
+  FullMatrix<double> line(n, 2);
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    line(i, 0) = 1.;
+    line(i, 1) = ramps.centres[i] / ramps.width;
+  }
+  const std::vector<double> area = least_squares(line, areas);
+
+  // The means of the powers of the distance, and with them the conditions on the factors.
+  std::vector<double> own_moments(n * n), moments(n * n);
+  for_cells(ramps, nodal_values,
+            [&](const auto &, const FEValues<dim> &values, const auto &gradients)
+            {
+              for (const unsigned int q : values.quadrature_point_indices())
+              {
+                const Point<dim> &x = values.quadrature_point(q);
+                const double s = distance(x);
+                const double share = values.JxW(q) * space.measure(x) / (area[0] + area[1] * s);
+                for (unsigned int i = 0; i < n; ++i)
+                  for (unsigned int k = 1; k < n; ++k)
+                    own_moments[k * n + i] -= share * (gradients[i][q] * normal) * std::pow(s, k);
+              }
+            });
+  Utilities::MPI::sum(own_moments, space.communicator, moments);
+  FullMatrix<double> equations(n, n);
+  std::vector<double> right_hand_side(n, 0.);
+  right_hand_side[0] = 1.;
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    equations(0, i) = 1.;
+    for (unsigned int k = 1; k < n; ++k)
+      equations(k, i) = moments[k * n + i];
+  }
+  std::vector<double> result = least_squares(equations, right_hand_side);
+  // To the last digit, so that the function is 1 upstream.
+  double sum = 0.;
+  for (const double factor : result)
+    sum += factor;
+  for (double &factor : result)
+    factor /= sum;
+  return result;
+}
+
+template <int dim>
+bool SectionFlow<dim>::add_weights(DistributedVector &weights) const
+{
+  const Ramps places = ramps();
+  if (places.centres.empty())
+    return false;
+
+  std::vector<DistributedVector> nodal_values;
+  for (unsigned int ramp = 0; ramp < places.centres.size(); ++ramp)
+  {
+    DistributedVector values = space.pressure_vector();
+    std::vector<types::global_dof_index> indices;
+    for (const auto &cell : space.pressure_dofs.active_cell_iterators())
+    {
+      if (!cell->is_locally_owned() || !counts(cell))
+        continue;
+      const FiniteElement<dim> &element = cell->get_fe();
+      indices.resize(element.n_dofs_per_cell());
+      cell->get_dof_indices(indices);
+      for (unsigned int i = 0; i < indices.size(); ++i)
+        if (space.pressure_owned.is_element(indices[i]))
+        {
+          const Point<dim> node =
+              space.mapping.transform_unit_to_real_cell(cell, element.unit_support_point(i));
+          values(indices[i]) = places.value(ramp, (node - point) * normal);
+        }
+    }
+    values.compress(VectorOperation::insert);
+    nodal_values.push_back(space.ghosted_pressure(values));
+  }
+
+  const std::vector<double> factor = factors(places, nodal_values);
+  std::vector<types::global_dof_index> indices(space.velocity_element.n_dofs_per_cell());
+  for_cells(places, nodal_values,
+            [&](const auto &cell, const FEValues<dim> &values, const auto &gradients)
+            {
+              cell->get_dof_indices(indices);
+              for (unsigned int i = 0; i < indices.size(); ++i)
+              {
+                const unsigned int c = space.velocity_element.system_to_component_index(i).first;
+                double weight = 0.;
+                for (const unsigned int q : values.quadrature_point_indices())
+                {
+                  double slope = 0.;
+                  for (unsigned int ramp = 0; ramp < factor.size(); ++ramp)
+                    slope += factor[ramp] * gradients[ramp][q][c];
+                  weight -= slope * values.shape_value(i, q) * values.JxW(q) *
+                            space.measure(values.quadrature_point(q));
+                }
+                if (weight != 0.)
+                  space.velocity_hanging.distribute_local_to_global(indices[i], weight, weights);
+              }
+            });
+  return true;
+}
+
+template class SectionFlow<2>;
+template class SectionFlow<3>;
+} // namespace Continua
