@@ -31,7 +31,9 @@ void write_dispersion_table(const std::string &file,
     frequencies.push_back(lowest * std::pow(highest_frequency / lowest, i / (n_rows - 1.)));
   // Without any loss families cannot be told apart while they are followed: a millionth of the
   // lowest frequency is taken as growth in time.
-  const DispersionCurves exact(section, 1e-6 * two_pi * frequencies.front(), frequencies);
+  const double shift = 1e-6 * two_pi * frequencies.front();
+  const DispersionCurves exact(section, shift, frequencies);
+  const ExactDispersion dispersion(section);
   const std::vector<ExactDispersion::Family> &families = exact.families();
 
   std::vector<std::string> header = {"frequency [Hz]"};
@@ -57,14 +59,11 @@ void write_dispersion_table(const std::string &file,
       header.push_back(word_of(wave_level_words(), level) + quantity);
 
   TableWriter table(file, header);
-  std::vector<WaveMode> modes, near_modes;
+  std::vector<WaveMode> modes, closed;
   for (unsigned int i = 0; i < n_rows; ++i)
   {
     const double frequency = frequencies[i], omega = two_pi * frequency;
     exact.evaluate(frequency, modes);
-    // The slope of the splines, from both sides inside the table.
-    const double step = (i + 1 < n_rows ? 1e-4 : -1e-4) * frequency;
-    exact.evaluate(frequency + step, near_modes);
     std::vector<double> row = {frequency};
     for (unsigned int m = 0; m < modes.size(); ++m)
     {
@@ -73,7 +72,7 @@ void write_dispersion_table(const std::string &file,
           families[m] == ExactDispersion::axial_wave)
       {
         row.push_back(omega / k.real());
-        row.push_back(two_pi * step / (near_modes[m].wave_number - k).real());
+        row.push_back(dispersion.group_speed({omega, -shift}, k));
       }
       else
         row.push_back(k.real());
@@ -84,8 +83,8 @@ void write_dispersion_table(const std::string &file,
       std::complex<double> k = std::numeric_limits<double>::quiet_NaN();
       try
       {
-        ClosedFormWaves(section, level, 0.).evaluate(frequency, near_modes);
-        k = near_modes[0].wave_number;
+        ClosedFormWaves(section, level, 0.).evaluate(frequency, closed);
+        k = closed[0].wave_number;
       }
       catch (const std::domain_error &)
       {

@@ -6,6 +6,7 @@
 #include <continua/case/measured_waves.h>
 #include <continua/case/tube_wave_case.h>
 #include <continua/postprocess/writing_rank.h>
+#include <continua/signal/beats.h>
 #include <continua/signal/energy_frequency.h>
 #include <continua/theory/korteweg.h>
 #include <continua/vessel/tube_law.h>
@@ -32,17 +33,20 @@ simulated_histories(const StationsProbe &probe,
   return histories;
 }
 
+constexpr unsigned int n_samples_of_load = 4096;
+
 /// What theory says of the fields of the probe.
 Histories theoretical_histories(const StationsProbe &probe,
                                 const TubeWaveTheory &theory,
                                 const std::vector<double> &times)
 {
-  // Each station, and the second one of its pair where that is asked for.
+  // Each station, and the sections of its pair where that is asked for.
   std::vector<double> places = probe.positions;
   if (std::find(probe.fields.begin(), probe.fields.end(), "pressure gradient") !=
       probe.fields.end())
     for (const double position : probe.positions)
-      places.push_back(position + probe.pair_distance);
+      for (const double to_second : {0., probe.pair_distance})
+        places.push_back(position + probe.pair_offset + to_second);
   const std::vector<WaveHistory> waves = theory.histories(places, times);
   const unsigned int n_stations = probe.positions.size();
   Histories histories(n_stations);
@@ -52,15 +56,17 @@ Histories theoretical_histories(const StationsProbe &probe,
       const WaveHistory &wave = waves[s];
       if (field == "pressure gradient")
       {
-        histories[s].push_back(waves[n_stations + s].pressure);
+        const std::vector<double> &first = waves[n_stations + 2 * s].pressure,
+                                  &second = waves[n_stations + 2 * s + 1].pressure;
+        histories[s].emplace_back();
         for (std::size_t i = 0; i < times.size(); ++i)
-          histories[s].back()[i] =
-              (histories[s].back()[i] - wave.pressure[i]) / probe.pair_distance;
+          histories[s].back().push_back((second[i] - first[i]) / probe.pair_distance);
       }
       else
         histories[s].push_back(field == "pressure"            ? wave.pressure
                                : field == "axis pressure"     ? wave.axis_pressure
                                : field == "flow rate"         ? wave.flow_rate
+                               : field == "velocity integral" ? wave.flow_rate
                                : field == "wall distension"   ? wave.wall_distension
                                : field == "wall shear stress" ? wave.wall_shear_stress
                                                               : wave.hoop_stress);
@@ -72,12 +78,20 @@ Histories theoretical_histories(const StationsProbe &probe,
 /// not vary.
 double load_frequency(const std::function<double(double)> &inlet, const double end_time)
 {
-  constexpr unsigned int n_samples = 4096;
   const double frequency =
-      inlet ? energy_frequency(samples_of_whole_pulse(inlet, end_time, n_samples),
-                               end_time / n_samples)
+      inlet ? energy_frequency(samples_of_whole_pulse(inlet, end_time, n_samples_of_load),
+                               end_time / n_samples_of_load)
             : 0.;
   return frequency > 0. ? frequency : 1.;
+}
+
+/// Of the load at the inlet; none if it is not known.
+Beats beats_of(const std::function<double(double)> &inlet, const double end_time)
+{
+  std::vector<double> samples;
+  for (unsigned int i = 0; inlet && i < n_samples_of_load; ++i)
+    samples.push_back(inlet(i * end_time / n_samples_of_load));
+  return find_beats(samples);
 }
 
 /// rho c/A with Korteweg's speed of a thick wall at each station, where the wall's modulus depends
@@ -148,7 +162,21 @@ void LinearWaveTheory<dim>::check_overlay(const Case<dim> &input, ParameterSecti
 template <int dim>
 void LinearWaveTheory<dim>::name_quantities(const Case<dim> &input, QuantityNames &names)
 {
-  const bool simulated = input.analysis.is_transient();
+  name_all(input, false, names);
+}
+
+template <int dim>
+void LinearWaveTheory<dim>::name_quantities_of_comparison(const Case<dim> &input,
+                                                          QuantityNames &names)
+{
+  name_all(input, true, names);
+}
+
+template <int dim>
+void LinearWaveTheory<dim>::name_all(const Case<dim> &input,
+                                     const bool simulated,
+                                     QuantityNames &names)
+{
   TubeWaveCase wave_case;
   const bool has_theory =
       (!simulated || input.wave_theory.overlay) && make_tube_wave_case(input, wave_case).empty();
@@ -239,6 +267,16 @@ void LinearWaveTheory<dim>::report(const std::vector<double> &times, const bool 
       run.log.warning(std::string("no wave theory beside the run: ") + error.what());
     }
   const double frequency = load_frequency(wave_case.inlet, input.time.end_time);
+  const Beats beats = beats_of(wave_case.inlet, input.time.end_time);
+  const double first_beat_ends = input.time.end_time * beats.second_begins / n_samples_of_load;
+  if (beats.number > 1)
+  {
+    std::ostringstream text;
+    text << "The load has " << beats.number
+         << " beats: pulses, speeds and reflections are those of "
+         << "the first one, until t = " << first_beat_ends << " s";
+    run.log.line(text.str());
+  }
   const auto &probes = input.probes.stations();
   for (unsigned int p = 0; p < probes.size(); ++p)
   {
@@ -261,7 +299,10 @@ void LinearWaveTheory<dim>::report(const std::vector<double> &times, const bool 
     const auto measured = input.measured_waves.find(probe.name);
     if (measured != input.measured_waves.end())
       report.set(WaveReport::Source::measured, measured->second.histories(times));
-    report.add_quantities(run.summary);
+    if (beats.number > 1)
+      report.set_end_of_first_beat(first_beat_ends);
+    for (const std::string &note : report.add_quantities(run.summary))
+      run.log.line(note);
     if (run.is_writer)
       report.write(probes.size() == 1 ? run.directory.file("wave.csv")
                                       : run.directory.file_of_case("wave-" + probe.name + ".csv"));

@@ -42,7 +42,7 @@ void Transient<dim>::name_quantities(const Case<dim> &input, QuantityNames &name
 {
   Run<dim>::name_quantities(input, names);
   name_quantities_of_records(input, names);
-  LinearWaveTheory<dim>::name_quantities(input, names);
+  LinearWaveTheory<dim>::name_quantities_of_comparison(input, names);
   names.add("weak divergence at the end");
 }
 
@@ -64,6 +64,9 @@ void Transient<dim>::perform()
   for (const BoundaryCondition &condition : run.input.problem.conditions)
     for (const std::string &warning : condition.table_warnings(run.input.time.end_time))
       run.log.warning(warning);
+  for (const std::string &warning :
+       run.input.problem.interior.table_warnings(run.input.time.end_time))
+    run.log.warning(warning);
   if (run.command_line.restart)
     restart();
   else

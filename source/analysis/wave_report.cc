@@ -26,8 +26,13 @@ bool all_finite(const std::vector<double> &values)
 } // namespace
 
 WaveReport::WaveReport(const WaveStations &stations, const std::vector<double> &times)
-    : stations(stations), times(times)
+    : stations(stations), times(times), n_analysed(times.size())
 {
+}
+
+void WaveReport::set_end_of_first_beat(const double end_time)
+{
+  n_analysed = std::upper_bound(times.begin(), times.end(), end_time) - times.begin();
 }
 
 void WaveReport::set(const Source source, const Histories &histories)
@@ -106,7 +111,30 @@ void WaveReport::write(const std::string &file) const
   table.flush();
 }
 
-std::vector<WaveReport::Pulse> WaveReport::analyse(const Source source, Summary &summary) const
+std::string WaveReport::reason_of_no_speed(const std::vector<unsigned int> &used,
+                                           const std::vector<MissingPulse> &missing) const
+{
+  if (stations.positions.size() < 2)
+    return "a speed needs two stations";
+  std::string reasons;
+  for (const auto &[reason, text] :
+       {std::make_pair(MissingPulse::overlaps, "the pulse overlaps with a reflection at "),
+        std::make_pair(MissingPulse::no_peak,
+                       "the pressure does not rise and fall again in this time at ")})
+  {
+    std::string places;
+    for (std::size_t i = 0; i < used.size(); ++i)
+      if (missing[i] == reason)
+        places +=
+            (places.empty() ? "" : ", ") + shortest_number(stations.positions[used[i]]) + " m";
+    if (!places.empty())
+      reasons += (reasons.empty() ? "" : "; ") + (text + places);
+  }
+  return reasons;
+}
+
+std::vector<WaveReport::Pulse>
+WaveReport::analyse(const Source source, Summary &summary, std::vector<std::string> &notes) const
 {
   const Histories &histories = data(source).histories;
   const int pressure = field("pressure");
@@ -114,7 +142,9 @@ std::vector<WaveReport::Pulse> WaveReport::analyse(const Source source, Summary 
   const int flow_rate = stations.impedances.empty() ? -1 : field("flow rate");
   // Only stations that have the whole record; a measurement need not have all.
   WaveRecord record;
-  record.times = times;
+  record.times.assign(times.begin(), times.begin() + n_analysed);
+  const auto analysed = [this](const std::vector<double> &history)
+  { return std::vector<double>(history.begin(), history.begin() + n_analysed); };
   std::vector<unsigned int> used;
   for (unsigned int s = 0; s < stations.positions.size(); ++s)
     if (all_finite(histories[s][pressure]) &&
@@ -122,18 +152,27 @@ std::vector<WaveReport::Pulse> WaveReport::analyse(const Source source, Summary 
     {
       used.push_back(s);
       record.positions.push_back(stations.positions[s]);
-      record.pressure.push_back(histories[s][pressure]);
+      record.pressure.push_back(analysed(histories[s][pressure]));
       if (flow_rate >= 0 && source != Source::measured)
       {
-        record.flow_rate.push_back(histories[s][flow_rate]);
+        record.flow_rate.push_back(analysed(histories[s][flow_rate]));
         record.characteristic_impedance.push_back(stations.impedances[s]);
       }
     }
   std::vector<Pulse> pulses(stations.positions.size(), {undefined, undefined, undefined, undefined,
                                                         undefined, undefined, undefined});
-  if (used.empty())
+  if (used.empty() || n_analysed < 2)
     return pulses;
   const WaveAnalysis wave = analyse_wave(record);
+  if (!std::isfinite(wave.speed.peak))
+  {
+    std::vector<MissingPulse> missing;
+    for (const StationWave &station : wave.stations)
+      missing.push_back(station.missing);
+    notes.push_back("No " + std::string(prefixes[static_cast<int>(source)]) +
+                    "wave speed at the stations '" + stations.name +
+                    "': " + reason_of_no_speed(used, missing));
+  }
   const std::string prefix = prefixes[static_cast<int>(source)];
   const auto add = [&](const std::string &name, const double value, const std::string &unit,
                        const std::string &probe)
@@ -175,7 +214,7 @@ std::vector<WaveReport::Pulse> WaveReport::analyse(const Source source, Summary 
     if (highest > 0 && highest + 1 < backward.size() &&
         backward[highest] > smallest_reflection * pulse.height)
     {
-      const Vertex vertex = refine_extremum(times, backward, highest);
+      const Vertex vertex = refine_extremum(record.times, backward, highest);
       pulse.reflected_time = vertex.time;
       pulse.reflected_height = vertex.value;
     }
@@ -284,16 +323,18 @@ void WaveReport::name_quantities(const WaveStations &stations,
     compare(" from measurement");
 }
 
-void WaveReport::add_quantities(Summary &summary) const
+std::vector<std::string> WaveReport::add_quantities(Summary &summary) const
 {
+  std::vector<std::string> notes;
   std::vector<std::vector<Pulse>> pulses(3);
   for (const Source source : {Source::simulated, Source::theory, Source::measured})
     if (data(source).present && field("pressure") >= 0)
-      pulses[static_cast<int>(source)] = analyse(source, summary);
+      pulses[static_cast<int>(source)] = analyse(source, summary, notes);
   if (data(Source::simulated).present && data(Source::theory).present)
     compare(Source::simulated, Source::theory, pulses, "", summary);
   if (data(Source::measured).present)
     compare(data(Source::simulated).present ? Source::simulated : Source::theory, Source::measured,
             pulses, " from measurement", summary);
+  return notes;
 }
 } // namespace Continua

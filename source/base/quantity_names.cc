@@ -59,6 +59,11 @@ void QuantityNames::refuse(const ParameterSection &section,
                                  : "Did you mean '" + nearest + "'?");
 }
 
+bool QuantityNames::states(const ExpectedValue &expected) const
+{
+  return expected.probe.empty() ? any_has(expected.name) : has(expected.name, expected.probe);
+}
+
 void QuantityNames::refuse_others(const ParameterSection &section,
                                   const std::string &key,
                                   const std::vector<std::string> &asked) const
@@ -73,7 +78,7 @@ void QuantityNames::refuse_others(const ParameterSection &section,
                                   const std::vector<ExpectedValue> &expected) const
 {
   for (const ExpectedValue &value : expected)
-    if (value.probe.empty() ? !any_has(value.name) : !has(value.name, value.probe))
+    if (!states(value))
       refuse(section, value.key, joined_label(value.probe, value.name));
 }
 } // namespace Continua

@@ -181,6 +181,18 @@ Case<dim>::Case(ParameterFile &file,
   probes.check(*triangulation, field_names<dim>(problem.model), pairs);
   power_laws.name_quantities(quantities);
   analysis.name_quantities(*this, quantities);
+  if (analysis.name_others != nullptr)
+  {
+    QuantityNames others;
+    analysis.name_others(*this, others);
+    const auto left_out =
+        std::stable_partition(expected.begin(), expected.end(),
+                              [&](const ExpectedValue &value)
+                              { return quantities.states(value) || !others.states(value); });
+    for (auto value = left_out; value != expected.end(); ++value)
+      expected_of_others.push_back(value->key);
+    expected.erase(left_out, expected.end());
+  }
   quantities.refuse_others(root.subsection("Expected"), expected);
 }
 

@@ -27,8 +27,6 @@ constexpr double window_after = 2.5;
 constexpr double taper = 0.15;
 /// The part of the largest amplitude that bounds the pulse's bandwidth.
 constexpr double bandwidth_level = 0.1;
-/// A smaller reflection cannot be told from none.
-constexpr double least_reflection = 1e-3;
 
 void check(const WaveRecord &record)
 {
@@ -192,9 +190,7 @@ double reflection(const std::vector<double> &times, const SeparatedWaves &waves)
   // At an end of what is looked at there is no peak.
   if (largest == first || largest + 1 >= times.size())
     return undefined;
-  const double ratio =
-      (refine_extremum(times, waves.backward, largest).value - base) / forward.amplitude;
-  return std::abs(ratio) < least_reflection ? undefined : ratio;
+  return (refine_extremum(times, waves.backward, largest).value - base) / forward.amplitude;
 }
 } // namespace
 
@@ -218,7 +214,7 @@ WaveAnalysis analyse_wave(const WaveRecord &record)
 {
   check(record);
   const std::size_t n = record.positions.size();
-  WaveAnalysis analysis{std::vector<StationWave>(n, {nothing, undefined, undefined, undefined}),
+  WaveAnalysis analysis{std::vector<StationWave>(n, {nothing, undefined, undefined, undefined, {}}),
                         nothing, undefined};
   std::vector<FirstPulse> pulses(n);
   const FirstPulse *previous = nullptr;
@@ -232,7 +228,10 @@ WaveAnalysis analyse_wave(const WaveRecord &record)
     if (overlaps)
       pulse = find_first_pulse({}, {});
     if (!std::isfinite(pulse.peak_time))
+    {
+      analysis.stations[i].missing = overlaps ? MissingPulse::overlaps : MissingPulse::no_peak;
       continue;
+    }
     previous = &pulse;
     analysis.stations[i].arrival = {pulse.peak_time, pulse.half_time, pulse.tangent_foot_time,
                                     undefined};

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -328,10 +329,15 @@ ExactDispersion::Complex ExactDispersion::guess(const Family family, const Compl
   const Complex a0 = -radius * mass;
   const Complex root = std::sqrt(a1 * a1 - 4. * a2 * a0);
   const Complex sum = std::abs(a1 + root) > std::abs(a1 - root) ? a1 + root : a1 - root;
-  const Complex large = -sum / (2. * a2), small = -2. * a0 / sum;
+  const Complex slow = -sum / (2. * a2), fast = -2. * a0 / sum;
+  // Young's wave of an incompressible liquid is slower than the wall's axial wave, but faster where
+  // the wall is stiff and the liquid light (a gas in a pipe of steel).
+  const double square_of_young = std::abs(radius / a),
+               square_of_bar = std::abs(omega * omega * section.wall_density() / young);
+  const bool is_gas = square_of_young < square_of_bar;
   if (family == axial_wave)
-    return downstream(small);
-  return downstream(yielding * large +
+    return downstream(is_gas ? slow : fast);
+  return downstream(yielding * (is_gas ? fast : slow) +
                     omega * omega * density * section.fluid.inverse_bulk_modulus());
 }
 
@@ -374,6 +380,23 @@ bool ExactDispersion::find_root(const Complex &omega,
   }
   wave_number = x[2];
   return f[2] == 0.;
+}
+
+double ExactDispersion::group_speed(const Complex &omega, const Complex &wave_number) const
+{
+  constexpr double part = 1e-4;
+  const double difference = part * omega.real();
+  Complex roots[2];
+  for (const bool above : {false, true})
+  {
+    const double sign = above ? 1. : -1.;
+    // The phase speed hardly changes.
+    const Complex start = wave_number * (1. + sign * part);
+    if (!find_root(omega + sign * difference, start, roots[above]) ||
+        std::abs(roots[above] - start) > 10. * part * std::abs(start))
+      return std::numeric_limits<double>::quiet_NaN();
+  }
+  return 2. * difference / (roots[1] - roots[0]).real();
 }
 
 WaveMode

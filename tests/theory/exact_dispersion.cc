@@ -474,6 +474,50 @@ void rigid_tube()
         guessed(tube(radius, water, {}, {}), 200.), 1e-7);
 }
 
+/// A gas in a pipe of steel, where the wall's axial wave is the faster one.
+void gas_in_a_stiff_pipe()
+{
+  const Material air = liquid(1.2, 1.8e-5, 1. / 142e3);
+  const TubeSection pipe = tube(5e-3, air, {1e-3}, {solid(7800., 200e9, 0.3)});
+  for (const double frequency : {2., 2000.})
+  {
+    const std::string name = "gas at " + std::to_string(frequency) + " Hz, ";
+    const double omega = 2. * pi * frequency;
+    // The steel gives way by K 2 R/(Y h) = 7e-6 of the gas's own compression.
+    close(name + "as in a rigid pipe", guessed(pipe, omega),
+          guessed(tube(5e-3, air, {}, {}), omega), 5e-6);
+    // The gas that the wall drags along has 4e-4 of its mass.
+    close(name + "bar", guessed(pipe, omega, ExactDispersion::axial_wave).real(),
+          omega * std::sqrt(7800. / 200e9), 1e-4);
+  }
+}
+
+void group_speeds()
+{
+  const TubeSection inviscid = tube(1e-3, liquid(998., 0., 1. / 2.2e9), {}, {});
+  const double k = 2. * pi * 1000. * std::sqrt(998. / 2.2e9);
+  check::relative("group speed of sound", ExactDispersion(inviscid).group_speed(2. * pi * 1000., k),
+                  std::sqrt(2.2e9 / 998.), 1e-6);
+  // Near the ring frequency of a wall the group is much slower than the phase. Differences of
+  // fourth order over one per cent of the frequency.
+  const TubeSection thin = tube(12.5e-3, water, {0.1e-3}, {solid(880., 1.72e6, 0.49)});
+  const ExactDispersion exact(thin);
+  const double omega = 2. * pi * 150., step = 0.01 * omega;
+  Complex centre = 0.;
+  check::is_true(
+      "root", exact.find_root(omega, exact.guess(ExactDispersion::pressure_wave, omega), centre));
+  const auto k_at = [&](const double steps)
+  {
+    Complex result = 0.;
+    exact.find_root(omega + steps * step, centre * (1. + 0.01 * steps), result);
+    return result.real();
+  };
+  const double slope = (8. * (k_at(1.) - k_at(-1.)) - (k_at(2.) - k_at(-2.))) / (12. * step);
+  const double group = exact.group_speed(omega, centre);
+  check::relative("group speed in a thin tube", group, 1. / slope, 1e-5);
+  check::is_true("slower than the phase", group < 0.9 * omega / centre.real());
+}
+
 void wall_alone()
 {
   // Next to no liquid: waves of the shell. Membrane, about the middle radius: k^2 = m (m -
@@ -595,6 +639,8 @@ UNIT_TEST(exact_dispersion)
   korteweg();
   tube_in_three_dimensions();
   rigid_tube();
+  gas_in_a_stiff_pipe();
+  group_speeds();
   wall_alone();
   one_continuum();
   balances();

@@ -52,8 +52,10 @@ AnalysisRow row_of_case(const std::string &name,
           description,
           sections,
           make,
-          {name, motion, has_fields, has_checkpoints, &Type<2>::check, &Type<2>::name_quantities},
-          {name, motion, has_fields, has_checkpoints, &Type<3>::check, &Type<3>::name_quantities}};
+          {name, motion, has_fields, has_checkpoints, &Type<2>::check, &Type<2>::name_quantities,
+           nullptr},
+          {name, motion, has_fields, has_checkpoints, &Type<3>::check, &Type<3>::name_quantities,
+           nullptr}};
 }
 } // namespace Continua
 

@@ -29,12 +29,15 @@ public:
   static void check(const Case<dim> &input, ParameterSection root);
   /// The same for theory beside a run. Throws InputError.
   static void check_overlay(const Case<dim> &input, ParameterSection root);
-  /// Of the analysis, and of compare().
+  /// Of the analysis.
   static void name_quantities(const Case<dim> &input, QuantityNames &names);
+  /// Of compare().
+  static void name_quantities_of_comparison(const Case<dim> &input, QuantityNames &names);
 
 private:
   Run<dim> &run;
 
+  static void name_all(const Case<dim> &input, bool simulated, QuantityNames &names);
   void report(const std::vector<double> &times, bool simulated);
   /// Says how theory was computed, and tabulates its dispersion.
   void describe(const TubeWaveTheory &theory, const TubeWaveCase &wave_case);

@@ -2,6 +2,7 @@
 #define continua_analysis_wave_report_h
 
 #include <continua/base/summary.h>
+#include <continua/signal/wave_analysis.h>
 
 #include <set>
 #include <string>
@@ -63,7 +64,11 @@ public:
    * difference of reflected pulse time`, `... height`; with "from measurement" added for the
    * latter.
    */
-  void add_quantities(Summary &summary) const;
+  /// Returns what the user should know: why there is no wave speed.
+  std::vector<std::string> add_quantities(Summary &summary) const;
+  /// Pulses, speeds and reflections are those until this time [s] only: the first one of several
+  /// beats. The table has all times.
+  void set_end_of_first_beat(double end_time);
   /// The names of what add_quantities() adds when the `sources` are there.
   static void name_quantities(const WaveStations &stations,
                               const std::set<Source> &sources,
@@ -83,11 +88,16 @@ private:
   WaveStations stations;
   std::vector<double> times;
   Data sources[3];
+  std::size_t n_analysed; ///< times, in which pulses are looked for
 
   const Data &data(Source source) const { return sources[static_cast<int>(source)]; }
   int field(const std::string &name) const;
   std::string station_name(unsigned int station) const;
-  std::vector<Pulse> analyse(Source source, Summary &summary) const;
+  std::vector<Pulse>
+  analyse(Source source, Summary &summary, std::vector<std::string> &notes) const;
+  /// Why there is no speed, by what the stations `used` say.
+  std::string reason_of_no_speed(const std::vector<unsigned int> &used,
+                                 const std::vector<MissingPulse> &missing) const;
   void compare(Source a,
                Source b,
                const std::vector<std::vector<Pulse>> &pulses,

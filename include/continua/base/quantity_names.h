@@ -28,6 +28,8 @@ public:
   bool has(const std::string &name, const std::string &probe) const;
   /// Whether any probe, or the run as a whole, has the quantity.
   bool any_has(const std::string &name) const;
+  /// Whether there is the quantity of which something is expected.
+  bool states(const ExpectedValue &expected) const;
   /// "PROBE: NAME", or "NAME" of the run as a whole; sorted.
   std::vector<std::string> labels() const;
 

@@ -33,6 +33,9 @@ struct AnalysisTraits
   void (*check)(const Case<dim> &input, ParameterSection root) = nullptr;
   /// Adds the names of the quantities that the analysis can state.
   void (*name_quantities)(const Case<dim> &input, QuantityNames &names) = nullptr;
+  /// Adds the names that another analysis of the same file can state, and this one cannot: what
+  /// Expected says of them is left out. Null: there are none.
+  void (*name_others)(const Case<dim> &input, QuantityNames &names) = nullptr;
 
   /// Whether fields are computed step by step.
   bool is_transient() const { return motion == Motion::in_time && has_fields; }

@@ -106,6 +106,8 @@ struct Case
   WaveTheoryParameters wave_theory;
   OutputParameters output;
   std::vector<ExpectedValue> expected;
+  /// The lines of Expected that another analysis of the file can have, and this one cannot.
+  std::vector<std::string> expected_of_others;
   QuantityNames quantities; ///< that the analysis can state
   ErrorNorms<dim> error_norms;
   Probes<dim> probes;

@@ -26,6 +26,14 @@ struct ByArrival
   double phase;        ///< by the phase of the cross-spectrum with the first station
 };
 
+/// Why a station has no first pulse.
+enum class MissingPulse
+{
+  none,     ///< it has one
+  no_peak,  ///< the pressure does not rise and fall again
+  overlaps, ///< the pulse overlaps with a reflection, here or at a station before
+};
+
 /// The first pulse at one station, and the reflection that follows.
 struct StationWave
 {
@@ -34,8 +42,9 @@ struct StationWave
   double level;     ///< before the pulse, above the first sample [Pa]
   /// The largest backward wave from the half-height of the forward pulse on, with its sign, over
   /// the peak of the forward pulse; it contains the loss on the way to the end and back. NaN if it
-  /// is less than a thousandth, or still rises when the record ends.
+  /// still rises when the record ends.
   double reflection_coefficient;
+  MissingPulse missing = MissingPulse::none;
 };
 
 /**

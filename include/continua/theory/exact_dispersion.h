@@ -55,6 +55,10 @@ public:
   /// The root near `start` [1/m]; false if the iteration (Muller's) does not converge.
   bool find_root(const Complex &omega, const Complex &start, Complex &wave_number) const;
 
+  /// d omega/d Re k [m/s] along the curve of a root: the difference of the roots beside it, at
+  /// angular frequencies that differ by a part of 1e-4; NaN if one is not found.
+  double group_speed(const Complex &omega, const Complex &wave_number) const;
+
   /// The determinant, up to a factor without zeros, certain to 32 bits.
   Ball determinant(const Complex &omega, const Complex &wave_number) const;
 
