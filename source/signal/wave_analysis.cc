@@ -27,6 +27,8 @@ constexpr double window_after = 2.5;
 constexpr double taper = 0.15;
 /// The part of the largest amplitude that bounds the pulse's bandwidth.
 constexpr double bandwidth_level = 0.1;
+/// A smaller reflection is the round-off of a wave that meets none.
+constexpr double least_reflection = 1e-6;
 
 void check(const WaveRecord &record)
 {
@@ -190,7 +192,9 @@ double reflection(const std::vector<double> &times, const SeparatedWaves &waves)
   // At an end of what is looked at there is no peak.
   if (largest == first || largest + 1 >= times.size())
     return undefined;
-  return (refine_extremum(times, waves.backward, largest).value - base) / forward.amplitude;
+  const double ratio =
+      (refine_extremum(times, waves.backward, largest).value - base) / forward.amplitude;
+  return std::abs(ratio) < least_reflection ? undefined : ratio;
 }
 } // namespace
 

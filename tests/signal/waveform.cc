@@ -1,5 +1,5 @@
-// Vectors from tables and pulses, with and without a prefix; a table that ends before the run: what is
-// said of it, and when nothing is.
+// Vectors from tables and pulses, with and without a prefix; a table that ends before the run: what
+// is said of it, and when nothing is.
 
 #include <continua/base/parameter_file.h>
 #include <continua/signal/waveform.h>

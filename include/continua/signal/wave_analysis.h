@@ -42,7 +42,7 @@ struct StationWave
   double level;     ///< before the pulse, above the first sample [Pa]
   /// The largest backward wave from the half-height of the forward pulse on, with its sign, over
   /// the peak of the forward pulse; it contains the loss on the way to the end and back. NaN if it
-  /// still rises when the record ends.
+  /// is less than a millionth, or still rises when the record ends.
   double reflection_coefficient;
   MissingPulse missing = MissingPulse::none;
 };
