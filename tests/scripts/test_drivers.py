@@ -137,6 +137,13 @@ class Drivers(unittest.TestCase):
         self.assert_fails("ledger", LEDGER + "set Misbehave = balance\n", "not balanced in its middle")
         self.assert_fails("ledger", LEDGER.replace("0.3", "0.4"), "wall turns 0.333 of the work into heat")
 
+    def test_balance(self):
+        case = "# term: 1 * tip: displacement y\n# term: -{} * tip: {}\n# tolerance: 1e-3\nset Cells = 4\n"
+        self.assert_passes("balance", case.format("1.0009", "displacement y"))
+        self.assert_fails("balance", case.format("1.0011", "displacement y"), "the terms do not cancel")
+        self.assert_fails("balance", case.format("1", "pressure"), "no column 'tip: pressure'")
+        self.assert_fails("balance", case.format("0", "displacement y"), "a term is zero at all times")
+
     def verify(self, files, *options, calls=1):
         """The last of some calls with the same files and the same folder for results."""
         with tempfile.TemporaryDirectory() as folder:
