@@ -47,6 +47,9 @@ UNIT_TEST(beats)
   const Beats notch =
       of([](const double t) { return pulse(t, 0.) + 0.5 * pulse(t, 0.07) + pulse(t, 0.5); });
   check::is_true("a notch is none", notch.number == 2);
+  const Beats noise =
+      of([](const double t) { return t > 0.2 ? 1. : 5. * t + 0.1 * std::sin(1000. * t); });
+  check::is_true("noise is none", noise.number == 1);
   check::is_true("a step", of([](const double t) { return t < 0.1 ? 0. : 1.; }).number == 1);
   check::is_true("at the start", of([](const double t) { return t < 0.1 ? 1. : 0.; }).number == 1);
   check::is_true("no load", of([](double) { return 3.; }).number == 0);

@@ -486,6 +486,14 @@ void gas_in_a_stiff_pipe()
     // The steel gives way by K 2 R/(Y h) = 7e-6 of the gas's own compression.
     close(name + "as in a rigid pipe", guessed(pipe, omega),
           guessed(tube(5e-3, air, {}, {}), omega), 5e-6);
+    // Whoever follows a wave takes the root next to its guess.
+    for (const auto family : {ExactDispersion::pressure_wave, ExactDispersion::axial_wave})
+    {
+      const Complex root_there = guessed(pipe, omega, family);
+      check::is_true(name + "guess " + std::to_string(family),
+                     std::abs(ExactDispersion(pipe).guess(family, omega) - root_there) <
+                         0.1 * std::abs(root_there));
+    }
     // The gas that the wall drags along has 4e-4 of its mass.
     close(name + "bar", guessed(pipe, omega, ExactDispersion::axial_wave).real(),
           omega * std::sqrt(7800. / 200e9), 1e-4);
