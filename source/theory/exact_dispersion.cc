@@ -337,8 +337,9 @@ ExactDispersion::Complex ExactDispersion::guess(const Family family, const Compl
   const bool is_gas = square_of_young < square_of_bar;
   if (family == axial_wave)
     return downstream(is_gas ? slow : fast);
-  return downstream(yielding * (is_gas ? fast : slow) +
-                    omega * omega * density * section.fluid.inverse_bulk_modulus());
+  const Complex sound = omega * omega * density * section.fluid.inverse_bulk_modulus();
+  // In a gas compression is what the wave lives on, and friction slows it as in a rigid pipe.
+  return downstream(is_gas ? yielding * fast + sound / (1. - f10) : yielding * slow + sound);
 }
 
 bool ExactDispersion::find_root(const Complex &omega,
