@@ -179,7 +179,8 @@ SectionFlow<dim>::factors(const Ramps &ramps,
   const std::vector<double> area = least_squares(line, areas);
 
   // The means of the powers of the distance, and with them the conditions on the factors.
-  std::vector<double> own_moments(n * n), moments(n * n);
+  const std::size_t n_moments = static_cast<std::size_t>(n) * n;
+  std::vector<double> own_moments(n_moments), moments(n_moments);
   for_cells(ramps, nodal_values,
             [&](const auto &, const FEValues<dim> &values, const auto &gradients)
             {
