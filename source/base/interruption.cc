@@ -54,6 +54,7 @@ void handle(const int signal)
     std::raise(signal);
   }
 }
+
 /// Blocks or unblocks the signals that never end the program.
 void mask_others(const int how)
 {

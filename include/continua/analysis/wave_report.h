@@ -62,9 +62,8 @@ public:
    * `largest difference of FIELD` (relative to the largest value of the field), and relative, over
    * the stations that have both, `largest difference of first pulse time`, `... height`, `largest
    * difference of reflected pulse time`, `... height`; with "from measurement" added for the
-   * latter.
+   * latter. Returns what the user should know: why there is no wave speed.
    */
-  /// Returns what the user should know: why there is no wave speed.
   std::vector<std::string> add_quantities(Summary &summary) const;
   /// Pulses, speeds and reflections are those until this time [s] only: the first one of several
   /// beats. The table has all times.
@@ -88,7 +87,8 @@ private:
   WaveStations stations;
   std::vector<double> times;
   Data sources[3];
-  std::size_t n_analysed; ///< times, in which pulses are looked for
+  std::size_t
+      n_analysed; ///< number of the times, from the first on, in which pulses are looked for
 
   const Data &data(Source source) const { return sources[static_cast<int>(source)]; }
   int field(const std::string &name) const;
