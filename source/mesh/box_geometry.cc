@@ -1,10 +1,9 @@
+#include <continua/base/angle_entry.h>
 #include <continua/mesh/box_geometry.h>
 #include <continua/mesh/grading.h>
 #include <continua/mesh/list_entries.h>
 #include <continua/mesh/structured_extent.h>
 #include <continua/mesh/structured_mesh.h>
-
-#include <deal.II/base/numbers.h>
 
 #include <cmath>
 
@@ -28,8 +27,8 @@ typename BoxGeometry<dim>::Parameters BoxGeometry<dim>::Parameters::read(Paramet
     geometry.refuse("Origin", "y is the radius in axisymmetry and cannot be negative",
                     "Give a second number that is zero or positive");
 
-  geometry.add("Rotation", parameters.rotation, Dimensions::none,
-               "Angle by which the box is turned about the point (0, 0), from x to y [degrees]");
+  add_angle(geometry, "Rotation", parameters.rotation,
+            "Angle by which the box is turned about the point (0, 0), from x to y");
   if (axisymmetric && parameters.rotation != 0.)
     geometry.refuse("Rotation", "a box cannot be turned in axisymmetry, where x is the axis",
                     "Leave the entry out or choose another Model");
@@ -79,9 +78,8 @@ void BoxGeometry<dim>::create(dealii::Triangulation<dim> &triangulation) const
     append_graded_cells(points[d], parameters.origin[d] + parameters.size[d], parameters.cells[d],
                         parameters.grading[d]);
   }
-  const double angle = parameters.rotation * dealii::numbers::PI / 180.;
-  const double cosine = std::cos(angle);
-  const double sine = std::sin(angle);
+  const double cosine = std::cos(parameters.rotation);
+  const double sine = std::sin(parameters.rotation);
   StructuredMesh<dim>(points).create(
       triangulation, [](const auto &) { return 0u; },
       [](const auto &, const unsigned int face) { return face; },

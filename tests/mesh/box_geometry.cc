@@ -39,7 +39,7 @@ UNIT_TEST(box_geometry)
   check::is_true("grading by its entries", given.grading == std::vector<double>({0.5, 3.}));
   check::is_true("origin", (box.mesh.get_vertices()[0] - dealii::Point<2>(-1., 2.)).norm() < 1e-14);
 
-  plane.rotation = 30.;
+  plane.rotation = M_PI / 6.;
   const measures::Measures<2> turned(BoxGeometry<2>(plane, false));
   check::relative("turned: area", turned.region("body"), 100., 1e-13);
   check::relative("turned: right", turned.boundary("right"), 5., 1e-13);
@@ -61,7 +61,7 @@ UNIT_TEST(box_geometry)
   BoxGeometry<3>::Parameters space;
   space.size = {2., 3., 5.};
   space.cells = {2, 1, 4};
-  space.rotation = 90.;
+  space.rotation = 0.5 * M_PI;
   const measures::Measures<3> cuboid(BoxGeometry<3>(space, false));
   check::absolute("cuboid: cells", cuboid.mesh.n_cells(), 8., 0.);
   check::relative("cuboid: volume", cuboid.region("body"), 30., 1e-13);

@@ -21,7 +21,7 @@ public:
     std::vector<double> size = std::vector<double>(dim, 1.); ///< [m]
     std::vector<double> origin =
         std::vector<double>(dim, 0.); ///< the corner with the lowest coordinates [m]
-    double rotation = 0.; ///< about the origin of the coordinates, from x to y [degrees]
+    double rotation = 0.;             ///< about the origin of the coordinates, from x to y [rad]
     std::vector<unsigned int> cells = std::vector<unsigned int>(dim, 10);
     std::vector<double> grading = std::vector<double>(dim, 1.); ///< last cell over first cell
 
