@@ -38,6 +38,7 @@ constexpr unsigned int n_samples_of_load = 4096;
 /// What theory says of the fields of the probe.
 Histories theoretical_histories(const StationsProbe &probe,
                                 const TubeWaveTheory &theory,
+                                const TubeWaveCase &wave_case,
                                 const std::vector<double> &times)
 {
   // Each station, and the sections of its pair where that is asked for.
@@ -47,7 +48,13 @@ Histories theoretical_histories(const StationsProbe &probe,
     for (const double position : probe.positions)
       for (const double to_second : {0., probe.pair_distance})
         places.push_back(position + probe.pair_offset + to_second);
-  const std::vector<WaveHistory> waves = theory.histories(places, times);
+  for (double &place : places)
+    place = wave_case.place(place);
+  std::vector<WaveHistory> waves = theory.histories(places, times);
+  for (WaveHistory &wave : waves)
+    for (std::vector<double> *const directed : {&wave.flow_rate, &wave.wall_shear_stress})
+      for (double &value : *directed)
+        value *= wave_case.direction();
   const unsigned int n_stations = probe.positions.size();
   Histories histories(n_stations);
   for (unsigned int s = 0; s < n_stations; ++s)
@@ -98,14 +105,15 @@ Beats beats_of(const std::function<double(double)> &inlet, const double end_time
 /// on frequency that at `frequency` [Hz]; empty where there is no tube.
 template <int dim>
 std::vector<double>
-impedances_of(const Case<dim> &input, const std::vector<double> &positions, const double frequency)
+impedances_of(const Case<dim> &input, const StationsProbe &probe, const double frequency)
 {
   std::vector<double> impedances;
-  if (input.geometry->tube_law() == nullptr)
+  const std::vector<VesselBranch<dim>> branches = input.geometry->branches();
+  if (branches.empty())
     return impedances;
-  for (const double position : positions)
+  for (const double position : probe.positions)
   {
-    const TubeSection section = tube_section_at(input, position);
+    const TubeSection section = tube_section_at(input, branches[probe.branch].law, position);
     const std::complex<double> omega = 2. * dealii::numbers::PI * frequency;
     const LongWaveTube tube{section.inner_radius, section.wall_thickness(),
                             section.poisson_ratio(omega).real(), section.fluid.density,
@@ -190,12 +198,13 @@ void LinearWaveTheory<dim>::name_all(const Case<dim> &input,
     if (input.measured_waves.count(probe.name) > 0)
       sources.insert(WaveReport::Source::measured);
     // Of the impedances only their presence counts here.
-    const bool is_tube = input.geometry->tube_law() != nullptr;
+    const bool is_tube = !input.geometry->branches().empty();
     const WaveStations stations{probe.name,
                                 probe.positions,
                                 probe.fields,
                                 {},
-                                std::vector<double>(is_tube ? probe.positions.size() : 0, 1.)};
+                                std::vector<double>(is_tube ? probe.positions.size() : 0, 1.),
+                                1.};
     WaveReport::name_quantities(stations, sources, names);
   }
 }
@@ -249,7 +258,7 @@ void LinearWaveTheory<dim>::report(const std::vector<double> &times, const bool 
                                   input.wave_theory.spectral_tolerance);
       for (const StationsProbe &probe : input.probes.stations())
       {
-        theoretical.push_back(theoretical_histories(probe, theory, times));
+        theoretical.push_back(theoretical_histories(probe, theory, wave_case, times));
         // Beside a run only one rank comes here.
         if (!simulated)
           SignalWatch::stop_if_asked(input.communicator, "after the waves at the probe '" +
@@ -281,11 +290,8 @@ void LinearWaveTheory<dim>::report(const std::vector<double> &times, const bool 
   for (unsigned int p = 0; p < probes.size(); ++p)
   {
     const StationsProbe &probe = probes[p];
-    WaveStations stations{probe.name,
-                          probe.positions,
-                          probe.fields,
-                          {},
-                          impedances_of(input, probe.positions, frequency)};
+    WaveStations stations{
+        probe.name, probe.positions, probe.fields, {}, impedances_of(input, probe, frequency)};
     for (const std::string &field : probe.fields)
       stations.units.push_back(dimension_of_station_field(field).unit());
     WaveReport report(stations, times);

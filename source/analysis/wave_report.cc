@@ -143,19 +143,29 @@ WaveReport::analyse(const Source source, Summary &summary, std::vector<std::stri
   // Only stations that have the whole record; a measurement need not have all.
   WaveRecord record;
   record.times.assign(times.begin(), times.begin() + n_analysed);
-  const auto analysed = [this](const std::vector<double> &history)
-  { return std::vector<double>(history.begin(), history.begin() + n_analysed); };
-  std::vector<unsigned int> used;
+  const auto analysed = [this](const std::vector<double> &history, const double sign)
+  {
+    std::vector<double> result(history.begin(), history.begin() + n_analysed);
+    for (double &value : result)
+      value *= sign;
+    return result;
+  };
+  std::vector<unsigned int> order; // in which the pulse passes
   for (unsigned int s = 0; s < stations.positions.size(); ++s)
+    order.push_back(s);
+  if (stations.direction < 0.)
+    std::reverse(order.begin(), order.end());
+  std::vector<unsigned int> used;
+  for (const unsigned int s : order)
     if (all_finite(histories[s][pressure]) &&
         (flow_rate < 0 || source == Source::measured || all_finite(histories[s][flow_rate])))
     {
       used.push_back(s);
-      record.positions.push_back(stations.positions[s]);
-      record.pressure.push_back(analysed(histories[s][pressure]));
+      record.positions.push_back(stations.direction * stations.positions[s]);
+      record.pressure.push_back(analysed(histories[s][pressure], 1.));
       if (flow_rate >= 0 && source != Source::measured)
       {
-        record.flow_rate.push_back(analysed(histories[s][flow_rate]));
+        record.flow_rate.push_back(analysed(histories[s][flow_rate], stations.direction));
         record.characteristic_impedance.push_back(stations.impedances[s]);
       }
     }

@@ -27,6 +27,13 @@ bool is_fixed(const BoundaryPart &part)
   return part.kind == BoundaryPart::Kind::velocity && part.is_zero();
 }
 
+/// A pressure or a flow rate that is not zero.
+bool is_loaded(const BoundaryCondition &condition)
+{
+  return (condition.type == BoundaryType::flow_rate || condition.type == BoundaryType::pressure) &&
+         !condition.normal.along_normal.is_zero();
+}
+
 bool is_free(const BoundaryPart &part)
 {
   return part.kind == BoundaryPart::Kind::traction && part.is_zero();
@@ -76,9 +83,8 @@ std::string read_wall_end(const Case<dim> &input, const std::string &boundary, W
 } // namespace
 
 template <int dim>
-TubeSection tube_section_at(const Case<dim> &input, const double z)
+TubeSection tube_section_at(const Case<dim> &input, const TubeLaw &law, const double z)
 {
-  const TubeLaw &law = *input.geometry->tube_law();
   TubeSection section;
   section.inner_radius = 0.5 * law.inner_diameter(z);
   section.fluid = input.problem.materials[0];
@@ -96,10 +102,13 @@ TubeSection tube_section_at(const Case<dim> &input, const double z)
 template <int dim>
 std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case)
 {
-  const TubeLaw *law = input.geometry->tube_law();
-  if (law == nullptr)
+  const std::vector<VesselBranch<dim>> branches = input.geometry->branches();
+  if (branches.empty())
     return "the geometry is no 'tube'";
-  if (input.problem.regions.size() != law->layer_fractions().size() + 1)
+  if (branches.size() > 1)
+    return "the vessel divides";
+  const TubeLaw &law = branches.front().law;
+  if (input.problem.regions.size() != law.layer_fractions().size() + 1)
     return "the tube has painted regions";
   if (input.problem.materials[0].is_solid())
     return "the tube is not full of liquid";
@@ -114,21 +123,28 @@ std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case)
   problem.level = input.wave_theory.level;
   // A table may vary more than a law does.
   problem.n_computed_sections =
-      std::max(input.wave_theory.computed_sections, law->name() == "table" ? 16u : 0u);
+      std::max(input.wave_theory.computed_sections, law.name() == "table" ? 16u : 0u);
   const BoundaryCondition *inlet = find_condition(input, "inlet", 0);
   const BoundaryCondition *outlet = find_condition(input, "outlet", 0);
   if (inlet == nullptr || outlet == nullptr)
     return "the mesh has no 'inlet' or 'outlet'";
+  if (is_loaded(*inlet) && is_loaded(*outlet))
+    return "both ends are loaded";
+  wave_case.from_outlet = is_loaded(*outlet);
+  if (wave_case.from_outlet)
+    std::swap(inlet, outlet);
+  const std::string end = wave_case.from_outlet ? "outlet" : "inlet",
+                    far_end = wave_case.from_outlet ? "inlet" : "outlet";
   const Waveform waveform = inlet->normal.along_normal;
   if (inlet->type == BoundaryType::flow_rate)
     problem.inlet = TubeWaveProblem::Inlet::flow_rate;
   else if (inlet->type == BoundaryType::pressure)
     problem.inlet = TubeWaveProblem::Inlet::pressure;
   else
-    return "the inlet's Type is '" + word_of(boundary_type_words(), inlet->type) +
+    return "the " + end + "'s Type is '" + word_of(boundary_type_words(), inlet->type) +
            "', not pressure or flow rate";
   if (waveform.depends_on_space())
-    return "the inlet's value depends on the place";
+    return "the " + end + "'s value depends on the place";
   wave_case.inlet = [waveform](const double time) { return waveform(middle_of_inlet, time); };
 
   if (input.wave_theory.far_end == FarEnd::matched)
@@ -144,7 +160,7 @@ std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case)
   else if (outlet->outlet)
   {
     if (!outlet->outlet->pressure_behind.is_zero() || !outlet->outlet->initial_states.empty())
-      return "the pressure behind the outlet or in it is not zero at the start";
+      return "the pressure behind the " + far_end + " or in it is not zero at the start";
     problem.outlet = TubeWaveProblem::Outlet::loaded;
     problem.load = outlet->outlet->impedance;
   }
@@ -153,33 +169,35 @@ std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case)
   else if (is_free(outlet->normal))
     problem.outlet = TubeWaveProblem::Outlet::open;
   else
-    return "the outlet is neither closed (fixed) nor open (free, or no pressure)";
+    return "the " + far_end + " is neither closed (fixed) nor open (free, or no pressure)";
   for (const std::string &problem_of_end :
-       {read_wall_end(input, "wall inlet end", problem.wall_inlet_end),
-        read_wall_end(input, "wall outlet end", problem.wall_outlet_end)})
+       {read_wall_end(input, "wall " + end + " end", problem.wall_inlet_end),
+        read_wall_end(input, "wall " + far_end + " end", problem.wall_outlet_end)})
     if (!problem_of_end.empty())
       return problem_of_end;
   if (problem.wall_inlet_end == WallEnd::absorbing)
-    return "the wall's end at the inlet absorbs, but not the liquid's";
+    return "the wall's end at the " + end + " absorbs, but not the liquid's";
   if (problem.wall_outlet_end == WallEnd::absorbing &&
       problem.outlet != TubeWaveProblem::Outlet::absorbing)
-    return "the wall's end at the outlet absorbs, but not the liquid's";
+    return "the wall's end at the " + far_end + " absorbs, but not the liquid's";
   const BoundaryCondition *outside =
       find_condition(input, "outside", input.problem.regions.size() - 1);
   if (outside == nullptr || !is_free(outside->normal) ||
       !(is_free(outside->tangential) || is_fixed(outside->tangential)))
     return "the outside is neither free nor only held axially";
 
-  const unsigned int n_segments = law->is_uniform() ? 1 : input.wave_theory.segments;
-  const double length = law->length() / n_segments;
+  const unsigned int n_segments = law.is_uniform() ? 1 : input.wave_theory.segments;
+  const double length = law.length() / n_segments;
   problem.segments.clear();
   for (unsigned int i = 0; i < n_segments; ++i)
-    problem.segments.push_back({length, tube_section_at(input, (i + 0.5) * length)});
+    problem.segments.push_back({length, tube_section_at(input, law, (i + 0.5) * length)});
+  if (wave_case.from_outlet)
+    std::reverse(problem.segments.begin(), problem.segments.end());
   return "";
 }
 
-template TubeSection tube_section_at(const Case<2> &, double);
-template TubeSection tube_section_at(const Case<3> &, double);
+template TubeSection tube_section_at(const Case<2> &, const TubeLaw &, double);
+template TubeSection tube_section_at(const Case<3> &, const TubeLaw &, double);
 template std::string make_tube_wave_case(const Case<2> &, TubeWaveCase &);
 template std::string make_tube_wave_case(const Case<3> &, TubeWaveCase &);
 } // namespace Continua

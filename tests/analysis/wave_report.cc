@@ -107,6 +107,24 @@ UNIT_TEST(wave_report)
       "no measured flow rate",
       std::isnan(find(summary, "largest difference of flow rate from measurement", "tube")));
 
+  // The same pulse from the other end: at z it is what was at 1 m - z, and the flow is negative.
+  WaveStations turned = stations;
+  turned.positions = {0.5, 0.7, 0.9};
+  turned.direction = -1.;
+  WaveReport::Histories mirrored = {simulated[2], simulated[1], simulated[0]};
+  for (auto &station : mirrored)
+    for (double &value : station[1])
+      value = -value;
+  WaveReport from_the_end(turned, times);
+  from_the_end.set(WaveReport::Source::simulated, mirrored);
+  Summary of_the_end;
+  from_the_end.add_quantities(of_the_end);
+  check::relative("from the end: wave speed", find(of_the_end, "wave speed", "tube"), 5., 1e-6);
+  check::relative("from the end: reflection coefficient",
+                  find(of_the_end, "reflection coefficient", "tube 0.9 m"), 1., 1e-6);
+  check::absolute("from the end: reflected pulse time",
+                  find(of_the_end, "reflected pulse time", "tube 0.9 m"), 0.42, 1e-7);
+
   const std::string file = "wave_report.csv";
   report.write(file);
   const CsvTable table(file, "");

@@ -64,6 +64,26 @@ UNIT_TEST(tube_wave_case)
     check::relative("wall there", section.wall_thickness(), law.wall_thickness(middle), 1e-12);
   }
 
+  // Loaded at the outlet the theory runs the other way: from the narrow end.
+  ParameterFile file = parameters_of(replaced(
+      varying,
+      "subsection inlet\n" + tube_text::pulse() + "end\nsubsection outlet\nset Type = fixed\nend\n",
+      "subsection inlet\nset Type = fixed\nend\nsubsection outlet\n" + tube_text::pulse() +
+          "end\n"));
+  const Case<2> input = analyses().read_case<2>(file, MPI_COMM_WORLD);
+  TubeWaveCase backward;
+  check::equal("loaded at the outlet", make_tube_wave_case(input, backward), "");
+  check::is_true("from the outlet", backward.from_outlet && backward.direction() == -1.);
+  check::is_true("narrow first", backward.problem.segments.front().section.inner_radius <
+                                     backward.problem.segments.back().section.inner_radius);
+  check::relative("place of a station", backward.place(0.1), law.length() - 0.1, 1e-12);
+  ParameterFile both = parameters_of(replaced(varying, "subsection outlet\nset Type = fixed\n",
+                                              "subsection outlet\n" + tube_text::pulse()));
+  const Case<2> loaded_twice = analyses().read_case<2>(both, MPI_COMM_WORLD);
+  TubeWaveCase none;
+  check::equal("loaded at both ends", make_tube_wave_case(loaded_twice, none),
+               "both ends are loaded");
+
   check::throws<InputError>(
       "one segment for a varying tube",
       [&]() { problem_of(varying + "subsection Wave theory\nset Segments = 1\nend\n"); },

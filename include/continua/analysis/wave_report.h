@@ -19,6 +19,7 @@ struct WaveStations
   std::vector<std::string> units;  ///< of the fields
   /// Of each station, rho c/A [Pa s/m^3]; splits pressure and flow rate into waves.
   std::vector<double> impedances;
+  double direction = 1.; ///< in which the first pulse travels along z: +1 or -1
 };
 
 /**

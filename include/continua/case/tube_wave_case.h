@@ -9,20 +9,26 @@
 
 namespace Continua
 {
-/// A parameter file as wave theory sees it.
+/// A parameter file as wave theory sees it. The theory's inlet is the end with the load.
 struct TubeWaveCase
 {
   TubeWaveProblem problem;
-  std::function<double(double)> inlet; ///< [Pa] or [m^3/s] over time [s]
+  std::function<double(double)> inlet; ///< [Pa] or [m^3/s], into the tube, over time [s]
+  bool from_outlet = false;            ///< the load is at the outlet of the body
+
+  /// From a station of the body to its place in the theory [m], and back.
+  double place(double station) const { return from_outlet ? problem.length() - station : station; }
+  /// +1 if the theory's direction is that from the inlet of the body to its outlet, or -1.
+  double direction() const { return from_outlet ? -1. : 1.; }
 };
 
 /// Translates the case; returns why wave theory does not cover it, or nothing.
 template <int dim>
 std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case);
 
-/// The cross-section at z [m] of the case's tube, which must be one (see Geometry::tube_law()).
+/// The cross-section at z [m] of the case's tube, or of a branch of its vessel, with that law.
 template <int dim>
-TubeSection tube_section_at(const Case<dim> &input, double z);
+TubeSection tube_section_at(const Case<dim> &input, const TubeLaw &law, double z);
 } // namespace Continua
 
 #endif
