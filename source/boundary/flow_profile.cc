@@ -23,13 +23,11 @@ constexpr double rim_tolerance = 1e-6;
 
 FlowProfile::FlowProfile(const Shape shape,
                          const Waveform &flow_rate,
-                         const double radius,
-                         const double fraction,
+                         const Disc &disc,
                          const FlowHistory &history)
     : is_flat(shape == Shape::flat),
       flow_rate(flow_rate),
-      tube_radius(radius),
-      part_of_disc(fraction),
+      disc(disc),
       present_time(std::numeric_limits<double>::quiet_NaN())
 {
   if (shape == Shape::womersley)
@@ -40,7 +38,7 @@ FlowProfile::FlowProfile(const Shape shape,
 double FlowProfile::mean_velocity(const double time) const
 {
   const double origin[3] = {0., 0., 0.};
-  return flow_rate(origin, time) / (PI * tube_radius * tube_radius);
+  return flow_rate(origin, time) / (PI * disc.radius * disc.radius);
 }
 
 void FlowProfile::tabulate(const FlowHistory &history)
@@ -50,7 +48,7 @@ void FlowProfile::tabulate(const FlowHistory &history)
     const double zero = gsl_sf_bessel_zero_Jnu(2., m);
     if (m <= n_kept_modes)
       zeros.push_back(zero);
-    rates.push_back(history.kinematic_viscosity * zero * zero / (tube_radius * tube_radius));
+    rates.push_back(history.kinematic_viscosity * zero * zero / (disc.radius * disc.radius));
   }
   row_length = history.time_step;
   // One row beyond the end, for a last step that passes it.
@@ -124,6 +122,18 @@ std::vector<double> FlowProfile::shapes(const double relative_radius) const
   const double tail_zero = std::sqrt(rates.back() / rates.front()) * zeros.front();
   result.back() = tail_zero * tail_zero * rest;
   return result;
+}
+
+std::vector<double> FlowProfile::shapes_at(const std::array<double, 3> &point) const
+{
+  const double distance =
+      std::hypot(point[0] - disc.centre[0], point[1] - disc.centre[1], point[2] - disc.centre[2]);
+  return shapes(distance / disc.radius);
+}
+
+double FlowProfile::area() const
+{
+  return disc.fraction * PI * disc.radius * disc.radius;
 }
 
 const std::vector<double> &FlowProfile::amplitudes(const double time) const

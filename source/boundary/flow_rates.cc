@@ -18,10 +18,10 @@ void set_flow_profiles(std::vector<BoundaryCondition> &conditions,
     if (!condition.profile)
       continue;
     const ParameterSection section = boundaries.subsection(condition.name);
-    RoundSection disc{};
+    RoundSection<dim> section_found{};
     try
     {
-      disc = find_round_section(coarse_mesh, condition.boundary_id, condition.region_ids);
+      section_found = find_round_section(coarse_mesh, condition.boundary_id, condition.region_ids);
     }
     catch (const std::invalid_argument &error)
     {
@@ -40,8 +40,11 @@ void set_flow_profiles(std::vector<BoundaryCondition> &conditions,
                        "Use 'flat' or 'parabolic', or name the liquid's 'Region'");
       history = {liquid.shear.viscosity / liquid.density, times.end_time, times.time_step};
     }
+    FlowProfile::Disc disc{section_found.radius, section_found.fraction, {{0., 0., 0.}}};
+    for (unsigned int d = 0; d < dim; ++d)
+      disc.centre[d] = section_found.centre[d];
     condition.normal.flow = std::make_shared<const FlowProfile>(
-        *condition.profile, condition.normal.along_normal, disc.radius, disc.fraction, history);
+        *condition.profile, condition.normal.along_normal, disc, history);
   }
 }
 

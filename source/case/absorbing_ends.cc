@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <sstream>
 
 namespace Continua
@@ -198,17 +199,17 @@ void fit_tube_end(const AbsorbingEndParameters &asked,
     end.left_out = above;
 }
 
-/// One end of a tube. Without a spectrum the impedance is zero, to be loaded.
+/// One end of a vessel. Without a spectrum the impedance is zero, to be loaded.
 template <int dim>
 void add_tube_end(Case<dim> &input,
-                  const std::string &end_name,
-                  const double position,
+                  const TubeLaw &law,
+                  const typename VesselBranch<dim>::End &vessel_end,
                   const std::optional<LoadSpectrum> &spectrum,
                   ParameterSection boundaries,
                   std::vector<AbsorbingEnd> &ends)
 {
   Problem &problem = input.problem;
-  const std::string wall_name = "wall " + end_name + " end";
+  const std::string &end_name = vessel_end.fluid, &wall_name = vessel_end.wall;
   int liquid = -1, wall = -1;
   bool wall_is_clamped = true, wall_is_free = true;
   for (unsigned int c = 0; c < problem.conditions.size(); ++c)
@@ -240,7 +241,6 @@ void add_tube_end(Case<dim> &input,
   }
   const BoundaryCondition &condition = problem.conditions[liquid];
   const ParameterSection section = boundaries.subsection(condition.name);
-  const TubeLaw &law = *input.geometry->tube_law();
   if (problem.regions.size() != law.layer_fractions().size() + 1 || problem.materials[0].is_solid())
     section.refuse("Type", "the tube is not full of liquid, or has painted regions",
                    "Use 'pressure', 'resistance' or 'windkessel' here");
@@ -268,7 +268,7 @@ void add_tube_end(Case<dim> &input,
         "", "beside an absorbing end of the liquid the wall's is absorbing, fixed or free",
         "Choose one of these");
 
-  const TubeSection tube = tube_section_at(input, position);
+  const TubeSection tube = tube_section_at(input, law, vessel_end.position);
   AbsorbingEnd end;
   end.name = condition.name;
   // A wall that is held axially has no wave that would arrive there.
@@ -310,23 +310,26 @@ void AbsorbingEnds::add(Case<dim> &input, ParameterSection root, const bool rest
   // Wave theory knows these ends without an impedance of the time domain.
   if (!input.analysis.is_transient())
     return;
-  const TubeLaw *law = input.geometry->tube_law();
-  if (law == nullptr)
+  const std::vector<VesselBranch<dim>> branches = input.geometry->branches();
+  if (branches.empty())
   {
     for (unsigned int c = 0; c < problem.conditions.size(); ++c)
       if (is_absorbing(problem.conditions[c]))
         add_plane_end(input, c, boundaries.subsection(problem.conditions[c].name), ends);
     return;
   }
+  std::set<std::string> absorbing;
+  std::string names;
+  for (const VesselBranch<dim> &branch : branches)
+    for (const auto &end : branch.ends)
+    {
+      absorbing.insert({end.fluid, end.wall});
+      names += (names.empty() ? "'" : ", or '") + end.fluid + "' and '" + end.wall + "'";
+    }
   for (const BoundaryCondition &condition : problem.conditions)
-  {
-    const std::string &boundary = problem.boundaries[condition.boundary_id];
-    if (is_absorbing(condition) && boundary != "inlet" && boundary != "outlet" &&
-        boundary != "wall inlet end" && boundary != "wall outlet end")
+    if (is_absorbing(condition) && absorbing.count(problem.boundaries[condition.boundary_id]) == 0)
       boundaries.subsection(condition.name)
-          .refuse("Type", "a tube goes on at its ends only",
-                  "Use it at 'inlet' and 'wall inlet end', or 'outlet' and 'wall outlet end'");
-  }
+          .refuse("Type", "a tube goes on at its ends only", "Use it at " + names);
   std::optional<LoadSpectrum> spectrum;
   if (!restart)
   {
@@ -343,8 +346,9 @@ void AbsorbingEnds::add(Case<dim> &input, ParameterSection root, const bool rest
           "Give an earlier end, a longer time step, or more by Mesh/Memory limit");
     spectrum.emplace(problem, input.time.end_time, input.time.smallest_step());
   }
-  add_tube_end(input, "inlet", 0., spectrum, boundaries, ends);
-  add_tube_end(input, "outlet", law->length(), spectrum, boundaries, ends);
+  for (const VesselBranch<dim> &branch : branches)
+    for (const auto &end : branch.ends)
+      add_tube_end(input, branch.law, end, spectrum, boundaries, ends);
 }
 
 void AbsorbingEnds::report(Log &log, Summary &summary) const

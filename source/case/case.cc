@@ -142,7 +142,7 @@ Case<dim>::Case(ParameterFile &file,
   if (in_time)
     wave_theory.read(root.subsection("Wave theory"));
   output.read(root.subsection("Output"));
-  probes.read(root.subsection("Probes"), problem.boundaries, problem.regions);
+  probes.read(root.subsection("Probes"), problem.boundaries, problem.regions, geometry->branches());
   read_measured_waves(probes, in_time, measured_waves);
   if (!analysis.is_modal())
     error_norms.read(root.subsection("Exact solution"));

@@ -8,7 +8,20 @@ namespace Continua
 namespace
 {
 const char *const axes[3] = {"x", "y", "z"};
+
+/// A direction across another one.
+template <int dim>
+dealii::Tensor<1, dim> across(const dealii::Tensor<1, dim> &direction)
+{
+  unsigned int least = 0;
+  for (unsigned int c = 1; c < dim; ++c)
+    if (std::abs(direction[c]) < std::abs(direction[least]))
+      least = c;
+  dealii::Tensor<1, dim> result;
+  result[least] = 1.;
+  return result - direction[least] * direction;
 }
+} // namespace
 
 template <int dim>
 std::array<double, 6> FieldDefinition<dim>::factors(const dealii::Point<dim> &point) const
@@ -29,23 +42,44 @@ std::array<double, 6> FieldDefinition<dim>::factors(const dealii::Point<dim> &po
     std::fill_n(result.begin(), 3, 1.);
     return result;
   }
-  // e_r = (0, c, s) and e_theta = (0, -s, c); in axisymmetry e_r = e_y, and z goes round the axis.
-  const double r = dim == 3 ? std::hypot(point[1], point[dim - 1]) : 0.;
-  const double c = r > 0. ? point[1] / r : 1., s = r > 0. ? point[dim - 1] / r : 0.;
+  std::array<double, 3> along = {{0., 0., 0.}}, radial = {{0., 0., 0.}}, hoop = {{0., 0., 0.}};
+  dealii::Tensor<1, dim> distance = point - axis.point;
+  distance -= (distance * axis.direction) * axis.direction;
+  if (dim == 2 || distance.norm() == 0.)
+    distance = across(axis.direction);
+  distance /= distance.norm();
+  for (unsigned int c = 0; c < dim; ++c)
+  {
+    along[c] = axis.direction[c];
+    radial[c] = distance[c];
+  }
+  // In axisymmetry z goes round the axis.
+  for (unsigned int c = 0; c < 3; ++c)
+    hoop[c] = along[(c + 1) % 3] * radial[(c + 2) % 3] - along[(c + 2) % 3] * radial[(c + 1) % 3];
+  // a.sigma.b by the components of the stress.
+  const auto set_product = [&result](const std::array<double, 3> &a, const std::array<double, 3> &b)
+  {
+    for (unsigned int k = 0; k < result.size(); ++k)
+    {
+      const unsigned int i = stress_pairs[k][0], j = stress_pairs[k][1];
+      result[k] = i == j ? a[i] * b[i] : a[i] * b[j] + a[j] * b[i];
+    }
+  };
   switch (combination)
   {
   case Combination::radial:
-    result[1] = c;
-    result[2] = s;
+    std::copy(radial.begin(), radial.end(), result.begin());
+    break;
+  case Combination::axial:
+    std::copy(along.begin(), along.end(), result.begin());
     break;
   case Combination::hoop:
-    result[1] = s * s;
-    result[2] = c * c;
-    result[5] = -2. * s * c;
+    set_product(hoop, hoop);
     break;
   case Combination::drag:
-    result[3] = -c;
-    result[4] = -s;
+    set_product(along, radial);
+    for (double &factor : result)
+      factor = -factor;
     break;
   case Combination::component:
   case Combination::along:
@@ -75,25 +109,36 @@ std::vector<FieldDefinition<dim>> field_list(const Model model)
   using Combination = typename Field::Combination;
   const auto none = Combination::component;
   std::vector<Field> list;
+  const auto add = [&list](const std::string &name, const std::string &unit,
+                           const Quantity quantity, const Combination combination,
+                           const unsigned int component = 0)
+  {
+    Field field;
+    field.name = {name, unit};
+    field.quantity = quantity;
+    field.combination = combination;
+    field.component = component;
+    list.push_back(field);
+  };
   for (unsigned int c = 0; c < dim; ++c)
-    list.push_back({{std::string("velocity ") + axes[c], "m/s"}, Quantity::velocity, none, c});
+    add(std::string("velocity ") + axes[c], "m/s", Quantity::velocity, none, c);
   for (unsigned int c = 0; c < dim; ++c)
-    list.push_back(
-        {{std::string("displacement ") + axes[c], "m"}, Quantity::displacement, none, c});
-  list.push_back({{"pressure", "Pa"}, Quantity::pressure, none, 0});
+    add(std::string("displacement ") + axes[c], "m", Quantity::displacement, none, c);
+  add("pressure", "Pa", Quantity::pressure, none);
   const auto pair = [](const unsigned int k)
   { return std::string(axes[stress_pairs[k][0]]) + axes[stress_pairs[k][1]]; };
   for (unsigned int k = 0; k < n_stresses<dim>(); ++k)
-    list.push_back({{"stress " + pair(k), "Pa"}, Quantity::stress, none, k});
+    add("stress " + pair(k), "Pa", Quantity::stress, none, k);
   for (unsigned int k = 0; k < n_stresses<dim>(); ++k)
-    list.push_back({{"strain " + pair(k), "1"}, Quantity::strain, none, k});
-  list.push_back({{"dilatation", "1"}, Quantity::strain, Combination::trace, 0});
+    add("strain " + pair(k), "1", Quantity::strain, none, k);
+  add("dilatation", "1", Quantity::strain, Combination::trace);
   if (model == Model::axisymmetric || model == Model::three_dimensional)
   {
-    list.push_back({{"radial velocity", "m/s"}, Quantity::velocity, Combination::radial, 0});
-    list.push_back({{"radial displacement", "m"}, Quantity::displacement, Combination::radial, 0});
-    list.push_back({{"hoop stress", "Pa"}, Quantity::stress, Combination::hoop, 0});
-    list.push_back({{"wall shear stress", "Pa"}, Quantity::stress, Combination::drag, 0});
+    add("radial velocity", "m/s", Quantity::velocity, Combination::radial);
+    add("axial velocity", "m/s", Quantity::velocity, Combination::axial);
+    add("radial displacement", "m", Quantity::displacement, Combination::radial);
+    add("hoop stress", "Pa", Quantity::stress, Combination::hoop);
+    add("wall shear stress", "Pa", Quantity::stress, Combination::drag);
   }
   return list;
 }

@@ -27,6 +27,8 @@ unsigned int FieldProbes<dim>::add(const ProbeRequest<dim> &request)
     if (field == definitions.end())
       throw std::invalid_argument("there is no field '" + request.field + "'");
     probe.field = *field;
+    if (request.is_section())
+      probe.field.axis = {request.point, request.normal / request.normal.norm()};
   }
   build(probe);
   probes.push_back(probe);

@@ -107,9 +107,9 @@ double FieldEvaluation<dim>::add_section(const ProbeRequest<dim> &request,
                                          Collector &collector) const
 {
   // One more Gauss point than on cells, since the integrand is not a polynomial in the plane.
-  const PlaneSection<dim> section(space.mapping, space.triangulation,
-                                  PlaneSection<dim>::Cells::active, request.region_ids,
-                                  request.point, request.normal, space.n_quadrature_points() + 1);
+  const PlaneSection<dim> section(
+      space.mapping, space.triangulation, PlaneSection<dim>::Cells::active, request.region_ids,
+      request.point, request.normal, space.n_quadrature_points() + 1, request.axis.get());
   const auto parts =
       request.kind == ProbeRequest<dim>::Kind::rim_mean ? section.outer_rim() : section.parts();
   double area = 0.;
@@ -192,7 +192,8 @@ double FieldEvaluation<dim>::add_interface(const ProbeRequest<dim> &request,
 template <int dim>
 double FieldEvaluation<dim>::add_flow(const ProbeRequest<dim> &request, Collector &collector) const
 {
-  const SectionFlow<dim> flow(space, request.region_ids, request.point, request.normal);
+  const SectionFlow<dim> flow(space, request.region_ids, request.point, request.normal,
+                              request.axis);
   return flow.add_weights(collector.weights(Source::velocity)) ? 1. : 0.;
 }
 

@@ -1,13 +1,11 @@
 #include <continua/finite_element/flow_shapes.h>
 
 #include <continua/mesh/cells_in_tree_order.h>
+#include <continua/mesh/coordinates.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/numbers.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
-
-#include <cmath>
 
 namespace Continua
 {
@@ -49,9 +47,7 @@ nodal_flow_shapes(const Space<dim> &space, const BoundaryCondition &condition)
               space.velocity_hanging.is_constrained(dof) || shapes.count(dof) > 0)
             continue;
           const Point<dim> &point = node_values.quadrature_point(component.second);
-          const double radius =
-              dim == 2 ? std::abs(point[1]) : std::hypot(point[1], point[dim - 1]);
-          shapes[dof] = profile.shapes(radius / profile.radius());
+          shapes[dof] = profile.shapes_at(coordinates(point));
         }
         if (!cell->is_locally_owned())
           continue;
@@ -69,7 +65,7 @@ nodal_flow_shapes(const Space<dim> &space, const BoundaryCondition &condition)
 
   const std::size_t n_shapes = profile.shapes(0.).size();
   std::vector<double> means(n_shapes, 0.);
-  const double area = profile.fraction() * numbers::PI * profile.radius() * profile.radius();
+  const double area = profile.area();
   for (const auto &[dof, shape] : shapes)
     for (std::size_t m = 0; m < n_shapes; ++m)
       means[m] += flow_of_node[dof] * shape[m] / area;

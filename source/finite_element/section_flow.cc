@@ -41,9 +41,24 @@ template <int dim>
 SectionFlow<dim>::SectionFlow(const Space<dim> &space,
                               const std::set<unsigned int> &regions,
                               const Point<dim> &point,
-                              const Tensor<1, dim> &normal)
-    : space(space), regions(regions), point(point), normal(normal / normal.norm())
+                              const Tensor<1, dim> &normal,
+                              const std::shared_ptr<const VesselAxis<dim>> &axis)
+    : space(space), regions(regions), point(point), normal(normal / normal.norm()), axis(axis)
 {
+  if (axis != nullptr)
+    position = axis->position(point);
+}
+
+template <int dim>
+double SectionFlow<dim>::distance(const Point<dim> &place) const
+{
+  return axis == nullptr ? (place - point) * normal : axis->position(place) - position;
+}
+
+template <int dim>
+Tensor<1, dim> SectionFlow<dim>::direction(const Point<dim> &place) const
+{
+  return axis == nullptr ? normal : axis->tangent(axis->position(place));
 }
 
 template <int dim>
@@ -60,8 +75,10 @@ SectionFlow<dim>::range_of(const typename Triangulation<dim>::cell_iterator &cel
       {std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()}};
   for (const unsigned int v : cell->vertex_indices())
   {
-    const double distance = (cell->vertex(v) - point) * normal;
-    range = {{std::min(range[0], distance), std::max(range[1], distance)}};
+    const double at_vertex = distance(cell->vertex(v));
+    if (std::isnan(at_vertex))
+      return {{at_vertex, at_vertex}};
+    range = {{std::min(range[0], at_vertex), std::max(range[1], at_vertex)}};
   }
   return range;
 }
@@ -82,9 +99,12 @@ typename SectionFlow<dim>::Ramps SectionFlow<dim>::ramps() const
   for (const auto &cell : space.triangulation.active_cell_iterators())
     if (cell->is_locally_owned() && counts(cell))
     {
-      cells.push_back(range_of(cell));
-      begin = std::min(begin, cells.back()[0]);
-      end = std::max(end, cells.back()[1]);
+      const std::array<double, 2> range = range_of(cell);
+      if (std::isnan(range[0]))
+        continue;
+      cells.push_back(range);
+      begin = std::min(begin, range[0]);
+      end = std::max(end, range[1]);
     }
   begin = -largest(-begin);
   end = largest(end);
@@ -139,8 +159,8 @@ void SectionFlow<dim>::for_cells(const Ramps &ramps,
     // Curved cells and hanging nodes reach a little farther than the ramps do.
     const std::array<double, 2> range = range_of(cell);
     const double margin = range[1] - range[0];
-    if (range[0] > ramps.end() + margin || range[1] < ramps.begin() - margin)
-      continue;
+    if (!(range[0] <= ramps.end() + margin && range[1] >= ramps.begin() - margin))
+      continue; // also in another branch
     velocity.reinit(cell);
     pressure.reinit(typename DoFHandler<dim>::active_cell_iterator(
         &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs));
@@ -158,16 +178,18 @@ SectionFlow<dim>::factors(const Ramps &ramps,
                           const std::vector<DistributedVector> &nodal_values) const
 {
   const unsigned int n = ramps.centres.size();
-  const auto distance = [&](const Point<dim> &x) { return (x - point) * normal / ramps.width; };
   // The mean area over the fall of each ramp, and a line through these areas.
   std::vector<double> own_areas(n), areas(n);
   for_cells(ramps, nodal_values,
             [&](const auto &, const FEValues<dim> &values, const auto &gradients)
             {
               for (const unsigned int q : values.quadrature_point_indices())
+              {
+                const Point<dim> &x = values.quadrature_point(q);
+                const Tensor<1, dim> along = direction(x);
                 for (unsigned int i = 0; i < n; ++i)
-                  own_areas[i] -= gradients[i][q] * normal * values.JxW(q) *
-                                  space.measure(values.quadrature_point(q));
+                  own_areas[i] -= gradients[i][q] * along * values.JxW(q) * space.measure(x);
+              }
             });
   Utilities::MPI::sum(own_areas, space.communicator, areas);
   FullMatrix<double> line(n, 2);
@@ -187,11 +209,12 @@ SectionFlow<dim>::factors(const Ramps &ramps,
               for (const unsigned int q : values.quadrature_point_indices())
               {
                 const Point<dim> &x = values.quadrature_point(q);
-                const double s = distance(x);
+                const double s = distance(x) / ramps.width;
+                const Tensor<1, dim> along = direction(x);
                 const double share = values.JxW(q) * space.measure(x) / (area[0] + area[1] * s);
                 for (unsigned int i = 0; i < n; ++i)
                   for (unsigned int k = 1; k < n; ++k)
-                    own_moments[k * n + i] -= share * (gradients[i][q] * normal) * std::pow(s, k);
+                    own_moments[k * n + i] -= share * (gradients[i][q] * along) * std::pow(s, k);
               }
             });
   Utilities::MPI::sum(own_moments, space.communicator, moments);
@@ -230,6 +253,9 @@ bool SectionFlow<dim>::add_weights(DistributedVector &weights) const
     {
       if (!cell->is_locally_owned() || !counts(cell))
         continue;
+      // What is far from the ramps does not matter.
+      if (std::isnan(range_of(cell)[0]))
+        continue;
       const FiniteElement<dim> &element = cell->get_fe();
       indices.resize(element.n_dofs_per_cell());
       cell->get_dof_indices(indices);
@@ -238,7 +264,7 @@ bool SectionFlow<dim>::add_weights(DistributedVector &weights) const
         {
           const Point<dim> node =
               space.mapping.transform_unit_to_real_cell(cell, element.unit_support_point(i));
-          values(indices[i]) = places.value(ramp, (node - point) * normal);
+          values(indices[i]) = places.value(ramp, distance(node));
         }
     }
     values.compress(VectorOperation::insert);

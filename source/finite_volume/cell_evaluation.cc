@@ -129,7 +129,7 @@ double CellEvaluation<dim>::add_section(const ProbeRequest<dim> &request,
   const bool is_rim = request.kind == ProbeRequest<dim>::Kind::rim_mean;
   const PlaneSection<dim> section(mapping, space.mesh.triangulation,
                                   PlaneSection<dim>::Cells::active, request.region_ids,
-                                  request.point, request.normal, 3);
+                                  request.point, request.normal, 3, request.axis.get());
   double area = 0.;
   for (const auto &part : is_rim ? section.outer_rim() : section.parts())
   {

@@ -94,14 +94,12 @@ void FaceConditions<dim>::set_flow_shapes(const unsigned int condition)
   const FlowProfile &profile = *conditions[condition].normal.flow;
   const std::size_t n_shapes = profile.shapes(0.).size();
   std::vector<double> means(n_shapes, 0.);
-  const double section = profile.fraction() * numbers::PI * profile.radius() * profile.radius();
+  const double section = profile.area();
   for (Face &face : boundary_faces)
     if (face.condition == condition)
     {
       const VolumeFace<dim> &surface = space.mesh.faces()[face.face];
-      const double radius = dim == 2 ? std::abs(surface.centre[1])
-                                     : std::hypot(surface.centre[1], surface.centre[dim - 1]);
-      face.flow_shapes = profile.shapes(radius / profile.radius());
+      face.flow_shapes = profile.shapes_at(coordinates(surface.centre));
       for (std::size_t m = 0; m < n_shapes; ++m)
         means[m] += surface.area * face.flow_shapes[m] / section;
     }

@@ -1,6 +1,9 @@
 #include <continua/mesh/beam_geometry.h>
+#include <continua/mesh/bifurcation_geometry.h>
 #include <continua/mesh/box_geometry.h>
 #include <continua/mesh/cook_membrane_geometry.h>
+#include <continua/mesh/curved_vessel_geometry.h>
+#include <continua/mesh/cylinder_channel_geometry.h>
 #include <continua/mesh/geometry.h>
 #include <continua/mesh/gmsh_geometry.h>
 #include <continua/mesh/hollow_cylinder_geometry.h>
@@ -76,10 +79,26 @@ const std::vector<GeometryType<dim>> &table()
        "fluid under an elastic wall of one or more layers; plane and three-dimensional models",
        creator<dim, LayeredChannelGeometry<dim>>(),
        {}},
+      {"channel with cylinder",
+       "channel around a rigid cylinder, with or without an elastic beam behind it; plane and "
+       "three-dimensional models",
+       creator<dim, CylinderChannelGeometry<dim>>(),
+       {}},
       {"tube",
        "circular tube full of fluid with a wall of one or more layers, whose diameter and wall "
        "thickness may vary along it; axisymmetric and three-dimensional models",
        creator_in_3d<dim, TubeGeometry<dim>>(), creator_in_2d<dim, TubeGeometry<dim>>()},
+      {"curved vessel",
+       "round vessel full of fluid along a line in space, with a wall of one or more layers, from "
+       "a "
+       "table; three-dimensional models",
+       creator_in_3d<dim, CurvedVesselGeometry>(),
+       {}},
+      {"bifurcation",
+       "vessel full of fluid that divides into two, with a wall of one or more layers; "
+       "three-dimensional models",
+       creator_in_3d<dim, BifurcationGeometry>(),
+       {}},
       {"hollow cylinder",
        "axial section (axisymmetric model) or quarter of the cross section (plane models)",
        creator_in_2d<dim, HollowCylinderGeometry>(false),

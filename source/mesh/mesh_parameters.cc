@@ -22,7 +22,8 @@ MeshParameters MeshParameters::read(ParameterSection mesh)
 
 std::string entry_of_cells(const ParameterSection &mesh)
 {
-  for (const char *const key : {"Cells", "Axial cells", "Circumferential cells", "Radial cells"})
+  for (const char *const key : {"Cells", "Axial cells", "Parent cells", "First daughter cells",
+                                "Second daughter cells", "Circumferential cells", "Radial cells"})
     if (mesh.given(key))
       return key;
   return "";

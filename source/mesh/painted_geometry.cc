@@ -103,9 +103,9 @@ MeshExtent PaintedGeometry<dim>::extent() const
 }
 
 template <int dim>
-const TubeLaw *PaintedGeometry<dim>::tube_law() const
+std::vector<VesselBranch<dim>> PaintedGeometry<dim>::branches() const
 {
-  return unpainted->tube_law();
+  return unpainted->branches();
 }
 
 template class PaintedGeometry<2>;

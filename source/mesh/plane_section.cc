@@ -12,6 +12,7 @@
 #include <deal.II/non_matching/quadrature_generator.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace Continua
@@ -162,15 +163,19 @@ PlaneSection<dim>::PlaneSection(const MappingQ<dim> &mapping,
                                 const std::set<unsigned int> &regions,
                                 const Point<dim> &point,
                                 const Tensor<1, dim> &normal,
-                                const unsigned int n_points)
+                                const unsigned int n_points,
+                                const VesselAxis<dim> *axis)
     : mapping(mapping),
       triangulation(triangulation),
       cells(cells),
       regions(regions),
       point(point),
       normal(normal / normal.norm()),
-      n_points(n_points)
+      n_points(n_points),
+      axis(axis)
 {
+  if (axis != nullptr)
+    position = axis->position(point);
   // Of the coarse mesh, which does not depend on the partition.
   std::vector<Point<dim>> vertices;
   for (const auto &cell : triangulation.cell_iterators_on_level(0))
@@ -194,6 +199,24 @@ bool PlaneSection<dim>::counts(const CellIterator &cell) const
 }
 
 template <int dim>
+bool PlaneSection<dim>::is_on_axis(const CellIterator &cell) const
+{
+  if (axis == nullptr)
+    return true;
+  double lower = std::numeric_limits<double>::max(), upper = -lower;
+  for (const unsigned int v : cell->vertex_indices())
+  {
+    // Of another branch it is not a number, and stays out of both.
+    const double at_vertex = axis->position(cell->vertex(v));
+    lower = std::fmin(lower, at_vertex);
+    upper = std::fmax(upper, at_vertex);
+  }
+  // A curved cell reaches beyond its vertices.
+  const double margin = 0.5 * (upper - lower);
+  return lower - margin <= position && position <= upper + margin;
+}
+
+template <int dim>
 double PlaneSection<dim>::cut()
 {
   section_parts.clear();
@@ -204,7 +227,7 @@ double PlaneSection<dim>::cut()
   double area = 0.;
   const auto cut_cell = [&](const CellIterator &cell)
   {
-    if (!counts(cell) || !plane.reinit(cell))
+    if (!counts(cell) || !plane.reinit(cell) || !is_on_axis(cell))
       return;
     generator.generate(plane, unit_cell);
     const Quadrature<dim> &surface = generator.get_surface_quadrature();
@@ -270,8 +293,8 @@ std::vector<typename PlaneSection<dim>::Part> PlaneSection<dim>::outer_rim() con
         outward = transpose(invert(jacobian)) * outward;
         outward -= (outward * normal) * normal;
         outward /= outward.norm();
-        Tensor<1, dim> radial = real;
-        radial[0] = 0.;
+        Tensor<1, dim> radial = real - point;
+        radial -= (radial * normal) * normal;
         if (outward * radial <= 0.5 * radial.norm())
           continue;
         double stretch = 1.;

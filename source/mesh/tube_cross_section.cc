@@ -108,7 +108,7 @@ Point<2> TubeCrossSection::place(const Point<2> &point)
 
 TubeCrossSection::TubeCrossSection(const std::vector<double> &rings,
                                    const unsigned int n_side_cells,
-                                   const bool full)
+                                   const Sector sector)
 {
   // Cells that meet compute their common vertices alike, to the last bit.
   std::map<std::array<double, 2>, unsigned int> numbers;
@@ -126,7 +126,7 @@ TubeCrossSection::TubeCrossSection(const std::vector<double> &rings,
       [&](const std::array<Point<2>, 4> &corners, const bool is_core, const unsigned int ring)
   {
     std::array<Point<2>, 4> turned = corners;
-    for (unsigned int quarter = 0; quarter < (full ? 4 : 1); ++quarter)
+    for (unsigned int quarter = 0; quarter < static_cast<unsigned int>(sector); ++quarter)
     {
       Cell cell{{}, is_core, ring};
       for (unsigned int v = 0; v < 4; ++v)

@@ -1,4 +1,6 @@
 #include <continua/base/words.h>
+#include <continua/mesh/centreline_axis.h>
+#include <continua/mesh/clamped_end.h>
 #include <continua/mesh/grading.h>
 #include <continua/mesh/structured_extent.h>
 #include <continua/mesh/structured_mesh.h>
@@ -13,21 +15,13 @@ namespace Continua
 {
 namespace
 {
-/// The fluid and the layers of the wall along the scaled radius.
-LayeredStack scaled_stack(const TubeLaw &law)
-{
-  LayeredStack stack;
-  stack.fluid_depth = 1.;
-  stack.wall_thicknesses = law.layer_fractions();
-  return stack;
-}
-
 void create_mesh(dealii::Triangulation<2> &triangulation,
                  const TubeLaw &law,
                  const LayeredStack &stack,
                  const std::vector<double> &axial,
                  const unsigned int /* n_side_cells */,
-                 const bool /* full */)
+                 const TubeCrossSection::Sector /* sector */,
+                 const std::shared_ptr<const Centreline> & /* centreline */)
 {
   StructuredMesh<2>({axial, stack.points()})
       .create(
@@ -44,10 +38,17 @@ void create_mesh(dealii::Triangulation<2> &triangulation,
   }
 }
 
-/// The boundary id of a face along the axis, from two of its vertices that are no neighbours.
-unsigned int side_of(const dealii::Point<3> &a, const dealii::Point<3> &b)
+/// The boundary id of a face along the axis, from where in the section two of its vertices are that
+/// are no neighbours.
+unsigned int
+side_of(const dealii::Point<2> &a, const dealii::Point<2> &b, const TubeCrossSection::Sector sector)
 {
-  return a[1] == 0. && b[1] == 0. ? 5 : a[2] == 0. && b[2] == 0. ? 6 : 4;
+  using Sector = TubeCrossSection::Sector;
+  if (sector == Sector::quarter && a[0] == 0. && b[0] == 0.)
+    return 5;
+  if (sector != Sector::full && a[1] == 0. && b[1] == 0.)
+    return sector == Sector::quarter ? 6 : 5;
+  return 4;
 }
 
 void create_mesh(dealii::Triangulation<3> &triangulation,
@@ -55,11 +56,12 @@ void create_mesh(dealii::Triangulation<3> &triangulation,
                  const LayeredStack &stack,
                  const std::vector<double> &axial,
                  const unsigned int n_side_cells,
-                 const bool full)
+                 const TubeCrossSection::Sector sector,
+                 const std::shared_ptr<const Centreline> &centreline)
 {
-  const TubeCrossSection section(stack.points(), n_side_cells, full);
-  const TubeManifold<3> core(law, TubeManifold<3>::Part::core);
-  const TubeManifold<3> rings(law, TubeManifold<3>::Part::rings);
+  const TubeCrossSection section(stack.points(), n_side_cells, sector);
+  const TubeManifold<3> core(law, TubeManifold<3>::Part::core, centreline);
+  const TubeManifold<3> rings(law, TubeManifold<3>::Part::rings, centreline);
   const std::size_t n_section_vertices = section.vertices().size();
   const std::size_t n_section_cells = section.cells().size();
 
@@ -82,14 +84,17 @@ void create_mesh(dealii::Triangulation<3> &triangulation,
     }
   triangulation.create_triangulation(vertices, cells, dealii::SubCellData());
 
+  const auto place = [&](const unsigned int vertex)
+  { return section.vertices()[vertex % n_section_vertices]; };
   for (const auto &cell : triangulation.cell_iterators_on_level(0))
     for (const unsigned int f : cell->face_indices())
       if (cell->face(f)->at_boundary())
       {
         const bool is_fluid = cell->material_id() == 0;
         const auto face = cell->face(f);
-        face->set_all_boundary_ids(f < 2 ? (is_fluid ? f : f + 2)
-                                         : side_of(face->vertex(0), face->vertex(3)));
+        face->set_all_boundary_ids(
+            f < 2 ? (is_fluid ? f : f + 2)
+                  : side_of(place(face->vertex_index(0)), place(face->vertex_index(3)), sector));
       }
   // Rings last: both charts agree on their surface with the core.
   triangulation.set_all_manifold_ids(0);
@@ -110,68 +115,30 @@ TubeGeometry<dim>::Parameters::read(ParameterSection geometry, ParameterSection 
   parameters.law = TubeLaw::read(geometry);
   if (dim == 3)
   {
-    add_choice(geometry, "Sector", parameters.full, {{"quarter", false}, {"full", true}},
-               "Which part of the cross-section there is: the quarter y, z >= 0, whose "
-               "planes of symmetry are the boundaries 'side y' (y = 0) and 'side z' (z = "
-               "0), on which a symmetric flow has Type = roller; or all of it");
+    using Sector = TubeCrossSection::Sector;
+    add_choice(
+        geometry, "Sector", parameters.sector,
+        {{"quarter", Sector::quarter}, {"half", Sector::half}, {"full", Sector::full}},
+        "Which part of the cross-section there is: the quarter y, z >= 0 or the half z >= 0, "
+        "whose planes of symmetry are the boundaries 'side y' (y = 0, of the quarter) and "
+        "'side z' (z = 0), on which a symmetric flow has Type = roller; or all of it");
   }
-
-  mesh.add("Axial cells", parameters.axial_cells, "Coarse cells along the axis", 1);
-  mesh.add("Axial grading", parameters.axial_grading, Dimensions::none,
-           "Length of the first cell at an end where the wall is clamped (Boundaries/wall inlet "
-           "end and wall outlet end with Type = fixed) over Length / 'Axial cells'. From there "
-           "each cell is at most 1.5 times as long as the one before, until the equal cells of the "
-           "rest of the tube are reached. 0 makes the first cell sqrt(R h)/2 long, R the inner "
-           "radius and h the wall's thickness, since a clamped wall bends there; 1 makes all cells "
-           "equal, as they are at ends that are not clamped",
-           Range{0., 1., false, false});
-  if (parameters.axial_grading > 0. && parameters.axial_grading < grading_range.lower)
-    mesh.refuse("Axial grading", "it is less than " + shortest_number(grading_range.lower),
-                "Give 0 for an automatic one, or a larger one");
-  mesh.add("Radial cells", parameters.radial_cells,
-           "Coarse cells across the fluid's radius; in three dimensions between the wall and the "
-           "square core of the cross-section, which reaches to 0.6 of the radius on the diagonals",
-           1);
-  mesh.add(
-      "Radial grading", parameters.radial_grading, Dimensions::none,
-      "Size of the fluid's cell at the wall over that of the innermost of 'Radial cells'; "
-      "below one the cells are small at the wall, as the viscous layer there asks for, which "
-      "is sqrt(2 nu/omega) thick. 0 makes the cell at the wall 1/128 of the radius thick, less "
-      "than the viscous layer up to a Womersley number of 181; neighbours then differ by a "
-      "factor of 2.5 at most [1]",
-      Range{0., grading_range.upper, false, false});
-  if (parameters.radial_grading > 0. && parameters.radial_grading < grading_range.lower)
-    mesh.refuse("Radial grading", "it is less than " + shortest_number(grading_range.lower),
-                "Give 0 for an automatic one, or a larger one");
-  LayeredStack stack = scaled_stack(parameters.law);
-  stack.read_wall_cells(mesh);
-  parameters.wall_cells = stack.wall_cells;
-  if (dim == 3)
-  {
-    mesh.add("Circumferential cells", parameters.circumferential_cells,
-             "Coarse cells along a quarter of the circumference; an even number", 2);
-    if (parameters.circumferential_cells % 2 != 0)
-      mesh.refuse("Circumferential cells", "the number is odd",
-                  "Give an even one: half of them stand on each side of the square core");
-  }
+  parameters.read_mesh(mesh);
   return parameters;
 }
 
 template <int dim>
-TubeGeometry<dim>::TubeGeometry(const Parameters &parameters)
-    : parameters(parameters), stack(scaled_stack(parameters.law))
+void TubeGeometry<dim>::Parameters::read_mesh(ParameterSection mesh)
 {
-  stack.fluid_cells = parameters.radial_cells;
-  // In three dimensions the rings fill the radius but for the core, the least of it on its
-  // diagonals; their outermost cells are thickest where they fill the most.
-  const double depth = dim == 2 ? 1. : 1. - TubeCrossSection::half_side;
-  stack.fluid_grading = parameters.radial_grading > 0.
-                            ? parameters.radial_grading
-                            : ratio_for_last_cell(parameters.radial_cells,
-                                                  1. / (cells_at_wall * depth), radial_growth);
-  stack.wall_cells = parameters.wall_cells;
-  if (stack.wall_cells.size() == 1)
-    stack.wall_cells.assign(stack.wall_thicknesses.size(), stack.wall_cells.front());
+  mesh.add("Axial cells", axial_cells, "Coarse cells along the axis", 1);
+  add_axial_grading(mesh, axial_grading, "wall inlet end and wall outlet end");
+  TubeSectionCells::read(mesh, law.layer_fractions().size(), dim);
+}
+
+template <int dim>
+TubeGeometry<dim>::TubeGeometry(const Parameters &parameters)
+    : parameters(parameters), stack(parameters.stack(parameters.law.layer_fractions(), dim))
+{
 }
 
 template <int dim>
@@ -188,9 +155,13 @@ std::vector<std::string> TubeGeometry<dim>::boundaries() const
 {
   if (dim == 2)
     return {"inlet", "outlet", "wall inlet end", "wall outlet end", "axis", "outside"};
-  if (parameters.full)
-    return {"inlet", "outlet", "wall inlet end", "wall outlet end", "outside"};
-  return {"inlet", "outlet", "wall inlet end", "wall outlet end", "outside", "side y", "side z"};
+  std::vector<std::string> names = {"inlet", "outlet", "wall inlet end", "wall outlet end",
+                                    "outside"};
+  if (parameters.sector == TubeCrossSection::Sector::quarter)
+    names.push_back("side y");
+  if (parameters.sector != TubeCrossSection::Sector::full)
+    names.push_back("side z");
+  return names;
 }
 
 template <int dim>
@@ -209,9 +180,9 @@ std::vector<double> TubeGeometry<dim>::axial_points() const
     if (parameters.clamped[i])
     {
       const double z = i == 0 ? 0. : law.length();
-      end_cells[i] = parameters.axial_grading > 0.
-                         ? parameters.axial_grading * law.length() / parameters.axial_cells
-                         : 0.5 * std::sqrt(0.5 * law.inner_diameter(z) * law.wall_thickness(z));
+      end_cells[i] =
+          clamped_end_cell(parameters.axial_grading, law.length() / parameters.axial_cells,
+                           0.5 * law.inner_diameter(z), law.wall_thickness(z));
     }
   return points_with_end_zones(0., law.length(), parameters.axial_cells, end_cells, axial_growth);
 }
@@ -220,18 +191,16 @@ template <int dim>
 void TubeGeometry<dim>::create(dealii::Triangulation<dim> &triangulation) const
 {
   create_mesh(triangulation, parameters.law, stack, axial_points(),
-              parameters.circumferential_cells / 2, parameters.full);
+              parameters.circumferential_cells / 2, parameters.sector, parameters.centreline);
 }
 
 template <int dim>
 MeshExtent TubeGeometry<dim>::extent() const
 {
-  double n_section_cells = stack.n_cells();
-  if (dim == 3)
-  {
-    const double quarter = parameters.circumferential_cells, side = quarter / 2.;
-    n_section_cells = (parameters.full ? 4. : 1.) * (side * side + quarter * n_section_cells);
-  }
+  const double n_section_cells =
+      dim == 2 ? stack.n_cells()
+               : static_cast<unsigned int>(parameters.sector) *
+                     parameters.n_cells_of_quarter(parameters.law.layer_fractions().size());
   return {parameters.axial_cells * n_section_cells, static_cast<double>(parameters.axial_cells)};
 }
 
@@ -246,9 +215,17 @@ std::unique_ptr<Geometry<dim>> TubeGeometry<dim>::coarsened(const double most_ce
 }
 
 template <int dim>
-const TubeLaw *TubeGeometry<dim>::tube_law() const
+std::vector<VesselBranch<dim>> TubeGeometry<dim>::branches() const
 {
-  return &parameters.law;
+  VesselBranch<dim> branch{
+      "",
+      parameters.law,
+      nullptr,
+      {{"inlet", "wall inlet end", 0.}, {"outlet", "wall outlet end", parameters.law.length()}}};
+  if constexpr (dim == 3)
+    if (parameters.centreline != nullptr)
+      branch.axis = std::make_shared<CentrelineAxis>(parameters.centreline);
+  return {branch};
 }
 
 template class TubeGeometry<2>;

@@ -17,6 +17,22 @@ double scaled_radius(const TubeLaw &law, const double x, const double radius)
                                 : 1. + (radius - inner_radius) / law.wall_thickness(x);
 }
 
+/// Of a tube along the x axis, the point at that place of the same tube along the centreline.
+Point<3> bent(const Centreline &centreline, const Point<3> &point)
+{
+  const Centreline::Frame frame = centreline.frame(point[0]);
+  return frame.point + point[1] * frame.normal + point[2] * frame.binormal;
+}
+
+/// The inverse.
+Point<3> straightened(const Centreline &centreline, const Point<3> &point)
+{
+  const double position = centreline.nearest(point);
+  const Centreline::Frame frame = centreline.frame(position);
+  const auto distance = point - frame.point;
+  return {position, distance * frame.normal, distance * frame.binormal};
+}
+
 /// Only the rings of a whole section go round.
 template <int dim>
 dealii::Tensor<1, dim> periodicity(const bool rings)
@@ -29,17 +45,21 @@ dealii::Tensor<1, dim> periodicity(const bool rings)
 } // namespace
 
 template <int dim>
-TubeManifold<dim>::TubeManifold(const TubeLaw &law, const Part part)
+TubeManifold<dim>::TubeManifold(const TubeLaw &law,
+                                const Part part,
+                                const std::shared_ptr<const Centreline> &centreline)
     : dealii::ChartManifold<dim, dim, dim>(periodicity<dim>(part == Part::rings)),
       law(law),
-      part(part)
+      part(part),
+      centreline(centreline)
 {
+  Assert(dim == 3 || centreline == nullptr, dealii::ExcInternalError());
 }
 
 template <int dim>
 std::unique_ptr<dealii::Manifold<dim>> TubeManifold<dim>::clone() const
 {
-  return std::make_unique<TubeManifold<dim>>(law, part);
+  return std::make_unique<TubeManifold<dim>>(law, part, centreline);
 }
 
 template <int dim>
@@ -50,8 +70,12 @@ double TubeManifold<dim>::radius(const TubeLaw &law, const double x, const doubl
 }
 
 template <int dim>
-Point<dim> TubeManifold<dim>::pull_back(const Point<dim> &point) const
+Point<dim> TubeManifold<dim>::pull_back(const Point<dim> &place) const
 {
+  Point<dim> point = place;
+  if constexpr (dim == 3)
+    if (centreline != nullptr)
+      point = straightened(*centreline, place);
   const double x = point[0];
   Point<dim> chart_point;
   chart_point[0] = x;
@@ -87,6 +111,8 @@ Point<dim> TubeManifold<dim>::push_forward(const Point<dim> &chart_point) const
     const double factor = distance > 0. ? radius(law, x, distance) / distance : 0.;
     point[1] = factor * scaled[0];
     point[2] = factor * scaled[1];
+    if (centreline != nullptr)
+      return bent(*centreline, point);
   }
   return point;
 }

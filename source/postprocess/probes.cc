@@ -172,7 +172,7 @@ void Probes<dim>::check_entries(Probe &probe) const
   if (probe.place == Place::volume && section.given("Region"))
     section.refuse("Region", "the volume is that of a region already", "Leave the entry out");
   if (probe.place != Place::stations)
-    for (const char *key : {"Fluid", "Pair distance", "Pair"})
+    for (const char *key : {"Branch", "Fluid", "Pair distance", "Pair"})
       if (section.given(key))
         section.refuse(key, "the entry belongs to Stations", "Leave it out");
   if (!probe.signal_analysis && !probe.modes.empty())
@@ -183,7 +183,8 @@ void Probes<dim>::check_entries(Probe &probe) const
 template <int dim>
 void Probes<dim>::read(ParameterSection section,
                        const std::vector<std::string> &boundaries,
-                       const std::vector<std::string> &regions)
+                       const std::vector<std::string> &regions,
+                       const std::vector<VesselBranch<dim>> &branches)
 {
   for (const std::string &name : section.subsections())
   {
@@ -218,10 +219,10 @@ void Probes<dim>::read(ParameterSection section,
     else
     {
       const Stations<dim> &stations = probe.stations;
-      probe.stations.set(child, probe.fields, regions);
+      probe.stations.set(child, probe.fields, regions, branches);
       stations_probes.push_back(
-          {child, name, stations.positions(), stations.fields(), stations.pair_distance(),
-           stations.pair_offset(),
+          {child, name, stations.positions(), stations.fields(), stations.branch(),
+           stations.pair_distance(), stations.pair_offset(),
            std::vector<std::vector<unsigned int>>(stations.positions().size())});
     }
     if (!probe.region.empty())

@@ -37,12 +37,16 @@ std::string metres(const double value)
 template <int dim>
 void Stations<dim>::add_entries(ParameterSection section)
 {
-  section.add("Stations", station_positions, Dimensions::length,
-              "Instead of a point: positions along the axis of a tube, the x axis, of the "
-              "undeformed body [m]; the Fields are then among pressure (mean over the section), "
-              "axis pressure, flow rate (by the balance of mass), velocity integral (over the "
-              "section), wall distension (change of the inner diameter), pressure "
-              "gradient, wall shear stress, hoop stress (mean over the wall)");
+  section.add(
+      "Stations", station_positions, Dimensions::length,
+      "Instead of a point: positions along the axis of a tube in the undeformed body, from its "
+      "inlet on (of a branch, from where it begins; of a body that is no vessel, on the x "
+      "axis) [m]; the Fields are then among pressure (mean over the section), "
+      "axis pressure, flow rate (by the balance of mass), velocity integral (over the "
+      "section), wall distension (change of the inner diameter), pressure "
+      "gradient, wall shear stress, hoop stress (mean over the wall)");
+  section.add("Branch", branch_name,
+              "With Stations, in a vessel that divides: the branch along whose axis they stand");
   section.add("Fluid", fluid, "With Stations: the region of the fluid; all others are the wall");
   section.add("Pair distance", distance, Dimensions::length,
               "With Stations: from the first to the second section of a pressure gradient [m]",
@@ -63,8 +67,10 @@ bool Stations<dim>::has(const std::string &field) const
 template <int dim>
 void Stations<dim>::set(const ParameterSection &section,
                         const std::vector<std::string> &fields,
-                        const std::vector<std::string> &regions)
+                        const std::vector<std::string> &regions,
+                        const std::vector<VesselBranch<dim>> &branches)
 {
+  set_branch(section, branches);
   std::vector<std::string> known;
   for (const FieldComponent &field : station_fields)
     known.push_back(field.name);
@@ -96,9 +102,31 @@ void Stations<dim>::set(const ParameterSection &section,
 }
 
 template <int dim>
-void Stations<dim>::check(const ParameterSection &section,
-                          const dealii::Triangulation<dim> &coarse_mesh)
+void Stations<dim>::set_branch(const ParameterSection &section,
+                               const std::vector<VesselBranch<dim>> &branches)
 {
+  std::vector<std::string> names;
+  for (const VesselBranch<dim> &branch : branches)
+    if (!branch.name.empty())
+      names.push_back(branch.name);
+  if (names.empty() && section.given("Branch"))
+    section.refuse("Branch", "the geometry does not divide into branches", "Leave the entry out");
+  if (!names.empty())
+  {
+    if (!section.given("Branch"))
+      section.refuse("Stations", "the vessel divides, and its branches have an axis each",
+                     "Add 'set Branch = ...': " + choices("", names));
+    branch_index = find_name(section, "Branch", branch_name, names);
+  }
+  if (!branches.empty())
+    axis = branches[branch_index].axis;
+}
+
+template <int dim>
+std::array<double, 2> Stations<dim>::range(const dealii::Triangulation<dim> &coarse_mesh) const
+{
+  if (axis != nullptr)
+    return axis->range();
   double begin = std::numeric_limits<double>::max(), end = -begin;
   for (const auto &cell : coarse_mesh.cell_iterators_on_level(0))
     if (fluid_ids.count(cell->material_id()) > 0)
@@ -107,6 +135,14 @@ void Stations<dim>::check(const ParameterSection &section,
         begin = std::min(begin, cell->vertex(v)[0]);
         end = std::max(end, cell->vertex(v)[0]);
       }
+  return {{begin, end}};
+}
+
+template <int dim>
+void Stations<dim>::check(const ParameterSection &section,
+                          const dealii::Triangulation<dim> &coarse_mesh)
+{
+  const auto [begin, end] = range(coarse_mesh);
   const double round_off = 1e-9 * (end - begin);
   const std::string range = "between " + metres(begin) + " and ";
   for (unsigned int s = 0; s < station_positions.size(); ++s)
@@ -130,7 +166,7 @@ void Stations<dim>::check(const ParameterSection &section,
   {
     const ProbeRequest<dim> place = request(ProbeRequest<dim>::Kind::point, "", {}, position);
     return PlaneSection<dim>(mapping, coarse_mesh, PlaneSection<dim>::Cells::coarse, region_ids,
-                             place.point, place.normal, 6);
+                             place.point, place.normal, 6, axis.get());
   };
   for (unsigned int s = 0; s < station_positions.size(); ++s)
   {
@@ -150,7 +186,7 @@ void Stations<dim>::check(const ParameterSection &section,
         inside = inside || (fluid_ids.count(cell->material_id()) > 0 &&
                             cell_holds_point<dim>(mapping, cell, place.point, unit_point));
       if (!inside)
-        section.refuse("Fields", "the x axis is not in the fluid at " + label(s),
+        section.refuse("Fields", "the axis is not in the fluid at " + label(s),
                        "Leave 'axis pressure' out, or the station");
     }
   }
@@ -158,11 +194,13 @@ void Stations<dim>::check(const ParameterSection &section,
     return;
   // The angle that the rim subtends at the axis, by Gauss's law in the plane.
   double angle = 0.;
+  const ProbeRequest<dim> first =
+      request(ProbeRequest<dim>::Kind::point, "", {}, station_positions.front());
   for (const auto &part : cut(fluid_ids, station_positions.front()).outer_rim())
     for (unsigned int q = 0; q < part.points.size(); ++q)
     {
-      dealii::Tensor<1, dim> radial = part.points[q];
-      radial[0] = 0.;
+      dealii::Tensor<1, dim> radial = part.points[q] - first.point;
+      radial -= (radial * first.normal) * first.normal;
       angle += part.quadrature.weight(q) * (part.normals[q] * radial) / radial.norm_square();
     }
   if (angle > 0.)
@@ -182,6 +220,12 @@ ProbeRequest<dim> Stations<dim>::request(const typename ProbeRequest<dim>::Kind 
   result.kind = kind;
   result.field = field;
   result.point[0] = position;
+  if (axis != nullptr)
+  {
+    result.point = axis->point(position);
+    result.normal = axis->tangent(position);
+    result.axis = axis;
+  }
   result.region_ids = region_ids;
   return result;
 }
@@ -210,7 +254,7 @@ std::vector<typename Stations<dim>::Column> Stations<dim>::columns() const
       else if (name == "flow rate")
         add(Kind::section_flow, "", fluid_ids, x, n_copies);
       else if (name == "velocity integral")
-        add(Kind::section_integral, "velocity x", fluid_ids, x, n_copies);
+        add(Kind::section_integral, "axial velocity", fluid_ids, x, n_copies);
       else if (name == "wall distension")
         add(Kind::rim_mean, "radial displacement", fluid_ids, x, 2.);
       else if (name == "pressure gradient")

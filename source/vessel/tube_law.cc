@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace Continua
@@ -174,7 +173,7 @@ TubeLaw TubeLaw::read(ParameterSection geometry)
                "and wall thickness (1 + e)^(-1/2) times, as of a wall that keeps its volume [1]",
                Range{-1., std::numeric_limits<double>::infinity(), true, false});
   tube = tube.stretched(pre_strain);
-  tube.read_layers(geometry);
+  tube.layers = WallLayers::read(geometry);
   return tube;
 }
 
@@ -263,48 +262,11 @@ TubeLaw TubeLaw::read_table(ParameterSection &geometry)
   return table(positions, diameters, thicknesses, interpolation);
 }
 
-void TubeLaw::read_layers(ParameterSection &geometry)
-{
-  std::vector<double> parts;
-  geometry.add("Wall layers", layers,
-               "The names of the wall's layers from the inner to the outer one; each is a region");
-  geometry.add("Layer fractions", parts, Dimensions::none,
-               "Each layer's part of the wall thickness, from the inner to the outer one; their "
-               "sum is 1. Without it, all layers are equally thick [1]",
-               Range::positive());
-  if (layers.empty())
-    geometry.refuse("Wall layers", "the list is empty", "Give at least one name");
-  for (auto name = layers.begin(); name != layers.end(); ++name)
-    if (*name == "fluid")
-      geometry.refuse("Wall layers", "'fluid' is the name of the region inside the wall",
-                      "Give the layer another name");
-    else if (std::find(layers.begin(), name, *name) != name)
-      geometry.refuse("Wall layers", "two layers have the name '" + *name + "'",
-                      "Give every layer a name of its own");
-  if (!geometry.given("Layer fractions"))
-    parts.assign(layers.size(), 1. / layers.size());
-  if (parts.size() != layers.size())
-    geometry.refuse("Layer fractions",
-                    std::to_string(parts.size()) + " numbers for " + std::to_string(layers.size()) +
-                        " layers",
-                    "Give one number for each of 'Wall layers'");
-  const double sum = std::accumulate(parts.begin(), parts.end(), 0.);
-  // What decimal digits of thirds leave over.
-  if (std::abs(sum - 1.) > 1e-5)
-    geometry.refuse("Layer fractions",
-                    "their sum is " + shortest_number(std::round(1e6 * sum) / 1e6) + ", not 1",
-                    "Give the parts of the whole wall thickness");
-  for (double &part : parts)
-    part /= sum;
-  fractions = parts;
-}
-
 void TubeLaw::set_layers(const std::vector<std::string> &names,
-                         const std::vector<double> &new_fractions)
+                         const std::vector<double> &fractions)
 {
-  Assert(!names.empty() && names.size() == new_fractions.size(), dealii::ExcInternalError());
-  layers = names;
-  fractions = new_fractions;
+  Assert(!names.empty() && names.size() == fractions.size(), dealii::ExcInternalError());
+  layers = {names, fractions};
 }
 
 TubeLaw TubeLaw::stretched(const double pre_strain) const

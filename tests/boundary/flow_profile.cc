@@ -47,14 +47,16 @@ Waveform formula(const std::string &text)
 
 UNIT_TEST(flow_profile)
 {
-  const FlowProfile flat(FlowProfile::Shape::flat, formula("3*t"), 2., 0.25);
+  const FlowProfile flat(FlowProfile::Shape::flat, formula("3*t"), {2., 0.25});
   check::relative("flat: inside", relative_velocity(flat, 0.99, 5.), 15., 1e-14);
   check::absolute("flat: rim", relative_velocity(flat, 1., 5.), 0., 0.);
-  check::is_true("section", flat.radius() == 2. && flat.fraction() == 0.25);
+  check::relative("section", flat.area(), M_PI, 1e-15);
+  const FlowProfile elsewhere(FlowProfile::Shape::parabolic, 3., {2., 1., {{1., -1., 3.}}});
+  check::relative("elsewhere", elsewhere.shapes_at({{1., 0., 3.}})[0], 1.5, 1e-14);
   check::is_true("flat: in time",
                  flat.depends_on_time() &&
-                     !FlowProfile(FlowProfile::Shape::flat, 3., 1., 1.).depends_on_time());
-  const FlowProfile parabolic(FlowProfile::Shape::parabolic, 3., 2., 1.);
+                     !FlowProfile(FlowProfile::Shape::flat, 3., {1., 1.}).depends_on_time());
+  const FlowProfile parabolic(FlowProfile::Shape::parabolic, 3., {2., 1.});
   check::relative("parabolic: axis", relative_velocity(parabolic, 0., 5.), 6., 1e-14);
   check::relative("parabolic: half-way", relative_velocity(parabolic, 0.5, 5.), 4.5, 1e-14);
   check::absolute("parabolic: mean", largest_error_of_means(parabolic), 0., 1e-6);
@@ -83,7 +85,7 @@ UNIT_TEST(flow_profile)
     const double start = std::ceil((numbers[a] > 100. ? 0.1 : 1.) / period) * period;
     const FlowProfile profile(FlowProfile::Shape::womersley,
                               formula("cos(" + std::to_string(omega) + "*t)*(1-exp(-(40*t)^2))"),
-                              2., 1., {4., start + period, std::min(1e-3, period / 200.)});
+                              {2., 1.}, {4., start + period, std::min(1e-3, period / 200.)});
     double error = 0.;
     for (unsigned int r = 0; r < 4; ++r)
       for (const unsigned int quarter : {0, 1})
@@ -97,14 +99,14 @@ UNIT_TEST(flow_profile)
   }
 
   // A flow rate that is constant from t = 0 on: flat at first, at last a parabola.
-  const FlowProfile started(FlowProfile::Shape::womersley, 1., 2., 1., {4., 2., 1e-3});
+  const FlowProfile started(FlowProfile::Shape::womersley, 1., {2., 1.}, {4., 2., 1e-3});
   check::relative("start: flat", relative_velocity(started, 0.5, 1e-5), 1., 0.02);
   check::relative("start: parabola", relative_velocity(started, 0.5, 2.), 1.5, 1e-9);
   check::relative("beyond the end", relative_velocity(started, 0.5, 2.5), 1.5, 1e-9);
   check::is_true("start: in time", started.depends_on_time());
   check::is_true(
       "no flow",
-      !FlowProfile(FlowProfile::Shape::womersley, 0., 2., 1., {4., 2., 1e-3}).depends_on_time());
+      !FlowProfile(FlowProfile::Shape::womersley, 0., {2., 1.}, {4., 2., 1e-3}).depends_on_time());
   // The same at a time asked for again, and between the rows of its table.
   const double between = relative_velocity(started, 0.3, 0.05035);
   relative_velocity(started, 0.3, 1.7);

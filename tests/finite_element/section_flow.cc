@@ -3,6 +3,7 @@
 // and the flow from a point source in a cone, the same through every section.
 
 #include <continua/finite_element/section_flow.h>
+#include <continua/mesh/plane_section.h>
 #include <continua/mesh/tube_geometry.h>
 
 #include "../unit_test.h"
@@ -119,6 +120,69 @@ void test_cone(const double copies, const unsigned int n_cells, const std::vecto
     check::relative(name + ", beside the first", present, first, 1e-4);
   }
 }
+/// Along a bend of 270 degrees, where the plane of a section cuts the vessel twice: a velocity
+/// along the circles of the bend that falls from 1 m/s on the axis to 0 at the wall, of which the
+/// flow is the same through every section.
+void test_bend()
+{
+  constexpr double bend = 3., radius = 1.;
+  std::vector<Point<3>> line;
+  for (unsigned int i = 0; i <= 54; ++i)
+  {
+    const double angle = 1.5 * numbers::PI * i / 54.;
+    line.emplace_back(bend * std::sin(angle), bend * (1. - std::cos(angle)), 0.);
+  }
+  TubeGeometry<3>::Parameters tube;
+  tube.centreline = std::make_shared<const Centreline>(line);
+  tube.law = TubeLaw::uniform(tube.centreline->length(), 2. * radius, 0.2);
+  tube.sector = TubeCrossSection::Sector::half;
+  tube.axial_cells = 27;
+  tube.radial_cells = 2;
+  tube.circumferential_cells = 4;
+  tube.radial_grading = 0.5;
+  small_problem::Mesh<3> mesh(MPI_COMM_WORLD);
+  const TubeGeometry<3> geometry(tube);
+  geometry.create(mesh);
+  Space<3> space(mesh, SpaceParameters(), Model::three_dimensional, 2);
+  space.distribute();
+  const DistributedVector velocity = small_problem::interpolated<3>(
+      space,
+      [](const Point<3> &x)
+      {
+        const double from_centre = std::hypot(x[0], x[1] - bend);
+        const double square = std::pow(from_centre - bend, 2) + x[2] * x[2];
+        const double speed = std::max(0., 1. - square / (radius * radius)) / from_centre;
+        return Tensor<1, 3>({-speed * (x[1] - bend), speed * x[0], 0.});
+      });
+  const std::shared_ptr<const VesselAxis<3>> axis = geometry.branches().front().axis;
+  const double exact = 0.25 * numbers::PI * radius * radius; // of the half
+  const MappingQ<3> mapping(2);
+  double first = 0.;
+  for (const double degrees : {30., 33.7, 80., 225.})
+  {
+    const double position = degrees * numbers::PI / 180. * bend;
+    const Point<3> point = axis->point(position);
+    const Tensor<1, 3> normal = axis->tangent(position);
+    DistributedVector weights = space.velocity_vector();
+    SectionFlow<3>(space, {0}, point, normal, axis).add_weights(weights);
+    weights.compress(VectorOperation::add);
+    const double present = weights * velocity;
+    const std::string name = "bend, " + std::to_string(degrees) + " degrees";
+    check::relative(name, present, exact, 2e-3);
+    if (first == 0.)
+      first = present;
+    check::relative(name + ", beside the first", present, first, 3e-4);
+    const auto area = [&](const VesselAxis<3> *of_axis)
+    {
+      return PlaneSection<3>(mapping, mesh, PlaneSection<3>::Cells::active, {0}, point, normal, 4,
+                             of_axis)
+          .area();
+    };
+    check::relative(name + ", area", area(axis.get()), 0.5 * numbers::PI, 2e-3);
+    if (degrees < 90.)
+      check::relative(name + ", area of all that the plane cuts", area(nullptr), numbers::PI, 2e-3);
+  }
+}
 } // namespace
 
 UNIT_TEST(section_flow)
@@ -130,4 +194,5 @@ UNIT_TEST(section_flow)
   test_few_cells();
   test_cone<2>(1., 20, {0.01, 0.5, 0.537, 1., 1.93, 2.});
   test_cone<3>(4., 8, {0.5, 0.6});
+  test_bend();
 }

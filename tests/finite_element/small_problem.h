@@ -61,7 +61,7 @@ interpolated(const Space<dim> &space,
   DistributedVector result = space.velocity_vector();
   std::vector<dealii::types::global_dof_index> indices(space.velocity_element.n_dofs_per_cell());
   dealii::FEValues<dim> values(
-      space.velocity_element,
+      space.mapping, space.velocity_element,
       dealii::Quadrature<dim>(space.velocity_element.get_unit_support_points()),
       dealii::update_quadrature_points);
   for (const auto &cell : space.velocity_dofs.active_cell_iterators())
@@ -92,7 +92,7 @@ DistributedVector interpolated_pressure(
     {
       const auto &element = cell->get_fe();
       const dealii::FE_Q<dim> scalar(space.degree() - 1);
-      dealii::FEValues<dim> values(scalar,
+      dealii::FEValues<dim> values(space.mapping, scalar,
                                    dealii::Quadrature<dim>(scalar.get_unit_support_points()),
                                    dealii::update_quadrature_points);
       values.reinit(static_cast<typename dealii::Triangulation<dim>::active_cell_iterator>(cell));

@@ -1,29 +1,15 @@
-#include <continua/base/parameter_file.h>
 #include <continua/mesh/geometry.h>
 #include <continua/vessel/tube_law.h>
 
 #include "../unit_test.h"
+#include "geometry_text.h"
 #include "mesh_measures.h"
-
-#include <fstream>
 
 using namespace Continua;
 
 namespace
 {
-template <int dim>
-std::unique_ptr<Geometry<dim>>
-make(const std::string &geometry, const std::string &mesh = "", const bool axisymmetric = false)
-{
-  std::ofstream("geometry.prm") << "subsection Geometry\n"
-                                << geometry << "end\nsubsection Mesh\n"
-                                << mesh << "end\n";
-  ParameterFile file("geometry.prm");
-  auto result = make_geometry<dim>(file.root().subsection("Geometry"),
-                                   file.root().subsection("Mesh"), axisymmetric);
-  file.refuse_unknown();
-  return result;
-}
+using geometry_text::make;
 
 void refused(const std::string &name,
              const std::string &geometry,
@@ -31,8 +17,7 @@ void refused(const std::string &name,
              const bool axisymmetric,
              const std::string &pattern)
 {
-  check::throws<InputError>(
-      name, [&] { make<2>(geometry, mesh, axisymmetric); }, "geometry.prm:" + pattern);
+  geometry_text::refused<2>(name, geometry, mesh, pattern, axisymmetric);
 }
 } // namespace
 
@@ -42,11 +27,12 @@ UNIT_TEST(geometry)
   for (const auto &type : geometry_types<2>())
     types += type.first + (type.second.empty() ? " without description; " : "; ");
   check::equal("types", types,
-               "box; beam; layered channel; tube; hollow cylinder; cook membrane; gmsh; ");
+               "box; beam; layered channel; channel with cylinder; tube; curved vessel; "
+               "bifurcation; hollow cylinder; cook membrane; gmsh; ");
 
-  const measures::Measures<2> box(
-      *make<2>("set Type = box\nset Size = 20 m, 500 cm\nset Rotation = 30\nset Origin = 1, 1\n",
-               "set Cells = 4, 2\nset Grading x = 2\n"));
+  const measures::Measures<2> box(*make<2>(
+      "set Type = box\nset Size = 20 m, 500 cm\nset Rotation = 30 deg\nset Origin = 1, 1\n",
+      "set Cells = 4, 2\nset Grading x = 2\n"));
   check::relative("box", box.region("body"), 100., 1e-12);
   check::absolute("box: cells", box.mesh.n_cells(), 8., 0.);
 
@@ -83,8 +69,8 @@ UNIT_TEST(geometry)
                                      "set Circumferential cells = 2\nset Axial grading = 1\n");
   const measures::Measures<3> space(*tube_of_space);
   check::absolute("tube in space: cells", space.mesh.n_cells(), 8. * 4. * (1 + 4 + 2), 0.);
-  check::equal("law of a painted tube", tube_of_space->tube_law()->name(), "E");
-  check::is_true("law of no tube", make<2>("set Type = box\n")->tube_law() == nullptr);
+  check::equal("law of a painted tube", tube_of_space->branches().front().law.name(), "E");
+  check::is_true("law of no tube", make<2>("set Type = box\n")->branches().empty());
 
   const measures::Measures<2> section(
       *make<2>("set Type = hollow cylinder\nset Inner radius = 1\nset Outer radius = 2\n"
@@ -107,10 +93,14 @@ UNIT_TEST(geometry)
 
   refused("no such type", "set Type = bax\n", "", false, "2.*/Type'.*box");
   refused("tube in the plane", "set Type = tube\n", "", false, "2.*Model = plane strain.*box");
+  refused("cylinder in axisymmetry", "set Type = channel with cylinder\n", "", true,
+          "2.*Model = axisymmetric.*tube");
   refused("beam in axisymmetry", "set Type = beam\n", "", true, "2.*Model = axisymmetric.*tube");
   check::throws<InputError>(
       "panel in space", [] { make<3>("set Type = cook membrane\n"); },
-      "geometry.prm:2.*Model = three-dimensional.*box, beam, layered channel, tube");
+      std::string(parameter_file_of_the_test) +
+          ":2.*Model = three-dimensional.*box, beam, layered channel, channel with "
+          "cylinder, tube");
   refused("two sizes wanted", "set Size = 1, 2, 3\n", "", false, "2.*/Size'.*3 entries.*2");
   refused("negative size", "set Size = 1, -2\n", "", false, "2.*/Size'");
   refused("size in seconds", "set Size = 1 s, 2 s\n", "", false, "2.*/Size'");
@@ -119,7 +109,9 @@ UNIT_TEST(geometry)
   refused("grading", "", "set Grading x = 0\n", false, "4.*/Grading x'");
   refused("no z in the plane", "", "set Grading z = 2\n", false, "4.*/Grading z'");
   refused("negative radius", "set Origin = 0, -1\n", "", true, "2.*/Origin'.*radius");
-  refused("turned about the axis", "set Rotation = 10\n", "", true, "2.*/Rotation'");
+  refused("turned about the axis", "set Rotation = 10 deg\n", "", true, "2.*/Rotation'");
+  refused("angle without unit", "set Rotation = 30\n", "", false, "2.*/Rotation'.*has no unit");
+  refused("angle in metres", "set Rotation = 30 m\n", "", false, "2.*/Rotation'");
   refused("wall cells", "set Type = tube\nset Wall layers = a, b, c\n", "set Wall cells = 1, 2\n",
           true, "6.*/Wall cells'.*2 entries.*3");
   refused("thin radius", "set Type = hollow cylinder\nset Inner radius = 2\nset Outer radius = 1\n",

@@ -63,6 +63,14 @@ UNIT_TEST(structured_extent)
       "channel in space", channel,
       "set Axial cells = 8\nset Fluid cells = 3\nset Wall cells = 1, 2\nset Width cells = 4\n", 8.,
       1e-12);
+  // Along x: 3 before the square around the cylinder, 8 of it, 15 along the beam, 20 behind it. The
+  // coarse chords are less like the circle.
+  const std::string cylinder = "set Type = channel with cylinder\n";
+  compare<2>("channel with beam", cylinder, "set Upstream cells = 3\n", 46., 2e-3);
+  compare<2>("channel with cylinder", cylinder + "set Beam length = 0 m\n",
+             "set Upstream cells = 3\n", 31., 2e-3);
+  compare<3>("channel with beam in space", cylinder, "set Width cells = 3\n", 47., 2e-3);
+  compare<3>("wide channel", cylinder, "set Width cells = 50\n", 50., 2e-3);
   const std::string tube = "set Type = tube\nset Inner diameter = 10 mm\nset Length = 0.8 m\n"
                            "set Wall thickness = 1.5 mm\n";
   compare<2>("tube", tube, "set Axial cells = 12\nset Radial cells = 3\nset Wall cells = 2\n", 12.,

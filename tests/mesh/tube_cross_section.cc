@@ -46,7 +46,7 @@ UNIT_TEST(tube_cross_section)
 {
   // The polygon between the circle of 2 n chords a quarter and the core, of which 2 (0.6^2 / 2) is
   // a quarter of the corners' square.
-  const TubeCrossSection quarter({0., 0.4, 1., 1.5, 2.}, 4, false);
+  const TubeCrossSection quarter({0., 0.4, 1., 1.5, 2.}, 4, TubeCrossSection::Sector::quarter);
   const double chords = 0.5 * 8. * std::sin(M_PI / 16.);
   check::relative("fluid's rings", area(quarter, 0, 2), chords - 0.18, 1e-13);
   check::relative("wall", area(quarter, 2, 4), 3. * chords, 1e-13);
@@ -55,7 +55,14 @@ UNIT_TEST(tube_cross_section)
   check::is_true("vertices of a quarter", quarter.vertices().size() == 25 + 36);
   check::is_true("positive cells", smallest_cell(quarter) > 0.);
 
-  const TubeCrossSection full({0., 0.4, 1., 1.5, 2.}, 4, true);
+  const TubeCrossSection half({0., 0.4, 1., 1.5, 2.}, 4, TubeCrossSection::Sector::half);
+  check::relative("half: wall", area(half, 2, 4), 6. * chords, 1e-13);
+  check::is_true("half: vertices", half.vertices().size() == 45 + 4 * 17);
+  check::is_true("half: above the plane",
+                 std::all_of(half.vertices().begin(), half.vertices().end(),
+                             [](const Point<2> &vertex) { return vertex[1] >= 0.; }));
+
+  const TubeCrossSection full({0., 0.4, 1., 1.5, 2.}, 4, TubeCrossSection::Sector::full);
   check::relative("full: fluid's rings", area(full, 0, 2), 4. * (chords - 0.18), 1e-13);
   check::is_true("full: cells", full.cells().size() == 4 * quarter.cells().size());
   check::is_true("full: vertices", full.vertices().size() == 81 + 4 * 32);

@@ -1,13 +1,11 @@
 #include <continua/mesh/tube_geometry.h>
 
 #include "../unit_test.h"
+#include "curved_measures.h"
+#include "geometry_text.h"
 #include "mesh_measures.h"
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/distributed/tria.h>
-#include <deal.II/fe/fe_nothing.h>
-#include <deal.II/fe/fe_values.h>
-#include <deal.II/fe/mapping_q.h>
 
 #include <algorithm>
 #include <map>
@@ -15,28 +13,23 @@
 using namespace Continua;
 using dealii::Point;
 using dealii::numbers::PI;
+using geometry_text::joined;
 
 namespace
 {
+template <int dim>
+measures::CurvedMeasures<dim> curved(const measures::Measures<dim> &tube, const unsigned int degree)
+{
+  return {tube.region_names, tube.boundary_names, tube.mesh, degree};
+}
+
 /// Volume (in two dimensions, area) of a region as a discretisation with curved cells sees it.
 template <int dim>
 double volume(const measures::Measures<dim> &tube,
               const std::string &region,
               const unsigned int mapping_degree)
 {
-  const dealii::MappingQ<dim> mapping(mapping_degree);
-  const dealii::FE_Nothing<dim> element;
-  dealii::FEValues<dim> values(mapping, element, dealii::QGauss<dim>(mapping_degree + 2),
-                               dealii::update_JxW_values);
-  double sum = 0.;
-  for (const auto &cell : tube.mesh.active_cell_iterators())
-    if (tube.region_names[cell->material_id()] == region)
-    {
-      values.reinit(cell);
-      for (const double weight : values.get_JxW_values())
-        sum += weight;
-    }
-  return sum;
+  return curved(tube, mapping_degree).volumes.at(region);
 }
 
 /// Area (length) of a boundary, alike; `normal` becomes the sum of its normals times area.
@@ -46,32 +39,9 @@ double area(const measures::Measures<dim> &tube,
             const unsigned int mapping_degree,
             dealii::Tensor<1, dim> &normal)
 {
-  const dealii::MappingQ<dim> mapping(mapping_degree);
-  const dealii::FE_Nothing<dim> element;
-  dealii::FEFaceValues<dim> values(mapping, element, dealii::QGauss<dim - 1>(mapping_degree + 2),
-                                   dealii::update_JxW_values | dealii::update_normal_vectors);
-  double sum = 0.;
-  normal = 0.;
-  for (const auto &cell : tube.mesh.active_cell_iterators())
-    for (const unsigned int f : cell->face_indices())
-      if (cell->at_boundary(f) && tube.boundary_names[cell->face(f)->boundary_id()] == boundary)
-      {
-        values.reinit(cell, f);
-        for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
-        {
-          sum += values.JxW(q);
-          normal += values.JxW(q) * values.normal_vector(q);
-        }
-      }
-  return sum;
-}
-
-std::string joined(const std::vector<std::string> &words)
-{
-  std::string text;
-  for (const std::string &word : words)
-    text += word + "; ";
-  return text;
+  const measures::CurvedMeasures<dim> measured = curved(tube, mapping_degree);
+  normal = measured.normals.at(boundary);
+  return measured.areas.at(boundary);
 }
 
 void test_section()
@@ -209,14 +179,14 @@ void test_laws()
   const measures::Measures<2> d(TubeGeometry<2>{parameters});
   check::relative("D: fluid", d.region("fluid"), 0.5 * 0.01875 * 0.446, 1e-13);
   check::relative("D: outside", d.boundary("outside"), std::hypot(0.446, 0.00625), 1e-13);
-  check::is_true("law", TubeGeometry<2>(parameters).tube_law()->name() == "D");
+  check::is_true("law", TubeGeometry<2>(parameters).branches().front().law.name() == "D");
 }
 
-TubeGeometry<3>::Parameters coarse(const TubeLaw &law, const bool full)
+TubeGeometry<3>::Parameters coarse(const TubeLaw &law, const TubeCrossSection::Sector sector)
 {
   TubeGeometry<3>::Parameters parameters;
   parameters.law = law;
-  parameters.full = full;
+  parameters.sector = sector;
   parameters.axial_cells = 2;
   parameters.axial_grading = 1.;
   parameters.radial_cells = 2;
@@ -228,7 +198,7 @@ TubeGeometry<3>::Parameters coarse(const TubeLaw &law, const bool full)
 void test_space()
 {
   const TubeLaw law = TubeLaw::uniform(0.5, 2., 0.4);
-  measures::Measures<3> quarter(TubeGeometry<3>(coarse(law, false)));
+  measures::Measures<3> quarter(TubeGeometry<3>(coarse(law, TubeCrossSection::Sector::quarter)));
   check::equal("quarter: boundaries", joined(quarter.boundary_names),
                "inlet; outlet; wall inlet end; wall outlet end; outside; side y; side z; ");
   check::absolute("quarter: cells", quarter.mesh.n_active_cells(), 2. * (1 + 4 + 2), 0.);
@@ -265,7 +235,7 @@ void test_space()
   check::absolute("refined: vertices on the outside", error, 0., 1e-14);
   check::is_true("refined: vertices on the symmetry planes", in_plane);
 
-  const measures::Measures<3> full(TubeGeometry<3>(coarse(law, true)));
+  const measures::Measures<3> full(TubeGeometry<3>(coarse(law, TubeCrossSection::Sector::full)));
   check::equal("full: boundaries", joined(full.boundary_names),
                "inlet; outlet; wall inlet end; wall outlet end; outside; ");
   check::relative("full: fluid", volume(full, "fluid", 4), PI * 0.5, 1e-6);
@@ -274,7 +244,8 @@ void test_space()
   check::absolute("full: normal of the outside", normal.norm(), 0., 1e-12);
 
   // The frustum: pi L (R0^2 + R0 R1 + R1^2) / 3, of the fluid and of all.
-  measures::Measures<3> cone(TubeGeometry<3>(coarse(TubeLaw::taper(2., 2., 1., 0.1, 0.3), false)));
+  measures::Measures<3> cone(TubeGeometry<3>(
+      coarse(TubeLaw::taper(2., 2., 1., 0.1, 0.3), TubeCrossSection::Sector::quarter)));
   const double fluid = PI / 4. * 2. * (1. + 0.5 + 0.25) / 3.;
   const double all = PI / 4. * 2. * (1.21 + 1.1 * 0.8 + 0.64) / 3.;
   check::relative("cone: fluid", volume(cone, "fluid", 4), fluid, 1e-6);
@@ -292,10 +263,11 @@ void test_space()
   }
   const measures::Measures<3> bulge(TubeGeometry<3>(coarse(
       TubeLaw::table(x, diameter, std::vector<double>(x.size(), 0.1), Interpolant::Kind::cubic),
-      false)));
+      TubeCrossSection::Sector::quarter)));
   check::relative("bulge", volume(bulge, "fluid", 4), PI / 4. * (2. + 8. / 3. + 16. / 15.), 1e-5);
 
-  TubeGeometry<3>::Parameters thesis = coarse(TubeLaw::thesis('F'), false);
+  TubeGeometry<3>::Parameters thesis =
+      coarse(TubeLaw::thesis('F'), TubeCrossSection::Sector::quarter);
   thesis.law.set_layers({"inner", "outer"}, {0.5, 0.5});
   const measures::Measures<3> f((TubeGeometry<3>(thesis)));
   // h = D / 250: the inner layer reaches from R to R (1 + 1 / 250).
@@ -334,6 +306,8 @@ UNIT_TEST(tube_geometry)
   TubeGeometry<2>::Parameters section;
   section.law = TubeLaw::thesis('C');
   test_distributed<2>("distributed section", section);
-  test_distributed<3>("distributed quarter", coarse(TubeLaw::taper(1., 1., 0.5, 0.1, 0.2), false));
-  test_distributed<3>("distributed tube", coarse(TubeLaw::taper(1., 1., 0.5, 0.1, 0.2), true));
+  test_distributed<3>("distributed quarter", coarse(TubeLaw::taper(1., 1., 0.5, 0.1, 0.2),
+                                                    TubeCrossSection::Sector::quarter));
+  test_distributed<3>("distributed tube", coarse(TubeLaw::taper(1., 1., 0.5, 0.1, 0.2),
+                                                 TubeCrossSection::Sector::full));
 }

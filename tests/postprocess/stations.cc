@@ -52,7 +52,7 @@ Stations<dim> make(const std::string &entries,
   section.add("Fields", ignored, "");
   Stations<dim> stations;
   stations.add_entries(section);
-  stations.set(section, fields, {"wall", "water"});
+  stations.set(section, fields, {"wall", "water"}, {});
   dealii::Triangulation<dim> mesh;
   make_tube<dim>(mesh, begin, begin_z);
   stations.check(section, mesh);
@@ -122,7 +122,7 @@ UNIT_TEST(stations)
   check::absolute("pair downstream, first", downstream[0].terms[1].first.point[0], 0.25, 1e-15);
   check::absolute("pair downstream, second", downstream[0].terms[0].first.point[0], 0.3, 1e-15);
   check::is_true("velocity integral", downstream[1].terms[0].first.kind == Kind::section_integral &&
-                                          downstream[1].terms[0].first.field == "velocity x");
+                                          downstream[1].terms[0].first.field == "axial velocity");
   check::is_true("wall shear stress", asks(5, 0, Kind::rim_mean, "wall shear stress", 1, 0.25, 1.));
   check::is_true("hoop stress", asks(6, 0, Kind::section_mean, "hoop stress", 0, 0.25, 1.));
   check::is_true("none are given", !Stations<2>().given());
@@ -145,5 +145,5 @@ UNIT_TEST(stations)
   refuses("unknown field", "set Stations = 0.5\n", {"presure"}, "no field 'presure'.*pressure");
   refuses("field twice", "set Stations = 0.5\n", {"flow rate", "flow rate"}, "recorded twice");
   refuses("beside the axis", "set Stations = 0.5\n", {"axis pressure"},
-          "x axis is not in the fluid", 0.1);
+          "the axis is not in the fluid", 0.1);
 }

@@ -3,6 +3,7 @@
 
 #include <continua/signal/waveform.h>
 
+#include <array>
 #include <vector>
 
 namespace Continua
@@ -47,27 +48,33 @@ public:
     parabolic,
     womersley
   };
-  /// A womersley profile needs `history`. `fraction`: which part of the disc the mesh has (1, 1/2
-  /// or 1/4).
+  /// The disc through which the liquid flows.
+  struct Disc
+  {
+    double radius = 1.;                            ///< [m]
+    double fraction = 1.;                          ///< the part that the mesh has: 1, 1/2 or 1/4
+    std::array<double, 3> centre = {{0., 0., 0.}}; ///< [m]
+  };
+  /// A womersley profile needs `history`.
   FlowProfile(Shape shape,
               const Waveform &flow_rate,
-              double radius,
-              double fraction,
+              const Disc &disc,
               const FlowHistory &history = FlowHistory());
 
   /// S_m at r/R; beyond the rim zero.
   std::vector<double> shapes(double relative_radius) const;
+  /// S_m at a point of the disc; coordinates [m], those that a model does not have are zero.
+  std::vector<double> shapes_at(const std::array<double, 3> &point) const;
   /// a_m [m/s]; the vector stays valid until the next call.
   const std::vector<double> &amplitudes(double time) const;
   bool depends_on_time() const;
-  double radius() const { return tube_radius; } ///< R [m]
-  double fraction() const { return part_of_disc; }
+  /// Of the part of the disc that the mesh has [m^2].
+  double area() const;
 
 private:
   bool is_flat;
   Waveform flow_rate;
-  double tube_radius;
-  double part_of_disc;
+  Disc disc;
   std::vector<double> zeros; ///< j_m, of the modes that are kept
   std::vector<double> rates; ///< nu j_m^2/R^2 [1/s], the last one of the tail
   double row_length = 0.;    ///< [s]

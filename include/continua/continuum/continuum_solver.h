@@ -5,6 +5,7 @@
 #include <continua/continuum/power_balance.h>
 #include <continua/continuum/vibration_operator.h>
 #include <continua/mesh/indicator_field.h>
+#include <continua/mesh/vessel_axis.h>
 #include <continua/signal/expression.h>
 #include <continua/time_integration/step.h>
 
@@ -42,7 +43,7 @@ struct ProbeRequest
     boundary_integral,
     section_mean,
     section_integral,
-    rim_mean, ///< over the rim of a section that faces away from the x axis: a tube's inner wall
+    rim_mean, ///< over the rim of a section that faces away from its point: a tube's inner wall
     /// Flow rate along the normal of a section, by the discrete equation of mass balance where the
     /// discretisation has one; there is no field.
     section_flow,
@@ -57,6 +58,9 @@ struct ProbeRequest
   dealii::Point<dim> point; ///< [m]; for points, and one of the plane for sections
   /// Of the plane, for sections; of any length.
   dealii::Tensor<1, dim> normal = dealii::Point<dim>::unit_vector(0);
+  /// The axis of the vessel through `point` along `normal`, of which alone the section is; null for
+  /// all that the plane cuts.
+  std::shared_ptr<const VesselAxis<dim>> axis;
   unsigned int boundary_id = 0; ///< for boundaries
   /// The regions whose side counts (a field may jump); empty: any that is there.
   std::set<unsigned int> region_ids;
@@ -66,6 +70,10 @@ struct ProbeRequest
   {
     return kind == Kind::boundary_integral || kind == Kind::section_integral ||
            kind == Kind::volume_integral;
+  }
+  bool is_section() const
+  {
+    return kind == Kind::section_mean || kind == Kind::section_integral || kind == Kind::rim_mean;
   }
   /// Whether the kind itself is what is asked for.
   bool has_no_field() const { return kind == Kind::section_flow || kind == Kind::volume_change; }

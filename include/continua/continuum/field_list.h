@@ -14,7 +14,7 @@ namespace Continua
 {
 /**
  * A field that can be probed: a component of one of the quantities of the solution, or a linear
- * combination of its components whose factors depend on the place (those about the x axis).
+ * combination of its components whose factors depend on the place (those about an axis).
  */
 template <int dim>
 struct FieldDefinition
@@ -27,24 +27,32 @@ struct FieldDefinition
     stress,
     strain
   };
-  /// Of the components; about the x axis e_r points away from it and e_theta round it.
+  /// Of the components; e_r points away from the axis and e_theta round it.
   enum class Combination
   {
     component, ///< one of them
     along,     ///< v.direction
     trace,     ///< of a strain: the sum of those along the axes
     radial,    ///< e_r.v
+    axial,     ///< e_axis.v
     hoop,      ///< e_theta.sigma.e_theta
-    drag       ///< -e_x.sigma.e_r: what a fluid exerts downstream on a wall around it
+    drag       ///< -e_axis.sigma.e_r: what a fluid exerts downstream on a wall around it
+  };
+  /// Through a point along a direction of length one; by default the x axis.
+  struct Axis
+  {
+    dealii::Point<dim> point; ///< [m]
+    dealii::Tensor<1, dim> direction = dealii::Point<dim>::unit_vector(0);
   };
   FieldComponent name;
   Quantity quantity = Quantity::pressure;
   Combination combination = Combination::component;
   unsigned int component = 0;
   std::array<double, 3> direction = {{0., 0., 0.}};
+  Axis axis;
 
   /// The factors of the components (of a vector x, y, z; of a stress those of stress_pairs) at a
-  /// point of the undeformed body. On the x axis, where there is no e_r, it is e_y.
+  /// point of the undeformed body. On the axis, where there is no e_r, it is any across it.
   std::array<double, 6> factors(const dealii::Point<dim> &point) const;
 };
 
@@ -53,8 +61,9 @@ template <int dim>
 FieldDefinition<dim> field_along(typename FieldDefinition<dim>::Quantity quantity,
                                  const dealii::Tensor<1, dim> &direction);
 
-/// All fields of the model, in the order in which they are offered. `radial velocity`, `radial
-/// displacement`, `hoop stress` and `wall shear stress` exist in axisymmetry and three dimensions.
+/// All fields of the model, in the order in which they are offered. `radial velocity`, `axial
+/// velocity`, `radial displacement`, `hoop stress` and `wall shear stress` exist in axisymmetry and
+/// three dimensions.
 template <int dim>
 std::vector<FieldDefinition<dim>> field_list(Model model);
 /// Their names and units: what there is to probe, whatever the discretisation.

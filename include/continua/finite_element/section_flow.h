@@ -2,11 +2,13 @@
 #define continua_finite_element_section_flow_h
 
 #include <continua/finite_element/space.h>
+#include <continua/mesh/vessel_axis.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
 #include <array>
+#include <memory>
 #include <set>
 #include <vector>
 
@@ -26,18 +28,20 @@ namespace Continua
  * longest cell there, nodal interpolants in the pressure space, with factors that make the mean
  * over the section's surroundings exact for flow rates that are cubic polynomials of the distance
  * (of a lower degree where the liquid is only a few cells long). Near an end of the liquid the
- * ramps lie on one side.
+ * ramps lie on one side. Along a vessel with an axis of its own the distance is that along the
+ * axis, and its other parts and branches do not count.
  */
 template <int dim>
 class SectionFlow
 {
 public:
   /// Of the regions (material ids; empty: all) through the plane; the flow along `normal`, of any
-  /// length, counts as positive.
+  /// length, counts as positive. `axis`: of the vessel, or null.
   SectionFlow(const Space<dim> &space,
               const std::set<unsigned int> &regions,
               const dealii::Point<dim> &point,
-              const dealii::Tensor<1, dim> &normal);
+              const dealii::Tensor<1, dim> &normal,
+              const std::shared_ptr<const VesselAxis<dim>> &axis = nullptr);
 
   /// Adds to `weights` what an entry of the velocity contributes [m^2, in the plane m]. False, on
   /// all ranks, if the plane misses the regions. Collective.
@@ -48,7 +52,13 @@ private:
   const std::set<unsigned int> regions;
   const dealii::Point<dim> point;
   const dealii::Tensor<1, dim> normal;
+  const std::shared_ptr<const VesselAxis<dim>> axis;
+  double position = 0.; ///< of the section along the axis [m]
 
+  /// From the section along the axis, or along the normal [m]; not a number in another branch.
+  double distance(const dealii::Point<dim> &place) const;
+  /// Of length one, that in which the distance grows.
+  dealii::Tensor<1, dim> direction(const dealii::Point<dim> &place) const;
   /// The places of the ramps along the normal.
   struct Ramps
   {
@@ -59,7 +69,8 @@ private:
     /// 1 before the ramp, 0 behind it.
     double value(unsigned int ramp, double distance) const;
   };
-  /// The distances of a cell's vertices from the plane, the least and the largest [m].
+  /// The distances of a cell's vertices from the section, the least and the largest [m]; not
+  /// numbers if the cell belongs to another branch, as a whole or in part.
   std::array<double, 2>
   range_of(const typename dealii::Triangulation<dim>::cell_iterator &cell) const;
   bool counts(const typename dealii::Triangulation<dim>::cell_iterator &cell) const;

@@ -3,6 +3,7 @@
 
 #include <continua/base/parameter_section.h>
 #include <continua/mesh/mesh_extent.h>
+#include <continua/mesh/vessel_branch.h>
 
 #include <deal.II/grid/tria.h>
 
@@ -14,8 +15,6 @@
 
 namespace Continua
 {
-class TubeLaw;
-
 /**
  * A named geometry: makes the coarse mesh and publishes what its regions and boundaries are called.
  * A cell's material id is its region's place in `regions()`, a face's boundary id its boundary's
@@ -38,8 +37,9 @@ public:
   /// Takes note of the boundaries, by name, that are held fast: a geometry whose cells are to be
   /// small at them makes them so in `create`.
   virtual void note_fixed_boundaries(const std::set<std::string> & /* names */) {}
-  /// The law of a tube along x, which lives as long as the geometry; null if it is no tube.
-  virtual const TubeLaw *tube_law() const { return nullptr; }
+  /// What it has of vessels: one branch of a tube, several where it divides, none of a body that is
+  /// no vessel.
+  virtual std::vector<VesselBranch<dim>> branches() const { return {}; }
 };
 
 template <int dim>

@@ -25,7 +25,7 @@ public:
   std::vector<std::string> boundaries() const override;
   void create(dealii::Triangulation<dim> &triangulation) const override;
   MeshExtent extent() const override;
-  const TubeLaw *tube_law() const override;
+  std::vector<VesselBranch<dim>> branches() const override;
 
 private:
   std::unique_ptr<Geometry<dim>> unpainted;

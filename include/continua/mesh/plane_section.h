@@ -1,6 +1,8 @@
 #ifndef continua_mesh_plane_section_h
 #define continua_mesh_plane_section_h
 
+#include <continua/mesh/vessel_axis.h>
+
 #include <deal.II/base/point.h>
 #include <deal.II/base/quadrature.h>
 #include <deal.II/fe/mapping_q.h>
@@ -20,6 +22,9 @@ namespace Continua
  * A plane through faces of cells would belong to the cells on either side, or by round-off to none.
  * It is therefore moved by 1e-9 of the body's extent against its normal (where that leaves the
  * body, along its normal): sections are limits from that side, and cells share no part of them.
+ *
+ * A plane across a vessel that bends or divides may cut it elsewhere, too. With the vessel's axis
+ * the section is that of the cells alone which the axis leads through the plane's point.
  */
 template <int dim>
 class PlaneSection
@@ -43,28 +48,32 @@ public:
   };
 
   /// The section of the regions (material ids; empty: of all) by the plane through `point` with
-  /// that `normal`, which need not have length 1; `n_points` Gauss points a direction.
+  /// that `normal`, which need not have length 1; `n_points` Gauss points a direction. `axis`: null
+  /// for the whole section.
   PlaneSection(const dealii::MappingQ<dim> &mapping,
                const dealii::Triangulation<dim> &triangulation,
                Cells cells,
                const std::set<unsigned int> &regions,
                const dealii::Point<dim> &point,
                const dealii::Tensor<1, dim> &normal,
-               unsigned int n_points);
+               unsigned int n_points,
+               const VesselAxis<dim> *axis = nullptr);
 
   /// On this rank's cells.
   const std::vector<Part> &parts() const { return section_parts; }
   /// Of the whole section [m^2, in two dimensions m]; 0 where the plane misses the regions.
   double area() const { return total_area; }
-  /// The rim of the section that faces away from the x axis (within 60 degrees), towards another
-  /// region or the outside: of a tube's fluid the inner side of the wall, and neither the axis nor
-  /// planes of symmetry.
+  /// The rim of the section that faces away from the plane's point (within 60 degrees), towards
+  /// another region or the outside: of a tube's fluid, around its axis, the inner side of the wall,
+  /// and neither the axis nor planes of symmetry.
   std::vector<Part> outer_rim() const;
 
 private:
   using CellIterator = typename dealii::Triangulation<dim>::cell_iterator;
   class CellPlane;
   bool counts(const CellIterator &cell) const;
+  /// Whether the vessel's axis leads through the cell at the plane's point.
+  bool is_on_axis(const CellIterator &cell) const;
   /// Fills the parts for the plane as it stands; returns their area.
   double cut();
 
@@ -75,6 +84,8 @@ private:
   dealii::Point<dim> point;
   const dealii::Tensor<1, dim> normal;
   const unsigned int n_points;
+  const VesselAxis<dim> *const axis;
+  double position = 0.; ///< of the plane's point along the axis [m]
   std::vector<Part> section_parts;
   double total_area = 0.;
 };

@@ -9,8 +9,9 @@
 namespace Continua
 {
 /**
- * The mesh of a tube's cross-section, of which a quarter (y, z >= 0) or all of it is made: a square
- * core, whose diagonals end at 0.6 of the radius, and rings around it that become round outwards.
+ * The mesh of a tube's cross-section, of which a quarter (y, z >= 0), a half (z >= 0) or all of it
+ * is made: a square core, whose diagonals end at 0.6 of the radius, and rings around it that become
+ * round outwards.
  *
  * A point is told by its place (rho, u): rho is 0 on the core's surface, 1 on the wall's inner and
  * 2 on its outer surface; u counts eighths of a turn from the y axis towards the z axis. Inside the
@@ -22,6 +23,13 @@ namespace Continua
 class TubeCrossSection
 {
 public:
+  /// What is made; its number is that of quarters.
+  enum class Sector : unsigned int
+  {
+    quarter = 1,
+    half = 2,
+    full = 4
+  };
   struct Cell
   {
     std::array<unsigned int, 4> vertices; ///< lexicographic, counter-clockwise positive
@@ -31,7 +39,7 @@ public:
 
   /// `rings`: the places rho of the rings' surfaces, ascending from 0; `n_side_cells` along half a
   /// side of the core, which is half of those along a quarter of the circumference.
-  TubeCrossSection(const std::vector<double> &rings, unsigned int n_side_cells, bool full);
+  TubeCrossSection(const std::vector<double> &rings, unsigned int n_side_cells, Sector sector);
 
   const std::vector<dealii::Point<2>> &vertices() const { return all_vertices; } ///< scaled (y, z)
   const std::vector<Cell> &cells() const { return all_cells; }

@@ -2,7 +2,9 @@
 #define continua_mesh_tube_geometry_h
 
 #include <continua/mesh/geometry.h>
-#include <continua/mesh/layered_stack.h>
+#include <continua/mesh/tube_cross_section.h>
+#include <continua/mesh/tube_section_cells.h>
+#include <continua/vessel/centreline.h>
 #include <continua/vessel/tube_law.h>
 
 namespace Continua
@@ -14,31 +16,32 @@ namespace Continua
  * `wall inlet end`, `wall outlet end` (the wall's), `outside`.
  *
  * In two dimensions half its axial section, y the radius, with the further boundary `axis`. In
- * three dimensions the whole tube or the quarter of it with y, z >= 0, whose planes of symmetry are
- * the boundaries `side y` (y = 0) and `side z` (z = 0); the cross-section is that of
- * TubeCrossSection. Curved surfaces are the manifold's, under refinement as well.
+ * three dimensions the whole tube, the half of it with z >= 0 or the quarter with y, z >= 0, whose
+ * planes of symmetry are the boundaries `side y` (y = 0, of the quarter) and `side z` (z = 0); the
+ * cross-section is that of TubeCrossSection. There the axis may also lie on a centreline, whose
+ * frame takes the place of the directions y and z. Curved surfaces are the manifold's, under
+ * refinement as well.
  */
 template <int dim>
 class TubeGeometry : public Geometry<dim>
 {
 public:
-  struct Parameters
+  struct Parameters : TubeSectionCells
   {
     TubeLaw law;
-    bool full = false; ///< in three dimensions: not a quarter alone
+    /// In three dimensions, on which the axis comes to lie; null, the x axis.
+    std::shared_ptr<const Centreline> centreline;
+    TubeCrossSection::Sector sector = TubeCrossSection::Sector::quarter; ///< in three dimensions
     unsigned int axial_cells = 20;
     /// Length of the first cell at an end where the wall is clamped over length / axial_cells; 0:
     /// that cell is sqrt(R h)/2 long.
     double axial_grading = 0.;
     std::array<bool, 2> clamped = {{false, false}}; ///< the wall, at the inlet and at the outlet
-    unsigned int radial_cells = 6;                  ///< of the fluid; in three dimensions its rings
-    /// Of those, outermost over innermost; 0: the outermost is R / `cells_at_wall` thick.
-    double radial_grading = 0.;
-    std::vector<unsigned int> wall_cells = {1}; ///< of each layer, or one number for all
-    unsigned int circumferential_cells = 6;     ///< of a quarter, in three dimensions; even
 
     /// Throws InputError.
     static Parameters read(ParameterSection geometry, ParameterSection mesh);
+    /// The section Mesh, for the law that is there; throws InputError.
+    void read_mesh(ParameterSection mesh);
   };
 
   explicit TubeGeometry(const Parameters &parameters);
@@ -50,13 +53,10 @@ public:
   std::unique_ptr<Geometry<dim>> coarsened(double most_cells) const override;
   /// Grades the cells towards the clamped ends of the wall.
   void note_fixed_boundaries(const std::set<std::string> &names) override;
-  const TubeLaw *tube_law() const override;
+  std::vector<VesselBranch<dim>> branches() const override;
 
-  /// How often the fluid's outermost cell fits into the radius by default. The Stokes layer
-  /// sqrt(2 nu/omega) = sqrt(2) R / (Womersley number) is thicker up to a Womersley number of 181.
-  static constexpr double cells_at_wall = 128.;
-  /// By how much neighbouring cells differ at most, along the axis and across it.
-  static constexpr double axial_growth = 1.5, radial_growth = 2.5;
+  /// By how much neighbouring cells along the axis differ at most.
+  static constexpr double axial_growth = 1.5;
 
 private:
   /**

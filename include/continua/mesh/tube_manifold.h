@@ -1,9 +1,12 @@
 #ifndef continua_mesh_tube_manifold_h
 #define continua_mesh_tube_manifold_h
 
+#include <continua/vessel/centreline.h>
 #include <continua/vessel/tube_law.h>
 
 #include <deal.II/grid/manifold.h>
+
+#include <memory>
 
 namespace Continua
 {
@@ -18,6 +21,9 @@ namespace Continua
  * dimensions, x the axis, it is, in the `core` of the cross-section, (x, y, z) with y and z over
  * the inner radius, and in its `rings` (x, rho, u) of TubeCrossSection. The two agree on the
  * surface between core and rings.
+ *
+ * A tube in three dimensions may have a centreline, on which its axis comes to lie: x is the
+ * position along it, y the distance along the frame's normal, z that along its binormal.
  */
 template <int dim>
 class TubeManifold : public dealii::ChartManifold<dim, dim, dim>
@@ -29,10 +35,13 @@ public:
     rings
   };
 
-  TubeManifold(const TubeLaw &law, Part part);
+  /// `centreline`: as long as the tube; null, the x axis.
+  TubeManifold(const TubeLaw &law,
+               Part part,
+               const std::shared_ptr<const Centreline> &centreline = nullptr);
 
   std::unique_ptr<dealii::Manifold<dim>> clone() const override;
-  dealii::Point<dim> pull_back(const dealii::Point<dim> &point) const override;
+  dealii::Point<dim> pull_back(const dealii::Point<dim> &place) const override;
   dealii::Point<dim> push_forward(const dealii::Point<dim> &chart_point) const override;
 
   /// The radius [m] where the scaled radius is s, at x [m] along the axis.
@@ -41,6 +50,7 @@ public:
 private:
   const TubeLaw law;
   const Part part;
+  const std::shared_ptr<const Centreline> centreline;
 };
 } // namespace Continua
 

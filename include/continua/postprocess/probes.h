@@ -30,6 +30,7 @@ struct StationsProbe
   std::string name;
   std::vector<double> positions;   ///< [m]
   std::vector<std::string> fields; ///< see Stations
+  unsigned int branch;             ///< of the geometry's, along which they stand
   double pair_distance;            ///< [m], of the pressure gradients
   double pair_offset;              ///< from a station to the first section of its pair [m]
   /// The column in Probes of a station and a field.
@@ -51,10 +52,11 @@ public:
   explicit Probes(MPI_Comm communicator);
 
   /// Declares and reads the section; `boundaries` and `regions` are the names by boundary and
-  /// material id. Throws InputError.
+  /// material id, `branches` those of the geometry. Throws InputError.
   void read(ParameterSection section,
             const std::vector<std::string> &boundaries,
-            const std::vector<std::string> &regions);
+            const std::vector<std::string> &regions,
+            const std::vector<VesselBranch<dim>> &branches = {});
   /// Refuses, before there is a solver, a field that is not among `fields`, a point that no cell
   /// of the coarse mesh holds (in the region, if one is named), a boundary that the region does not
   /// touch, a section without area and stations outside the tube; `boundary_regions` are the

@@ -3,9 +3,12 @@
 
 #include <continua/base/parameter_section.h>
 #include <continua/continuum/continuum_solver.h>
+#include <continua/mesh/vessel_branch.h>
 
 #include <deal.II/grid/tria.h>
 
+#include <array>
+#include <memory>
 #include <set>
 #include <string>
 #include <utility>
@@ -14,12 +17,13 @@
 namespace Continua
 {
 /**
- * What a user of a tube measures at stations along its axis, the x axis: the entries `Stations`,
- * `Fluid`, `Pair distance` and `Pair` of a probe, and the fields that it then may have. Each is a
+ * What a user of a tube measures at stations along its axis: the entries `Stations`, `Branch`,
+ * `Fluid`, `Pair distance` and `Pair` of a probe, and the fields that it then may have. The axis is
+ * that of the vessel's branch, or the x axis where the geometry has none of its own. Each is a
  * sum of numbers that the solver can tell:
  *
  * - `pressure`: mean over the fluid's section [Pa];
- * - `axis pressure`: on the x axis [Pa];
+ * - `axis pressure`: on the axis [Pa];
  * - `flow rate`: by the discrete balance of mass (see SectionFlow), of the whole tube, also where a
  *   part of its circumference is modelled [m^3/s];
  * - `velocity integral`: of the axial velocity over the section, of the whole tube [m^3/s];
@@ -46,10 +50,12 @@ public:
   /// Declares the entries and reads them.
   void add_entries(ParameterSection section);
   bool given() const { return !station_positions.empty(); }
-  /// The probe's `Fields`, and the regions' names by material id. Throws InputError.
+  /// The probe's `Fields`, the regions' names by material id, and the branches of the geometry.
+  /// Throws InputError.
   void set(const ParameterSection &section,
            const std::vector<std::string> &fields,
-           const std::vector<std::string> &regions);
+           const std::vector<std::string> &regions,
+           const std::vector<VesselBranch<dim>> &branches);
   /// Refuses what the body does not have: a station, or the other one of a pair, outside the
   /// fluid; hoop stress where there is no wall; the axis pressure beside the axis. Finds what part
   /// of the circumference is modelled. Throws InputError.
@@ -57,7 +63,8 @@ public:
 
   const std::vector<double> &positions() const { return station_positions; } ///< [m]
   const std::vector<std::string> &fields() const { return field_names; }
-  double pair_distance() const { return distance; } ///< [m]
+  unsigned int branch() const { return branch_index; } ///< its place in the geometry's
+  double pair_distance() const { return distance; }    ///< [m]
   /// From a station to the first section of its pair [m]: 0 or less.
   double pair_offset() const { return pair == Pair::centred ? -0.5 * distance : 0.; }
   /// All columns, by station and field. Integrals are of the part of the circumference that check()
@@ -69,6 +76,9 @@ public:
 private:
   std::vector<double> station_positions;
   std::vector<std::string> field_names;
+  std::string branch_name;
+  unsigned int branch_index = 0;
+  std::shared_ptr<const VesselAxis<dim>> axis; ///< null: the x axis
   std::string fluid = "fluid";
   double distance = 17e-3;
   enum class Pair
@@ -81,6 +91,10 @@ private:
   double n_copies = 1.; ///< of the modelled part in the whole circumference
 
   bool has(const std::string &field) const;
+  /// Finds the branch and its axis.
+  void set_branch(const ParameterSection &section, const std::vector<VesselBranch<dim>> &branches);
+  /// Between which positions the fluid is [m].
+  std::array<double, 2> range(const dealii::Triangulation<dim> &coarse_mesh) const;
   ProbeRequest<dim> request(typename ProbeRequest<dim>::Kind kind,
                             const std::string &field,
                             const std::set<unsigned int> &region_ids,

@@ -3,6 +3,7 @@
 
 #include <continua/base/interpolant.h>
 #include <continua/base/parameter_section.h>
+#include <continua/vessel/wall_layers.h>
 
 #include <functional>
 #include <string>
@@ -78,9 +79,9 @@ public:
   /// As in `Law`: "A", "uniform", ...
   std::string name() const { return law; }
   /// The wall's layers from the inner to the outer one.
-  const std::vector<std::string> &layer_names() const { return layers; }
+  const std::vector<std::string> &layer_names() const { return layers.names; }
   /// Their parts of the thickness; the sum is 1.
-  const std::vector<double> &layer_fractions() const { return fractions; }
+  const std::vector<double> &layer_fractions() const { return layers.fractions; }
   /// For a wall that is not read from a file.
   void set_layers(const std::vector<std::string> &names, const std::vector<double> &fractions);
 
@@ -93,7 +94,6 @@ private:
           bool uniform_everywhere);
   static TubeLaw read_law(ParameterSection &geometry, const std::string &law);
   static TubeLaw read_table(ParameterSection &geometry);
-  void read_layers(ParameterSection &geometry);
 
   std::string law;
   double length_as_made;     ///< [m]
@@ -101,8 +101,7 @@ private:
   Profile thickness_as_made; ///< [m] over [m]
   bool uniform_everywhere;
   double stretch = 1.; ///< length over length as made
-  std::vector<std::string> layers = {"wall"};
-  std::vector<double> fractions = {1.};
+  WallLayers layers;
 };
 } // namespace Continua
 
