@@ -50,7 +50,7 @@ Histories theoretical_histories(const StationsProbe &probe,
         places.push_back(position + probe.pair_offset + to_second);
   for (double &place : places)
     place = wave_case.place(place);
-  std::vector<WaveHistory> waves = theory.histories(places, times);
+  std::vector<WaveHistory> waves = theory.histories(places, times, probe.branch);
   for (WaveHistory &wave : waves)
     for (std::vector<double> *const directed : {&wave.flow_rate, &wave.wall_shear_stress})
       for (double &value : *directed)
@@ -294,6 +294,7 @@ void LinearWaveTheory<dim>::report(const std::vector<double> &times, const bool 
         probe.name, probe.positions, probe.fields, {}, impedances_of(input, probe, frequency)};
     for (const std::string &field : probe.fields)
       stations.units.push_back(dimension_of_station_field(field).unit());
+    stations.direction = wave_case.direction();
     WaveReport report(stations, times);
     if (simulated)
       report.set(WaveReport::Source::simulated,

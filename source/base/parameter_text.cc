@@ -59,7 +59,7 @@ void check_unsets(const ParameterText::Section &section, const std::string &path
   }
 }
 
-/// Drops what an `unset` takes back in the section.
+/// Drops what an `unset` takes back in the section, and the sections in it that this leaves empty.
 void take_back(const ParameterText::Setting &unset, ParameterText::Section &section)
 {
   for (ParameterText::Entry &entry : section.entries)
@@ -67,8 +67,15 @@ void take_back(const ParameterText::Setting &unset, ParameterText::Section &sect
                                         [&unset](const auto &setting)
                                         { return overrides(unset, setting); }),
                          entry.settings.end());
-  for (ParameterText::Section &child : section.sections)
-    take_back(unset, child);
+  for (auto child = section.sections.begin(); child != section.sections.end();)
+  {
+    bool is_left_empty = takes_back(unset, *child);
+    take_back(unset, *child);
+    is_left_empty = is_left_empty && child->sections.empty() &&
+                    std::all_of(child->entries.begin(), child->entries.end(),
+                                [](const auto &entry) { return entry.settings.empty(); });
+    child = is_left_empty ? section.sections.erase(child) : child + 1;
+  }
 }
 
 /// Leaves the entry the one setting that holds, or none if it is unset.

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -30,9 +31,11 @@ constexpr const char *fit_keys[] = {"Lowest frequency", "Highest frequency", "Fi
 constexpr unsigned int n_per_decade = 12, fewest_samples = 24;
 
 /// The ring frequency of a wall that carries the liquid's radial inertia, rho R/4 on its surface
-/// [Hz]: the pressure wave ends near it.
+/// [Hz]: the pressure wave ends near it. Infinite if the wall is rigid.
 double loaded_ring_frequency(const TubeSection &section)
 {
+  if (section.layers.empty())
+    return std::numeric_limits<double>::infinity();
   const double stiffness = section.membrane_modulus(2. * dealii::numbers::PI).real() *
                            section.wall_thickness() / (section.inner_radius * section.inner_radius);
   const double mass = section.wall_density() * section.wall_thickness() +
@@ -245,7 +248,7 @@ void add_tube_end(Case<dim> &input,
     section.refuse("Type", "the tube is not full of liquid, or has painted regions",
                    "Use 'pressure', 'resistance' or 'windkessel' here");
   for (const BoundaryCondition &other : problem.conditions)
-    if (problem.boundaries[other.boundary_id] == "outside" &&
+    if (!law.is_rigid() && problem.boundaries[other.boundary_id] == "outside" &&
         (other.normal.kind == BoundaryPart::Kind::velocity ||
          (other.tangential.kind == BoundaryPart::Kind::velocity && !other.tangential.is_zero())))
       section.refuse("Type", "a tube goes on with a wall that is free outside or held axially only",

@@ -99,54 +99,21 @@ TubeSection tube_section_at(const Case<dim> &input, const TubeLaw &law, const do
   return section;
 }
 
-template <int dim>
-std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case)
+namespace
 {
-  const std::vector<VesselBranch<dim>> branches = input.geometry->branches();
-  if (branches.empty())
-    return "the geometry is no 'tube'";
-  if (branches.size() > 1)
-    return "the vessel divides";
-  const TubeLaw &law = branches.front().law;
-  if (input.problem.regions.size() != law.layer_fractions().size() + 1)
-    return "the tube has painted regions";
-  if (input.problem.materials[0].is_solid())
-    return "the tube is not full of liquid";
-  const InteriorData &interior = input.problem.interior;
-  if (!interior.acceleration.empty() || !interior.body_force.empty())
-    return "there is a body force";
-  if (!interior.initial_velocity.empty() || !interior.initial_displacement.empty() ||
-      !interior.initial_pressure.empty())
-    return "the initial state is not rest";
+/// Which boundaries end a tube of the theory; empty where the vessel divides.
+struct Ends
+{
+  std::string inlet, wall_inlet, outlet, wall_outlet;
+};
 
-  TubeWaveProblem &problem = wave_case.problem;
-  problem.level = input.wave_theory.level;
-  // A table may vary more than a law does.
-  problem.n_computed_sections =
-      std::max(input.wave_theory.computed_sections, law.name() == "table" ? 16u : 0u);
-  const BoundaryCondition *inlet = find_condition(input, "inlet", 0);
-  const BoundaryCondition *outlet = find_condition(input, "outlet", 0);
-  if (inlet == nullptr || outlet == nullptr)
-    return "the mesh has no 'inlet' or 'outlet'";
-  if (is_loaded(*inlet) && is_loaded(*outlet))
-    return "both ends are loaded";
-  wave_case.from_outlet = is_loaded(*outlet);
-  if (wave_case.from_outlet)
-    std::swap(inlet, outlet);
-  const std::string end = wave_case.from_outlet ? "outlet" : "inlet",
-                    far_end = wave_case.from_outlet ? "inlet" : "outlet";
-  const Waveform waveform = inlet->normal.along_normal;
-  if (inlet->type == BoundaryType::flow_rate)
-    problem.inlet = TubeWaveProblem::Inlet::flow_rate;
-  else if (inlet->type == BoundaryType::pressure)
-    problem.inlet = TubeWaveProblem::Inlet::pressure;
-  else
-    return "the " + end + "'s Type is '" + word_of(boundary_type_words(), inlet->type) +
-           "', not pressure or flow rate";
-  if (waveform.depends_on_space())
-    return "the " + end + "'s value depends on the place";
-  wave_case.inlet = [waveform](const double time) { return waveform(middle_of_inlet, time); };
-
+/// What the liquid and the wall meet at the far end; or why the theory has no such end.
+template <int dim>
+std::string read_far_end(const Case<dim> &input, const Ends &ends, TubeWaveProblem &problem)
+{
+  const BoundaryCondition *const condition = find_condition(input, ends.outlet, 0);
+  if (condition == nullptr)
+    return "the mesh has no '" + ends.outlet + "'";
   if (input.wave_theory.far_end == FarEnd::matched)
     problem.outlet = TubeWaveProblem::Outlet::matched;
   else if (input.wave_theory.far_end == FarEnd::branches)
@@ -155,45 +122,167 @@ std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case)
     problem.load =
         Impedance::resistance(impedance_of_branches(input.problem.materials[0], input.wave_theory));
   }
-  else if (outlet->type == BoundaryType::absorbing)
+  else if (condition->type == BoundaryType::absorbing)
     problem.outlet = TubeWaveProblem::Outlet::absorbing;
-  else if (outlet->outlet)
+  else if (condition->outlet)
   {
-    if (!outlet->outlet->pressure_behind.is_zero() || !outlet->outlet->initial_states.empty())
-      return "the pressure behind the " + far_end + " or in it is not zero at the start";
+    if (!condition->outlet->pressure_behind.is_zero() || !condition->outlet->initial_states.empty())
+      return "the pressure behind the " + ends.outlet + " or in it is not zero at the start";
     problem.outlet = TubeWaveProblem::Outlet::loaded;
-    problem.load = outlet->outlet->impedance;
+    problem.load = condition->outlet->impedance;
   }
-  else if (is_fixed(outlet->normal))
+  else if (is_fixed(condition->normal))
     problem.outlet = TubeWaveProblem::Outlet::closed;
-  else if (is_free(outlet->normal))
+  else if (is_free(condition->normal))
     problem.outlet = TubeWaveProblem::Outlet::open;
   else
-    return "the " + far_end + " is neither closed (fixed) nor open (free, or no pressure)";
-  for (const std::string &problem_of_end :
-       {read_wall_end(input, "wall " + end + " end", problem.wall_inlet_end),
-        read_wall_end(input, "wall " + far_end + " end", problem.wall_outlet_end)})
-    if (!problem_of_end.empty())
-      return problem_of_end;
-  if (problem.wall_inlet_end == WallEnd::absorbing)
-    return "the wall's end at the " + end + " absorbs, but not the liquid's";
+    return "the " + ends.outlet + " is neither closed (fixed) nor open (free, or no pressure)";
+  const std::string of_wall = read_wall_end(input, ends.wall_outlet, problem.wall_outlet_end);
+  if (!of_wall.empty())
+    return of_wall;
   if (problem.wall_outlet_end == WallEnd::absorbing &&
       problem.outlet != TubeWaveProblem::Outlet::absorbing)
-    return "the wall's end at the " + far_end + " absorbs, but not the liquid's";
-  const BoundaryCondition *outside =
-      find_condition(input, "outside", input.problem.regions.size() - 1);
-  if (outside == nullptr || !is_free(outside->normal) ||
-      !(is_free(outside->tangential) || is_fixed(outside->tangential)))
-    return "the outside is neither free nor only held axially";
+    return "the wall's end at the " + ends.outlet + " absorbs, but not the liquid's";
+  return "";
+}
 
+/// What drives the inlet of the theory.
+template <int dim>
+std::string read_inlet(const Case<dim> &input, const Ends &ends, TubeWaveCase &wave_case)
+{
+  TubeWaveProblem &problem = wave_case.problem;
+  const BoundaryCondition *const condition = find_condition(input, ends.inlet, 0);
+  if (condition == nullptr)
+    return "the mesh has no '" + ends.inlet + "'";
+  const Waveform waveform = condition->normal.along_normal;
+  if (condition->type == BoundaryType::flow_rate)
+    problem.inlet = TubeWaveProblem::Inlet::flow_rate;
+  else if (condition->type == BoundaryType::pressure)
+    problem.inlet = TubeWaveProblem::Inlet::pressure;
+  else
+    return "the " + ends.inlet + "'s Type is '" + word_of(boundary_type_words(), condition->type) +
+           "', not pressure or flow rate";
+  if (waveform.depends_on_space())
+    return "the " + ends.inlet + "'s value depends on the place";
+  wave_case.inlet = [waveform](const double time) { return waveform(middle_of_inlet, time); };
+  const std::string of_wall = read_wall_end(input, ends.wall_inlet, problem.wall_inlet_end);
+  if (!of_wall.empty())
+    return of_wall;
+  if (problem.wall_inlet_end == WallEnd::absorbing)
+    return "the wall's end at the " + ends.inlet + " absorbs, but not the liquid's";
+  return "";
+}
+
+/// The level of theory, and the uniform segments from the inlet of the law to its outlet.
+template <int dim>
+void set_segments(const Case<dim> &input, const TubeLaw &law, TubeWaveProblem &problem)
+{
+  problem.level = input.wave_theory.level;
+  // A table may vary more than a law does. Sections that are the same are computed once.
+  const unsigned int by_law = law.name() == "table" ? 40 : 6;
+  problem.n_computed_sections =
+      input.wave_theory.computed_sections > 0 ? input.wave_theory.computed_sections : by_law;
   const unsigned int n_segments = law.is_uniform() ? 1 : input.wave_theory.segments;
   const double length = law.length() / n_segments;
   problem.segments.clear();
   for (unsigned int i = 0; i < n_segments; ++i)
     problem.segments.push_back({length, tube_section_at(input, law, (i + 0.5) * length)});
-  if (wave_case.from_outlet)
-    std::reverse(problem.segments.begin(), problem.segments.end());
+}
+
+/// Whether a boundary has a pressure or a flow rate that is not zero.
+template <int dim>
+bool is_loaded(const Case<dim> &input, const std::string &boundary)
+{
+  const BoundaryCondition *const condition = find_condition(input, boundary, 0);
+  return condition != nullptr && is_loaded(*condition);
+}
+
+/// Why the vessel as a whole is not one of the theory; or nothing.
+template <int dim>
+std::string why_not_covered(const Case<dim> &input, const std::vector<VesselBranch<dim>> &branches)
+{
+  if (branches.empty())
+    return "the geometry is no 'tube'";
+  for (const VesselBranch<dim> &branch : branches)
+    if (input.problem.regions.size() != branch.law.layer_fractions().size() + 1)
+      return "the tube has painted regions";
+  if (input.problem.materials[0].is_solid())
+    return "the tube is not full of liquid";
+  const InteriorData &interior = input.problem.interior;
+  if (!interior.acceleration.empty() || !interior.body_force.empty())
+    return "there is a body force";
+  if (!interior.initial_velocity.empty() || !interior.initial_displacement.empty() ||
+      !interior.initial_pressure.empty())
+    return "the initial state is not rest";
+  const BoundaryCondition *outside =
+      find_condition(input, "outside", input.problem.regions.size() - 1);
+  if (branches.front().law.is_rigid())
+  {
+    if (outside == nullptr || !is_fixed(outside->normal) || !is_fixed(outside->tangential))
+      return "the tube has no wall, and its outside is not fixed";
+  }
+  else if (outside == nullptr || !is_free(outside->normal) ||
+           !(is_free(outside->tangential) || is_fixed(outside->tangential)))
+    return "the outside is neither free nor only held axially";
+  if (branches.size() > 1)
+  {
+    // How a wall's axial motion goes on into the branches depends on the junction.
+    if (!is_fixed(outside->tangential))
+      return "the vessel divides, and its wall is not held axially (outside: Tangential = fixed)";
+    if (input.wave_theory.far_end == FarEnd::branches)
+      return "the vessel divides, and 'Wave theory/Far end' gives it other branches";
+  }
   return "";
+}
+} // namespace
+
+template <int dim>
+std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case)
+{
+  const std::vector<VesselBranch<dim>> branches = input.geometry->branches();
+  std::string why_not = why_not_covered(input, branches);
+  if (!why_not.empty())
+    return why_not;
+
+  TubeWaveProblem &problem = wave_case.problem;
+  set_segments(input, branches.front().law, problem);
+  const auto &ends_of_first = branches.front().ends;
+  Ends ends{ends_of_first.front().fluid, ends_of_first.front().wall, "", ""};
+  if (branches.size() == 1)
+  {
+    ends.outlet = ends_of_first.back().fluid;
+    ends.wall_outlet = ends_of_first.back().wall;
+    if (is_loaded(input, ends.inlet) && is_loaded(input, ends.outlet))
+      return "both ends are loaded";
+    wave_case.from_outlet = is_loaded(input, ends.outlet);
+    if (wave_case.from_outlet)
+    {
+      std::swap(ends.inlet, ends.outlet);
+      std::swap(ends.wall_inlet, ends.wall_outlet);
+      std::reverse(problem.segments.begin(), problem.segments.end());
+    }
+    why_not = read_inlet(input, ends, wave_case);
+    return why_not.empty() ? read_far_end(input, ends, problem) : why_not;
+  }
+
+  // The first branch divides into the others. The walls go over into each other: no moment and no
+  // shear force of either is prescribed there.
+  problem.outlet = TubeWaveProblem::Outlet::divided;
+  problem.wall_outlet_end = WallEnd::free;
+  problem.branches.clear();
+  why_not = read_inlet(input, ends, wave_case);
+  for (unsigned int b = 1; b < branches.size() && why_not.empty(); ++b)
+  {
+    TubeWaveProblem branch;
+    set_segments(input, branches[b].law, branch);
+    branch.wall_inlet_end = WallEnd::free;
+    const auto &end = branches[b].ends.front();
+    if (is_loaded(input, end.fluid))
+      return "the vessel divides, and the '" + end.fluid + "' is loaded";
+    why_not = read_far_end(input, {"", "", end.fluid, end.wall}, branch);
+    problem.branches.push_back(branch);
+  }
+  return why_not;
 }
 
 template TubeSection tube_section_at(const Case<2> &, const TubeLaw &, double);

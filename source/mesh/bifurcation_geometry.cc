@@ -150,6 +150,8 @@ BifurcationGeometry::Parameters BifurcationGeometry::Parameters::read(ParameterS
                       "Give an angle below 90 deg");
   }
   parameters.layers = WallLayers::read(geometry);
+  if (parameters.layers.names.empty())
+    geometry.refuse("Wall layers", "a bifurcation has a wall", "Give its layers a name");
   add_choice(
       geometry, "Sector", parameters.sector, {{"half", Sector::half}, {"full", Sector::full}},
       "Which part of the vessel there is: the half z >= 0, whose plane of symmetry is the "

@@ -27,7 +27,7 @@ struct Rows
   std::vector<double> inner_radii, wall_thicknesses;
 };
 
-Rows read_rows(const CsvTable &table)
+Rows read_rows(const CsvTable &table, const bool is_rigid)
 {
   std::array<std::vector<double>, 3> coordinates;
   const char *const names[] = {"x", "y", "z"};
@@ -35,16 +35,21 @@ Rows read_rows(const CsvTable &table)
     coordinates[d] = table.values(table.find(names[d]), Dimensions::length);
   Rows rows;
   const std::size_t radius_column = table.find("inner radius");
-  const std::size_t thickness_column = table.find("wall thickness");
   rows.inner_radii = table.values(radius_column, Dimensions::length);
-  rows.wall_thicknesses = table.values(thickness_column, Dimensions::length);
+  rows.wall_thicknesses.assign(table.n_rows(), 0.);
+  std::vector<std::pair<std::size_t, const std::vector<double> *>> columns = {
+      {radius_column, &rows.inner_radii}};
+  if (!is_rigid)
+  {
+    const std::size_t thickness_column = table.find("wall thickness");
+    rows.wall_thicknesses = table.values(thickness_column, Dimensions::length);
+    columns.emplace_back(thickness_column, &rows.wall_thicknesses);
+  }
   table.require_rows(2);
   for (std::size_t row = 0; row < table.n_rows(); ++row)
   {
-    for (const auto &[column, value] :
-         {std::make_pair(radius_column, rows.inner_radii[row]),
-          std::make_pair(thickness_column, rows.wall_thicknesses[row])})
-      if (value <= 0.)
+    for (const auto &[column, values] : columns)
+      if ((*values)[row] <= 0.)
         table.refuse(row, column, "the " + table.name(column) + " is not positive",
                      "Give a positive one, or end the table before");
     rows.points.emplace_back(coordinates[0][row], coordinates[1][row], coordinates[2][row]);
@@ -166,8 +171,8 @@ CurvedVesselGeometry::Parameters CurvedVesselGeometry::Parameters::read(Paramete
       std::string("A csv file with the header '") + example_header +
           "' (units required, further columns are left out): points of the vessel's axis in their "
           "order from the inlet to the outlet, through which a smooth line is laid, with the "
-          "radius "
-          "of the fluid and the thickness of the wall there");
+          "radius of the fluid and the thickness of the wall there; a rigid vessel needs no wall "
+          "thickness");
   add_choice(geometry, "Interpolation", interpolation,
              {{"linear", Interpolant::Kind::linear}, {"cubic", Interpolant::Kind::cubic}},
              "Of radius and thickness between the rows of the table, over the length of the line; "
@@ -180,11 +185,12 @@ CurvedVesselGeometry::Parameters CurvedVesselGeometry::Parameters::read(Paramete
              "Which part of the vessel there is: all of it, or, if its axis lies in a plane, the "
              "half on one side of that plane, which is the boundary 'side z'; a flow that is "
              "symmetric about it has Type = roller there");
+  const WallLayers layers = WallLayers::read(geometry);
   // Without a table only where the documentation of the entries is made.
   if (!path.empty())
   {
     const CsvTable table(path, example_header);
-    const Rows rows = read_rows(table);
+    const Rows rows = read_rows(table, layers.names.empty());
     const auto centreline = std::make_shared<const Centreline>(rows.points);
     std::vector<double> diameters;
     for (const double radius : rows.inner_radii)
@@ -200,7 +206,6 @@ CurvedVesselGeometry::Parameters CurvedVesselGeometry::Parameters::read(Paramete
                       "is the mirror image of the other",
                       "Use 'full'");
   }
-  const WallLayers layers = WallLayers::read(geometry);
   parameters.law.set_layers(layers.names, layers.fractions);
   parameters.read_mesh(mesh);
   return parameters;

@@ -23,11 +23,15 @@ void create_mesh(dealii::Triangulation<2> &triangulation,
                  const TubeCrossSection::Sector /* sector */,
                  const std::shared_ptr<const Centreline> & /* centreline */)
 {
+  const unsigned int n_wall_ends = law.is_rigid() ? 0 : 2;
   StructuredMesh<2>({axial, stack.points()})
       .create(
           triangulation, [&stack](const auto &cell) { return stack.region(cell[1]); },
-          [&stack](const auto &cell, const unsigned int face)
-          { return stack.boundary(cell[1], face); },
+          [&stack, n_wall_ends](const auto &cell, const unsigned int face)
+          {
+            const unsigned int id = stack.boundary(cell[1], face);
+            return id < 4 ? id : id + n_wall_ends - 2;
+          },
           [&law](const dealii::Point<2> &point)
           { return dealii::Point<2>(point[0], TubeManifold<2>::radius(law, point[0], point[1])); });
   // The cells of a uniform tube are rectangles.
@@ -38,17 +42,17 @@ void create_mesh(dealii::Triangulation<2> &triangulation,
   }
 }
 
-/// The boundary id of a face along the axis, from where in the section two of its vertices are that
-/// are no neighbours.
+/// Of the boundaries along the axis, outside and sides, the one of a face, counted from 0; from
+/// where in the section two of its vertices are that are no neighbours.
 unsigned int
 side_of(const dealii::Point<2> &a, const dealii::Point<2> &b, const TubeCrossSection::Sector sector)
 {
   using Sector = TubeCrossSection::Sector;
   if (sector == Sector::quarter && a[0] == 0. && b[0] == 0.)
-    return 5;
+    return 1;
   if (sector != Sector::full && a[1] == 0. && b[1] == 0.)
-    return sector == Sector::quarter ? 6 : 5;
-  return 4;
+    return sector == Sector::quarter ? 2 : 1;
+  return 0;
 }
 
 void create_mesh(dealii::Triangulation<3> &triangulation,
@@ -84,6 +88,7 @@ void create_mesh(dealii::Triangulation<3> &triangulation,
     }
   triangulation.create_triangulation(vertices, cells, dealii::SubCellData());
 
+  const unsigned int n_ends = law.is_rigid() ? 2 : 4;
   const auto place = [&](const unsigned int vertex)
   { return section.vertices()[vertex % n_section_vertices]; };
   for (const auto &cell : triangulation.cell_iterators_on_level(0))
@@ -94,7 +99,8 @@ void create_mesh(dealii::Triangulation<3> &triangulation,
         const auto face = cell->face(f);
         face->set_all_boundary_ids(
             f < 2 ? (is_fluid ? f : f + 2)
-                  : side_of(place(face->vertex_index(0)), place(face->vertex_index(3)), sector));
+                  : n_ends + side_of(place(face->vertex_index(0)), place(face->vertex_index(3)),
+                                     sector));
       }
   // Rings last: both charts agree on their surface with the core.
   triangulation.set_all_manifold_ids(0);
@@ -153,10 +159,15 @@ std::vector<std::string> TubeGeometry<dim>::regions() const
 template <int dim>
 std::vector<std::string> TubeGeometry<dim>::boundaries() const
 {
+  std::vector<std::string> names = {"inlet", "outlet"};
+  if (!parameters.law.is_rigid())
+    names.insert(names.end(), {"wall inlet end", "wall outlet end"});
   if (dim == 2)
-    return {"inlet", "outlet", "wall inlet end", "wall outlet end", "axis", "outside"};
-  std::vector<std::string> names = {"inlet", "outlet", "wall inlet end", "wall outlet end",
-                                    "outside"};
+  {
+    names.insert(names.end(), {"axis", "outside"});
+    return names;
+  }
+  names.push_back("outside");
   if (parameters.sector == TubeCrossSection::Sector::quarter)
     names.push_back("side y");
   if (parameters.sector != TubeCrossSection::Sector::full)

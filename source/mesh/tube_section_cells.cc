@@ -22,6 +22,8 @@ void TubeSectionCells::read(ParameterSection mesh,
   if (radial_grading > 0. && radial_grading < grading_range.lower)
     mesh.refuse("Radial grading", "it is less than " + shortest_number(grading_range.lower),
                 "Give 0 for an automatic one, or a larger one");
+  if (n_layers == 0 && mesh.given("Wall cells"))
+    mesh.refuse("Wall cells", "the vessel has no wall (Wall layers = none)", "Remove the entry");
   LayeredStack layers;
   layers.wall_thicknesses.assign(n_layers, 1.);
   layers.wall_cells = wall_cells;

@@ -37,15 +37,17 @@ void ClosedFormWaves::evaluate(const double frequency, std::vector<WaveMode> &mo
   const double nu = section.poisson_ratio(omega).real();
   const LongWaveTube tube{radius, thickness, nu, fluid.density, fluid.inverse_bulk_modulus()};
   const ClosedFormTube closed_form{tube, fluid.shear.viscosity, section.wall_density()};
+  const bool is_rigid = section.layers.empty();
   const Complex young = section.membrane_modulus(omega);
   const Anchoring anchoring =
       section.tethered ? Anchoring::throughout : Anchoring::expansion_joints;
 
-  WaveMode mode;
-  if (level == WaveLevel::membrane)
+  // In a rigid tube all levels are Womersley's.
+  WaveMode mode = {};
+  if (level == WaveLevel::membrane && !is_rigid)
     mode.wave_number =
         membrane_wave_number(closed_form, omega, section.tethered ? young / (1. - nu * nu) : young);
-  else if (level == WaveLevel::closed_formula)
+  else if (level == WaveLevel::closed_formula && !is_rigid)
     mode.wave_number = closed_form_wave_number(closed_form, omega, young, anchoring);
   else
     mode.wave_number =
@@ -58,9 +60,12 @@ void ClosedFormWaves::evaluate(const double frequency, std::vector<WaveMode> &mo
   mode.junction[WaveMode::traction] = 1.;
   mode.junction[WaveMode::flow_rate] = flow.flow_rate(omega, gradient);
   mode.wall_shear_stress = -flow.wall_shear_stress(omega, gradient);
-  mode.wall_displacement =
-      mode.wave_number * mode.junction[WaveMode::flow_rate] / (2. * PI * radius * omega);
-  mode.hoop_stress = radius / thickness;
+  if (!is_rigid)
+  {
+    mode.wall_displacement =
+        mode.wave_number * mode.junction[WaveMode::flow_rate] / (2. * PI * radius * omega);
+    mode.hoop_stress = radius / thickness;
+  }
   modes.assign(1, mode);
 }
 } // namespace Continua

@@ -35,6 +35,8 @@ Complex korteweg_speed(const LongWaveTube &tube,
                        const Anchoring anchoring,
                        const WallTheory wall)
 {
+  if (tube.wall_thickness == 0.)
+    return acoustic_speed(tube.density, tube.inverse_bulk_modulus);
   const double psi = anchoring_coefficient(anchoring, wall, tube.inner_radius, tube.wall_thickness,
                                            tube.poissons_ratio);
   const Complex distensibility =

@@ -63,7 +63,7 @@ std::complex<double> TubeSection::membrane_modulus(const std::complex<double> &o
   std::complex<double> sum = 0.;
   for (unsigned int i = 0; i < layers.size(); ++i)
     sum += layers[i].complex_young_modulus(omega) * layer_thicknesses[i];
-  return sum / wall_thickness();
+  return layers.empty() ? 0. : sum / wall_thickness();
 }
 
 double TubeSection::wall_density() const
@@ -71,7 +71,7 @@ double TubeSection::wall_density() const
   double sum = 0.;
   for (unsigned int i = 0; i < layers.size(); ++i)
     sum += layers[i].density * layer_thicknesses[i];
-  return sum / wall_thickness();
+  return layers.empty() ? 0. : sum / wall_thickness();
 }
 
 std::complex<double> TubeSection::poisson_ratio(const std::complex<double> &omega) const
@@ -84,6 +84,6 @@ std::complex<double> TubeSection::poisson_ratio(const std::complex<double> &omeg
     sum += weight * (0.5 * young / layers[i].complex_shear_modulus(omega) - 1.);
     weights += weight;
   }
-  return sum / weights;
+  return layers.empty() ? 0. : sum / weights;
 }
 } // namespace Continua

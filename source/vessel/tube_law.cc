@@ -163,7 +163,14 @@ TubeLaw TubeLaw::read(ParameterSection geometry)
                       "h from 0.1 to 0.05 mm, in proportion to D; 'aorta', D from 40 to 22 mm, "
                       "length 315 mm (Westerhof et al. 1969)");
   refuse_entries_of_other_laws(geometry, law);
-  TubeLaw tube = read_law(geometry, law);
+  const WallLayers layers = WallLayers::read(geometry);
+  const bool is_rigid = layers.names.empty();
+  if (is_rigid)
+    for (const char *const entry : {"Wall thickness", "Outlet wall thickness"})
+      if (geometry.given(entry))
+        geometry.refuse(entry, "the tube has no wall (Wall layers = none)",
+                        "Remove the entry or name the layers");
+  TubeLaw tube = read_law(geometry, law, is_rigid);
 
   double pre_strain = 0.;
   geometry.add("Axial pre-strain", pre_strain, Dimensions::none,
@@ -173,16 +180,17 @@ TubeLaw TubeLaw::read(ParameterSection geometry)
                "and wall thickness (1 + e)^(-1/2) times, as of a wall that keeps its volume [1]",
                Range{-1., std::numeric_limits<double>::infinity(), true, false});
   tube = tube.stretched(pre_strain);
-  tube.layers = WallLayers::read(geometry);
+  tube.set_layers(layers.names, layers.fractions);
   return tube;
 }
 
-TubeLaw TubeLaw::read_law(ParameterSection &geometry, const std::string &law)
+TubeLaw
+TubeLaw::read_law(ParameterSection &geometry, const std::string &law, const bool is_rigid)
 {
   if (is_thesis_tube(law))
     return thesis(law.front());
   if (law == "table")
-    return read_table(geometry);
+    return read_table(geometry, is_rigid);
   if (law == "aorta")
   {
     // Without an entry only where the documentation of the entries is made.
@@ -191,7 +199,8 @@ TubeLaw TubeLaw::read_law(ParameterSection &geometry, const std::string &law)
                  "Thickness of the wall, all its layers together, the same everywhere; published "
                  "is Y h/D = 0.02 to 0.04 MPa with Young's modulus Y [m]",
                  Range::positive());
-    geometry.require("Wall thickness");
+    if (!is_rigid)
+      geometry.require("Wall thickness");
     TubeLaw tube = taper(315e-3, 40e-3, 22e-3, thickness, thickness);
     tube.law = law;
     return tube;
@@ -223,14 +232,15 @@ TubeLaw TubeLaw::read_law(ParameterSection &geometry, const std::string &law)
                thickness, std::isnan(outlet_thickness) ? thickness : outlet_thickness);
 }
 
-TubeLaw TubeLaw::read_table(ParameterSection &geometry)
+TubeLaw TubeLaw::read_table(ParameterSection &geometry, const bool is_rigid)
 {
   std::string path;
   Interpolant::Kind interpolation = Interpolant::Kind::linear;
   geometry.add_input_file("Table", path,
                           "A csv file with the header 'position [mm], inner diameter [mm], wall "
-                          "thickness [mm]' (units required, further columns are left out). The "
-                          "positions increase from 0 at the inlet; the last one is the length");
+                          "thickness [mm]' (units required, further columns are left out; a rigid "
+                          "tube needs no wall thickness). The positions increase from 0 at the inlet; the "
+                          "last one is the length");
   add_choice(geometry, "Interpolation", interpolation,
              {{"linear", Interpolant::Kind::linear}, {"cubic", Interpolant::Kind::cubic}},
              "Between the rows of the table; cubic is smooth and does not overshoot");
@@ -239,34 +249,42 @@ TubeLaw TubeLaw::read_table(ParameterSection &geometry)
   if (path.empty())
     return TubeLaw();
 
-  const CsvTable file(path, "position [mm], inner diameter [mm], wall thickness [mm]");
+  const CsvTable file(path, is_rigid ? "position [mm], inner diameter [mm]"
+                                     : "position [mm], inner diameter [mm], wall thickness [mm]");
   const std::size_t position_column = file.find("position");
   const std::size_t diameter_column = file.find("inner diameter");
-  const std::size_t thickness_column = file.find("wall thickness");
   const std::vector<double> positions =
       file.increasing_values(position_column, Dimensions::length, "position", "larger");
-  const std::vector<double> diameters = file.values(diameter_column, Dimensions::length);
-  const std::vector<double> thicknesses = file.values(thickness_column, Dimensions::length);
+  std::vector<std::pair<std::size_t, std::vector<double>>> columns = {
+      {diameter_column, file.values(diameter_column, Dimensions::length)}};
+  if (!is_rigid)
+  {
+    const std::size_t thickness_column = file.find("wall thickness");
+    columns.emplace_back(thickness_column, file.values(thickness_column, Dimensions::length));
+  }
   file.require_rows(2);
   if (positions.front() != 0.)
     file.refuse(0, position_column, "the first position is not 0",
                 "Measure the positions from the inlet, and say how the tube is there");
   for (std::size_t row = 0; row < positions.size(); ++row)
-    for (const auto &[column, value] : {std::make_pair(diameter_column, diameters[row]),
-                                        std::make_pair(thickness_column, thicknesses[row])})
-      if (value <= 0.)
+    for (const auto &[column, values] : columns)
+      if (values[row] <= 0.)
         file.refuse(row, column,
                     "the " + file.name(column) + " is not positive at the position " +
                         shortest_number(positions[row]) + " m",
                     "Give a positive one, or end the table before");
-  return table(positions, diameters, thicknesses, interpolation);
+  return table(positions, columns.front().second,
+               is_rigid ? std::vector<double>(positions.size(), 0.) : columns.back().second,
+               interpolation);
 }
 
 void TubeLaw::set_layers(const std::vector<std::string> &names,
                          const std::vector<double> &fractions)
 {
-  Assert(!names.empty() && names.size() == fractions.size(), dealii::ExcInternalError());
+  Assert(names.size() == fractions.size(), dealii::ExcInternalError());
   layers = {names, fractions};
+  if (is_rigid())
+    thickness_as_made = constant(0.);
 }
 
 TubeLaw TubeLaw::stretched(const double pre_strain) const

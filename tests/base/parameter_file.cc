@@ -322,6 +322,11 @@ void test_unset()
   check::is_true("own entries stay", mesh->entry("Refine") != nullptr);
   check::is_true("included ones go", mesh->entry("Cells") == nullptr && mesh->sections.empty());
 
+  // A subsection inside goes with the one around it.
+  ParameterFile whole =
+      file("include whole.prm\nunset subsection Mesh\nsubsection Mesh\n  set Refine = 2\nend\n");
+  check::is_true("subsections inside go, too", whole.text().find({"Mesh"})->sections.empty());
+
   ParameterFile above = file("include less.prm\nset Title = mine\n", {"Mesh/Cells=3"});
   check::equal("set above an unset", above.text().root().entry("Title")->value(), "mine");
   check::equal("command line", above.text().find({"Mesh"})->entry("Cells")->value(), "3");

@@ -31,6 +31,33 @@ std::string replaced(std::string text, const std::string &what, const std::strin
   text.replace(text.find(what), what.size(), by);
   return text;
 }
+
+/// An artery that divides, with a pressure pulse at the inlet. `outside`, `first_outlet`: the entries
+/// of those boundaries.
+std::string bifurcation(const std::string &outside, const std::string &first_outlet)
+{
+  std::string text =
+      "set Analysis = transient\nset Model = three-dimensional\n"
+      "subsection Geometry\nset Type = bifurcation\nset Parent length = 100 mm\n"
+      "set Parent inner diameter = 6.2 mm\nset Parent wall thickness = 0.5 mm\n"
+      "set First daughter length = 60 mm\nset First daughter inner diameter = 4.5 mm\n"
+      "set First daughter wall thickness = 0.5 mm\nset First daughter angle = 25 deg\n"
+      "set Second daughter length = 70 mm\nset Second daughter inner diameter = 3.5 mm\n"
+      "set Second daughter wall thickness = 0.5 mm\nset Second daughter angle = 25 deg\nend\n"
+      "subsection Materials\n"
+      "subsection fluid\nset Type = newtonian\nset Density = 1000 kg/m^3\n"
+      "set Bulk modulus = 2.2 GPa\nset Viscosity = 1 mPa s\nend\n"
+      "subsection wall\nset Type = hookean\nset Density = 1100 kg/m^3\n"
+      "set Young's modulus = 1.2 MPa\nset Poisson's ratio = 0.49\nend\nend\n"
+      "subsection Boundaries\nsubsection inlet\n" +
+      tube_text::pulse() + "end\nsubsection first outlet\n" + first_outlet +
+      "end\nsubsection second outlet\nset Type = fixed\nend\nsubsection outside\n" + outside +
+      "end\nsubsection side z\nset Type = roller\nend\n";
+  for (const std::string end : {"inlet", "first outlet", "second outlet"})
+    text += "subsection wall " + end + " end\nset Type = fixed\nend\n";
+  return text + "end\nsubsection Time\nset Scheme = crank nicolson\nset Time step = 1 ms\n"
+                "set End time = 10 ms\nend\n";
+}
 } // namespace
 
 UNIT_TEST(tube_wave_case)
@@ -51,8 +78,8 @@ UNIT_TEST(tube_wave_case)
   check::absolute("segments", problem.segments.size(), 7., 0.);
   check::absolute("computed sections", problem.n_computed_sections, 5., 0.);
   check::relative("length", problem.length(), by_default.length(), 1e-13);
-  check::is_true("by default more of both",
-                 by_default.segments.size() > 7 && by_default.n_computed_sections > 5);
+  check::is_true("by default 80 segments and 6 computed sections",
+                 by_default.segments.size() == 80 && by_default.n_computed_sections == 6);
   const TubeLaw law = TubeLaw::thesis('E');
   check::is_true("it varies", law.inner_diameter(0.) > 1.5 * law.inner_diameter(law.length()));
   for (unsigned int i = 0; i < 7; ++i)
@@ -83,6 +110,36 @@ UNIT_TEST(tube_wave_case)
   TubeWaveCase none;
   check::equal("loaded at both ends", make_tube_wave_case(loaded_twice, none),
                "both ends are loaded");
+
+  // A vessel that divides: the parent, and the daughters as its branches.
+  const std::string vessel = bifurcation("set Type = pressure\nset Pressure = 0 Pa\n"
+                                         "set Tangential = fixed\n",
+                                         "set Type = absorbing\n");
+  const auto wave_case_of = [](const std::string &text, std::string &why_not)
+  {
+    ParameterFile parameters = parameters_of(text);
+    const Case<3> read = analyses().read_case<3>(parameters, MPI_COMM_WORLD);
+    TubeWaveCase result;
+    why_not = make_tube_wave_case(read, result);
+    return result.problem;
+  };
+  std::string why_not;
+  const TubeWaveProblem divided = wave_case_of(vessel, why_not);
+  check::equal("divided vessel", why_not, "");
+  check::is_true("divides", divided.outlet == TubeWaveProblem::Outlet::divided);
+  check::absolute("daughters", divided.branches.size(), 2., 0.);
+  check::relative("length of the parent", divided.length(), 0.1, 1e-13);
+  check::relative("length of the second", divided.branches[1].length(), 0.07, 1e-13);
+  check::relative("radius of the second", divided.branches[1].segments[0].section.inner_radius,
+                  1.75e-3, 1e-13);
+  check::is_true("end of the first", divided.branches[0].outlet == TubeWaveProblem::Outlet::absorbing);
+  check::is_true("end of the second", divided.branches[1].outlet == TubeWaveProblem::Outlet::closed);
+  wave_case_of(bifurcation("set Type = free\n", "set Type = fixed\n"), why_not);
+  check::equal("divided, not held", why_not,
+               "the vessel divides, and its wall is not held axially (outside: Tangential = fixed)");
+  wave_case_of(replaced(vessel, "set Type = absorbing\n", tube_text::pulse()), why_not);
+  check::equal("divided, loaded behind", why_not,
+               "the vessel divides, and the 'first outlet' is loaded");
 
   check::throws<InputError>(
       "one segment for a varying tube",

@@ -1,9 +1,12 @@
-// Waves in a long tube over time: d'Alembert's at its ends, a chain of equal segments, and a step
-// of the wall against impedances.
+// Waves in a long tube over time: d'Alembert's at its ends, a chain of equal segments, a step of the
+// wall against impedances, and branches.
 
 #include "waves.h"
 
 #include "../unit_test.h"
+
+#include <array>
+#include <functional>
 
 using namespace waves;
 
@@ -144,11 +147,120 @@ void windkessel(const LongTube &tube)
   }
   check::absolute("windkessel", largest_difference(pressure, history.pressure), 0., 0.01);
 }
+/// Tubes that divide: into one that is what would have followed, into two, and a branch that goes on
+/// in another one.
+void branches(const LongTube &tube, const WaveHistory &whole)
+{
+  const std::vector<double> times = times_up_to(1.2, 2e-3);
+  const auto inlet = [](const double time) { return 100. * pulse(time, LongTube::duration); };
+  const auto piece = [&tube](const double length)
+  {
+    TubeWaveProblem problem;
+    problem.segments = {{length, tube.section}};
+    problem.wall_inlet_end = WallEnd::free;
+    return problem;
+  };
+  const auto divide = [](TubeWaveProblem &problem, const std::vector<TubeWaveProblem> &into)
+  {
+    problem.outlet = TubeWaveProblem::Outlet::divided;
+    problem.wall_outlet_end = WallEnd::free;
+    problem.branches = into;
+  };
+  // Three pieces one behind the other, the last one closed: the station at 3 m is in the third.
+  TubeWaveProblem first = piece(1.3), second = piece(1.2);
+  first.wall_inlet_end = WallEnd::clamped;
+  divide(second, {piece(1.5)});
+  divide(first, {second});
+  const WaveHistory third = TubeWaveTheory(first, inlet, 1.2, 1e-3).histories({0.5}, times, 2)[0];
+  check::absolute("a branch of a branch, pressure",
+                  largest_difference(whole.pressure, third.pressure), 0., 0.01);
+  check::absolute("a branch of a branch, flow",
+                  largest_difference(whole.flow_rate, third.flow_rate), 0., 1e-4 / tube.impedance());
+
+  // Into two like itself, one of them closed: a third of the pressure returns with the other sign,
+  // two thirds go on, and come back from the closed end.
+  TubeWaveProblem parent = piece(2.), open = piece(3.), closed = piece(1.);
+  open.outlet = TubeWaveProblem::Outlet::matched;
+  divide(parent, {open, closed});
+  const TubeWaveTheory theory(parent, inlet, 1.2, 1e-3);
+  const auto passed = [&](const double length) { return length / tube.speed; };
+  const std::vector<WaveHistory> at = {theory.histories({1.}, times, 0)[0],
+                                       theory.histories({0.5}, times, 1)[0],
+                                       theory.histories({0.5}, times, 2)[0]};
+  std::vector<std::vector<double>> pressure(3), flow(3);
+  for (const double time : times)
+  {
+    // Waves into the junction from the parent, and from the closed branch, at that time there.
+    const auto incoming = [&](const double when) { return inlet(when - passed(2.)); };
+    std::function<double(double)> into_closed, back_from_closed, into_parent, into_open;
+    const std::function<double(double)> from_parent = [&](const double when)
+    {
+      // The inlet holds its pressure, so what comes back there returns with the other sign.
+      return when < 0. ? 0. : incoming(when) - into_parent(when - passed(4.));
+    };
+    back_from_closed = [&](const double when)
+    { return when < 0. ? 0. : into_closed(when - passed(2.)); };
+    into_closed = [&](const double when)
+    {
+      return when < 0. ? 0. : 2. / 3. * from_parent(when) - 1. / 3. * back_from_closed(when);
+    };
+    into_parent = [&](const double when)
+    {
+      return when < 0. ? 0. : -1. / 3. * from_parent(when) + 2. / 3. * back_from_closed(when);
+    };
+    into_open = [&](const double when)
+    {
+      return when < 0. ? 0. : 2. / 3. * from_parent(when) + 2. / 3. * back_from_closed(when);
+    };
+    const double forward = inlet(time - passed(1.)) - into_parent(time - passed(3.)),
+                 backward = into_parent(time - passed(1.));
+    pressure[0].push_back(forward + backward);
+    flow[0].push_back((forward - backward) / tube.impedance());
+    pressure[1].push_back(into_open(time - passed(0.5)));
+    flow[1].push_back(into_open(time - passed(0.5)) / tube.impedance());
+    const double on = into_closed(time - passed(0.5)), back = into_closed(time - passed(1.5));
+    pressure[2].push_back(on + back);
+    flow[2].push_back((on - back) / tube.impedance());
+  }
+  for (unsigned int b = 0; b < 3; ++b)
+  {
+    const std::string name = std::array<const char *, 3>{{"parent", "open branch", "closed branch"}}[b];
+    check::absolute(name + ", pressure", largest_difference(pressure[b], at[b].pressure), 0., 0.05);
+    check::absolute(name + ", flow", largest_difference(flow[b], at[b].flow_rate), 0.,
+                    0.05 / tube.impedance());
+  }
+  // What goes in comes out: at the junction, at all times.
+  const std::vector<double> few = {0.3, 0.5, 0.7, 0.9, 1.1};
+  const std::vector<double> in = theory.histories({2.}, few, 0)[0].flow_rate,
+                            one = theory.histories({0.}, few, 1)[0].flow_rate,
+                            other = theory.histories({0.}, few, 2)[0].flow_rate;
+  for (unsigned int i = 0; i < few.size(); ++i)
+    check::absolute("balance of the flow, " + std::to_string(i), in[i] - one[i] - other[i], 0.,
+                    1e-10 / tube.impedance());
+
+  // Walls four times as stiff have twice the impedance: two of them take all.
+  for (TubeWaveProblem *const daughter : {&open, &closed})
+  {
+    daughter->segments[0].length = 4.;
+    daughter->outlet = TubeWaveProblem::Outlet::matched;
+    daughter->segments[0].section.layers[0].compression = Compression();
+    daughter->segments[0].section.layers[0].shear.branches[0].shear_modulus *= 4.;
+  }
+  divide(parent, {open, closed});
+  const WaveHistory unreflected = TubeWaveTheory(parent, inlet, 1.2, 1e-3).histories({1.}, times)[0];
+  std::vector<double> alone;
+  for (const double time : times)
+    alone.push_back(inlet(time - passed(1.)));
+  check::absolute("no reflection where admittances are equal",
+                  largest_difference(alone, unreflected.pressure), 0., 0.2);
+}
 } // namespace
 
 UNIT_TEST(tube_wave_theory)
 {
   const LongTube tube;
-  joints(tube, ends(tube));
+  const WaveHistory whole = ends(tube);
+  joints(tube, whole);
+  branches(tube, whole);
   windkessel(tube);
 }

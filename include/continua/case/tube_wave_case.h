@@ -9,7 +9,8 @@
 
 namespace Continua
 {
-/// A parameter file as wave theory sees it. The theory's inlet is the end with the load.
+/// A parameter file as wave theory sees it. The theory's inlet is the end with the load. The
+/// branches of a vessel that divides have the same numbers here as in Geometry::branches().
 struct TubeWaveCase
 {
   TubeWaveProblem problem;

@@ -27,7 +27,7 @@ struct WaveTheoryParameters
   std::vector<double> branch_wall_thicknesses; ///< [m]
   std::vector<double> branch_youngs_moduli;    ///< [Pa]
   unsigned int segments = 80;                  ///< of a tube that is not uniform
-  unsigned int computed_sections = 6;          ///< of its segments
+  unsigned int computed_sections = 0;          ///< of its segments; 0: by the tube's law
   double spectral_tolerance = 1e-5;            ///< of the inlet's spectrum
   double highest_frequency = 0.; ///< [Hz] of the dispersion table; 0: that of the inlet
 

@@ -13,7 +13,7 @@ namespace Continua
  * `tube`: a circular tube, filled with fluid, whose diameter and wall follow a TubeLaw, along x
  * from 0. Regions `fluid`, then the layers of the wall from the inner to the outer one: `wall`, or
  * as they are called. Boundaries `inlet`, `outlet` (the fluid's part of x = 0 and x = length),
- * `wall inlet end`, `wall outlet end` (the wall's), `outside`.
+ * `wall inlet end`, `wall outlet end` (the wall's), `outside`. A rigid tube is its fluid alone.
  *
  * In two dimensions half its axial section, y the radius, with the further boundary `axis`. In
  * three dimensions the whole tube, the half of it with z >= 0 or the quarter with y, z >= 0, whose

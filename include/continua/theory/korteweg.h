@@ -44,7 +44,7 @@ double anchoring_coefficient(Anchoring anchoring,
 struct LongWaveTube
 {
   double inner_radius = 0.;         ///< R [m]
-  double wall_thickness = 0.;       ///< h [m]
+  double wall_thickness = 0.;       ///< h [m]; 0: the wall is rigid
   double poissons_ratio = 0.5;      ///< nu of the wall
   double density = 0.;              ///< rho_f of the fluid [kg/m^3]
   double inverse_bulk_modulus = 0.; ///< 1/K of the fluid [1/Pa]
@@ -57,7 +57,8 @@ double acoustic_speed(double density, double inverse_bulk_modulus);
 /// `youngs_modulus` [Pa], complex at a frequency for a viscoelastic wall.
 Complex moens_korteweg_speed(const LongWaveTube &tube, Complex youngs_modulus);
 
-/// c of (6.15) [m/s]: 1/c^2 = rho_f (1/K + psi 2 R / (Y h)) (6.16), without inertia of the wall.
+/// c of (6.15) [m/s]: 1/c^2 = rho_f (1/K + psi 2 R / (Y h)) (6.16), without inertia of the wall; in
+/// a rigid tube the speed of sound.
 Complex korteweg_speed(const LongWaveTube &tube,
                        Complex youngs_modulus,
                        Anchoring anchoring,

@@ -18,6 +18,7 @@ struct TubeSection
   std::vector<Material> layers; ///< as many
   bool tethered = false; ///< the outer surface is held axially; else it is free of shear stress
 
+  // Of a rigid wall all of these are zero.
   double wall_thickness() const; ///< h [m]
   double wall_area() const;      ///< of the wall's section [m^2]
   /// sum Y_i(omega) h_i / h: Young's modulus of the wall as a membrane [Pa].

@@ -1,9 +1,8 @@
 #ifndef continua_theory_tube_wave_theory_h
 #define continua_theory_tube_wave_theory_h
 
-#include <continua/theory/closed_form_waves.h>
-#include <continua/theory/impedance.h>
-#include <continua/theory/wall_end.h>
+#include <continua/theory/tube_chain.h>
+#include <continua/theory/tube_wave_problem.h>
 
 #include <functional>
 #include <memory>
@@ -12,44 +11,6 @@
 
 namespace Continua
 {
-/// A piece of a tube that wave theory takes for uniform.
-struct TubeSegment
-{
-  double length = 0.; ///< [m]
-  TubeSection section;
-};
-
-/// A tube with its ends.
-struct TubeWaveProblem
-{
-  enum class Inlet
-  {
-    pressure, ///< normal traction -p on the liquid's section [Pa]
-    flow_rate ///< into the tube [m^3/s]
-  };
-  enum class Outlet
-  {
-    closed,  ///< no flow
-    open,    ///< no traction
-    matched, ///< the pressure wave's own impedance: it leaves, but for what the wall's end demands
-    absorbing, ///< what a long tube behind would do: no pressure wave comes back, and where the
-               ///< wall's end is absorbing too, none at all
-    loaded     ///< a given impedance, such as that of branches
-  };
-  WaveLevel level = WaveLevel::exact;
-  std::vector<TubeSegment> segments;
-  /// In a chain of more segments of different sections, exact waves are computed for so many of
-  /// them (the first and the last one among them) and interpolated along the chain between these.
-  unsigned int n_computed_sections = 6;
-  Inlet inlet = Inlet::pressure;
-  Outlet outlet = Outlet::closed;
-  Impedance load; ///< traction over flow rate of a loaded outlet; one port
-  WallEnd wall_inlet_end = WallEnd::clamped;
-  WallEnd wall_outlet_end = WallEnd::clamped;
-
-  double length() const; ///< [m]
-};
-
 /// What wave theory says at one station over time.
 struct WaveHistory
 {
@@ -62,17 +23,14 @@ struct WaveHistory
 };
 
 /**
- * The linear waves of a liquid-filled tube in time, by a synthesis of the exact harmonic ones: in
- * each uniform segment the pressure wave, the axial wave of the wall and the bending waves run both
- * ways; at a joint of two segments liquid and wall are continuous (traction, flow, displacements,
- * rotation and the wall's forces, with what the liquid does on the step of a taper), at an end they
- * are what it prescribes. Joints and ends are resolved from the far end by reflection matrices
- * (only decaying exponentials occur), so all reflections are there.
+ * The linear waves of a liquid-filled tube in time, by a synthesis of the exact harmonic ones of
+ * TubeChain. A tube that divides meets the admittances of its branches, and the traction there
+ * drives them; so all reflections between them are there.
  *
  * The transform runs along omega = 2 pi f - i shift: what would wrap round the window is smaller by
  * exp(-shift window). The spectrum is cut where the inlet's has fallen to `spectral_tolerance` of
- * its largest value, or at twice the ring frequency of the wall (half of it for the formulas of a
- * membrane), with a cosine taper.
+ * its largest value, or at twice the least ring frequency of a wall (half of it for the formulas of
+ * a membrane), with a cosine taper.
  */
 class TubeWaveTheory
 {
@@ -86,9 +44,11 @@ public:
                  double end_time,
                  double spectral_tolerance = 1e-5);
 
-  /// The histories at the stations z [m] at these times [s].
+  /// The histories at the stations z [m] at these times [s]; of the tube of the problem itself (0)
+  /// or of a branch, counted from 1, each before those behind it.
   std::vector<WaveHistory> histories(const std::vector<double> &stations,
-                                     const std::vector<double> &times) const;
+                                     const std::vector<double> &times,
+                                     unsigned int branch = 0) const;
 
   double highest_frequency() const { return last_frequency; } ///< [Hz] kept of the spectrum
   double window() const { return period; }                    ///< [s]
@@ -96,30 +56,31 @@ public:
   double wrap_round() const;
 
 private:
-  /// Amplitudes of the waves of each segment at one frequency: forward at its start, backward at
-  /// its end.
-  struct Amplitudes
+  double period;                 ///< [s]
+  double shift;                  ///< [1/s]
+  double last_frequency;         ///< [Hz]
+  unsigned int n_samples;        ///< a power of two
+  std::vector<Complex> spectrum; ///< of the inlet, up to the last frequency
+  /// A tube and the place of the one before it in the list.
+  struct Chain
   {
-    std::vector<std::vector<Complex>> forward, backward;
+    std::unique_ptr<TubeChain> waves;
+    double length;      ///< [m]
+    std::size_t before; ///< of the first: itself
+    bool divides;
   };
-  TubeWaveProblem problem;
-  double period;                                    ///< [s]
-  double shift;                                     ///< [1/s]
-  double last_frequency;                            ///< [Hz]
-  unsigned int n_samples;                           ///< a power of two
-  std::vector<Complex> spectrum;                    ///< of the inlet, up to the last frequency
-  std::vector<std::unique_ptr<WaveFamilies>> waves; ///< of the sections that are computed
-  /// Of each segment: sections and weights that its waves are interpolated from.
-  std::vector<std::vector<std::pair<std::size_t, double>>> sections_of;
+  std::vector<Chain> chains; ///< each before its branches
 
   std::vector<Complex> transform_inlet(const std::function<double(double)> &inlet,
                                        double end_time) const;
-  void compute_sections();
-  /// The waves of all segments at a frequency [Hz].
-  void evaluate(double frequency, std::vector<std::vector<WaveMode>> &modes) const;
-
-  Amplitudes
-  amplitudes(Complex inlet, const std::vector<std::vector<WaveMode>> &modes, Complex omega) const;
+  /// At most this frequency [Hz], by the walls of a tube and its branches.
+  double highest_of_walls(const TubeWaveProblem &problem) const;
+  void add_chains(const TubeWaveProblem &problem, std::size_t before);
+  /// The values at the stations of a chain at a frequency [Hz].
+  std::vector<TubeChain::Values> values(double frequency,
+                                        const Complex &inlet,
+                                        unsigned int chain,
+                                        const std::vector<double> &stations) const;
 };
 } // namespace Continua
 

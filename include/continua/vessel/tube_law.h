@@ -82,7 +82,8 @@ public:
   const std::vector<std::string> &layer_names() const { return layers.names; }
   /// Their parts of the thickness; the sum is 1.
   const std::vector<double> &layer_fractions() const { return layers.fractions; }
-  /// For a wall that is not read from a file.
+  bool is_rigid() const { return layers.names.empty(); } ///< there is no wall
+  /// For a wall that is not read from a file. Without layers the thickness is zero.
   void set_layers(const std::vector<std::string> &names, const std::vector<double> &fractions);
 
 private:
@@ -92,8 +93,8 @@ private:
           const Profile &diameter,
           const Profile &thickness,
           bool uniform_everywhere);
-  static TubeLaw read_law(ParameterSection &geometry, const std::string &law);
-  static TubeLaw read_table(ParameterSection &geometry);
+  static TubeLaw read_law(ParameterSection &geometry, const std::string &law, bool is_rigid);
+  static TubeLaw read_table(ParameterSection &geometry, bool is_rigid);
 
   std::string law;
   double length_as_made;     ///< [m]

@@ -9,7 +9,7 @@
 namespace Continua
 {
 /// The layers of a vessel's wall, from the inner to the outer one; each has the same part of the
-/// thickness everywhere.
+/// thickness everywhere. A vessel without layers is rigid.
 struct WallLayers
 {
   std::vector<std::string> names = {"wall"};
