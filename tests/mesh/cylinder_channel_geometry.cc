@@ -27,7 +27,7 @@ namespace
 template <int dim>
 using Parameters = typename CylinderChannelGeometry<dim>::Parameters;
 
-/// Area (volume) of a region as a discretisation with curved cells sees it.
+/// Area (volume) of a region as a discretisation with curved cells sees it; 0 if there is none.
 template <int dim>
 double curved_region(const measures::Measures<dim> &channel,
                      const std::string &region,
@@ -35,7 +35,7 @@ double curved_region(const measures::Measures<dim> &channel,
 {
   return measures::CurvedMeasures<dim>(channel.region_names, channel.boundary_names, channel.mesh,
                                        mapping_degree)
-      .volumes.at(region);
+      .volumes[region];
 }
 
 /// Length (area) of a boundary, alike; `distance_from_circle` becomes the largest one of the

@@ -122,5 +122,5 @@ UNIT_TEST(geometry)
           "5.*/Axial grading'.*less than 0.001");
   check::throws<InputError>(
       "odd circumference", [] { make<3>("set Type = tube\n", "set Circumferential cells = 3\n"); },
-      "geometry.prm:5.*/Circumferential cells'.*odd");
+      std::string(parameter_file_of_the_test) + ":5.*/Circumferential cells'.*odd");
 }
