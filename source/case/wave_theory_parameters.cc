@@ -45,9 +45,10 @@ void WaveTheoryParameters::read(ParameterSection section)
   }
   section.add("Segments", segments,
               "Uniform segments that stand for a tube whose section varies [1].", 2);
-  section.add("Computed sections", computed_sections,
-              "Segments whose exact waves are computed; those of the others are interpolated. 0: 6, "
-              "or 40 of a tube from a table, which may vary more along its length [1].");
+  section.add(
+      "Computed sections", computed_sections,
+      "Segments whose exact waves are computed; those of the others are interpolated. 0: 6, "
+      "or 40 of a tube from a table, which may vary more along its length [1].");
   if (computed_sections > 0 && computed_sections < 4)
     section.refuse("Computed sections", "a cubic between them needs four",
                    "Give 0 for an automatic number, or at least 4");

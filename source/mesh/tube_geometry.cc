@@ -97,10 +97,9 @@ void create_mesh(dealii::Triangulation<3> &triangulation,
       {
         const bool is_fluid = cell->material_id() == 0;
         const auto face = cell->face(f);
-        face->set_all_boundary_ids(
-            f < 2 ? (is_fluid ? f : f + 2)
-                  : n_ends + side_of(place(face->vertex_index(0)), place(face->vertex_index(3)),
-                                     sector));
+        face->set_all_boundary_ids(f < 2 ? (is_fluid ? f : f + 2)
+                                         : n_ends + side_of(place(face->vertex_index(0)),
+                                                            place(face->vertex_index(3)), sector));
       }
   // Rings last: both charts agree on their surface with the core.
   triangulation.set_all_manifold_ids(0);

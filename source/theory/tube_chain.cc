@@ -212,7 +212,7 @@ TubeChain::Solution TubeChain::solve(const double frequency, const Complex &load
   const unsigned int n_segments = problem.segments.size(), n = modes[0].size();
   const std::vector<WaveMode::Junction> quantities = joined_quantities(waves[0]->families());
   const auto value_of = [&](const unsigned int segment, const unsigned int family,
-                          const unsigned int row, const bool forward)
+                            const unsigned int row, const bool forward)
   {
     const double radius = problem.segments[segment].section.inner_radius;
     return (forward ? 1. : WaveMode::parity[quantities[row]]) *
@@ -262,8 +262,8 @@ TubeChain::Solution TubeChain::solve(const double frequency, const Complex &load
   for (unsigned int i = 0; i < n; ++i)
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int m = 0; m < n; ++m)
-        system(i, j) +=
-            of_backward(i, m) * decay(modes[0][m], problem.segments[0].length) * reflections[0](m, j);
+        system(i, j) += of_backward(i, m) * decay(modes[0][m], problem.segments[0].length) *
+                        reflections[0](m, j);
   Matrix right(n, 1);
   right(0, 0) = 1.;
   std::vector<Complex> start(solve_scaled(system, right).entries);

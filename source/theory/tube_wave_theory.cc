@@ -169,8 +169,8 @@ std::vector<WaveHistory> TubeWaveTheory::histories(const std::vector<double> &st
     for (unsigned int i = 0; i < stations.size(); ++i)
     {
       const TubeChain::Values &at = at_stations[i];
-      const Complex of_fields[n_fields] = {at.pressure,        at.axis_pressure,
-                                           at.flow_rate,       at.wall_distension,
+      const Complex of_fields[n_fields] = {at.pressure,          at.axis_pressure,
+                                           at.flow_rate,         at.wall_distension,
                                            at.wall_shear_stress, at.hoop_stress};
       // The inverse transform divides by the number of samples.
       for (unsigned int f = 0; f < n_fields; ++f)

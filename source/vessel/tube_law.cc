@@ -184,8 +184,7 @@ TubeLaw TubeLaw::read(ParameterSection geometry)
   return tube;
 }
 
-TubeLaw
-TubeLaw::read_law(ParameterSection &geometry, const std::string &law, const bool is_rigid)
+TubeLaw TubeLaw::read_law(ParameterSection &geometry, const std::string &law, const bool is_rigid)
 {
   if (is_thesis_tube(law))
     return thesis(law.front());
@@ -236,11 +235,12 @@ TubeLaw TubeLaw::read_table(ParameterSection &geometry, const bool is_rigid)
 {
   std::string path;
   Interpolant::Kind interpolation = Interpolant::Kind::linear;
-  geometry.add_input_file("Table", path,
-                          "A csv file with the header 'position [mm], inner diameter [mm], wall "
-                          "thickness [mm]' (units required, further columns are left out; a rigid "
-                          "tube needs no wall thickness). The positions increase from 0 at the inlet; the "
-                          "last one is the length");
+  geometry.add_input_file(
+      "Table", path,
+      "A csv file with the header 'position [mm], inner diameter [mm], wall "
+      "thickness [mm]' (units required, further columns are left out; a rigid "
+      "tube needs no wall thickness). The positions increase from 0 at the inlet; the "
+      "last one is the length");
   add_choice(geometry, "Interpolation", interpolation,
              {{"linear", Interpolant::Kind::linear}, {"cubic", Interpolant::Kind::cubic}},
              "Between the rows of the table; cubic is smooth and does not overshoot");

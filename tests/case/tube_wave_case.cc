@@ -32,8 +32,8 @@ std::string replaced(std::string text, const std::string &what, const std::strin
   return text;
 }
 
-/// An artery that divides, with a pressure pulse at the inlet. `outside`, `first_outlet`: the entries
-/// of those boundaries.
+/// An artery that divides, with a pressure pulse at the inlet. `outside`, `first_outlet`: the
+/// entries of those boundaries.
 std::string bifurcation(const std::string &outside, const std::string &first_outlet)
 {
   std::string text =
@@ -132,11 +132,14 @@ UNIT_TEST(tube_wave_case)
   check::relative("length of the second", divided.branches[1].length(), 0.07, 1e-13);
   check::relative("radius of the second", divided.branches[1].segments[0].section.inner_radius,
                   1.75e-3, 1e-13);
-  check::is_true("end of the first", divided.branches[0].outlet == TubeWaveProblem::Outlet::absorbing);
-  check::is_true("end of the second", divided.branches[1].outlet == TubeWaveProblem::Outlet::closed);
+  check::is_true("end of the first",
+                 divided.branches[0].outlet == TubeWaveProblem::Outlet::absorbing);
+  check::is_true("end of the second",
+                 divided.branches[1].outlet == TubeWaveProblem::Outlet::closed);
   wave_case_of(bifurcation("set Type = free\n", "set Type = fixed\n"), why_not);
-  check::equal("divided, not held", why_not,
-               "the vessel divides, and its wall is not held axially (outside: Tangential = fixed)");
+  check::equal(
+      "divided, not held", why_not,
+      "the vessel divides, and its wall is not held axially (outside: Tangential = fixed)");
   wave_case_of(replaced(vessel, "set Type = absorbing\n", tube_text::pulse()), why_not);
   check::equal("divided, loaded behind", why_not,
                "the vessel divides, and the 'first outlet' is loaded");

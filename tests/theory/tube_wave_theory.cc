@@ -1,5 +1,5 @@
-// Waves in a long tube over time: d'Alembert's at its ends, a chain of equal segments, a step of the
-// wall against impedances, and branches.
+// Waves in a long tube over time: d'Alembert's at its ends, a chain of equal segments, a step of
+// the wall against impedances, and branches.
 
 #include "waves.h"
 
@@ -147,8 +147,8 @@ void windkessel(const LongTube &tube)
   }
   check::absolute("windkessel", largest_difference(pressure, history.pressure), 0., 0.01);
 }
-/// Tubes that divide: into one that is what would have followed, into two, and a branch that goes on
-/// in another one.
+/// Tubes that divide: into one that is what would have followed, into two, and a branch that goes
+/// on in another one.
 void branches(const LongTube &tube, const WaveHistory &whole)
 {
   const std::vector<double> times = times_up_to(1.2, 2e-3);
@@ -201,17 +201,11 @@ void branches(const LongTube &tube, const WaveHistory &whole)
     back_from_closed = [&](const double when)
     { return when < 0. ? 0. : into_closed(when - passed(2.)); };
     into_closed = [&](const double when)
-    {
-      return when < 0. ? 0. : 2. / 3. * from_parent(when) - 1. / 3. * back_from_closed(when);
-    };
+    { return when < 0. ? 0. : 2. / 3. * from_parent(when) - 1. / 3. * back_from_closed(when); };
     into_parent = [&](const double when)
-    {
-      return when < 0. ? 0. : -1. / 3. * from_parent(when) + 2. / 3. * back_from_closed(when);
-    };
+    { return when < 0. ? 0. : -1. / 3. * from_parent(when) + 2. / 3. * back_from_closed(when); };
     into_open = [&](const double when)
-    {
-      return when < 0. ? 0. : 2. / 3. * from_parent(when) + 2. / 3. * back_from_closed(when);
-    };
+    { return when < 0. ? 0. : 2. / 3. * from_parent(when) + 2. / 3. * back_from_closed(when); };
     const double forward = inlet(time - passed(1.)) - into_parent(time - passed(3.)),
                  backward = into_parent(time - passed(1.));
     pressure[0].push_back(forward + backward);
@@ -224,7 +218,8 @@ void branches(const LongTube &tube, const WaveHistory &whole)
   }
   for (unsigned int b = 0; b < 3; ++b)
   {
-    const std::string name = std::array<const char *, 3>{{"parent", "open branch", "closed branch"}}[b];
+    const std::string name =
+        std::array<const char *, 3>{{"parent", "open branch", "closed branch"}}[b];
     check::absolute(name + ", pressure", largest_difference(pressure[b], at[b].pressure), 0., 0.01);
     check::absolute(name + ", flow", largest_difference(flow[b], at[b].flow_rate), 0., 0.01);
   }
@@ -246,7 +241,8 @@ void branches(const LongTube &tube, const WaveHistory &whole)
     daughter->segments[0].section.layers[0].shear.branches[0].shear_modulus *= 4.;
   }
   divide(parent, {open, closed});
-  const WaveHistory unreflected = TubeWaveTheory(parent, inlet, 1.2, 1e-3).histories({1.}, times)[0];
+  const WaveHistory unreflected =
+      TubeWaveTheory(parent, inlet, 1.2, 1e-3).histories({1.}, times)[0];
   std::vector<double> alone;
   for (const double time : times)
     alone.push_back(inlet(time - passed(1.)));
