@@ -78,7 +78,7 @@ void test_circle()
                  .distance(fine.point(begin + 0.5 * (end - begin) * k / 500.));
     between = std::max(between, std::abs(sum / (0.5 * (end - begin)) - 1.));
   }
-  check::absolute("circle: length between the points", between, 0., 1e-3);
+  check::absolute("circle: length between the points", between, 0., 1e-4);
   check::is_true("circle: order of the distance above 3",
                  std::log2(largest_distance(coarse) / largest_distance(fine)) > 3.);
   // The position is the length, between the points as well.

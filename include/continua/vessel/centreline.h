@@ -16,7 +16,7 @@ namespace Continua
  * A cubic spline goes through the given points; its tangent at either end is that of the cubic
  * through the four outermost points. The spline's parameter is the length of the line: exactly at
  * the given points; in between to fourth order of the angle by which the line turns from one point
- * to the next (2e-6 of the distance for 11 degrees).
+ * to the next (within 7e-5 of the distance for 11 degrees).
  *
  * The frame does not twist: normal and binormal turn with the tangent, but not about it (double
  * reflection of Wang et al., ACM Trans. Graph. 27, 2008, doi 10.1145/1330511.1330513). Where the
