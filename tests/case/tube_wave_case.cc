@@ -111,6 +111,29 @@ UNIT_TEST(tube_wave_case)
   check::equal("loaded at both ends", make_tube_wave_case(loaded_twice, none),
                "both ends are loaded");
 
+  // A tube without a wall: one wave, and an outside that does not move.
+  const auto without_wall = [&](const std::string &outside)
+  {
+    std::string text =
+        tube_text::tube(tube_text::pulse(), "set Type = fixed\n", "set Type = fixed\n", outside);
+    text = replaced(text, "set Wall thickness = 1 mm\n", "set Wall layers = none\n");
+    text = replaced(text, "set Wall cells = 1\n", "");
+    text = replaced(text, "subsection wall inlet end\nset Type = fixed\nend\n", "");
+    text = replaced(text, "subsection wall outlet end\nset Type = fixed\nend\n", "");
+    const std::size_t wall = text.find("subsection wall\n");
+    return text.erase(wall, text.find("end\n", wall) + 4 - wall);
+  };
+  const TubeWaveProblem rigid = problem_of(without_wall("set Type = fixed\n"));
+  check::is_true("rigid: no layers", rigid.segments.at(0).section.layers.empty());
+  check::is_true("rigid: closed", rigid.outlet == TubeWaveProblem::Outlet::closed);
+  {
+    ParameterFile slipping = parameters_of(without_wall("set Type = roller\n"));
+    const Case<2> read = analyses().read_case<2>(slipping, MPI_COMM_WORLD);
+    TubeWaveCase not_covered;
+    check::equal("rigid, outside that slips", make_tube_wave_case(read, not_covered),
+                 "the tube has no wall, and its outside is not fixed");
+  }
+
   // A vessel that divides: the parent, and the daughters as its branches.
   const std::string vessel = bifurcation("set Type = pressure\nset Pressure = 0 Pa\n"
                                          "set Tangential = fixed\n",

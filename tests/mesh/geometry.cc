@@ -69,6 +69,36 @@ UNIT_TEST(geometry)
                                      "set Circumferential cells = 2\nset Axial grading = 1\n");
   const measures::Measures<3> space(*tube_of_space);
   check::absolute("tube in space: cells", space.mesh.n_cells(), 8. * 4. * (1 + 4 + 2), 0.);
+  // A tube without a wall: its boundaries have no gaps in their numbers, in each model.
+  const std::string rigid =
+      "set Type = tube\nset Wall layers = none\nset Inner diameter = 20 mm\nset Length = 0.3 m\n";
+  const measures::Measures<2> plane(
+      *make<2>(rigid, "set Axial cells = 10\nset Radial cells = 3\n", true));
+  check::equal("rigid: regions", geometry_text::joined(plane.region_names), "fluid; ");
+  check::equal("rigid: boundaries", geometry_text::joined(plane.boundary_names),
+               "inlet; outlet; axis; outside; ");
+  check::relative("rigid: inlet", plane.boundary("inlet"), 0.01, 1e-13);
+  check::relative("rigid: axis", plane.boundary("axis"), 0.3, 1e-13);
+  check::relative("rigid: outside", plane.boundary("outside"), 0.3, 1e-13);
+  for (const std::string sector : {"quarter", "half", "full"})
+  {
+    const measures::Measures<3> part(
+        *make<3>(rigid + "set Sector = " + sector + "\n",
+                 "set Axial cells = 4\nset Radial cells = 2\nset Circumferential cells = 8\n"));
+    const double share = sector == "quarter" ? 0.25 : sector == "half" ? 0.5 : 1.;
+    check::equal("rigid " + sector + ": boundaries", geometry_text::joined(part.boundary_names),
+                 std::string("inlet; outlet; outside; ") + (sector == "quarter" ? "side y; " : "") +
+                     (sector == "full" ? "" : "side z; "));
+    // Of flat faces, which lie inside the cylinder.
+    check::relative("rigid " + sector + ": outside", part.boundary("outside"),
+                    share * 2. * dealii::numbers::PI * 0.01 * 0.3, 0.01);
+    if (sector != "full")
+      check::relative("rigid " + sector + ": side z", part.boundary("side z"),
+                      (sector == "half" ? 0.02 : 0.01) * 0.3, 1e-12);
+  }
+  refused("wall cells without a wall", "set Type = tube\nset Wall layers = none\n",
+          "set Wall cells = 1\n", true, "6.*/Wall cells'.*no wall");
+
   check::equal("law of a painted tube", tube_of_space->branches().front().law.name(), "E");
   check::is_true("law of no tube", make<2>("set Type = box\n")->branches().empty());
 

@@ -81,4 +81,21 @@ UNIT_TEST(closed_form_waves)
                     0., 1e-9);
     check::is_true(name + "uniform pressure", mode.axis_pressure == mode.section_pressure);
   }
+
+  // In a rigid tube the liquid's compression takes up what flows in: dQ/dz = -A/K dp/dt.
+  TubeSection rigid = tube_a(1e-3);
+  rigid.layers.clear();
+  rigid.layer_thicknesses.clear();
+  rigid.fluid.compression = Compression::elastic(1. / 2.2e9);
+  for (const WaveLevel level :
+       {WaveLevel::closed_formula, WaveLevel::membrane, WaveLevel::womersley})
+  {
+    const std::string name = "rigid, " + word_of(wave_level_words(), level) + ": ";
+    const WaveMode mode = mode_of(rigid, level, 100.);
+    const std::complex<double> taken = 200. * pi * pi * 0.0125 * 0.0125 / 2.2e9;
+    check::absolute(name + "mass",
+                    std::abs(mode.wave_number * mode.junction[WaveMode::flow_rate] / taken - 1.),
+                    0., 1e-9);
+    check::is_true(name + "the wall rests", mode.wall_displacement == 0. && mode.hoop_stress == 0.);
+  }
 }

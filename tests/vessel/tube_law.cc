@@ -148,6 +148,19 @@ void test_layers()
           "3: 'Geometry/Layer fractions'.*1 numbers for 2 layers");
   refused("sum", "set Wall layers = a, b\nset Layer fractions = 0.5, 0.6\n",
           "3: 'Geometry/Layer fractions'.*1.1, not 1");
+  const TubeLaw rigid = read("set Inner diameter = 20 mm\nset Wall layers = none\n");
+  check::is_true("rigid", rigid.is_rigid() && rigid.layer_names().empty() && !law.is_rigid());
+  check::absolute("rigid: no thickness", rigid.wall_thickness(0.), 0., 0.);
+  check::relative("rigid: diameter", rigid.inner_diameter(0.), 20e-3, 1e-15);
+  const TubeLaw rigid_table = read_table(
+      "position [cm], inner diameter [mm]\n0, 10\n5, 20\n10, 10\n", "set Wall layers = none\n");
+  check::relative("rigid table: diameter", rigid_table.inner_diameter(0.025), 15e-3, 1e-14);
+  check::absolute("rigid table: no thickness", rigid_table.wall_thickness(0.05), 0., 0.);
+  refused("none beside others", "set Wall layers = a, none\n", "2: 'Geometry/Wall layers'.*alone");
+  refused("fractions of none", "set Wall layers = none\nset Layer fractions = 1\n",
+          "3: 'Geometry/Layer fractions'.*no wall");
+  refused("thickness of none", "set Wall thickness = 1 mm\nset Wall layers = none\n",
+          "2: 'Geometry/Wall thickness'.*no wall");
   refused("negative", "set Wall layers = a, b\nset Layer fractions = 1.5, -0.5\n",
           "3: 'Geometry/Layer fractions'");
 }
