@@ -102,7 +102,8 @@ Beats beats_of(const std::function<double(double)> &inlet, const double end_time
 }
 
 /// rho c/A with Korteweg's speed of a thick wall at each station, where the wall's modulus depends
-/// on frequency that at `frequency` [Hz]; empty where there is no tube.
+/// on frequency that at `frequency` [Hz]; layers of liquid do not count. Empty where there is no
+/// tube, or no wave in it.
 template <int dim>
 std::vector<double>
 impedances_of(const Case<dim> &input, const StationsProbe &probe, const double frequency)
@@ -113,7 +114,16 @@ impedances_of(const Case<dim> &input, const StationsProbe &probe, const double f
     return impedances;
   for (const double position : probe.positions)
   {
-    const TubeSection section = tube_section_at(input, branches[probe.branch].law, position);
+    TubeSection section = tube_section_at(input, branches[probe.branch].law, position);
+    for (std::size_t layer = section.layers.size(); layer-- > 0;)
+      if (!section.layers[layer].is_solid())
+      {
+        section.layers.erase(section.layers.begin() + layer);
+        section.layer_thicknesses.erase(section.layer_thicknesses.begin() + layer);
+      }
+    const bool is_rigid = branches[probe.branch].law.is_rigid();
+    if (section.layers.empty() && (!is_rigid || section.fluid.inverse_bulk_modulus() == 0.))
+      return {};
     const std::complex<double> omega = 2. * dealii::numbers::PI * frequency;
     const LongWaveTube tube{section.inner_radius, section.wall_thickness(),
                             section.poisson_ratio(omega).real(), section.fluid.density,
@@ -294,7 +304,8 @@ void LinearWaveTheory<dim>::report(const std::vector<double> &times, const bool 
         probe.name, probe.positions, probe.fields, {}, impedances_of(input, probe, frequency)};
     for (const std::string &field : probe.fields)
       stations.units.push_back(dimension_of_station_field(field).unit());
-    stations.direction = wave_case.direction();
+    if (!input.geometry->branches().empty())
+      stations.direction = direction_of_pulse(input, probe.branch);
     WaveReport report(stations, times);
     if (simulated)
       report.set(WaveReport::Source::simulated,

@@ -62,20 +62,27 @@ void check_unsets(const ParameterText::Section &section, const std::string &path
 /// Drops what an `unset` takes back in the section, and the sections in it that this leaves empty.
 void take_back(const ParameterText::Setting &unset, ParameterText::Section &section)
 {
-  for (ParameterText::Entry &entry : section.entries)
-    entry.settings.erase(std::remove_if(entry.settings.begin(), entry.settings.end(),
-                                        [&unset](const auto &setting)
-                                        { return overrides(unset, setting); }),
-                         entry.settings.end());
-  for (auto child = section.sections.begin(); child != section.sections.end();)
+  const auto drop = [&unset](std::vector<ParameterText::Setting> &settings)
   {
-    bool is_left_empty = takes_back(unset, *child);
-    take_back(unset, *child);
-    is_left_empty = is_left_empty && child->sections.empty() &&
-                    std::all_of(child->entries.begin(), child->entries.end(),
-                                [](const auto &entry) { return entry.settings.empty(); });
-    child = is_left_empty ? section.sections.erase(child) : child + 1;
-  }
+    settings.erase(std::remove_if(settings.begin(), settings.end(),
+                                  [&unset](const auto &setting)
+                                  { return overrides(unset, setting); }),
+                   settings.end());
+  };
+  drop(section.openings);
+  for (ParameterText::Entry &entry : section.entries)
+    drop(entry.settings);
+  for (ParameterText::Section &child : section.sections)
+    take_back(unset, child);
+  section.sections.erase(
+      std::remove_if(section.sections.begin(), section.sections.end(),
+                     [](const auto &child)
+                     {
+                       return child.openings.empty() && child.sections.empty() &&
+                              std::all_of(child.entries.begin(), child.entries.end(),
+                                          [](const auto &entry) { return entry.settings.empty(); });
+                     }),
+      section.sections.end());
 }
 
 /// Leaves the entry the one setting that holds, or none if it is unset.
@@ -99,7 +106,8 @@ void settle(ParameterText::Entry &entry, const std::string &path)
     entry.settings.push_back(highest.front());
 }
 
-/// The same for every entry of the section; a section that an `unset` leaves empty goes.
+/// The same for every entry of the section; a section that an `unset` leaves empty goes, unless the
+/// file of the `unset` opens it itself.
 void settle(ParameterText::Section &section, const std::string &path)
 {
   for (ParameterText::Section &child : section.sections)
@@ -115,7 +123,7 @@ void settle(ParameterText::Section &section, const std::string &path)
                         section.entries.end());
   section.sections.erase(std::remove_if(section.sections.begin(), section.sections.end(),
                                         [](const auto &child) {
-                                          return !child.unsets.empty() && child.entries.empty() &&
+                                          return child.openings.empty() && child.entries.empty() &&
                                                  child.sections.empty();
                                         }),
                          section.sections.end());
@@ -234,7 +242,7 @@ ParameterText::Section &ParameterText::Section::get_section(const std::string &s
   for (Section &existing : sections)
     if (existing.name == section_name)
       return existing;
-  sections.push_back({section_name, place, {}, {}, {}});
+  sections.push_back({section_name, place, {}, {}, {}, {}});
   return sections.back();
 }
 
@@ -314,6 +322,7 @@ void ParameterText::read(const std::string &path,
       if (rest.empty())
         throw InputError(here, "", "a subsection has no name", "Write 'subsection NAME'");
       open.push_back(&open.back()->get_section(rest, here));
+      open.back()->openings.push_back({"", here, inclusions});
       opened_at.push_back(here);
       names.push_back(rest);
       refuse_deep(here, names.size());

@@ -20,6 +20,7 @@
 #include <optional>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 namespace Continua
 {
@@ -248,9 +249,14 @@ void add_tube_end(Case<dim> &input,
     section.refuse("Type", "the tube is not full of liquid, or has painted regions",
                    "Use 'pressure', 'resistance' or 'windkessel' here");
   for (const BoundaryCondition &other : problem.conditions)
-    if (!law.is_rigid() && problem.boundaries[other.boundary_id] == "outside" &&
-        (other.normal.kind == BoundaryPart::Kind::velocity ||
-         (other.tangential.kind == BoundaryPart::Kind::velocity && !other.tangential.is_zero())))
+    if (law.is_rigid() && problem.boundaries[other.boundary_id] == "outside" &&
+        other.type != BoundaryType::fixed)
+      section.refuse("Type", "a tube without a wall goes on with an outside that is fixed",
+                     "Make the 'outside' fixed, or use 'pressure', 'resistance' or 'windkessel'");
+    else if (!law.is_rigid() && problem.boundaries[other.boundary_id] == "outside" &&
+             (other.normal.kind == BoundaryPart::Kind::velocity ||
+              (other.tangential.kind == BoundaryPart::Kind::velocity &&
+               !other.tangential.is_zero())))
       section.refuse("Type", "a tube goes on with a wall that is free outside or held axially only",
                      "Make the 'outside' free, or 'pressure' with Tangential = fixed");
   WallEnd wall_end = wall_is_clamped ? WallEnd::clamped : WallEnd::free;
@@ -271,6 +277,10 @@ void add_tube_end(Case<dim> &input,
         "", "beside an absorbing end of the liquid the wall's is absorbing, fixed or free",
         "Choose one of these");
 
+  if (law.is_rigid() && problem.materials[0].inverse_bulk_modulus() == 0.)
+    section.refuse("Type", "an incompressible liquid in a rigid tube carries no wave",
+                   "Give the liquid a bulk modulus, or use 'pressure', 'resistance' or "
+                   "'windkessel'");
   const TubeSection tube = tube_section_at(input, law, vessel_end.position);
   AbsorbingEnd end;
   end.name = condition.name;
@@ -288,9 +298,16 @@ void add_tube_end(Case<dim> &input,
   ends.push_back(end);
 
   // A part of the section has that part of the flow.
-  scale(outlet.impedance,
-        1. / find_round_section(*input.triangulation, condition.boundary_id, condition.region_ids)
-                 .fraction);
+  try
+  {
+    scale(outlet.impedance,
+          1. / find_round_section(*input.triangulation, condition.boundary_id, condition.region_ids)
+                   .fraction);
+  }
+  catch (const std::invalid_argument &error)
+  {
+    section.refuse("Type", error.what(), "Use 'resistance' or 'windkessel' there");
+  }
   problem.outlets.push_back(outlet);
 }
 } // namespace
@@ -326,8 +343,12 @@ void AbsorbingEnds::add(Case<dim> &input, ParameterSection root, const bool rest
   for (const VesselBranch<dim> &branch : branches)
     for (const auto &end : branch.ends)
     {
-      absorbing.insert({end.fluid, end.wall});
-      names += (names.empty() ? "'" : ", or '") + end.fluid + "' and '" + end.wall + "'";
+      absorbing.insert(end.fluid);
+      names += (names.empty() ? "'" : ", or '") + end.fluid + "'";
+      if (end.wall.empty())
+        continue;
+      absorbing.insert(end.wall);
+      names += " and '" + end.wall + "'";
     }
   for (const BoundaryCondition &condition : problem.conditions)
     if (is_absorbing(condition) && absorbing.count(problem.boundaries[condition.boundary_id]) == 0)

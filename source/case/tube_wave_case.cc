@@ -216,8 +216,13 @@ std::string why_not_covered(const Case<dim> &input, const std::vector<VesselBran
     return "the initial state is not rest";
   const BoundaryCondition *outside =
       find_condition(input, "outside", input.problem.regions.size() - 1);
+  for (std::size_t layer = 1; layer < input.problem.materials.size(); ++layer)
+    if (!input.problem.materials[layer].is_solid())
+      return "a layer of the wall is a liquid";
   if (branches.front().law.is_rigid())
   {
+    if (input.problem.materials[0].inverse_bulk_modulus() == 0.)
+      return "an incompressible liquid in a rigid tube carries no wave";
     if (outside == nullptr || !is_fixed(outside->normal) || !is_fixed(outside->tangential))
       return "the tube has no wall, and its outside is not fixed";
   }
@@ -235,6 +240,29 @@ std::string why_not_covered(const Case<dim> &input, const std::vector<VesselBran
   return "";
 }
 } // namespace
+
+template <int dim>
+double direction_of_pulse(const Case<dim> &input, const unsigned int branch)
+{
+  const std::vector<VesselBranch<dim>> branches = input.geometry->branches();
+  const auto loaded_ends = [&](const unsigned int b)
+  {
+    std::vector<double> places;
+    for (const auto &end : branches[b].ends)
+      if (is_loaded(input, end.fluid))
+        places.push_back(end.position);
+    return places;
+  };
+  const std::vector<double> own = loaded_ends(branch);
+  if (!own.empty())
+    return std::count(own.begin(), own.end(), 0.) > 0 ? 1. : -1.;
+  // From another branch the pulse comes through the point where the vessel divides: the end of the
+  // first branch and the beginning of the others.
+  for (unsigned int b = 1; branch == 0 && b < branches.size(); ++b)
+    if (!loaded_ends(b).empty())
+      return -1.;
+  return 1.;
+}
 
 template <int dim>
 std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case)
@@ -285,6 +313,8 @@ std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case)
   return why_not;
 }
 
+template double direction_of_pulse(const Case<2> &, unsigned int);
+template double direction_of_pulse(const Case<3> &, unsigned int);
 template TubeSection tube_section_at(const Case<2> &, const TubeLaw &, double);
 template TubeSection tube_section_at(const Case<3> &, const TubeLaw &, double);
 template std::string make_tube_wave_case(const Case<2> &, TubeWaveCase &);

@@ -42,8 +42,9 @@ void create_mesh(dealii::Triangulation<2> &triangulation,
   }
 }
 
-/// Of the boundaries along the axis, outside and sides, the one of a face, counted from 0; from
-/// where in the section two of its vertices are that are no neighbours.
+/// Which of the boundaries along the axis a face belongs to: 0 outside, then the sides. `a` and
+/// `b`: the places in the section of two opposite vertices of the face. TubeCrossSection puts
+/// vertices on the planes of symmetry exactly.
 unsigned int
 side_of(const dealii::Point<2> &a, const dealii::Point<2> &b, const TubeCrossSection::Sector sector)
 {
@@ -227,11 +228,13 @@ std::unique_ptr<Geometry<dim>> TubeGeometry<dim>::coarsened(const double most_ce
 template <int dim>
 std::vector<VesselBranch<dim>> TubeGeometry<dim>::branches() const
 {
+  const bool is_rigid = parameters.law.is_rigid();
   VesselBranch<dim> branch{
       "",
       parameters.law,
       nullptr,
-      {{"inlet", "wall inlet end", 0.}, {"outlet", "wall outlet end", parameters.law.length()}}};
+      {{"inlet", is_rigid ? "" : "wall inlet end", 0.},
+       {"outlet", is_rigid ? "" : "wall outlet end", parameters.law.length()}}};
   if constexpr (dim == 3)
     if (parameters.centreline != nullptr)
       branch.axis = std::make_shared<CentrelineAxis>(parameters.centreline);

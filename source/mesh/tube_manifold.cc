@@ -13,8 +13,10 @@ namespace
 double scaled_radius(const TubeLaw &law, const double x, const double radius)
 {
   const double inner_radius = 0.5 * law.inner_diameter(x);
-  return radius <= inner_radius ? radius / inner_radius
-                                : 1. + (radius - inner_radius) / law.wall_thickness(x);
+  // A rigid tube has nothing beyond its inner radius but round-off.
+  return radius <= inner_radius || law.is_rigid()
+             ? radius / inner_radius
+             : 1. + (radius - inner_radius) / law.wall_thickness(x);
 }
 
 /// Of a tube along the x axis, the point at that place of the same tube along the centreline.
@@ -66,7 +68,8 @@ template <int dim>
 double TubeManifold<dim>::radius(const TubeLaw &law, const double x, const double s)
 {
   const double inner_radius = 0.5 * law.inner_diameter(x);
-  return s <= 1. ? inner_radius * s : inner_radius + law.wall_thickness(x) * (s - 1.);
+  return s <= 1. || law.is_rigid() ? inner_radius * s
+                                   : inner_radius + law.wall_thickness(x) * (s - 1.);
 }
 
 template <int dim>

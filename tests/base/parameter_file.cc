@@ -322,6 +322,13 @@ void test_unset()
   check::is_true("own entries stay", mesh->entry("Refine") != nullptr);
   check::is_true("included ones go", mesh->entry("Cells") == nullptr && mesh->sections.empty());
 
+  // One that the including file opens anew stays, also without entries, so that it is looked at.
+  ParameterFile opened = file(
+      "include whole.prm\nunset subsection Mesh\nsubsection Mesh\n  subsection Deep\n  end\nend\n"
+      "unset subsection Probe\nsubsection Probe\nend\n");
+  check::is_true("opened anew", opened.text().find({"Probe"}) != nullptr &&
+                                    opened.text().find({"Mesh", "Deep"}) != nullptr);
+
   // A subsection inside goes with the one around it.
   ParameterFile whole =
       file("include whole.prm\nunset subsection Mesh\nsubsection Mesh\n  set Refine = 2\nend\n");

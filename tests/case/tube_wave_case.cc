@@ -103,6 +103,19 @@ UNIT_TEST(tube_wave_case)
   check::is_true("from the outlet", backward.from_outlet && backward.direction() == -1.);
   check::is_true("narrow first", backward.problem.segments.front().section.inner_radius <
                                      backward.problem.segments.back().section.inner_radius);
+  // Known without theory, too.
+  ParameterFile forced =
+      parameters_of(replaced(varying,
+                             "subsection inlet\n" + tube_text::pulse() +
+                                 "end\nsubsection outlet\nset Type = fixed\nend\n",
+                             "subsection inlet\nset Type = fixed\nend\nsubsection outlet\n" +
+                                 tube_text::pulse() + "end\n") +
+                    "subsection Body force\nset Force density = 1, 0\nend\n");
+  const Case<2> not_covered = analyses().read_case<2>(forced, MPI_COMM_WORLD);
+  TubeWaveCase no_case;
+  check::equal("with a body force", make_tube_wave_case(not_covered, no_case),
+               "there is a body force");
+  check::absolute("its direction", direction_of_pulse(not_covered, 0), -1., 0.);
   check::relative("place of a station", backward.place(0.1), law.length() - 0.1, 1e-12);
   ParameterFile both = parameters_of(replaced(varying, "subsection outlet\nset Type = fixed\n",
                                               "subsection outlet\n" + tube_text::pulse()));
@@ -164,8 +177,26 @@ UNIT_TEST(tube_wave_case)
       "divided, not held", why_not,
       "the vessel divides, and its wall is not held axially (outside: Tangential = fixed)");
   wave_case_of(replaced(vessel, "set Type = absorbing\n", tube_text::pulse()), why_not);
-  check::equal("divided, loaded behind", why_not,
+  check::equal("divided, loaded before and behind", why_not,
                "the vessel divides, and the 'first outlet' is loaded");
+  const std::string loaded_behind =
+      replaced(replaced(vessel, "subsection inlet\n" + tube_text::pulse(),
+                        "subsection inlet\nset Type = fixed\n"),
+               "set Type = absorbing\n", tube_text::pulse());
+  wave_case_of(loaded_behind, why_not);
+  check::equal("divided, loaded behind", why_not,
+               "the inlet's Type is 'fixed', not pressure or flow rate");
+  {
+    ParameterFile text = parameters_of(loaded_behind), forward = parameters_of(vessel);
+    const Case<3> behind = analyses().read_case<3>(text, MPI_COMM_WORLD),
+                  before = analyses().read_case<3>(forward, MPI_COMM_WORLD);
+    // Up the first daughter, up the parent, and down the second daughter.
+    check::absolute("direction in the parent", direction_of_pulse(behind, 0), -1., 0.);
+    check::absolute("in the first daughter", direction_of_pulse(behind, 1), -1., 0.);
+    check::absolute("in the second daughter", direction_of_pulse(behind, 2), 1., 0.);
+    for (unsigned int branch = 0; branch < 3; ++branch)
+      check::absolute("loaded at the inlet", direction_of_pulse(before, branch), 1., 0.);
+  }
 
   check::throws<InputError>(
       "one segment for a varying tube",

@@ -36,6 +36,22 @@ UNIT_TEST(tube_manifold)
   check::absolute("section: there and back",
                   round_trip<2>(section, {{0., 0.}, {0.3, 0.5}, {1., 0.75}, {1.2, 0.8}, {2., 0.8}}),
                   0., 1e-15);
+  // A rigid tube: points of the rim may lie outside by round-off.
+  TubeLaw rigid = law;
+  rigid.set_layers({}, {});
+  const double beyond = 1. + 4e-16;
+  check::absolute("rigid section: there and back",
+                  round_trip<2>(TubeManifold<2>(rigid, TubeManifold<2>::Part::rings),
+                                {{0., 0.}, {0., beyond}, {1., 0.75 * beyond}, {2., 0.5 * beyond}}),
+                  0., 1e-15);
+  for (const auto part : {TubeManifold<3>::Part::rings, TubeManifold<3>::Part::core})
+    check::absolute("rigid: there and back",
+                    round_trip<3>(TubeManifold<3>(rigid, part), {{0., beyond, 0.},
+                                                                 {1., 0., 0.75 * beyond},
+                                                                 {1., 0.45 * beyond, 0.6 * beyond},
+                                                                 {2., -0.3, 0.4 * beyond}}),
+                    0., 1e-14);
+
   // From the inner surface at x = 0 to the outer one at x = 2: half-way up the wall at x = 1.
   check::absolute("section: in the wall",
                   middle<2>(*section.clone(), {0., 1.}, {2., 0.8}).distance({1., 0.85}), 0., 1e-14);

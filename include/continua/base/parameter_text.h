@@ -41,6 +41,8 @@ public:
     std::vector<Entry> entries;
     std::vector<Section> sections;
     std::vector<Setting> unsets; ///< each takes back all that included files set in the section
+    std::vector<Setting>
+        openings; ///< where it is opened; those that an `unset` takes back are gone
 
     /// Null if there is none of that name.
     const Entry *entry(const std::string &key) const;

@@ -27,6 +27,12 @@ struct TubeWaveCase
 template <int dim>
 std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case);
 
+/// In which direction along a branch of the vessel the first pulse travels, by the ends that are
+/// loaded with a pressure or a flow rate: +1 if its positions increase, or -1. Also of a case that
+/// theory does not cover; +1 if nothing or both ends are loaded.
+template <int dim>
+double direction_of_pulse(const Case<dim> &input, unsigned int branch);
+
 /// The cross-section at z [m] of the case's tube, or of a branch of its vessel, with that law.
 template <int dim>
 TubeSection tube_section_at(const Case<dim> &input, const TubeLaw &law, double z);

@@ -17,7 +17,7 @@ struct VesselBranch
   /// An end of the branch at which the vessel ends.
   struct End
   {
-    std::string fluid, wall; ///< the names of its boundaries
+    std::string fluid, wall; ///< the names of its boundaries; a rigid vessel has no `wall`
     double position;         ///< along the law [m]
   };
   std::string name;                            ///< empty where there is one only
