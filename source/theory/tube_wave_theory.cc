@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <stdexcept>
 
 namespace Continua
@@ -86,8 +85,7 @@ void TubeWaveTheory::add_chains(const TubeWaveProblem &problem, const std::size_
   const bool divides = problem.outlet == TubeWaveProblem::Outlet::divided;
   if (divides == problem.branches.empty())
     throw std::invalid_argument("A tube has branches if its outlet is divided, and only then.");
-  chains.push_back({std::make_unique<TubeChain>(problem, shift, last_frequency), problem.length(),
-                    before, divides});
+  chains.push_back({TubeChain(problem, shift, last_frequency), problem.length(), before, divides});
   for (const TubeWaveProblem &branch : problem.branches)
   {
     if (branch.inlet != TubeWaveProblem::Inlet::pressure)
@@ -106,21 +104,21 @@ std::vector<TubeChain::Values> TubeWaveTheory::values(const double frequency,
   std::vector<TubeChain::Solution> solutions(chains.size());
   for (std::size_t c = chains.size(); c-- > 0;)
   {
-    solutions[c] = chains[c].waves->solve(frequency, chains[c].divides ? 1. / admittances[c] : 0.);
+    solutions[c] = chains[c].waves.solve(frequency, chains[c].divides ? 1. / admittances[c] : 0.);
     if (c > 0)
-      admittances[chains[c].before] += chains[c].waves->values(solutions[c], 0.).flow_rate;
+      admittances[chains[c].before] += chains[c].waves.values(solutions[c], 0.).flow_rate;
   }
   // And on to the chain: what stands at its inlet.
   Complex factor = inlet;
   for (std::size_t c = chain; c > 0; c = chains[c].before)
   {
     const std::size_t before = chains[c].before;
-    factor *= chains[before].waves->values(solutions[before], chains[before].length).traction;
+    factor *= chains[before].waves.values(solutions[before], chains[before].length).traction;
   }
   std::vector<TubeChain::Values> result;
   for (const double station : stations)
   {
-    result.push_back(chains[chain].waves->values(solutions[chain], station));
+    result.push_back(chains[chain].waves.values(solutions[chain], station));
     result.back().scale(factor);
   }
   return result;

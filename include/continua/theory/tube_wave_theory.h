@@ -5,7 +5,6 @@
 #include <continua/theory/tube_wave_problem.h>
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -64,7 +63,7 @@ private:
   /// A tube and the place of the one before it in the list.
   struct Chain
   {
-    std::unique_ptr<TubeChain> waves;
+    TubeChain waves;
     double length;      ///< [m]
     std::size_t before; ///< of the first: itself
     bool divides;
