@@ -137,7 +137,7 @@ std::string read_far_end(const Case<dim> &input, const Ends &ends, TubeWaveProbl
     problem.outlet = TubeWaveProblem::Outlet::open;
   else
     return "the " + ends.outlet + " is neither closed (fixed) nor open (free, or no pressure)";
-  const std::string of_wall = read_wall_end(input, ends.wall_outlet, problem.wall_outlet_end);
+  std::string of_wall = read_wall_end(input, ends.wall_outlet, problem.wall_outlet_end);
   if (!of_wall.empty())
     return of_wall;
   if (problem.wall_outlet_end == WallEnd::absorbing &&
@@ -165,7 +165,7 @@ std::string read_inlet(const Case<dim> &input, const Ends &ends, TubeWaveCase &w
   if (waveform.depends_on_space())
     return "the " + ends.inlet + "'s value depends on the place";
   wave_case.inlet = [waveform](const double time) { return waveform(middle_of_inlet, time); };
-  const std::string of_wall = read_wall_end(input, ends.wall_inlet, problem.wall_inlet_end);
+  std::string of_wall = read_wall_end(input, ends.wall_inlet, problem.wall_inlet_end);
   if (!of_wall.empty())
     return of_wall;
   if (problem.wall_inlet_end == WallEnd::absorbing)

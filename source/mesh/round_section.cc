@@ -79,6 +79,7 @@ RoundSection<dim> find_round_section(const Triangulation<dim> &triangulation,
   else if (normal.norm() > 0.)
     normal /= normal.norm();
   std::vector<Point<dim>> points;
+  points.reserve(vertices.size());
   for (const auto &[index, vertex] : vertices)
     points.push_back(vertex);
   const auto ends = ends_of_diameter(points);
