@@ -27,6 +27,7 @@ public:
   /// The branches of `problem` do not count: see `load` of solve(). Throws RunError if a wave
   /// cannot be followed up to `last_frequency` [Hz]; `shift` in 1/s.
   TubeChain(const TubeWaveProblem &problem, double shift, double last_frequency);
+  TubeChain(TubeChain &&) = default;
 
   /// What the waves are at one place.
   struct Values
