@@ -215,25 +215,14 @@ void add_tube_end(Case<dim> &input,
   Problem &problem = input.problem;
   const std::string &end_name = vessel_end.fluid, &wall_name = vessel_end.wall;
   int liquid = -1, wall = -1;
-  bool wall_is_clamped = true, wall_is_free = true;
   for (unsigned int c = 0; c < problem.conditions.size(); ++c)
   {
     const BoundaryCondition &condition = problem.conditions[c];
     const std::string &boundary = problem.boundaries[condition.boundary_id];
     if (boundary == end_name && condition.type == BoundaryType::absorbing)
       liquid = c;
-    if (boundary != wall_name)
-      continue;
-    if (condition.type == BoundaryType::absorbing)
+    if (boundary == wall_name && condition.type == BoundaryType::absorbing)
       wall = c;
-    const auto is_all = [&condition](const BoundaryPart::Kind kind)
-    {
-      return condition.type != BoundaryType::absorbing && !condition.outlet &&
-             condition.normal.kind == kind && condition.tangential.kind == kind &&
-             condition.normal.is_zero() && condition.tangential.is_zero();
-    };
-    wall_is_clamped = wall_is_clamped && is_all(BoundaryPart::Kind::velocity);
-    wall_is_free = wall_is_free && is_all(BoundaryPart::Kind::traction);
   }
   if (liquid < 0)
   {
@@ -259,7 +248,6 @@ void add_tube_end(Case<dim> &input,
                !other.tangential.is_zero())))
       section.refuse("Type", "a tube goes on with a wall that is free outside or held axially only",
                      "Make the 'outside' free, or 'pressure' with Tangential = fixed");
-  WallEnd wall_end = wall_is_clamped ? WallEnd::clamped : WallEnd::free;
   if (wall >= 0)
   {
     const ParameterSection wall_section = boundaries.subsection(problem.conditions[wall].name);
@@ -270,12 +258,12 @@ void add_tube_end(Case<dim> &input,
       if (wall_section.given(key))
         wall_section.refuse(key, "liquid and wall have one impedance together",
                             "Move the entry to the liquid's end, '" + end_name + "'");
-    wall_end = WallEnd::absorbing;
   }
-  else if (!wall_is_clamped && !wall_is_free)
-    boundaries.subsection(wall_name).refuse(
-        "", "beside an absorbing end of the liquid the wall's is absorbing, fixed or free",
-        "Choose one of these");
+  WallEnd wall_end = WallEnd::clamped;
+  const std::string of_wall = read_wall_end(input, wall_name, wall_end);
+  if (!of_wall.empty())
+    boundaries.subsection(wall_name).refuse("", "the liquid's end absorbs, and " + of_wall,
+                                            "Let the wall's whole end be absorbing, fixed or free");
 
   if (law.is_rigid() && problem.materials[0].inverse_bulk_modulus() == 0.)
     section.refuse("Type", "an incompressible liquid in a rigid tube carries no wave",

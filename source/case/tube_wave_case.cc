@@ -22,21 +22,11 @@ find_condition(const Case<dim> &input, const std::string &boundary, const unsign
   return nullptr;
 }
 
-bool is_fixed(const BoundaryPart &part)
-{
-  return part.kind == BoundaryPart::Kind::velocity && part.is_zero();
-}
-
 /// A pressure or a flow rate that is not zero.
 bool is_loaded(const BoundaryCondition &condition)
 {
   return (condition.type == BoundaryType::flow_rate || condition.type == BoundaryType::pressure) &&
          !condition.normal.along_normal.is_zero();
-}
-
-bool is_free(const BoundaryPart &part)
-{
-  return part.kind == BoundaryPart::Kind::traction && part.is_zero();
 }
 
 /// Pressure is one and flow is conserved at a bifurcation (6.20): the branches' admittances add up.
@@ -56,8 +46,8 @@ double impedance_of_branches(const Material &fluid, const WaveTheoryParameters &
   }
   return 1. / admittance;
 }
+} // namespace
 
-/// One end of the wall, whose layers must all be held alike.
 template <int dim>
 std::string read_wall_end(const Case<dim> &input, const std::string &boundary, WallEnd &wall_end)
 {
@@ -66,8 +56,8 @@ std::string read_wall_end(const Case<dim> &input, const std::string &boundary, W
     const BoundaryCondition *condition = find_condition(input, boundary, region);
     if (condition == nullptr)
       return "the mesh has no boundary '" + boundary + "'";
-    const bool clamped = is_fixed(condition->normal) && is_fixed(condition->tangential);
-    const bool free = is_free(condition->normal) && is_free(condition->tangential);
+    const bool clamped = condition->normal.is_fixed() && condition->tangential.is_fixed();
+    const bool free = condition->normal.is_free() && condition->tangential.is_free();
     const bool absorbing = condition->type == BoundaryType::absorbing;
     const WallEnd present = absorbing ? WallEnd::absorbing
                             : clamped ? WallEnd::clamped
@@ -80,7 +70,6 @@ std::string read_wall_end(const Case<dim> &input, const std::string &boundary, W
   }
   return "";
 }
-} // namespace
 
 template <int dim>
 TubeSection tube_section_at(const Case<dim> &input, const TubeLaw &law, const double z)
@@ -95,7 +84,7 @@ TubeSection tube_section_at(const Case<dim> &input, const TubeLaw &law, const do
   }
   const BoundaryCondition *outside =
       find_condition(input, "outside", input.problem.regions.size() - 1);
-  section.tethered = outside != nullptr && is_fixed(outside->tangential);
+  section.tethered = outside != nullptr && outside->tangential.is_fixed();
   return section;
 }
 
@@ -131,9 +120,9 @@ std::string read_far_end(const Case<dim> &input, const Ends &ends, TubeWaveProbl
     problem.outlet = TubeWaveProblem::Outlet::loaded;
     problem.load = condition->outlet->impedance;
   }
-  else if (is_fixed(condition->normal))
+  else if (condition->normal.is_fixed())
     problem.outlet = TubeWaveProblem::Outlet::closed;
-  else if (is_free(condition->normal))
+  else if (condition->normal.is_free())
     problem.outlet = TubeWaveProblem::Outlet::open;
   else
     return "the " + ends.outlet + " is neither closed (fixed) nor open (free, or no pressure)";
@@ -223,16 +212,16 @@ std::string why_not_covered(const Case<dim> &input, const std::vector<VesselBran
   {
     if (input.problem.materials[0].inverse_bulk_modulus() == 0.)
       return "an incompressible liquid in a rigid tube carries no wave";
-    if (outside == nullptr || !is_fixed(outside->normal) || !is_fixed(outside->tangential))
+    if (outside == nullptr || !outside->normal.is_fixed() || !outside->tangential.is_fixed())
       return "the tube has no wall, and its outside is not fixed";
   }
-  else if (outside == nullptr || !is_free(outside->normal) ||
-           !(is_free(outside->tangential) || is_fixed(outside->tangential)))
+  else if (outside == nullptr || !outside->normal.is_free() ||
+           !(outside->tangential.is_free() || outside->tangential.is_fixed()))
     return "the outside is neither free nor only held axially";
   if (branches.size() > 1)
   {
     // How a wall's axial motion goes on into the branches depends on the junction.
-    if (!is_fixed(outside->tangential))
+    if (!outside->tangential.is_fixed())
       return "the vessel divides, and its wall is not held axially (outside: Tangential = fixed)";
     if (input.wave_theory.far_end == FarEnd::branches)
       return "the vessel divides, and 'Wave theory/Far end' gives it other branches";
@@ -313,6 +302,8 @@ std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case)
   return why_not;
 }
 
+template std::string read_wall_end(const Case<2> &, const std::string &, WallEnd &);
+template std::string read_wall_end(const Case<3> &, const std::string &, WallEnd &);
 template double direction_of_pulse(const Case<2> &, unsigned int);
 template double direction_of_pulse(const Case<3> &, unsigned int);
 template TubeSection tube_section_at(const Case<2> &, const TubeLaw &, double);

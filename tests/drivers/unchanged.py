@@ -5,6 +5,7 @@ Header comments of the case:
 
     # run: Mesh/Cells = 4; Time/Time step = 20 ms     two or more, one line a run; overrides joined by `;`
     # run: Mesh/Cells = 8; Time/Time step = 20 ms
+    # run: common/OTHER.prm; Mesh/Cells = 8           another file, with its path from the case's folder
     # tolerance: 1e-3                                 of the largest magnitude of each column of the first probes.csv
     # tolerance of pressure gradient: 2e-3            none or more; of the columns of one field
 """
@@ -25,8 +26,13 @@ def case(program, parameter_file, folder):
     tables = []
     for number, run in enumerate(runs, 1):
         output = os.path.join(folder, f"run-{number}")
-        driver.run_to_the_end(program, [parameter_file, "--output", output, *driver.overrides(run.split(";"))],
-                              folder=folder)
+        first, *others = [part.strip() for part in run.split(";")]
+        file = parameter_file
+        if first.endswith(".prm") and "=" not in first:
+            file = os.path.join(os.path.dirname(parameter_file), first)
+        else:
+            others.insert(0, first)
+        driver.run_to_the_end(program, [file, "--output", output, *driver.overrides(others)], folder=folder)
         tables.append(os.path.join(output, "probes.csv"))
     columns, _ = driver.read_table(tables[0])
     for field in of_fields:

@@ -136,7 +136,7 @@ void test_bend()
   tube.centreline = std::make_shared<const Centreline>(line);
   tube.law = TubeLaw::uniform(tube.centreline->length(), 2. * radius, 0.2);
   tube.sector = TubeCrossSection::Sector::half;
-  tube.axial_cells = 27;
+  tube.axial_cells = 18;
   tube.radial_cells = 2;
   tube.circumferential_cells = 4;
   tube.radial_grading = 0.5;
@@ -158,7 +158,7 @@ void test_bend()
   const double exact = 0.25 * numbers::PI * radius * radius; // of the half
   const MappingQ<3> mapping(2);
   double first = 0.;
-  for (const double degrees : {30., 33.7, 80., 225.})
+  for (const double degrees : {30., 33.7, 225.})
   {
     const double position = degrees * numbers::PI / 180. * bend;
     const Point<3> point = axis->point(position);

@@ -36,6 +36,10 @@ struct BoundaryPart
   std::shared_ptr<const FlowProfile> flow;
 
   bool is_zero() const;
+  /// Whether the velocity is prescribed to be zero.
+  bool is_fixed() const { return kind == Kind::velocity && is_zero(); }
+  /// Whether nothing acts on the half.
+  bool is_free() const { return kind == Kind::traction && is_zero(); }
   bool depends_on_time() const;
 };
 

@@ -33,6 +33,12 @@ std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case)
 template <int dim>
 double direction_of_pulse(const Case<dim> &input, unsigned int branch);
 
+/// How the wall is held at the end with that boundary's name: clamped, free or absorbing, all its
+/// layers alike. `wall_end` stays where there is no wall. Returns why it is none of these, or
+/// nothing.
+template <int dim>
+std::string read_wall_end(const Case<dim> &input, const std::string &boundary, WallEnd &wall_end);
+
 /// The cross-section at z [m] of the case's tube, or of a branch of its vessel, with that law.
 template <int dim>
 TubeSection tube_section_at(const Case<dim> &input, const TubeLaw &law, double z);
