@@ -8,7 +8,8 @@ namespace Continua
 {
 const std::vector<std::string> &output_files()
 {
-  static const std::vector<std::string> names = {"checkpoint",
+  static const std::vector<std::string> names = {"amplification.csv",
+                                                 "checkpoint",
                                                  "citation.bib",
                                                  "comparison.csv",
                                                  "creep.csv",

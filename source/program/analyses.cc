@@ -5,6 +5,7 @@
 #include <continua/analysis/modal.h>
 #include <continua/analysis/steady.h>
 #include <continua/analysis/transient.h>
+#include <continua/laboratory/amplification_analysis.h>
 #include <continua/laboratory/material_laboratory.h>
 #include <continua/laboratory/spin_coating_analysis.h>
 #include <continua/studies/comparison.h>
@@ -85,7 +86,11 @@ const AnalysisTable &analyses()
                                    {"Spin coating"}),
        row_of<MaterialLaboratory>(
            "material", "What a solid is like: its complex modulus, and simulated material tests.",
-           {"Laboratory", "Time"})});
+           {"Laboratory", "Time"}),
+       row_of<AmplificationAnalysis>(
+           "amplification",
+           "What schemes in time do to waves: damping and speed by Courant number and wavelength.",
+           {"Amplification"})});
   return table;
 }
 } // namespace Continua

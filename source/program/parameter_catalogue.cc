@@ -6,6 +6,7 @@
 #include <continua/boundary/boundary_condition.h>
 #include <continua/case/case.h>
 #include <continua/case/measured_waves.h>
+#include <continua/laboratory/amplification_parameters.h>
 #include <continua/laboratory/laboratory_parameters.h>
 #include <continua/materials/material.h>
 #include <continua/mesh/geometry.h>
@@ -179,6 +180,13 @@ std::vector<Source> sources()
        {},
        [](Root root, const General &)
        { LaboratoryParameters().read(root.subsection("Laboratory")); },
+       "",
+       {}},
+      {"Amplification",
+       "Which schemes in time, Courant numbers and waves.",
+       {},
+       [](Root root, const General &)
+       { AmplificationParameters().read(root.subsection("Amplification")); },
        "",
        {}},
       {"Wave theory",

@@ -1,6 +1,7 @@
 #include <continua/theory/amplification.h>
 
 #include <continua/signal/gsl_release.h>
+#include <continua/signal/linear_recurrence.h>
 
 #include <gsl/gsl_eigen.h>
 
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 
 namespace Continua
 {
@@ -74,6 +76,40 @@ Amplification::Amplification(const Step &step, const double angular_frequency)
     displacement = combination(2., displacement, -1., displacement_old);
   }
   eigenvalues = eigenvalues_of({{velocity, displacement, velocity_old, displacement_old}});
+}
+
+Amplification::Amplification(const double duration,
+                             const double theta,
+                             std::vector<Complex> eigenvalues)
+    : duration(duration), theta(theta), eigenvalues(std::move(eigenvalues))
+{
+}
+
+Amplification Amplification::of_displacement_form(const double size,
+                                                  const bool four_levels,
+                                                  const double angular_frequency)
+{
+  const double theta = angular_frequency * size;
+  // The difference plus theta^2 D at the new level, the oldest level first.
+  const std::vector<double> polynomial = four_levels
+                                             ? std::vector<double>{-1., 4., -5., 2. + theta * theta}
+                                             : std::vector<double>{1., -2., 1. + theta * theta};
+  return Amplification(size, theta, polynomial_roots(polynomial));
+}
+
+Complex Amplification::of_wave() const
+{
+  // Round-off gives a double real root imaginary parts.
+  const double least = 1e-7 * spectral_radius();
+  const auto wave = std::find_if(eigenvalues.begin(), eigenvalues.end(),
+                                 [least](const Complex value) { return value.imag() > least; });
+  return wave == eigenvalues.end() ? eigenvalues.front() : *wave;
+}
+
+bool Amplification::rings() const
+{
+  const Complex last = eigenvalues.front();
+  return last.real() < 0. && std::abs(last.imag()) <= 1e-7 * std::abs(last);
 }
 
 Complex Amplification::principal() const

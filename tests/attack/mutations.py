@@ -7,7 +7,7 @@ NUMBERS = (b"0", b"-0", b"-1", b"1e400", b"-1e400", b"1e-400", b"nan", b"-nan", 
            b"1e308", b"5e-324", b"")
 UNITS = (b"mm", b"m", b"kPa", b"mPa s", b"1/s", b"%", b"mmHg", b"m^3/s", b"Pa s", b"(m", b"m)", b"m^", b"m^99", b"m//s",
          b"/", b"\xc2\xb5m", b"\xb5m", b"K", b"ms s", b"m^-1", b"((((m))))", b"m^2^3", b"mmm", b"1 m", b"m 1")
-TOKENS = (b"set", b"end", b"subsection", b"include", b"=", b"#", b"\\", b"\"", b"'", b",", b":", b"/", b"+-", b"<",
+TOKENS = (b"set", b"unset", b"end", b"subsection", b"unset subsection", b"include", b"=", b"#", b"\\", b"\"", b"'", b",", b":", b"/", b"+-", b"<",
           b"true", b"include .", b"include /dev/null", b"subsection", b"\0", b"\xff", b"\xe4", b"\x1b[31m", b"%s%n",
           b"../../..", b"A" * 70000, b"$(date)")
 BYTES = (b"\0", b"\r", b"\n", b"\t", b"\x0b", b"\x0c", b"\x1b", b"\x7f", b"\x80", b"\xff", b"\xc3", b"\xe2\x80\x8b",

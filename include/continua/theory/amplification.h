@@ -23,11 +23,21 @@ class Amplification
 public:
   /// `angular_frequency` omega [1/s], positive.
   Amplification(const Step &step, double angular_frequency);
+  /// Of the displacement form, whose second derivative is Euler's (D - 2 D_o + D_oo)/dt^2 (3.42),
+  /// or that of second order over four levels (2 D - 5 D_o + 4 D_oo - D_ooo)/dt^2 (3.43), with
+  /// steps of `size` [s]. Euler's is G = 1/(1 -+ i theta).
+  static Amplification
+  of_displacement_form(double size, bool four_levels, double angular_frequency);
 
   /// The eigenvalues, the largest first.
   const std::vector<Complex> &factors() const { return eigenvalues; }
   /// Largest |G|: what is left after many steps whatever the start was.
   double spectral_radius() const { return std::abs(eigenvalues.front()); }
+  /// The eigenvalue of the wave, at any theta: the largest with a positive imaginary part, or where
+  /// all are real the largest.
+  Complex of_wave() const;
+  /// Whether the part that lasts longest changes its sign from step to step.
+  bool rings() const;
   /// The eigenvalue closest to the exact factor exp(i omega dt): that of the mode as it should be.
   Complex principal() const;
   /// Part of the mode's amplitude that is left after `time` [s]: |principal|^(time/dt).
@@ -36,6 +46,7 @@ public:
   double frequency_error() const;
 
 private:
+  Amplification(double duration, double theta, std::vector<Complex> eigenvalues);
   double duration, theta;
   std::vector<Complex> eigenvalues;
 };
