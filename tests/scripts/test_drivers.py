@@ -121,6 +121,10 @@ class Drivers(unittest.TestCase):
         self.assert_passes("unchanged", case.format("0.005\n# tolerance of displacement y: 0.02"))
         self.assert_fails("unchanged", case.format("0.02\n# tolerance of displacement y: 0.005"), "more than 0.005 of the largest")
         self.assert_fails("unchanged", case.format("0.02\n# tolerance of pressure: 0.01"), "no column of this field")
+        other_file = case.replace("run: Amplitude = 0.02", "run: case.prm; Amplitude = 0.02")
+        self.assert_passes("unchanged", other_file.format("0.02"))
+        self.assert_fails("unchanged", other_file.format("0.005"), "more than 0.005 of the largest")
+        self.assert_fails("unchanged", case.replace("run: Amplitude = 0.02", "run: missing.prm").format("0.02"), "missing.prm")
 
     def test_ringing(self):
         loud = "# ringing run: Amplitude = 0.1\n"

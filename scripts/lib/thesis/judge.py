@@ -1,0 +1,141 @@
+"""Values of the thesis and of Continua beside each other: what the verdict is, and why."""
+
+import ast
+import math
+import os
+import re
+
+import case_runs
+
+from .results import Broken, NotThere, files_of
+
+# In the order of the summary. The last three are failures.
+AGREES, FORMULA, INPUT, EXPLAINED, SHOWN, NOT_COMPARABLE, NOT_MEASURED, NOT_RUN, CHANGED, DIFFERS, BROKEN = (
+    "agrees", "formula", "input", "explained", "shown", "not comparable", "not measured", "not run", "CHANGED", "DIFFERS", "BROKEN")
+VERDICTS = {
+    AGREES: "the value lies in the thesis's band, or the finding is true",
+    FORMULA: "the same, of a formula alone: no run is behind it",
+    INPUT: "the same, of what Continua was given: the run has it",
+    EXPLAINED: "the value lies elsewhere; the reason stands beside it, and the value is the one that was explained",
+    SHOWN: "a value without a verdict, since it depends on the machine",
+    NOT_COMPARABLE: "Continua has no such quantity, or the thesis does not state enough",
+    NOT_MEASURED: "comparable, but this report has no measure of it",
+    NOT_RUN: "needs a run that was not asked for, or that failed",
+    CHANGED: "a deviation that was explained has another value now",
+    DIFFERS: "the value lies outside of the thesis's band, without a reason",
+    BROKEN: "the runs are there, but the measure gives no value",
+}
+FAILURES = (CHANGED, DIFFERS, BROKEN)
+# Functions that read back what a run was given.
+GIVEN = {"entry", "section", "stiffness", "slope"}
+
+
+def criterion(text):
+    """The function of a text '> x', '< x' or 'a .. b' that says whether a value meets it."""
+    match = re.fullmatch(r"\s*([<>])\s*([-+.\deE]+)\s*", text)
+    if match:
+        bound = float(match.group(2))
+        return (lambda value: value < bound) if match.group(1) == "<" else (lambda value: value > bound)
+    match = re.fullmatch(r"\s*([-+.\deE]+)\s*\.\.\s*([-+.\deE]+)\s*", text)
+    if not match:
+        raise ValueError(f"'{text}' is no '> x', '< x' or 'a .. b'")
+    low, high = float(match.group(1)), float(match.group(2))
+    return lambda value: low <= value <= high
+
+
+def is_near(value, reference, band):
+    return abs(value - reference) <= band * (abs(reference) if reference else 1.0) * (1 + 1e-9)
+
+
+class Row:
+    """One number or finding with its values and its verdict."""
+
+    def __init__(self, entry, results):
+        self.entry = entry
+        self.values, self.missing, self.broken = {}, {}, {}
+        for source, expression in entry.sources.items():
+            try:
+                self.values[source] = results.value(expression)
+            except NotThere as error:
+                self.missing[source] = str(error)
+            except Broken as error:
+                self.broken[source] = str(error)
+        self.value = self.values.get(entry.judged)
+        self.verdict, self.why = self.judge()
+        self.cost = self.cost_of_runs(results)
+
+    def judge(self):
+        entry, measure = self.entry, self.entry.measure
+        if entry.comparable is False:
+            return NOT_COMPARABLE, entry.why_not or ""
+        if not entry.sources:
+            return NOT_MEASURED, entry.why_not or ""
+        if self.broken:
+            return BROKEN, "; ".join(self.broken.values())
+        if self.value is None:
+            return NOT_RUN, self.missing[entry.judged]
+        if "unjudged" in measure:
+            return SHOWN, measure["unjudged"]
+        why = " ".join(text for text in (entry.deviation, measure.get("why"), measure.get("note")) if text)
+        if "holds" in measure:
+            agrees = criterion(measure["holds"])(self.value)
+        else:
+            agrees = is_near(self.value, entry.value, entry.band)
+        if agrees:
+            return self.kind_of_agreement(), why
+        if "ours" in measure:
+            is_explained = is_near(self.value, measure["ours"], measure.get("ours_band", 0.01))
+            return (EXPLAINED, why) if is_explained else (CHANGED, f"{why} Explained was {measure['ours']:.6g}.".strip())
+        return DIFFERS, why
+
+    def kind_of_agreement(self):
+        """Whether a run, a formula alone or the input is behind the judged value."""
+        expression = self.entry.sources[self.entry.judged]
+        if not files_of(expression):
+            return FORMULA
+        called = {node.func.id for node in ast.walk(ast.parse(expression, mode="eval"))
+                  if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)}
+        return INPUT if called <= GIVEN else AGREES
+
+    def deviation(self):
+        """Of a number, relative to the thesis's; none where that is zero or the verdict asks for something else."""
+        if self.value is None or self.entry.kind != "number" or "holds" in self.entry.measure or not self.entry.value:
+            return None
+        return self.value / self.entry.value - 1
+
+    def cost_of_runs(self, results):
+        """Seconds on the clock of the runs behind the judged value; none without runs."""
+        if not self.entry.sources:
+            return None
+        total = None
+        for path in files_of(self.entry.sources[self.entry.judged]):
+            summary = case_runs.read_summary(os.path.join(results.folder, case_runs.name_of(path)))
+            wall = (summary.get("wall time [s]") or {}).get("total")
+            if wall is not None:
+                total = (total or 0.0) + wall + summary.get("wall time before the restart [s]", 0.0)
+        return total
+
+
+def needed_files(entries):
+    """The parameter files behind the entries that can be compared, in their order."""
+    found = {}
+    for entry in entries:
+        if entry.comparable is False:
+            continue
+        for expression in entry.sources.values():
+            for path in files_of(expression):
+                found.setdefault(path, None)
+    return list(found)
+
+
+def counts(rows):
+    """{verdict: how many} in the order of VERDICTS."""
+    return {verdict: sum(row.verdict == verdict for row in rows) for verdict in VERDICTS}
+
+
+def text_of(value, unit=""):
+    """Four significant digits and the unit."""
+    if value is None or not math.isfinite(value):
+        return "-"
+    text = f"{value:.4g}"
+    return f"{text} {unit}" if unit and unit != "1" else text

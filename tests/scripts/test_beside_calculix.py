@@ -1,0 +1,77 @@
+#!/usr/bin/python3
+"""scripts/beside-calculix: meshes, loads and results of CalculiX without it, and what is refused."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+SCRIPT = os.path.join(ROOT, "scripts", "beside-calculix")
+sys.path.insert(0, os.path.join(ROOT, "scripts", "lib"))
+sys.dont_write_bytecode = True
+
+import calculix  # noqa: E402
+import numpy  # noqa: E402
+
+
+def corners(layer):
+    """The corners of each element, by its connectivity."""
+    words = " ".join(layer.connectivity()).replace(",", " ").split()
+    length = 1 + (20 if layer.quadratic else 8)
+    for start in range(0, len(words), length):
+        yield [numpy.array(layer.points[int(node) - 1]) for node in words[start + 1:start + 9]]
+
+
+class Meshes(unittest.TestCase):
+    def test_elements_are_right_handed(self):
+        for place in (calculix.beam((20.0, 5.0)), calculix.cook(1e-3), calculix.quarter_ring(0.01, 0.02)):
+            for element in ("C3D8", "C3D20"):
+                layer = calculix.Layer(place, (4, 2), element, 0.5)
+                found = list(corners(layer))
+                self.assertEqual(len(found), 8)
+                for points in found:
+                    volume = numpy.linalg.det(numpy.array([points[1] - points[0], points[3] - points[0], points[4] - points[0]]))
+                    self.assertGreater(volume, 0)
+
+    def test_numbers_of_nodes(self):
+        self.assertEqual(len(calculix.Layer(calculix.beam((1, 1)), (3, 2), "C3D8", 1.0).points), 4 * 3 * 2)
+        # Per layer of corners (nx+1)(ny+1) and the middles of edges, twice; between them the corners once.
+        self.assertEqual(len(calculix.Layer(calculix.beam((1, 1)), (3, 2), "C3D20", 1.0).points), 2 * (12 + 9 + 8) + 12)
+
+    def test_end_forces(self):
+        for element in calculix.ELEMENTS:
+            layer = calculix.Layer(calculix.beam((2.0, 1.0)), (2, 4), element, 0.5)
+            forces = layer.end_forces(3.0)
+            self.assertAlmostEqual(sum(forces.values()), 3.0)
+            # No moment about the middle of the end, and all of it at the end.
+            self.assertAlmostEqual(sum(force * (layer.points[node - 1][1] - 0.5) for node, force in forces.items()), 0.0)
+            self.assertEqual({layer.points[node - 1][0] for node in forces}, {2.0})
+
+    def test_results(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(folder, "case.dat"), "w", encoding="utf-8") as stream:
+                stream.write("\n displacements (vx,vy,vz) for set TIP and time  0.5000000E+00\n\n"
+                             "        11  1.0E-16  3.0E-01  0.0E+00\n")
+            self.assertEqual(calculix.displacements(folder), [(0.5, 1e-16, 0.3)])
+            with self.assertRaises(calculix.CalculixError):
+                calculix.frequencies(folder)
+            with open(os.path.join(folder, "case.dat"), "w", encoding="utf-8") as stream:
+                stream.write("     E I G E N V A L U E   O U T P U T\n\n      1   0.4E+03   0.21E+02   0.3377E+01   0.0E+00\n\n"
+                             "     P A R T I C I P A T I O N   F A C T O R S\n      1   0.1E+01   0.1E+01   0.9E+01   0.0E+00\n")
+            self.assertEqual(calculix.frequencies(folder), [3.377])
+
+
+class Calls(unittest.TestCase):
+    def test_refusals(self):
+        for arguments, text in ((("--cases", "bridge"), "no case 'bridge'"), (("--codes", "nastran"), "no code 'nastran'"),
+                                (("--codes", "continua", "--program", "/nowhere"), "no program")):
+            done = subprocess.run(["/usr/bin/python3", "-B", SCRIPT, *arguments], capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(text, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,175 @@
+#!/usr/bin/python3
+"""scripts/reproduce-thesis: what it refuses, how it judges, and that its data fit together."""
+
+import ast
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+SCRIPT = os.path.join(ROOT, "scripts", "reproduce-thesis")
+sys.path.insert(0, os.path.join(ROOT, "scripts", "lib"))
+sys.dont_write_bytecode = True
+
+from thesis import functions, judge, page, pictures, reference, results  # noqa: E402
+
+
+def call(*arguments):
+    return subprocess.run(["/usr/bin/python3", "-B", SCRIPT, *arguments], capture_output=True, text=True, check=False)
+
+
+def write_run(folder, name, quantities, status="finished"):
+    """A finished run of parameter_files/NAME in the folder of runs."""
+    os.makedirs(os.path.join(folder, name))
+    with open(os.path.join(folder, name, "summary.json"), "w", encoding="utf-8") as stream:
+        json.dump({"status": status, "title": name, "wall time [s]": {"total": 2.0},
+                   "quantities": [{"probe": probe, "name": quantity, "value": value, "unit": "1"}
+                                  for (probe, quantity), value in quantities.items()]}, stream)
+
+
+def entry(kind="number", measure=None, **data):
+    made = reference.Entry(kind, {"id": "4.3-test", "chapter": "4", "text": "a value", "place": "somewhere", **data})
+    made.measure = measure or {}
+    return made
+
+
+FOLDERS = ("chapter-", "appendix-a/", "verification/", "examples/")
+BEAM = "quantity('chapter-4/beam', 'tip: maximum displacement y')"
+
+
+class Judging(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        write_run(self.temporary.name, "thesis/chapter-4/beam", {("tip", "maximum displacement y"): 0.62, ("", "steps"): 10.0})
+        self.results = results.Results(self.temporary.name)
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def verdict(self, **arguments):
+        return judge.Row(entry(**arguments), self.results)
+
+    def test_numbers(self):
+        measure = {"taylor_hood": BEAM}
+        row = self.verdict(measure=measure, value=0.6, band=0.05, unit="m")
+        self.assertEqual((row.verdict, row.value, row.cost), (judge.AGREES, 0.62, 2.0))
+        self.assertAlmostEqual(row.deviation(), 0.62 / 0.6 - 1)
+        self.assertEqual(self.verdict(measure=measure, value=0.6, band=0.03).verdict, judge.DIFFERS)
+        explained = {**measure, "ours": 0.621, "ours_band": 0.002}
+        row = self.verdict(measure=explained, value=0.5, band=0.03, deviation="a reason")
+        self.assertEqual((row.verdict, row.why), (judge.EXPLAINED, "a reason"))
+        self.assertEqual(self.verdict(measure={**explained, "ours": 0.63}, value=0.5, band=0.03).verdict, judge.CHANGED)
+        self.assertEqual(self.verdict(measure={**measure, "holds": "< 0.63"}, value=0.5, band=0.0).verdict, judge.AGREES)
+
+    def test_findings(self):
+        for holds, verdict in (("> 0.6", judge.AGREES), ("> 0.7", judge.DIFFERS), ("0.5 .. 0.7", judge.AGREES),
+                               ("0.7 .. 0.8", judge.DIFFERS)):
+            self.assertEqual(self.verdict(kind="finding", measure={"cell_wise": BEAM, "holds": holds}).verdict, verdict)
+        with self.assertRaises(ValueError):
+            judge.criterion("about 3")
+
+    def test_what_cannot_be_judged(self):
+        self.assertEqual(self.verdict(comparable=False, why_not="lost").verdict, judge.NOT_COMPARABLE)
+        self.assertEqual(self.verdict().verdict, judge.NOT_MEASURED)
+        row = self.verdict(measure={"taylor_hood": "quantity('chapter-4/beam-3d', 'x')"}, value=1.0, band=0.1)
+        self.assertEqual((row.verdict, row.why), (judge.NOT_RUN, "chapter-4/beam-3d: the run was not made"))
+        # What is wrong with the measure itself is a failure.
+        for expression, why in (("quantity('chapter-4/beam', 'drag')", "has no 'drag'"), ("1 / 0", "ZeroDivisionError"),
+                                ("quantity('chapter-4/bean', 'x')", "no parameter file"), ("run('chapter-4/beam').summary['x']", "KeyError"),
+                                ("np.nan", "no finite number")):
+            row = self.verdict(measure={"taylor_hood": expression}, value=1.0, band=0.1)
+            self.assertEqual(row.verdict, judge.BROKEN)
+            self.assertIn(why, row.why)
+        row = self.verdict(measure={"taylor_hood": BEAM, "unjudged": "a time"}, value=1.0, band=0.1)
+        self.assertEqual((row.verdict, row.why), (judge.SHOWN, "a time"))
+        self.assertEqual(self.verdict(measure={"theory": "sqrt(4)"}, value=2.0, band=0.1).verdict, judge.FORMULA)
+        self.assertIn(judge.BROKEN, judge.FAILURES)
+        write_run(self.temporary.name, "thesis/chapter-4/beam-euler-30s", {}, "running")
+        row = self.verdict(measure={"taylor_hood": "quantity('chapter-4/beam-euler-30s', 'x')"}, value=1.0, band=0.1)
+        self.assertEqual(row.verdict, judge.NOT_RUN)
+
+    def test_runs_older_than_the_program(self):
+        program = os.path.join(self.temporary.name, "program")
+        with open(program, "w", encoding="utf-8"):
+            pass
+        os.utime(program, (2e9, 2e9))
+        row = judge.Row(entry(measure={"taylor_hood": BEAM}, value=0.6, band=0.05), results.Results(self.temporary.name, program))
+        self.assertEqual(row.verdict, judge.NOT_RUN)
+        self.assertIn("older", row.why)
+
+    def test_page(self):
+        rows = [self.verdict(measure={"taylor_hood": BEAM}, value=0.5, band=0.03, unit="m", slip="a <slip>")]
+        figure = reference.Figure({"id": "figure 4.3", "chapter": "4", "caption": "what it shows", "reproduced": True})
+        path = os.path.join(self.temporary.name, "page.html")
+        page.write(path, [figure], rows, {}, ["made so"])
+        with open(path, encoding="utf-8") as stream:
+            text = stream.read()
+        for part in ("Figure 4.3", "a &lt;slip&gt;", "+24 %", 'class="DIFFERS"', "made so"):
+            self.assertIn(part, text)
+        self.assertNotIn("<script", text)
+
+
+class Data(unittest.TestCase):
+    def test_expressions(self):
+        _, entries = reference.read()
+        names = {"quantity", "column", "run", "wave", *functions.ALL, "abs", "min", "max", "sum", "range", "len", "sorted", "sqrt", "exp",
+                 "log", "sin", "cos", "gamma", "atan"}
+        measured = [item for item in entries if item.sources]
+        self.assertGreater(len(measured), 0)
+        for item in measured:
+            if "holds" in item.measure:
+                judge.criterion(item.measure["holds"])
+            for expression in item.sources.values():
+                with self.subTest(item.id):
+                    for node in ast.walk(ast.parse(expression, mode="eval")):
+                        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+                            self.assertIn(node.func.id, names)
+                        if isinstance(node, ast.Constant) and isinstance(node.value, str) and node.value.startswith(FOLDERS):
+                            self.assertIsNotNone(results.parameter_file(node.value), node.value)
+                    files = results.files_of(expression)
+                    if any(f"{name}(" in expression for name in ("quantity", "column", "wave")):
+                        self.assertTrue(files, f"{expression} names no parameter file")
+
+    def test_drawings_name_files(self):
+        figures, _ = reference.read()
+        known = {figure.id for figure in figures}
+        for name, drawing in pictures.all_drawings().items():
+            self.assertIn(name, known)
+            for file in drawing.files:
+                self.assertIsNotNone(results.parameter_file(file), file)
+
+    def test_formulas_need_no_runs(self):
+        value = results.Results("/nowhere").value("bernoulli_root(1)")
+        self.assertAlmostEqual(value, 1.875104, places=6)
+
+
+class Calls(unittest.TestCase):
+    def test_refusals(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for arguments, text in ((("--chapter", "8"), "no chapter '8'"), (("--jobs", "0"), "at least 1"),
+                                    (("--quick", "--all"), "not allowed"), (("--program", "/nowhere"), "no program")):
+                done = call(*arguments, "--output", os.path.join(folder, "new"))
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertIn(text, done.stderr)
+            self.assertFalse(os.path.exists(os.path.join(folder, "new")))
+            with open(os.path.join(folder, "letter.txt"), "w", encoding="utf-8"):
+                pass
+            done = call("--report", "--output", folder)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("holds something else", done.stderr)
+
+    def test_report_without_runs(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = call("--report", "--no-pdf", "--chapter", "2", "--output", folder)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            self.assertTrue(os.path.exists(os.path.join(folder, "thesis.html")))
+            again = call("--report", "--no-pdf", "--chapter", "2", "--output", folder)
+            self.assertEqual(again.returncode, 0, again.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
