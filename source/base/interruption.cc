@@ -16,7 +16,7 @@ struct WatchedSignal
 {
   int number;
   const char *name;
-  /// Whether a second one ends the program at once, and one after the watch.
+  /// Whether a second one ends the program at once.
   bool insists;
 };
 
@@ -28,7 +28,6 @@ constexpr std::array<WatchedSignal, 5> signals = {{{SIGTERM, "SIGTERM", true},
 
 volatile std::sig_atomic_t first_signal = 0;
 volatile std::time_t first_time = 0;
-std::array<struct sigaction, signals.size()> earlier_actions;
 bool is_watching = false;
 /// Of the set-up that may be interrupted now; null: none.
 std::unique_ptr<std::string> remedy_of_set_up;
@@ -76,22 +75,20 @@ SignalWatch::SignalWatch()
   action.sa_handler = handle;
   // Files that are being written go on.
   action.sa_flags = SA_RESTART;
-  for (unsigned int i = 0; i < signals.size(); ++i)
+  for (const WatchedSignal &signal : signals)
   {
-    sigaction(signals[i].number, &action, &earlier_actions[i]);
-    if (signals[i].number == SIGHUP && earlier_actions[i].sa_handler == SIG_IGN)
-      sigaction(SIGHUP, &earlier_actions[i], nullptr);
+    struct sigaction earlier = {};
+    sigaction(signal.number, &action, &earlier);
+    if (signal.number == SIGHUP && earlier.sa_handler == SIG_IGN)
+      sigaction(SIGHUP, &earlier, nullptr);
   }
   mask_others(SIG_UNBLOCK);
 }
 
 SignalWatch::~SignalWatch()
 {
-  // The handler of the others stays: the program is at its end, or watches again. So do all after a
-  // signal: what repeats it at once must not end the program while it puts things in order.
-  for (unsigned int i = 0; i < signals.size(); ++i)
-    if (signals[i].insists && first_signal == 0)
-      sigaction(signals[i].number, &earlier_actions[i], nullptr);
+  // The handlers stay: the program is at its end, or watches again. What comes now must not end it
+  // by a signal when all is written, nor while it puts things in order.
   is_watching = false;
   // Libraries that end with MPI put back the action that they found, which would end the program.
   mask_others(SIG_BLOCK);

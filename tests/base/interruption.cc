@@ -109,7 +109,8 @@ UNIT_TEST(interruption)
   check::is_true("after the watch SIGUSR1 does not end the program", after(SIGUSR1, true, 0) == 7);
   check::is_true("after the watch SIGHUP does not", after(SIGHUP, true, 0) == 7);
   check::is_true("after the watch SIGXCPU does not", after(SIGXCPU, true, 0) == 7);
-  check::is_true("after the watch SIGTERM does", after(SIGTERM, false, 0) == -SIGTERM);
+  check::is_true("after the watch SIGTERM does not", after(SIGTERM, false, 0) == 7);
+  check::is_true("after the watch SIGINT does not", after(SIGINT, false, 0) == 7);
   check::is_true("SIGTERM that is repeated at once does not", after(SIGTERM, true, 0) == 7);
   check::is_true("SIGTERM that is repeated later does", after(SIGTERM, true, 2) == -SIGTERM);
 

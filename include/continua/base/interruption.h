@@ -20,9 +20,9 @@ public:
  * While one lives, the signals SIGTERM, SIGINT, SIGHUP, SIGXCPU and SIGUSR1 do not end the program
  * but ask it to stop where it can go on later. SIGTERM or SIGINT again, two seconds or more after
  * the first signal, ends it at once: launchers and batch systems often send a signal twice at the
- * same time. The others never end it, since systems repeat them, and also not after the watch. A
- * program that was started with SIGHUP ignored (nohup) goes on ignoring it. There is one watch at a
- * time.
+ * same time. The others never end it, since systems repeat them. All of this holds after the watch
+ * too: the program then ends by itself at once. A program that was started with SIGHUP ignored
+ * (nohup) goes on ignoring it. There is one watch at a time.
  */
 class SignalWatch
 {
