@@ -4,6 +4,8 @@
 #include <continua/base/version.h>
 #include <continua/postprocess/writing_rank.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <sstream>
 
 namespace Continua
@@ -47,6 +49,20 @@ void Analysis::perform(const OutputDirectory &directory, Log &log, Summary &summ
   for (const std::string &note : file.text().notes())
     log.line(note);
   log.detail("version " + version() + ", revision " + revision());
+  describe(summary);
   compute(directory, log, summary);
+}
+
+void Analysis::describe(Summary &summary) const
+{
+  summary.set("title", general.title);
+  summary.set("status", "running");
+  summary.set("version", version());
+  summary.set("revision", revision());
+  summary.set("revision has uncommitted changes", revision_is_dirty() ? 1. : 0.);
+  summary.set("command line", command_line.text);
+  summary.set("parameter file", command_line.parameter_file);
+  summary.set("analysis", general.analysis);
+  summary.set("ranks", static_cast<double>(dealii::Utilities::MPI::n_mpi_processes(communicator)));
 }
 } // namespace Continua

@@ -4,6 +4,7 @@
 #include <continua/postprocess/loop_record.h>
 #include <continua/postprocess/mesh_record.h>
 #include <continua/postprocess/power_record.h>
+#include <continua/postprocess/residual_record.h>
 #include <continua/postprocess/step_record.h>
 #include <continua/time_integration/time_control.h>
 
@@ -47,6 +48,12 @@ std::unique_ptr<Record<dim>> make_field_writer(const Case<dim> &input, const std
       input.output.higher_order_cells, input.output.files_per_state);
 }
 
+template <int dim>
+std::unique_ptr<Record<dim>> make_residual_record(const Case<dim> &input, const std::string &)
+{
+  return std::make_unique<ResidualRecord<dim>>(input.communicator);
+}
+
 /// The record of a run that has one.
 template <int dim, typename Type>
 std::unique_ptr<Record<dim>> make_record(const Case<dim> &, const std::string &)
@@ -83,6 +90,12 @@ const std::vector<RecordRow<dim>> &record_table()
        "power.csv"},
       {nullptr, make_record<dim, LoopRecord<dim>>, name_quantities_of<dim, LoopRecord<dim>>,
        nullptr},
+      {[](const Case<dim> &input)
+       {
+         return input.discretisation.cell_wise.is_segregated() &&
+                input.discretisation.cell_wise.residual_history;
+       },
+       make_residual_record<dim>, nullptr, &OutputParameters::step_schedule, "residuals.csv"},
       {nullptr, make_record<dim, StepRecord<dim>>,
        [](const Case<dim> &input, QuantityNames &names)
        {

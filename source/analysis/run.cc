@@ -41,17 +41,8 @@ Run<dim>::Run(Case<dim> &input,
 template <int dim>
 void Run<dim>::describe_run()
 {
-  summary.set("title", input.general.title);
-  summary.set("status", "running");
-  summary.set("version", version());
-  summary.set("revision", revision());
-  summary.set("revision has uncommitted changes", revision_is_dirty() ? 1. : 0.);
-  summary.set("command line", command_line.text);
-  summary.set("parameter file", command_line.parameter_file);
-  summary.set("analysis", input.general.analysis);
   summary.set("model", input.general.model);
   summary.set("discretisation", input.general.discretisation);
-  summary.set("ranks", static_cast<double>(Utilities::MPI::n_mpi_processes(input.communicator)));
   summary.set("libraries", library_versions());
   input.power_laws.report_tables(log, summary);
   if (input.analysis.has_fields)

@@ -237,7 +237,7 @@ void Transient<dim>::restart()
                     " rows up to the restart, the run that is continued had written " +
                     std::to_string(n_rows));
   for (const ScheduledRecord<dim> &entry : records)
-    entry.record->resume(run.directory.path(), kept(entry.schedule));
+    entry.record->resume(*run.solver, run.directory.path(), kept(entry.schedule));
   // The mesh does not change at the end of a run; if the run goes on it does.
   if (is_due_to_adapt && !time_control.at_end())
     adapt();

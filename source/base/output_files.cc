@@ -30,6 +30,7 @@ const std::vector<std::string> &output_files()
                                                  "refinement.csv",
                                                  "relaxation-table.csv",
                                                  "relaxation.csv",
+                                                 "residuals.csv",
                                                  "runs.csv",
                                                  "spin-coating.csv",
                                                  "summary.json",

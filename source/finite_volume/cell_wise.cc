@@ -14,8 +14,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <sstream>
 
 namespace Continua
 {
@@ -23,22 +23,19 @@ using namespace dealii;
 
 namespace
 {
-/// `start_of_step`: kept up to date by the discretisation [s].
+/// `end_of_step` [s] and `sink`: kept up to date by the discretisation.
 template <int dim>
-std::unique_ptr<CellSolve<dim>>
-make_solve(const CellSystem<dim> &system, Log &log, const double &start_of_step)
+std::unique_ptr<CellSolve<dim>> make_solve(const CellSystem<dim> &system,
+                                           const double &end_of_step,
+                                           const std::function<void(const LoopCorrection &)> &sink)
 {
   if (!system.parameters.is_segregated())
     return std::make_unique<CoupledSolve<dim>>(system);
-  if (!system.parameters.residual_history)
-    return std::make_unique<SegregatedSolve<dim>>(system);
-  const auto tell = [&log, &start_of_step](const LoopCorrection &correction)
+  const auto tell = [&end_of_step, &sink](LoopCorrection correction)
   {
-    std::ostringstream text;
-    text << "step from t = " << start_of_step << " s, correction " << correction.number
-         << ": residual " << correction.residual << ", of the equation of state "
-         << correction.continuity;
-    log.detail(text.str());
+    correction.time = end_of_step;
+    if (sink)
+      sink(correction);
   };
   return std::make_unique<SegregatedSolve<dim>>(system, tell);
 }
@@ -80,7 +77,7 @@ CellWise<dim>::CellWise(parallel::TriangulationBase<dim> &triangulation,
       conditions(space, problem.conditions),
       load_list(space, problem, conditions),
       system(space, problem, conditions, operators, closure, this->parameters),
-      cell_solve(make_solve(system, log, start_of_step)),
+      cell_solve(make_solve(system, end_of_step, correction_sink)),
       loaded_faces(space, problem, conditions, operators, closure, this->parameters),
       displacement_step(system, load_list),
       evaluation(space, problem),
@@ -377,7 +374,7 @@ void CellWise<dim>::visit(StateVisitor &visitor)
 template <int dim>
 Step CellWise<dim>::own_step(const Step &step)
 {
-  start_of_step = step.time_old;
+  end_of_step = step.time;
   if (solves_for_displacement())
     return step;
   if (step.extrapolate && !undamped_is_reported)

@@ -107,7 +107,7 @@ void CellWiseParameters::read(ParameterSection section)
              "What a step does whose loop reaches the cap: goes on, with a warning, or ends "
              "the run.");
   section.add("Residual history", residual_history,
-              "Whether the residual of every correction of every step of the segregated loop is "
-              "written to log.txt.");
+              "Whether the residuals of every correction of every step of the segregated loop are "
+              "written to residuals.csv.");
 }
 } // namespace Continua

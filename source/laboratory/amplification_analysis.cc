@@ -5,7 +5,6 @@
 #include <continua/base/joined.h>
 #include <continua/base/summary.h>
 #include <continua/base/table_writer.h>
-#include <continua/base/version.h>
 #include <continua/laboratory/wave_bar.h>
 #include <continua/postprocess/writing_rank.h>
 
@@ -78,13 +77,7 @@ std::vector<std::string> AmplificationAnalysis::outline() const
 void AmplificationAnalysis::compute(const OutputDirectory &directory, Log &log, Summary &summary)
 {
   summary.set_possible(quantities);
-  summary.set("title", general.title);
   summary.set("status", "finished");
-  summary.set("version", version());
-  summary.set("revision", revision());
-  summary.set("command line", command_line.text);
-  summary.set("parameter file", command_line.parameter_file);
-  summary.set("analysis", general.analysis);
   compute_waves(directory, log, summary);
   bool all_passed = true;
   for (const std::string &verdict : summary.check(expected, all_passed))

@@ -1,6 +1,5 @@
 #include <continua/base/citations.h>
 #include <continua/base/table_writer.h>
-#include <continua/base/version.h>
 #include <continua/case/power_laws.h>
 #include <continua/laboratory/laboratory_tests.h>
 #include <continua/laboratory/material_laboratory.h>
@@ -128,15 +127,8 @@ void MaterialLaboratory::compute(const OutputDirectory &directory, Log &log, Sum
 {
   const bool is_writer = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   summary.set_possible(quantities);
-  summary.set("title", general.title);
   summary.set("status", "finished");
-  summary.set("version", version());
-  summary.set("revision", revision());
-  summary.set("command line", command_line.text);
-  summary.set("parameter file", command_line.parameter_file);
-  summary.set("analysis", general.analysis);
   summary.set("specimen", word_of(specimen_words(), laboratory.specimen));
-  summary.set("ranks", static_cast<double>(dealii::Utilities::MPI::n_mpi_processes(communicator)));
   summary.set("material", name + ", " + material.type);
   report(log, summary);
   if (is_writer)

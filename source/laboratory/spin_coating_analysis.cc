@@ -3,7 +3,6 @@
 #include <continua/base/citations.h>
 #include <continua/base/summary.h>
 #include <continua/base/table_writer.h>
-#include <continua/base/version.h>
 #include <continua/postprocess/writing_rank.h>
 
 #include <algorithm>
@@ -35,12 +34,7 @@ void SpinCoatingAnalysis::compute(const OutputDirectory &directory, Log &log, Su
     return;
   const std::vector<SpinCoating::Row> rows = coating.table(law);
   summary.set_possible(quantities);
-  summary.set("title", general.title);
   summary.set("status", "finished");
-  summary.set("version", version());
-  summary.set("revision", revision());
-  summary.set("command line", command_line.text);
-  summary.set("analysis", general.analysis);
   const auto range =
       [&](const std::string &name, double SpinCoating::Row::*what, const std::string &unit)
   {

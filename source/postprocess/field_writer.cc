@@ -140,7 +140,9 @@ void FieldWriter<dim>::open(ContinuumSolver<dim> &solver,
 }
 
 template <int dim>
-void FieldWriter<dim>::resume(const std::string & /*folder*/, const double time)
+void FieldWriter<dim>::resume(ContinuumSolver<dim> & /*solver*/,
+                              const std::string & /*folder*/,
+                              const double time)
 {
   resume(time);
 }

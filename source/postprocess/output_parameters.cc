@@ -51,6 +51,11 @@ Schedule OutputParameters::power_schedule(const double end_time) const
   return {power_interval, Schedule::ZeroInterval::every_step, end_time, true, true};
 }
 
+Schedule OutputParameters::step_schedule(const double end_time) const
+{
+  return {0., Schedule::ZeroInterval::every_step, end_time, false, true};
+}
+
 Schedule OutputParameters::field_schedule(const double end_time) const
 {
   return {field_interval, Schedule::ZeroInterval::never, end_time, field_interval > 0.,

@@ -88,7 +88,9 @@ void PowerRecord<dim>::open(ContinuumSolver<dim> &solver,
 }
 
 template <int dim>
-void PowerRecord<dim>::resume(const std::string &folder, const double time)
+void PowerRecord<dim>::resume(ContinuumSolver<dim> & /*solver*/,
+                              const std::string &folder,
+                              const double time)
 {
   open(output_file(folder, "power.csv"), time);
 }

@@ -174,8 +174,7 @@ void Comparison::report(const std::vector<ComparedRun> &runs,
   for (const std::string &line : comparison.lines())
     log.line(line);
   summary.set_possible(quantities);
-  const std::string failed =
-      begin_summary(summary, general.title, "comparison", command_line, communicator, results);
+  const std::string failed = set_status(summary, results);
   summary.set("analysis of the runs", parameters.analysis);
   summary.set("model", general.model);
   summary.set("compared", std::vector<std::string>{parameters.name(0), parameters.name(1)});

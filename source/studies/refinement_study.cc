@@ -189,8 +189,7 @@ void RefinementStudy::compute(const OutputDirectory &directory, Log &log, Summar
   for (const std::string &line : study.lines())
     log.line(line);
   summary.set_possible(quantities);
-  const std::string failed = begin_summary(summary, general.title, "refinement study", command_line,
-                                           communicator, results);
+  const std::string failed = set_status(summary, results);
   summary.set("analysis of the runs", parameters.analysis);
   summary.set("model", general.model);
   summary.set("refinement", parameters.ways);

@@ -281,22 +281,9 @@ RunResult RunSeries::result(const PlannedRun &plan, const Summary &summary) cons
   return run;
 }
 
-std::string begin_summary(Summary &summary,
-                          const std::string &title,
-                          const std::string &analysis,
-                          const CommandLine &command_line,
-                          const MPI_Comm communicator,
-                          const std::vector<RunResult> &runs)
+std::string set_status(Summary &summary, const std::vector<RunResult> &runs)
 {
-  summary.set("title", title);
   summary.set("status", "finished");
-  summary.set("version", version());
-  summary.set("revision", revision());
-  summary.set("revision has uncommitted changes", revision_is_dirty() ? 1. : 0.);
-  summary.set("command line", command_line.text);
-  summary.set("parameter file", command_line.parameter_file);
-  summary.set("analysis", analysis);
-  summary.set("ranks", static_cast<double>(Utilities::MPI::n_mpi_processes(communicator)));
   std::string failed, reasons;
   for (const RunResult &run : runs)
     if (!run.failure.empty())

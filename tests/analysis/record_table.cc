@@ -57,6 +57,12 @@ UNIT_TEST(record_table)
   // The powers at each step; fields at the end only.
   check_records("plain", run_of_two_steps("", ""), 4, 1, {"energy residual", "largest residual"},
                 {"mesh changes", "smallest time step"});
+  // A table of residuals, in which each step has rows.
+  check_records("segregated loop",
+                "set Discretisation = cell-wise\n" +
+                    run_of_two_steps("", "subsection Cell-wise\nset Solution = segregated\n"
+                                         "set Residual history = true\nend\n"),
+                5, 2, {}, {});
   check_records("adaptive",
                 run_of_two_steps("set Time step control = adaptive\n",
                                  "subsection Adaptivity\nset Every n steps = 10\nend\n"

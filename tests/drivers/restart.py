@@ -261,7 +261,7 @@ def case(program, parameter_file, folder):
     refusals(program, second_piece, pieces, entries, folder)
     driver.run_to_the_end(program, second_piece, restart_ranks, folder)
 
-    for name in ("probes.csv", "power.csv"):
+    for name in ("probes.csv", "power.csv", "residuals.csv"):
         if name == "probes.csv" or os.path.exists(os.path.join(whole, name)):
             compare(os.path.join(whole, name), os.path.join(pieces, name), tolerance, floor)
     if listed_fields(whole) != listed_fields(pieces):

@@ -41,17 +41,12 @@ UNIT_TEST(run_series)
   third.name = "three";
   third.failure = "no memory";
   Summary good;
-  check::equal("none failed",
-               begin_summary(good, "Title", "comparison", command_line, MPI_COMM_WORLD, {first}),
-               "");
+  check::equal("none failed", set_status(good, {first}), "");
   good.write("run-series-test.json");
   check::is_true("its summary",
                  read_text("run-series-test.json").find("\"finished\"") != std::string::npos);
   Summary bad;
-  check::equal("two failed",
-               begin_summary(bad, "Title", "comparison", command_line, MPI_COMM_WORLD,
-                             {first, second, third}),
-               "two, three");
+  check::equal("two failed", set_status(bad, {first, second, third}), "two, three");
   bad.write("run-series-test.json");
   const std::string text = read_text("run-series-test.json");
   check::is_true("why", text.find("two: it diverges; three: no memory") != std::string::npos &&

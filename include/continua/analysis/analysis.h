@@ -62,6 +62,8 @@ protected:
   GeneralParameters general;
 
 private:
+  /// What every summary begins with; compute() sets `status` anew.
+  void describe(Summary &summary) const;
   virtual void compute(const OutputDirectory &directory, Log &log, Summary &summary) = 0;
 };
 } // namespace Continua

@@ -14,6 +14,7 @@
 #include <deal.II/lac/vector.h>
 #include <deal.II/numerics/data_out.h>
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <set>
@@ -94,6 +95,16 @@ struct StepReport
   unsigned int linear_iterations = 0;
 };
 
+/// One pass of a solver that corrects its solution in a loop.
+struct LoopCorrection
+{
+  double time = 0.;        ///< of the end of the step [s]
+  unsigned int number = 0; ///< in the step, from 1
+  double residual = 0.;    ///< of the momentum equations at its start, scaled [1]
+  double continuity = 0.;  ///< of the equation of state at the end, scaled [1]; 0 without pressure
+  double magnitude = 0.;   ///< sum |b - A x| of the momentum equations at its start [N]
+};
+
 /// What tells where the mesh is too coarse.
 struct IndicatorRequest
 {
@@ -143,6 +154,9 @@ public:
   virtual void initialise() = 0;
   /// One step; throws RunError if the result is not finite or the solve failed.
   virtual StepReport advance(const Step &step) = 0;
+  /// `sink` gets each correction of a solver that makes some, on all ranks, as soon as it is made;
+  /// also those of a step that is undone or fails.
+  virtual void report_corrections(const std::function<void(const LoopCorrection &)> & /*sink*/) {}
   /// One solve without time for a body that is all solid (displacement) or all fluid (velocity),
   /// loads taken at `time`.
   virtual void solve_steady(double time) = 0;

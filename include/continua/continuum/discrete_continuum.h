@@ -25,6 +25,10 @@ public:
 
   void initialise() override { stepping.initialise(); }
   StepReport advance(const Step &step) override { return stepping.advance(step); }
+  void report_corrections(const std::function<void(const LoopCorrection &)> &sink) override
+  {
+    discretisation->report_corrections(sink);
+  }
   void solve_steady(const double time) override { stepping.solve_steady(time); }
   bool steady_is_direct() const override { return stepping.steady_is_direct(); }
   std::unique_ptr<VibrationOperator<dim>> vibration() override;

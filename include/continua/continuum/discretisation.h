@@ -35,6 +35,7 @@ public:
                             const std::string &field,
                             const std::vector<Expression> &exact,
                             double time) = 0;
+  virtual void report_corrections(const std::function<void(const LoopCorrection &)> & /*sink*/) {}
   /// `state` is changed by VibrationOperator::set_shape().
   virtual std::unique_ptr<VibrationOperator<dim>> vibration(const VibratingState &state) = 0;
 };

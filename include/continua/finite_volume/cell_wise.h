@@ -146,6 +146,10 @@ public:
                     const std::string &field,
                     const std::vector<Expression> &exact,
                     double time) override;
+  void report_corrections(const std::function<void(const LoopCorrection &)> &sink) override
+  {
+    correction_sink = sink;
+  }
   std::unique_ptr<VibrationOperator<dim>> vibration(const VibratingState &state) override;
 
 private:
@@ -159,7 +163,8 @@ private:
   std::vector<CellOperators> operators;
   PressureClosure closure;
   CellSystem<dim> system;
-  double start_of_step = 0.; ///< [s], for the solve's report
+  double end_of_step = 0.; ///< [s], for the report of corrections
+  std::function<void(const LoopCorrection &)> correction_sink; ///< may be empty
   std::unique_ptr<CellSolve<dim>> cell_solve;
   LoadedFaces<dim> loaded_faces;
   DisplacementStep<dim> displacement_step; ///< of the displacement form

@@ -1,20 +1,13 @@
 #ifndef continua_finite_volume_loop_monitor_h
 #define continua_finite_volume_loop_monitor_h
 
+#include <continua/continuum/continuum_solver.h>
+
 #include <string>
 #include <vector>
 
 namespace Continua
 {
-/// One pass of the segregated loop.
-struct LoopCorrection
-{
-  unsigned int number = 0; ///< in the step, from 1
-  double residual = 0.;    ///< of the momentum equations at its start, scaled [1]
-  double continuity = 0.;  ///< of the equation of state at the end, scaled [1]; 0 without pressure
-  double magnitude = 0.;   ///< sum |b - A x| of the momentum equations at its start [N]
-};
-
 /// Decides when a loop ends: below its tolerance, at its cap, or, by RunError, when it diverges.
 class LoopMonitor
 {

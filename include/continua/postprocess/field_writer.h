@@ -34,7 +34,7 @@ public:
 
   // As a record of a run: the states for which its schedule asks.
   void open(ContinuumSolver<dim> &solver, const std::string &folder, bool is_due) override;
-  void resume(const std::string &folder, double time) override;
+  void resume(ContinuumSolver<dim> &solver, const std::string &folder, double time) override;
   void record(const RecordedStep<dim> &step) override;
   void finish(const RecordedEnd<dim> &end) override;
   /// Each rank flushes the files that it has written since the last call.

@@ -31,6 +31,8 @@ struct OutputParameters
   /// When to write what, in a run that ends at `end_time` [s].
   Schedule probe_schedule(double end_time) const;
   Schedule power_schedule(double end_time) const;
+  /// Every step.
+  Schedule step_schedule(double end_time) const;
   Schedule field_schedule(double end_time) const;
   Schedule checkpoint_schedule(double end_time) const;
 };

@@ -35,7 +35,7 @@ public:
 
   // As a record of a run: power.csv.
   void open(ContinuumSolver<dim> &solver, const std::string &folder, bool is_due) override;
-  void resume(const std::string &folder, double time) override;
+  void resume(ContinuumSolver<dim> &solver, const std::string &folder, double time) override;
   void record(const RecordedStep<dim> &step) override;
   void change_mesh(const MeshChange<dim> &change) override;
   void finish(const RecordedEnd<dim> &end) override;

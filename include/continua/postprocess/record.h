@@ -67,7 +67,10 @@ public:
   {
   }
   /// Instead, after load() in a run that goes on: what was written after `time` [s] goes.
-  virtual void resume(const std::string & /*folder*/, double /*time*/) {}
+  virtual void
+  resume(ContinuumSolver<dim> & /*solver*/, const std::string & /*folder*/, double /*time*/)
+  {
+  }
 
   /// Every attempt to make a step or a part of it, whether it stands or is undone.
   virtual void attempt(const StepReport & /*report*/) {}

@@ -95,14 +95,9 @@ private:
   RunResult result(const PlannedRun &plan, const Summary &summary) const;
 };
 
-/// A summary with what is known before the runs, and with those that failed, if any: returns their
-/// names, for a RunError.
-std::string begin_summary(Summary &summary,
-                          const std::string &title,
-                          const std::string &analysis,
-                          const CommandLine &command_line,
-                          MPI_Comm communicator,
-                          const std::vector<RunResult> &runs);
+/// Sets the status of a series in its summary, with the reasons of those runs that failed, if any:
+/// returns their names, for a RunError.
+std::string set_status(Summary &summary, const std::vector<RunResult> &runs);
 } // namespace Continua
 
 #endif
