@@ -18,6 +18,7 @@ namespace
 std::vector<bool> relaxing_regions(const std::vector<Material> &materials)
 {
   std::vector<bool> relaxing;
+  relaxing.reserve(materials.size());
   for (const Material &material : materials)
     relaxing.push_back(material.relaxes());
   return relaxing;
@@ -78,7 +79,7 @@ struct RecordRow
   /// Which states it takes; null: none.
   Schedule (OutputParameters::*schedule)(double end_time) const;
   /// The table in which each state that it takes has a row; empty: none.
-  std::string table = "";
+  std::string table{};
 };
 
 /// To add a record, add a row. The records are called in this order.

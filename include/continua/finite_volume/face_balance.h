@@ -4,6 +4,7 @@
 #include <continua/finite_volume/face_links.h>
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace Continua
@@ -50,7 +51,7 @@ private:
   {
     unsigned int velocity = 0;
     unsigned int pressure = dealii::numbers::invalid_unsigned_int; ///< if it is solved for
-    std::array<double, (dim + 1) * (dim + 1)> inverse = {};
+    std::array<double, static_cast<std::size_t>(dim + 1) * (dim + 1)> inverse = {};
   };
 
   const CellSystem<dim> &system;

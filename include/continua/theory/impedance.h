@@ -18,11 +18,13 @@ namespace Continua
  * real, symmetric and of the size of the number of ports, so that a step of the scheme treats x_k
  * as it does the internal displacement of a branch of the relaxation time 1/rate_k.
  */
+// NOLINTNEXTLINE(bugprone-exception-escape): deal.II's matrix may throw when it is moved
 struct Impedance
 {
   using Complex = std::complex<double>;
   using Matrix = dealii::FullMatrix<double>;
 
+  // NOLINTNEXTLINE(bugprone-exception-escape): deal.II's matrix may throw when it is moved
   struct Term
   {
     double rate = 0.; ///< [1/s], not negative

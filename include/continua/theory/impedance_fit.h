@@ -9,6 +9,7 @@
 namespace Continua
 {
 /// What a fit has to meet at one frequency.
+// NOLINTNEXTLINE(bugprone-exception-escape): deal.II's matrix may throw when it is moved
 struct ImpedanceSample
 {
   std::complex<double> s;                         ///< [1/s], Re s >= 0
@@ -16,6 +17,7 @@ struct ImpedanceSample
   double weight = 1.;                             ///< of the relative error there
 };
 
+// NOLINTNEXTLINE(bugprone-exception-escape): deal.II's matrix may throw when it is moved
 struct ImpedanceFit
 {
   Impedance impedance;

@@ -18,6 +18,7 @@ struct TubeSegment
 };
 
 /// A tube with its ends, and the branches behind it.
+// NOLINTNEXTLINE(bugprone-exception-escape): deal.II's matrix may throw when it is moved
 struct TubeWaveProblem
 {
   enum class Inlet
