@@ -142,8 +142,12 @@ bool Run<dim>::adapt_before_start()
 template <int dim>
 void Run<dim>::finish(const unsigned int n_steps, const double time)
 {
-  for (const std::string &text : input.probes.finish(summary))
-    log.warning(text);
+  {
+    // Fits of modes to long records take longer than many a run.
+    TimerOutput::Scope scope(log.timer(), "results of probes");
+    for (const std::string &text : input.probes.finish(summary))
+      log.warning(text);
+  }
   if (!input.error_norms.empty())
     input.error_norms.finish(*solver, time, input.problem.model, summary);
   summary.set("steps", static_cast<double>(n_steps));
