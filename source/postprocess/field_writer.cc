@@ -108,7 +108,10 @@ std::vector<std::pair<double, std::string>> read_list(const std::string &file,
     const char *const end = time_text.data() + time_text.size();
     const std::from_chars_result result = std::from_chars(time_text.data(), end, time);
     if (result.ec != std::errc() || result.ptr != end || data_file.empty())
-      throw RunError("cannot continue '" + file + "': the line '" + line + "' is damaged");
+    {
+      std::string text = "cannot continue '";
+      throw RunError(text.append(file).append("': the line '").append(line).append("' is damaged"));
+    }
     if (time <= last_time)
       entries.emplace_back(time, data_file);
   }

@@ -33,14 +33,14 @@ struct Source
   const char *title;
   const char *introduction;
   Overrides members; ///< of families, without which they would declare nothing
-  void (*read)(ParameterSection root, const GeneralParameters &general);
+  void (*read)(ParameterSection &root, const GeneralParameters &general);
   std::string type_path; ///< the entry that picks a row of `types`
   std::vector<std::pair<std::string, std::string>> types;
 };
 
 /// What the geometry calls its parts.
 template <int dim>
-std::string read_geometry_in(ParameterSection root, const bool axisymmetric)
+std::string read_geometry_in(ParameterSection &root, const bool axisymmetric)
 {
   const auto geometry =
       make_geometry<dim>(root.subsection("Geometry"), root.subsection("Mesh"), axisymmetric);
@@ -49,42 +49,42 @@ std::string read_geometry_in(ParameterSection root, const bool axisymmetric)
          "; boundaries: " + joined(geometry->boundaries());
 }
 
-std::string names_of_geometry(ParameterSection root, const GeneralParameters &general)
+std::string names_of_geometry(ParameterSection &root, const GeneralParameters &general)
 {
   const Model model = model_of(general.model);
   return n_dimensions(model) == 3 ? read_geometry_in<3>(root, false)
                                   : read_geometry_in<2>(root, model == Model::axisymmetric);
 }
 
-void read_geometry(ParameterSection root, const GeneralParameters &general)
+void read_geometry(ParameterSection &root, const GeneralParameters &general)
 {
   names_of_geometry(root, general);
 }
 
-void read_region(ParameterSection root, const GeneralParameters &general)
+void read_region(ParameterSection &root, const GeneralParameters &general)
 {
   read_material(root.subsection("Materials").subsection("<region>"), model_of(general.model));
 }
 
-void read_boundary(ParameterSection root, const GeneralParameters &general)
+void read_boundary(ParameterSection &root, const GeneralParameters &general)
 {
   const Model model = model_of(general.model);
   read_boundary_conditions(root.subsection("Boundaries"), {"<boundary>"}, {"<region>"}, {{0, 0}},
                            n_dimensions(model), model == Model::axisymmetric);
 }
 
-void read_interior(ParameterSection root, const GeneralParameters &general)
+void read_interior(ParameterSection &root, const GeneralParameters &general)
 {
   InteriorData().read(root.subsection("Body force"), root.subsection("Initial state"), {"<region>"},
                       n_dimensions(model_of(general.model)));
 }
 
-void read_discretisation(ParameterSection root, const GeneralParameters &general)
+void read_discretisation(ParameterSection &root, const GeneralParameters &general)
 {
   DiscretisationParameters().read(root, general.discretisation);
 }
 
-void read_probe(ParameterSection root, const GeneralParameters &)
+void read_probe(ParameterSection &root, const GeneralParameters &)
 {
   Probes<2>(MPI_COMM_SELF).read(root.subsection("Probes"), {"<boundary>"}, {"<region>"});
   MeasuredWaves::read_file(root.subsection("Probes").subsection("<probe>"));
@@ -99,7 +99,7 @@ std::vector<Source> sources()
       {"General",
        "At the top of the file, outside all subsections.",
        {},
-       [](Root, const General &) {},
+       [](Root &, const General &) {},
        "",
        {}},
       {"Geometry and mesh",
@@ -142,64 +142,64 @@ std::vector<Source> sources()
       {"Time",
        "The time steps, and the end.",
        {},
-       [](Root root, const General &) { TimeParameters().read(root.subsection("Time")); },
+       [](Root &root, const General &) { TimeParameters().read(root.subsection("Time")); },
        "",
        {}},
       {"Steady",
        "How a body of fluid and solid together is stepped to rest.",
        {},
-       [](Root root, const General &) { RestParameters().read(root.subsection("Steady")); },
+       [](Root &root, const General &) { RestParameters().read(root.subsection("Steady")); },
        "",
        {}},
       {"Modal",
        "Which of a body's modes of vibration are sought.",
        {},
-       [](Root root, const General &) { ModalParameters().read(root.subsection("Modal")); },
+       [](Root &root, const General &) { ModalParameters().read(root.subsection("Modal")); },
        "",
        {}},
       {"Comparison",
        "By which two ways a case is computed, on which meshes, and what counts as agreement.",
        {},
-       [](Root root, const General &) { ComparisonParameters().read(root); },
+       [](Root &root, const General &) { ComparisonParameters().read(root); },
        "",
        {}},
       {"Refinement study",
        "How the mesh becomes finer, how often, and to what errors are.",
        {},
-       [](Root root, const General &) { RefinementStudyParameters().read(root); },
+       [](Root &root, const General &) { RefinementStudyParameters().read(root); },
        "",
        {}},
       {"Spin coating",
        "How a tube is made.",
        {},
-       [](Root root, const General &) { SpinCoating::read(root.subsection("Spin coating")); },
+       [](Root &root, const General &) { SpinCoating::read(root.subsection("Spin coating")); },
        "",
        {}},
       {"Laboratory",
        "What is reported of a material, and its simulated tests.",
        {},
-       [](Root root, const General &)
+       [](Root &root, const General &)
        { LaboratoryParameters().read(root.subsection("Laboratory")); },
        "",
        {}},
       {"Amplification",
        "Which schemes in time, Courant numbers and waves.",
        {},
-       [](Root root, const General &)
+       [](Root &root, const General &)
        { AmplificationParameters().read(root.subsection("Amplification")); },
        "",
        {}},
       {"Wave theory",
        "Linear waves of a tube, as an analysis of their own or beside a transient one.",
        {},
-       [](Root root, const General &)
+       [](Root &root, const General &)
        { WaveTheoryParameters().read(root.subsection("Wave theory")); },
        "",
        {}},
       {"Adaptivity",
        "How the mesh follows the solution.",
        {},
-       [](Root root, const General &general)
+       [](Root &root, const General &general)
        {
          // As Case reads it.
          const Motion motion = analyses().row(general.analysis).traits_2d.motion;
@@ -210,7 +210,7 @@ std::vector<Source> sources()
       {"Output",
        "What is written, and when.",
        {},
-       [](Root root, const General &) { OutputParameters().read(root.subsection("Output")); },
+       [](Root &root, const General &) { OutputParameters().read(root.subsection("Output")); },
        "",
        {}},
       {"Probes",
@@ -222,13 +222,13 @@ std::vector<Source> sources()
       {"Exact solution",
        "Functions with which the state at the end is compared.",
        {},
-       [](Root root, const General &) { ErrorNorms<2>().read(root.subsection("Exact solution")); },
+       [](Root &root, const General &) { ErrorNorms<2>().read(root.subsection("Exact solution")); },
        "",
        {}},
       {"Expected",
        "A family of entries: values that the run must meet, each with a verdict at its end.",
        {"Expected/<quantity>=1 +- 1 %"},
-       [](Root root, const General &) { read_expected(root.subsection("Expected")); },
+       [](Root &root, const General &) { read_expected(root.subsection("Expected")); },
        "",
        {}}};
 }
@@ -276,8 +276,9 @@ Entries declared(const Source &source, const Overrides &overrides)
   try
   {
     GeneralParameters general;
-    general.read(file.root(), analyses().types());
-    source.read(file.root(), general);
+    ParameterSection root = file.root();
+    general.read(root, analyses().types());
+    source.read(root, general);
   }
   catch (const InputError &)
   {

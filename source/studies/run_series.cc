@@ -167,6 +167,7 @@ RunSeries::perform(const std::vector<PlannedRun> &plans,
                       directory.file_of_case(plan.name + "/");
                   });
   std::vector<std::unique_ptr<OutputDirectory>> folders;
+  folders.reserve(plans.size());
   for (const PlannedRun &plan : plans)
     folders.push_back(is_finished(plan) ? nullptr
                                         : std::make_unique<OutputDirectory>(

@@ -1,4 +1,5 @@
-"""Functions of the expressions in chapter_6.toml: closed solutions that the program does not use, and what runs ahead of a pulse."""
+"""Functions of the expressions in chapter_6.toml: closed solutions that the program does not use, the thesis's own calculation of figures 6.4 to
+6.15, and what runs ahead of a pulse."""
 
 import cmath
 import math
@@ -22,9 +23,9 @@ def lame_psi(_, anchoring, radius, thickness, poisson):
 
 
 def _ratio(z):
-    """J_1(z)/J_0(z) by the continued fraction of the recurrence."""
+    """J_1(z)/J_0(z) by the continued fraction of the recurrence; of a number or an array."""
     ratio = 0
-    for n in range(int(abs(z)) + 200, 0, -1):
+    for n in range(int(numpy.max(abs(z))) + 200, 0, -1):
         ratio = 1 / (2 * n / z - ratio)
     return ratio
 
@@ -60,4 +61,102 @@ def damping_of_wall(results, run):
     return wall / (wall + fluid)
 
 
-FUNCTIONS = {function.__name__: function for function in (lame_psi, womersley_error, ahead, damping_of_wall)}
+# Figures 6.4 to 6.15 as the thesis calculates them: table 6.3, and the tubes A and B of its section 6.3 with their pre-strain.
+DENSITY, VISCOSITY, BULK, ELASTIC, RELAXATION, EXPONENT = 998.0, 1e-3, 2.2e9, 1.72e6, 1.3e6, 0.065
+RADIUS, LENGTH, PRE_STRAIN, THICKNESS = 12.5e-3, 0.446, 0.03, {"a": 0.1e-3, "b": 0.05e-3}
+PERIOD, STEP = 20.0, 1e-3  # of the Fourier series [s]; within the period a wave that runs to and fro dies out
+
+
+class Calculation:
+    """Waves in tube "a" or "b" with an "elastic" or "viscoelastic" wall, by (6.9) to (6.13), (6.18) with psi = 1 and (6.22) to (6.26): `time`
+    [s], and by field a (station, time) array [SI], those of the forward and backward wave among them. The incoming wave is the first `part`
+    [s] of a pressure at the first station. Both ends reflect fully. The sum over their reflections is the closed one: (6.25) and (6.26) grow as
+    printed."""
+
+    def __init__(self, tube, wall, stations, time, pressure, part):
+        self.positions = stations
+        radius, thickness = (length / math.sqrt(1 + PRE_STRAIN) for length in (RADIUS, THICKNESS[tube]))
+        length = (1 + PRE_STRAIN) * LENGTH
+        times = numpy.arange(0, PERIOD, STEP)
+        omega = 2 * math.pi * numpy.fft.rfftfreq(len(times), STEP)
+        incoming = numpy.fft.rfft(numpy.where(times < part, numpy.interp(times, time, pressure), 0.0))[1:]
+        omega = omega[1:]  # the mean follows from the state at rest
+        modulus = ELASTIC if wall == "elastic" else RELAXATION * math.gamma(1 - EXPONENT) * (1j * omega)**EXPONENT
+        z = cmath.exp(0.75j * math.pi) * radius * numpy.sqrt(omega * DENSITY / VISCOSITY)
+        mobile = 1 - 2 * _ratio(z) / z  # 1 - F_10
+        number = omega * numpy.sqrt(DENSITY * (1 / BULK + 2 * radius / (modulus * thickness)) / mobile)
+        number = numpy.where(number.imag > 0, -number, number)
+
+        def travelled(distance):
+            return incoming * numpy.exp(-1j * number * (distance - stations[0])) / (1 - numpy.exp(-2j * number * length))
+
+        def in_time(harmonics):
+            values = numpy.fft.irfft(numpy.concatenate(([0], harmonics)), len(times))
+            return values - values[0]
+
+        forward, backward = ([travelled(distance(x)) for x in stations] for distance in (lambda x: x, lambda x: 2 * length - x))
+        admittance = math.pi * radius**2 * number * mobile / (DENSITY * omega)
+        softness = 2 * radius**2 / (modulus * thickness)  # change of the diameter by pressure
+        self.time = times
+        self.fields = {name: numpy.array([in_time(harmonics(f, b)) for f, b in zip(forward, backward)]) for name, harmonics in (
+            ("pressure", lambda f, b: f + b), ("flow rate", lambda f, b: admittance * (f - b)),
+            ("wall distension", lambda f, b: softness * (f + b)), ("forward wave", lambda f, b: f), ("backward wave", lambda f, b: b))}
+
+
+def calculation(results, run, tube, wall, part=0.08):
+    """The Calculation whose incoming wave is the first `part` [s] of the simulated pressure at the first station of a run."""
+    pressure = results.wave(run)["pressure"]
+    return Calculation(tube, wall, numpy.array(pressure.positions), pressure.time, pressure.sources["simulated"][0], part)
+
+
+def speed_of_peaks(positions, time, pressures):
+    """Slope of a line through the first peaks of the pressure from the third to the eighth station [m/s]: far from both ends."""
+    times = [wave_tables.first_peak(time, values)[0] for values in pressures[2:8]]
+    return float(1 / numpy.polyfit(positions[2:8], times, 1)[0])
+
+
+def pulse_speed(results, run, source):
+    """The same of a run with the ten stations, "simulated" or "theory"."""
+    pressure = results.wave(run)["pressure"]
+    return speed_of_peaks(pressure.positions, pressure.time, pressure.sources[source])
+
+
+def pulse_attenuation(results, run, source):
+    """Of the heights of these peaks, by which exp(-attenuation position) falls [1/m]."""
+    pressure = results.wave(run)["pressure"]
+    heights = [wave_tables.first_peak(pressure.time, values)[1] for values in pressure.sources[source][2:8]]
+    return float(-numpy.polyfit(pressure.positions[2:8], numpy.log(heights), 1)[0])
+
+
+def calculated(results, quantity, run, tube, wall, station=0):
+    """Of a calculation: "speed" of the pressure peak as pulse_speed() has it [m/s], "time" [s] or "height" [Pa] of the reflected
+    pulse at a station, counted from 0."""
+    waves = calculation(results, run, tube, wall)
+    if quantity == "speed":
+        return speed_of_peaks(waves.positions, waves.time, waves.fields["pressure"])
+    return wave_tables.first_peak(waves.time, waves.fields["backward wave"][station])[quantity == "height"]
+
+
+def calculated_difference(results, run, tube, wall, fields):
+    """Largest difference of a calculation from the simulation over the largest simulated value of the field, over all stations and times; the
+    largest of some fields [1]."""
+    waves, found = calculation(results, run, tube, wall), results.wave(run)
+    worst = 0.0
+    for name in fields:
+        time, values = found[name].time, found[name].sources["simulated"]
+        differences = [numpy.interp(time, waves.time, ours) - theirs for ours, theirs in zip(waves.fields[name], values)]
+        worst = max(worst, numpy.max(numpy.abs(differences)) / numpy.max(numpy.abs(values)))
+    return float(worst)
+
+
+def passed(results, run, source, part):
+    """Time [s] at which the forward wave at the first station has fallen to a part of its first peak."""
+    wave = results.wave(run)["forward wave"]
+    values = numpy.abs(wave.sources[source][0])
+    peak, height = wave_tables.first_peak(wave.time, values)
+    after = wave.time > peak
+    return float(wave.time[after][numpy.argmax(values[after] < part * height)])
+
+
+FUNCTIONS = {function.__name__: function for function in (lame_psi, womersley_error, ahead, damping_of_wall, pulse_speed,
+                                                          pulse_attenuation, calculated, calculated_difference, passed)}

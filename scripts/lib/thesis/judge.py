@@ -21,7 +21,7 @@ VERDICTS = {
     NOT_COMPARABLE: "Continua has no such quantity, or the thesis does not state enough",
     NOT_MEASURED: "comparable, but this report has no measure of it",
     NOT_RUN: "needs a run that was not asked for, or that failed",
-    CHANGED: "a deviation that was explained has another value now",
+    CHANGED: "a deviation that was explained has another value now, or is gone",
     DIFFERS: "the value lies outside of the thesis's band, without a reason",
     BROKEN: "the runs are there, but the measure gives no value",
 }
@@ -76,16 +76,20 @@ class Row:
             return NOT_RUN, self.missing[entry.judged]
         if "unjudged" in measure:
             return SHOWN, measure["unjudged"]
-        why = " ".join(text for text in (entry.deviation, measure.get("why"), measure.get("note")) if text)
+        notes = [entry.note, measure.get("note")]
+        why = " ".join(text for text in (entry.deviation, measure.get("why"), *notes) if text)
         if "holds" in measure:
             agrees = criterion(measure["holds"])(self.value)
         else:
             agrees = is_near(self.value, entry.value, entry.band)
-        if agrees:
-            return self.kind_of_agreement(), why
-        if "ours" in measure:
-            is_explained = is_near(self.value, measure["ours"], measure.get("ours_band", 0.01))
-            return (EXPLAINED, why) if is_explained else (CHANGED, f"{why} Explained was {measure['ours']:.6g}.".strip())
+        is_explained = "ours" in measure and is_near(self.value, measure["ours"], measure.get("ours_band", 0.01))
+        # A deviation that is gone has changed, too: two errors may cancel.
+        if "ours" in measure and not is_explained:
+            return CHANGED, f"{why} Explained was {measure['ours']:.6g}.".strip()
+        if agrees:  # without what explains a deviation
+            return self.kind_of_agreement(), " ".join(text for text in notes if text)
+        if is_explained:
+            return EXPLAINED, why
         return DIFFERS, why
 
     def kind_of_agreement(self):

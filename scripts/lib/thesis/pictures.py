@@ -1,5 +1,6 @@
 """The thesis's figures, drawn from runs in its arrangement."""
 
+import math
 import os
 
 import chapter_4
@@ -106,15 +107,73 @@ class Tubes:
             raise reason
 
 
-class Waves:
-    """Figures 6.4 to 6.15: one field of one tube, simulated and by linear theory."""
+class Inflation:
+    """Figure 5.4: the diameter of tube B over the static pressure, in the thesis's axes. The run has one pressure; it is linear, also in 1/Y."""
 
-    def __init__(self, field, name):
-        self.field, self.files = field, (name,)
+    files = ("chapter-5/tube-b-inflation",)
+    pressures, diameters = (1e3, 4.5e3), (23.8e-3, 25.6e-3)  # the axes
+    at_rest, pressure, modulus, design = 2.94e3, 3.5e3, 1.72e6, 10e6
 
     def draw(self, sheet, results):
-        name = self.files[0]
-        plot_waves.draw_stations(sheet, self.field, [(run_of(results, name), results.wave(name)[self.field], 1.0)], False, False)
+        slope = 2 * results.quantity(self.files[0], "inner surface: final displacement y") / self.pressure
+        corners = (self.diameters[1] - self.diameters[0]) / (self.pressures[1] - self.pressures[0])
+        figure, axes = sheet.figure(0.6)
+        header, columns = ["pressure [Pa]"], [list(self.pressures)]
+        middle = 25e-3 / math.sqrt(1.03)
+        for modulus, name in ((self.modulus, "of table 6.3"), (self.design, "of the design"),
+                              (self.modulus * slope / corners, "by the slope of the dotted line")):
+            values = [middle + slope * self.modulus / modulus * (p - self.at_rest) for p in self.pressures]
+            axes.plot([1e-3 * p for p in self.pressures], [1e3 * value for value in values], label=f"{1e-6 * modulus:.3g} MPa, {name}")
+            header.append(f"diameter with {modulus:.4g} Pa [m]")
+            columns.append(values)
+        axes.plot([1e-3 * p for p in self.pressures], [1e3 * d for d in self.diameters], ":", color="#000000",
+                  label="corner to corner of the thesis's axes")
+        axes.set_xlim([1e-3 * p for p in self.pressures])
+        axes.set_ylim([1e3 * d for d in self.diameters])
+        axes.set_xlabel("Static pressure [kPa]")
+        axes.set_ylabel("Diameter [mm]")
+        sheet.legend(axes, 4)
+        sheet.save(figure, "inflation")
+        sheet.save_data("inflation", header, columns)
+
+
+class Waves:
+    """Figures 6.4 to 6.15: one field of one tube by linear theory. In place of the measurement stands the simulation with the viscoelastic
+    wall; with the elastic wall that wall's simulation is there, too. Without the simulations: the theory."""
+
+    def __init__(self, field, tube, wall):
+        self.field, self.viscoelastic = field, wall == "viscoelastic"
+        runs = [f"chapter-6/experiment-{tube}"] * (not self.viscoelastic) + [f"chapter-6/experiment-{tube}-viscoelastic"]
+        self.files = tuple(runs + [f"{runs[0]}-theory"])
+
+    def draw(self, sheet, results):
+        # Of each catheter a picture: (a) P0, (b) P1.
+        for probe, ending in (("stations", "P0"), ("trailing catheter", "P1")) if self.field == "pressure" else (("stations", None),):
+            entries = self.entries(results, probe)
+            written = len(sheet.written)
+            plot_waves.draw_stations(sheet, self.field, entries, False, len(entries) > 1)
+            if ending:
+                rename(sheet, written, ending)
+
+    def entries(self, results, probe):
+        found = []
+        for name, sources, title in self.curves():
+            try:
+                field = SomeCurves(results.wave(name, probe)[self.field], sources)
+            except NotThere:
+                continue
+            run = run_of(results, name)
+            found.append(({**run, "title": title or run["title"]}, field, 1.0))
+        if not found:
+            theory = self.files[-1]
+            found.append((run_of(results, theory), results.wave(theory, probe)[self.field], 1.0))
+        return found
+
+    def curves(self):
+        if self.viscoelastic:
+            return [(self.files[0], ["simulated", "theory"], None)]
+        return [(self.files[0], ["simulated", "theory"], "elastic wall"),
+                (self.files[1], ["simulated"], "viscoelastic wall, in place of the measurement")]
 
 
 class SpinCoating:
@@ -141,12 +200,13 @@ def all_drawings():
     for number in ("4.2", "4.3", "4.4", "4.5", "4.6", "4.7", "4.8", "4.9", "4.10", "4.11", "4.12", "4.13", "4.14", "4.15"):
         drawings[f"figure {number}"] = Beam(number)
     drawings["figure 5.1"] = SpinCoating("appendix-a/tube-f", "appendix-a/tube-c")
+    drawings["figure 5.4"] = Inflation()
     for i, field in enumerate(("pressure", "flow rate", "pressure gradient", "wall distension")):
         for j, tubes in enumerate(("ABC", "DEF", "AF", "CE")):
             drawings[f"figure 5.{6 + 4 * i + j}"] = Tubes(field, tubes)
-    for i, name in enumerate(("tube-a-reflection", "tube-b", "tube-a-viscoelastic", "tube-b-viscoelastic")):
+    for i, (wall, tube) in enumerate((wall, tube) for wall in ("elastic", "viscoelastic") for tube in "ab"):
         for j, field in enumerate(("pressure", "flow rate", "wall distension")):
-            drawings[f"figure 6.{4 + 3 * i + j}"] = Waves(field, f"chapter-6/{name}")
+            drawings[f"figure 6.{4 + 3 * i + j}"] = Waves(field, tube, wall)
     for number, names in (("A.4", ("tube-c",)), ("A.6", ("tube-e-figure", "tube-e")), ("A.7", ("tube-f",))):
         drawings[f"figure {number}"] = SpinCoating(*(f"appendix-a/{name}" for name in names))
     return drawings

@@ -83,6 +83,8 @@ def read():
                 raise DataError(f"{path}: '{name}' gives none of {', '.join(SOURCES)}")
             if entry.judged not in entry.sources:
                 raise DataError(f"{path}: '{name}' is judged by '{entry.judged}', which it does not give")
+            if entry.comparable is not False and "ours" not in measure and (entry.deviation or "why" in measure):
+                raise DataError(f"{path}: '{name}' explains a deviation without the value 'ours' that was explained; is it a note?")
             if entry.kind == "finding" and not {"holds", "unjudged"} & set(measure):
                 raise DataError(f"{path}: the finding '{name}' needs 'holds'")
     return figures, entries

@@ -4,6 +4,7 @@ import ast
 import json
 import math
 import os
+import tempfile
 
 import case_runs
 import chapter_4
@@ -98,12 +99,21 @@ class Results:
             raise Broken(f"{name}: {file} has no '{column}'")
         return found
 
-    def wave(self, name):
-        """{field: wave_tables.Field} of a run."""
-        if name not in self.waves:
+    def wave(self, name, probe=None):
+        """{field: wave_tables.Field} of a run: of one probe, or of all (of a field that several probes have, the first probe's)."""
+        if (name, probe) not in self.waves:
             self.run(name)
-            self.waves[name] = wave_tables.read_waves(self.folder_of(name))
-        return self.waves[name]
+            folder = self.folder_of(name)
+            if probe is None:
+                self.waves[name, probe] = wave_tables.read_waves(folder)
+            else:
+                path = os.path.join(folder, f"wave-{probe}.csv")
+                if not os.path.exists(path):
+                    raise Broken(f"{name}: there is no probe '{probe}' with waves")
+                with tempfile.TemporaryDirectory() as alone:
+                    os.symlink(os.path.abspath(path), os.path.join(alone, "wave.csv"))
+                    self.waves[name, probe] = wave_tables.read_waves(alone)
+        return self.waves[name, probe]
 
     def value(self, expression):
         """A finite number. Throws NotThere or Broken."""
