@@ -354,8 +354,9 @@ void add_names(const Overrides &overrides,
 {
   ParameterFile file("", with(overrides, "Model", model));
   GeneralParameters general;
-  general.read(file.root(), analyses().types());
-  const std::string names = names_of_geometry(file.root(), general);
+  ParameterSection root = file.root();
+  general.read(root, analyses().types());
+  const std::string names = names_of_geometry(root, general);
   for (std::string &line : lines)
     if (line.size() > names.size() &&
         line.compare(line.size() - names.size() - 2, std::string::npos, ": " + names) == 0)
