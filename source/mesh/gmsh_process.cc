@@ -153,7 +153,10 @@ void limit_this_process()
 {
   const rlimit limit = {memory_limit_of_gmsh(), memory_limit_of_gmsh()};
   const rlimit nothing = {0, 0};
+  // The sanitizer of addresses reserves terabytes for its own use.
+#if !defined(__SANITIZE_ADDRESS__)
   ::setrlimit(RLIMIT_AS, &limit);
+#endif
   ::setrlimit(RLIMIT_FSIZE, &limit);
   ::setrlimit(RLIMIT_CORE, &nothing);
 #if defined(__linux__)
