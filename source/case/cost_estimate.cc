@@ -134,30 +134,31 @@ CostEstimate::CostEstimate(const CostInput &input)
   double factor_time = 0., solve_time = 0.;
   if (is_iterative)
   {
-    factor_time = (is_plane ? 30. : 200.) * microsecond * n_unknowns;
-    solve_time = (is_plane ? 15. : 40.) * microsecond * n_unknowns;
+    factor_time = (is_plane ? 25. : 150.) * microsecond * n_unknowns;
+    // In space a wall and its liquid take more iterations than one body.
+    solve_time = (is_plane || input.n_regions == 1 ? 8. : 35.) * microsecond * n_unknowns;
   }
   else if (input.segregated)
-    solve_time = 1.8 * microsecond * n_unknowns;
+    solve_time = 1.5 * microsecond * n_unknowns;
   else if (input.cell_wise)
   {
-    factor_time = 300. * nanosecond * factor_entries;
-    solve_time = (factor_entries < 4e5 ? 0.9 : 2.) * nanosecond * factor_entries;
+    factor_time = 240. * nanosecond * factor_entries;
+    solve_time = (factor_entries < 4e5 ? 0.7 : 1.6) * nanosecond * factor_entries;
   }
   else if (takes_cholmod(input, n_unknowns))
   {
-    factor_time = (is_plane ? 200. : 450.) * nanosecond * factor_entries *
+    factor_time = (is_plane ? 160. : 360.) * nanosecond * factor_entries *
                   std::pow(std::max(1., factor_entries / 1e6), 0.3);
-    solve_time = (factor_entries < 4e5 ? 0.9 : is_plane ? 3.5 : 2.9) * nanosecond * factor_entries;
+    solve_time = (factor_entries < 4e5 ? 0.7 : is_plane ? 2.8 : 2.3) * nanosecond * factor_entries;
   }
   else
   {
-    factor_time = 170. * nanosecond * factor_entries;
-    solve_time = 0.5 * microsecond * n_unknowns + 1.3 * nanosecond * factor_entries;
+    factor_time = 140. * nanosecond * factor_entries;
+    solve_time = 0.4 * microsecond * n_unknowns + 1.1 * nanosecond * factor_entries;
   }
-  const double assembly = input.cell_wise ? 70. : is_plane ? 15. : 60.;
-  set_up_time = 0.5 * second + assembly * microsecond * n_unknowns + input.n_factors * factor_time;
-  step_time = 30. * microsecond + (is_plane ? 0.3 : 0.6) * microsecond * n_unknowns + solve_time;
+  const double assembly = input.cell_wise ? 56. : is_plane ? 12. : 48.;
+  set_up_time = 0.4 * second + assembly * microsecond * n_unknowns + input.n_factors * factor_time;
+  step_time = 25. * microsecond + (is_plane ? 0.25 : 0.5) * microsecond * n_unknowns + solve_time;
   time = set_up_time + input.n_steps * step_time;
 }
 
