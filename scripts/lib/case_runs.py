@@ -227,7 +227,7 @@ class Runs:
         return rows, "\n".join(text.splitlines()[-15:]) if wrong else "", how
 
     def drive(self, path, name, output, newest):
-        """As run, of a case that is the driver's."""
+        """As run(), of a case that a driver of the test suite runs."""
         passed = os.path.join(output, "passed")
         kept = self.keep and os.path.exists(passed) and os.path.getmtime(passed) > newest
         start = time.monotonic()

@@ -1,6 +1,7 @@
 """The figures of the thesis's chapter 4 from runs of the cell-wise beams, and the thesis's numbers beside theirs.
 
-What the thesis prints: its captions, the numbers in its text and table 4.3.
+What the thesis prints stands in parameter_files/thesis/thesis.toml. The runs of figures 4.7 to 4.15 are those that scripts/reproduce-thesis
+judges.
 """
 
 import json
@@ -11,9 +12,11 @@ import numpy
 import plot_histories
 import plot_style
 import tables
+from thesis import reference
 
 TIP = "tip: displacement y"
 GREY = "#808080"
+THESIS = reference.numbers()
 
 
 class Run:
@@ -34,8 +37,11 @@ class Run:
             raise tables.TableError(f"cannot read {path}: {error}") from error
         if summary.get("status") == "failed":
             self.problem = f"the run failed: {summary.get('failure', '')}"
-        for quantity in summary.get("quantities", []):
-            if quantity["value"] is not None:
+        found = [quantity for quantity in summary.get("quantities", []) if quantity["value"] is not None]
+        names = [quantity["name"] for quantity in found]
+        for quantity in found:
+            # What several probes have belongs to none of them.
+            if not quantity.get("probe") or names.count(quantity["name"]) == 1:
                 self.quantities[quantity["name"]] = quantity["value"]
 
     def column(self, file, column):
@@ -213,7 +219,7 @@ def draw_eigenvalues(sheet, number, figure, runs):
     _, axes = sheet.figure()
     order = numpy.arange(1, len(roots) + 1)
     axes.loglog(order, frequencies, "-", color=plot_style.COLOURS[0], label="Euler-Bernoulli beam, equation 4.8")
-    printed = [3.354, 21.017, 58.854, 115.333, 190.634]
+    printed = [THESIS[f"4.2-f-{n}"] for n in range(1, 6)]
     axes.loglog(range(1, 6), printed, "o", color=GREY, markersize=5, markerfacecolor="none", label="printed in the thesis")
     columns = [("mode [1]", order), ("Euler-Bernoulli [Hz]", frequencies), ("thesis [Hz]", printed)]
     for i, run in enumerate(runs):
@@ -233,23 +239,26 @@ def maximum(run):
     return run.quantity("first maximum displacement y", "maximum displacement y")
 
 
-def largest(run):
-    return run.quantity("maximum displacement y")
-
-
 def frequency(run):
     return run.quantity("mode 1 frequency", "frequency of the fit", "frequency")
 
 
-def beam(name, caption, end, thesis_maximum, thesis_frequency):
-    return Figure(caption, {name: "cell-wise"}, draw_histories,
-                  [("largest displacement", name, thesis_maximum, largest, "m"),
-                   ("frequency", name, thesis_frequency, frequency, "Hz")],
+def beam(number, name, caption, end):
+    thesis_maximum = THESIS[f"{number}-maximum"]
+    return Figure(caption, {name: "cell-wise, backward differencing"}, draw_histories,
+                  [("first maximum", name, thesis_maximum, maximum, "m"),
+                   ("frequency", name, THESIS[f"{number}-frequency"], frequency, "Hz")],
                   end=end, thesis=[(thesis_maximum, f"thesis: {thesis_maximum:g} m")])
 
 
-EULER, BACKWARD, FINE = "fv-velocity-30s", "fv-velocity-backward-differencing-30s", "fv-velocity-1e-5-30s"
-FINEST, LOOSE = "fv-velocity-1e-6-30s", "fv-displacement-1e-5-17s"
+# With velocity and pressure, and AS_WRITTEN with Rhie and Chow's correction as the thesis writes it.
+EULER, BACKWARD = "fv-velocity-pressure-longitudinal-30s", "fv-velocity-pressure-longitudinal-backward-differencing-30s"
+AS_WRITTEN, MIDDLE = "fv-velocity-pressure-thesis-coupled-30s", "fv-velocity-pressure-longitudinal-60x20"
+# In the velocity form: the small steps take hours with the pressure.
+VELOCITY, VELOCITY_BACKWARD = "fv-velocity-30s", "fv-velocity-backward-differencing-30s"
+FINE, FINEST, LOOSE = "fv-velocity-1e-5-30s", "fv-velocity-1e-6-30s", "fv-displacement-1e-5-17s"
+
+
 def figures(names):
     """All figures by their number; `names`: the runs that there may be, of which those of 4.12 are not known here."""
     pressure = {"fv-velocity-pressure": "continua's variant", "fv-velocity-pressure-thesis": "thesis's variant",
@@ -264,24 +273,25 @@ def figures(names):
 FIGURES = {
     "4.2": Figure("Eigenvalues of the cantilever", {"fv-displacement": "cell-wise, displacement form",
                                                     "fv-velocity": "cell-wise, velocity form"}, draw_eigenvalues,
-                  [("mode 1", "fv-displacement", 3.354, frequency, "Hz"),
-                   ("mode 2", "fv-displacement", 21.017, lambda run: run.quantity("mode 2 frequency"), "Hz")]),
+                  [("mode 1", "fv-displacement", THESIS["4.2-f-1"], frequency, "Hz"),
+                   ("mode 2", "fv-displacement", THESIS["4.2-f-2"], lambda run: run.quantity("mode 2 frequency"), "Hz")]),
     "4.3": Figure("End displacement, displacement form", {"fv-displacement": "displacement form"}, draw_histories,
-                  [("first maximum", "fv-displacement", 0.62, maximum, "m"),
-                   ("frequency", "fv-displacement", 3.32, frequency, "Hz"),
-                   ("deflection at rest", "fv-displacement", 0.31,
+                  [("first maximum", "fv-displacement", THESIS["4.3-maximum"], maximum, "m"),
+                   ("frequency", "fv-displacement", THESIS["4.3-frequency"], frequency, "Hz"),
+                   ("deflection at rest", "fv-displacement", THESIS["4.3-static"],
                     lambda run: run.quantity("modes offset", "mean displacement y"), "m")],
-                  end=2.0, thesis=[(0.62, "thesis: maximum 0.62 m"), (0.31, "thesis: at rest 0.31 m")]),
+                  end=2.0, thesis=[(THESIS["4.3-maximum"], f"thesis: maximum {THESIS['4.3-maximum']:g} m"),
+                                    (THESIS["4.3-static"], f"thesis: at rest {THESIS['4.3-static']:g} m")]),
     "4.4": Figure("Displacement form, envelope over 17 s",
                   {LOOSE: "tolerance 1e-5", "fv-displacement-30s": "coupled"}, draw_histories,
                   losses("tolerance 1e-5", LOOSE, "all of the motion", 17.0) +
                   losses("coupled", "fv-displacement-30s", "", 17.0),
-                  end=17.05, envelope=True, thesis=[(0.31, "thesis: at rest after 17 s")]),
+                  end=THESIS["4.4-end"], envelope=True, thesis=[(THESIS["4.3-static"], f"thesis: at rest after {THESIS['4.4-end']:.0f} s")]),
     "4.5": Figure("Power residual, accumulated term consistent and inconsistent",
                   {"fv-velocity-inconsistent": "inconsistent (div grad)", "fv-velocity": "consistent (Laplacian)",
                    "fv-velocity-inconsistent-wide": "inconsistent, power by the wide operator",
                    "fv-velocity-wide": "consistent, power by the wide operator"}, draw_power,
-                  [("root mean square, inconsistent", "fv-velocity-inconsistent", "erratic, ±1e5 W", Run.power_residual, "W"),
+                  [("root mean square, inconsistent", "fv-velocity-inconsistent", f"erratic, axis to ±{THESIS['4.5-axis']:.0g} W", Run.power_residual, "W"),
                    ("root mean square, consistent", "fv-velocity", "around 0", Run.power_residual, "W"),
                    ("the former by the wide operator", "fv-velocity-inconsistent-wide", "", Run.power_residual, "W"),
                    ("the latter by the wide operator", "fv-velocity-wide", "", Run.power_residual, "W")], end=1.0),
@@ -289,40 +299,42 @@ FIGURES = {
                   {"fv-velocity-1e-6": "tolerance 1e-6", "fv-velocity-1e-7": "tolerance 1e-7",
                    "fv-velocity-1e-8": "tolerance 1e-8"}, draw_power,
                   [(f"root mean square, {tolerance}", f"fv-velocity-{tolerance}", text, Run.power_residual, "W")
-                   for tolerance, text in (("1e-6", "up to 6e4 W"), ("1e-7", "between"), ("1e-8", "smallest"))], end=1.0),
-    "4.7": Figure("Displacement form and velocity form, Euler, envelopes over 30 s",
+                   for tolerance, text in (("1e-6", f"axis to {THESIS['4.6-axis']:.0g} W"), ("1e-7", "between"), ("1e-8", "smallest"))], end=1.0),
+    "4.7": Figure("Displacement form and velocity-pressure form, Euler, envelopes over 30 s",
                   {"fv-displacement-30s": "displacement form", LOOSE: "displacement form, tolerance 1e-5",
-                   EULER: "velocity form"}, draw_histories,
-                  losses("velocity form", EULER, 14.7) +
+                   EULER: "velocity-pressure form", AS_WRITTEN: "velocity-pressure form as the thesis writes it"}, draw_histories,
+                  losses("velocity-pressure form", EULER, THESIS["4.7-loss-30s"]) +
+                  losses("velocity-pressure form as the thesis writes it", AS_WRITTEN, THESIS["4.7-loss-30s"]) +
                   losses("displacement form", "fv-displacement-30s", "all of the motion"), end=30.0, envelope=True),
     "4.8": Figure("Euler and backward differencing, envelopes", {EULER: "Euler implicit",
                                                                 BACKWARD: "backward differencing"}, draw_histories,
-                  losses("Euler", EULER, 14.7) + losses("backward differencing", BACKWARD, "much smaller"),
+                  losses("Euler", EULER, THESIS["4.8-loss-30s"]) + losses("backward differencing", BACKWARD, "much smaller"),
                   end=30.0, envelope=True),
-    "4.9": Figure("Time steps, Euler, envelopes", {EULER: "1e-4 s", FINE: "1e-5 s", FINEST: "1e-6 s"}, draw_histories,
-                  losses("1e-4 s", EULER, 14.7) + losses("1e-5 s", FINE, "7.5 % less") +
-                  losses("1e-6 s", FINEST, "0.62 % less than 1e-5 s"), end=14.0, envelope=True),
-    "4.10": Figure("Euler with 1e-5 s, backward differencing with 1e-4 s, envelopes",
-                   {FINE: "Euler implicit, 1e-5 s", BACKWARD: "backward differencing, 1e-4 s"}, draw_histories,
-                   losses("Euler, 1e-5 s", FINE, "1.2 % more than backward differencing") +
-                   losses("backward differencing, 1e-4 s", BACKWARD, ""), end=30.0, envelope=True),
+    "4.9": Figure("Time steps, Euler, velocity form, envelopes", {VELOCITY: "1e-4 s", FINE: "1e-5 s", FINEST: "1e-6 s"}, draw_histories,
+                  losses("1e-4 s", VELOCITY, "") + losses("1e-5 s", FINE, f"{THESIS['4.9-gain-1e-5']:g} % less", 14.0) +
+                  losses("1e-6 s", FINEST, f"{THESIS['4.9-gain-1e-6']:g} % less than 1e-5 s", 14.0), end=14.0, envelope=True),
+    "4.10": Figure("Euler with 1e-5 s, backward differencing with 1e-4 s, velocity form, envelopes",
+                   {FINE: "Euler implicit, 1e-5 s", VELOCITY_BACKWARD: "backward differencing, 1e-4 s"}, draw_histories,
+                   losses("Euler, 1e-5 s", FINE, f"{THESIS['4.10-difference']:g} % more than backward differencing") +
+                   losses("backward differencing, 1e-4 s", VELOCITY_BACKWARD, ""), end=30.0, envelope=True),
     "4.11": Figure("Meshes, backward differencing, envelopes",
-                   {BACKWARD: "40 x 10", "fv-60x20": "60 x 20", "fv-200x50": "200 x 50"}, draw_histories,
-                   # 40 x 10: its page 96 prints 0.2369 Hz and, below, 0.1148 Hz.
+                   {BACKWARD: "40 x 10", MIDDLE: "60 x 20", "fv-200x50": "200 x 50 (velocity form)"}, draw_histories,
+                   # 40 x 10: its page 96 prints two values.
                    [(f"beats, {mesh}", name, value, Run.beat, "Hz")
-                    for mesh, name, value in (("40 x 10", BACKWARD, "0.2369 Hz, 0.1148 Hz"), ("60 x 20", "fv-60x20", 0.1309),
-                                              ("200 x 50", "fv-200x50", 0.0782))], end=30.0, envelope=True),
+                    for mesh, name, value in (
+                        ("40 x 10", BACKWARD, f"{THESIS['4.11-beat-40x10']:g} Hz, {THESIS['4.11-beat-40x10-second']:g} Hz"),
+                        ("60 x 20", MIDDLE, THESIS["4.11-beat-60x20"]), ("200 x 50", "fv-200x50", THESIS["4.11-beat-200x50"]))], end=30.0, envelope=True),
     "4.12": None,  # in its place, see figures()
-    "4.13": beam("fv-beam-10x5", "Beam 10 m x 5 m", 1.0, 0.0866, 11.64),
-    "4.14": beam("fv-beam-40x5", "Beam 40 m x 5 m", 5.0, 4.72, 0.86),
-    "4.15": beam("fv-beam-half-load", "Beam 20 m x 5 m, half the load", 1.0, 0.313, 3.29),
+    "4.13": beam("4.13", "fv-velocity-pressure-beam-10x5", "Beam 10 m x 5 m", 1.0),
+    "4.14": beam("4.14", "fv-velocity-pressure-beam-40x5", "Beam 40 m x 5 m", 5.0),
+    "4.15": beam("4.15", "fv-velocity-pressure-beam-half-load", "Beam 20 m x 5 m, half the load", 1.0),
 }
 
-# Table 4.3: beam, run, (displacement: analytical, predicted), (frequency: analytical, predicted).
-TABLE = [("10 m x 5 m, 1 MPa", "fv-beam-10x5", (0.0995, 0.0866), (13.41, 11.64)),
-         ("20 m x 5 m, 1 MPa", "fv-displacement", (0.68, 0.62), (3.35, 3.32)),
-         ("40 m x 5 m, 1 MPa", "fv-beam-40x5", (5.2, 4.72), (0.84, 0.86)),
-         ("20 m x 5 m, 0.5 MPa", "fv-beam-half-load", (0.34, 0.313), (3.35, 3.29))]
+# Table 4.3: beam, run, and the names of its row and of its prediction in the data.
+TABLE = [("10 m x 5 m, 1 MPa", "fv-velocity-pressure-beam-10x5", "T4.3-10x5", "4.13"),
+         ("20 m x 5 m, 1 MPa", "fv-displacement", "T4.3-20x5", "T4.3-20x5"),
+         ("40 m x 5 m, 1 MPa", "fv-velocity-pressure-beam-40x5", "T4.3-40x5", "4.14"),
+         ("20 m x 5 m, 0.5 MPa", "fv-velocity-pressure-beam-half-load", "T4.3-half", "4.15")]
 
 
 def text_of(value, unit=""):
@@ -335,7 +347,7 @@ def draw(sheet, chosen, folder):
     """Draws what runs there are; returns the lines of the numbers, as Markdown."""
     runs = {name: Run(folder, name) for name in
             dict.fromkeys([name for figure in chosen.values() for name in figure.runs] +
-                          [name for _, name, _, _ in TABLE])}
+                          [row[1] for row in TABLE])}
     lines = ["| figure | what | thesis | here | run |", "|---|---|---|---|---|"]
     for name, run in runs.items():
         numbers = ", ".join(number for number, figure in chosen.items() if name in figure.runs)
@@ -351,9 +363,10 @@ def draw(sheet, chosen, folder):
     lines += ["", "Table 4.3", "",
               "| beam | displacement: analytical | thesis | here | frequency: analytical | thesis | here | run |",
               "|---" * 8 + "|"]
-    for title, name, displacements, frequencies in TABLE:
+    for title, name, row, prediction in TABLE:
         run = runs[name]
-        here = (math.nan, math.nan) if run.problem else (largest(run), frequency(run))
+        here = (math.nan, math.nan) if run.problem else (maximum(run), frequency(run))
+        displacements, frequencies = ((THESIS[f"{row}-analytical-{kind}"], THESIS[f"{prediction}-{kind}"]) for kind in ("maximum", "frequency"))
         lines.append(f"| {title} | {displacements[0]:g} m | {displacements[1]:g} m | {text_of(here[0], 'm')} | "
                      f"{frequencies[0]:g} Hz | {frequencies[1]:g} Hz | {text_of(here[1], 'Hz')} | {name} |")
     return lines

@@ -98,7 +98,9 @@ class Judging(unittest.TestCase):
             self.assertIn(why, row.why)
         row = self.verdict(measure={"taylor_hood": BEAM, "unjudged": "a time"}, value=1.0, band=0.1)
         self.assertEqual((row.verdict, row.why), (judge.SHOWN, "a time"))
-        self.assertEqual(self.verdict(measure={"theory": "sqrt(4)"}, value=2.0, band=0.1).verdict, judge.FORMULA)
+        for kind, verdict in (("formula", judge.FORMULA), ("input", judge.INPUT)):
+            self.assertEqual(self.verdict(measure={"theory": "sqrt(4)", "kind": kind}, value=2.0, band=0.1).verdict, verdict)
+            self.assertEqual(self.verdict(measure={"theory": "sqrt(4)", "kind": kind}, value=3.0, band=0.1).verdict, judge.DIFFERS)
         self.assertIn(judge.BROKEN, judge.FAILURES)
         write_run(self.temporary.name, "thesis/chapter-4/beam-euler-30s", {}, "running")
         row = self.verdict(measure={"taylor_hood": "quantity('chapter-4/beam-euler-30s', 'x')"}, value=1.0, band=0.1)
@@ -112,6 +114,36 @@ class Judging(unittest.TestCase):
         row = judge.Row(entry(measure={"taylor_hood": BEAM}, value=0.6, band=0.05), results.Results(self.temporary.name, program))
         self.assertEqual(row.verdict, judge.NOT_RUN)
         self.assertIn("older", row.why)
+
+    def test_an_old_run_that_failed(self):
+        program = os.path.join(self.temporary.name, "program")
+        with open(program, "w", encoding="utf-8"):
+            pass
+        measure = {"cell_wise": "diverges('chapter-4/blow-up/fv-pressure-shear')"}
+        write_run(self.temporary.name, "thesis/chapter-4/blow-up/fv-pressure-shear", {}, "failed")
+        path = os.path.join(self.temporary.name, "thesis/chapter-4/blow-up/fv-pressure-shear", "summary.json")
+        with open(path, "w", encoding="utf-8") as stream:
+            json.dump({"status": "failed", "failure": "the loop diverges"}, stream)
+        for age, verdict in ((1e9, judge.AGREES), (4e9, judge.NOT_RUN)):
+            os.utime(program, (age, age))
+            os.utime(path, (3e9, 3e9))
+            found = results.Results(self.temporary.name, program)
+            self.assertEqual(judge.Row(entry(measure=measure, value=1.0, band=0.0), found).verdict, verdict)
+            parameters = os.path.join(judge.case_runs.ROOT, "parameter_files/thesis/chapter-4/blow-up/fv-pressure-shear.prm")
+            self.assertEqual(found.is_there(parameters), verdict == judge.AGREES)
+
+    def test_quantities_of_several_probes(self):
+        write_run(self.temporary.name, "thesis/chapter-4/beam-3d", {("tip", "height"): 1.0, ("middle", "height"): 2.0, ("tip", "width"): 3.0})
+        for name, value in (("tip: height", 1.0), ("middle: height", 2.0), ("width", 3.0)):
+            self.assertEqual(self.results.quantity("chapter-4/beam-3d", name), value)
+        with self.assertRaisesRegex(results.Broken, "several probes have 'height'"):
+            self.results.quantity("chapter-4/beam-3d", "height")
+
+    def test_repeated_measures(self):
+        rows = [self.verdict(id=name, measure={"taylor_hood": BEAM, **same}, value=value, band=0.05)
+                for name, same, value in (("one", {}, 0.6), ("two", {"same_as": "one"}, 0.6), ("three", {"same_as": "one"}, 0.5))]
+        self.assertEqual([row.entry.id for row in judge.repeated(rows)], ["two"])
+        self.assertEqual((judge.counts(rows)[judge.AGREES], judge.counts(rows)[judge.DIFFERS]), (1, 1))
 
     def test_waves_of_a_probe(self):
         folder = os.path.join(self.temporary.name, "thesis/chapter-4/beam")
@@ -130,7 +162,7 @@ class Judging(unittest.TestCase):
         page.write(path, [figure], rows, {}, ["made so"])
         with open(path, encoding="utf-8") as stream:
             text = stream.read()
-        for part in ("Figure 4.3", "a &lt;slip&gt;", "+24 %", 'class="DIFFERS"', "made so"):
+        for part in ("Figure 4.3", "a &lt;slip&gt;", "+24 %", 'class="DIFFERS"', "made so", "continua parameter_files/thesis/chapter-4/beam.prm"):
             self.assertIn(part, text)
         self.assertNotIn("<script", text)
 
@@ -153,8 +185,28 @@ class Data(unittest.TestCase):
                         if isinstance(node, ast.Constant) and isinstance(node.value, str) and node.value.startswith(FOLDERS):
                             self.assertIsNotNone(results.parameter_file(node.value), node.value)
                     files = results.files_of(expression)
+                    if expression == item.sources[item.judged] and not files:
+                        self.assertEqual(item.measure.get("kind"), "formula")
                     if any(f"{name}(" in expression for name in ("quantity", "column", "wave")):
                         self.assertTrue(files, f"{expression} names no parameter file")
+
+    def test_kinds_and_repetitions(self):
+        data = "".join(f'[[number]]\nid = "{name}"\nchapter = "2"\nvalue = 1.0\n' for name in "nm")
+        data = '[[figure]]\nid = "f"\nchapter = "2"\n[[finding]]\nid = "g"\nchapter = "2"\n' + data
+        for measures, refused in (('[n]\ntheory = "1"\n[m]\ntheory = "1"\n', 'needs same_as = "n"'),
+                                  ('[n]\ntheory = "1"\n[m]\nsame_as = "n"\ntheory = "1"\n', ""),
+                                  ('[n]\ntheory = "1"\n[m]\nsame_as = "n"\ntheory = "2"\n', "not judged by the expression of 'n'"),
+                                  ('[n]\nkind = "guess"\ntheory = "1"\n', "neither 'input' nor 'formula'")):
+            with tempfile.TemporaryDirectory() as folder:
+                paths = [os.path.join(folder, name) for name in ("thesis.toml", "chapter_2.toml")]
+                for path, content in zip(paths, (data, measures)):
+                    with open(path, "w", encoding="utf-8") as stream:
+                        stream.write(content)
+                with unittest.mock.patch.multiple(reference, FILE=paths[0], HERE=folder):
+                    if refused:
+                        self.assertRaisesRegex(reference.DataError, refused, reference.read)
+                    else:
+                        reference.read()
 
     def test_drawings_name_files(self):
         figures, _ = reference.read()
@@ -221,7 +273,11 @@ class Calls(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             done = call("--report", "--no-pdf", "--chapter", "2", "--output", folder)
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-            self.assertTrue(os.path.exists(os.path.join(folder, "thesis.html")))
+            self.assertIn("0 of ", done.stdout)
+            # A part does not take the place of the whole.
+            self.assertTrue(os.path.exists(os.path.join(folder, "thesis-chapter-2.html")))
+            self.assertTrue(os.path.exists(os.path.join(folder, "thesis-chapter-2.csv")))
+            self.assertFalse(os.path.exists(os.path.join(folder, "thesis.html")))
             again = call("--report", "--no-pdf", "--chapter", "2", "--output", folder)
             self.assertEqual(again.returncode, 0, again.stderr)
 

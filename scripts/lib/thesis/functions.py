@@ -61,18 +61,17 @@ def bernoulli_frequency(_, mode, modulus, height, length, density):
     return root**2 * math.sqrt(modulus * height**2 / (12 * density * length**4)) / (2 * math.pi)
 
 
-def effect(results, number, wall, source):
-    """The measure of a finding of scripts/findings, counted from 1, of the six tubes of chapter 5: `wall` "elastic" or
-    "viscoelastic", `source` "simulated" or "theory"; positive if it holds, but for those that match."""
+def effect(results, number, source):
+    """The measure of a finding of scripts/findings, counted from 1, of the six tubes of chapter 5 with the elastic
+    wall: `source` "simulated" or "theory"; positive if it holds, but for those that match."""
     findings = script("findings")
-    tubes = {name: findings.Tube(results.wave(file), source) for name, file in zip("ABCDEF", six_tubes(number, wall, source))}
+    tubes = {name: findings.Tube(results.wave(file), source) for name, file in zip("ABCDEF", six_tubes())}
     return findings.FINDINGS[number - 1][1][1](tubes)
 
 
-def six_tubes(_number, wall, _source):
+def six_tubes(*_):
     """The parameter files behind effect()."""
-    folder = "chapter-5/" if wall == "elastic" else "chapter-5/viscoelastic/"
-    return [f"{folder}tube-{name}" for name in "abcdef"]
+    return [f"chapter-5/tube-{name}" for name in "abcdef"]
 
 
 # Of a function whose files its arguments do not name: what gives them.

@@ -1,6 +1,5 @@
 """Values of the thesis and of Continua beside each other: what the verdict is, and why."""
 
-import ast
 import math
 import os
 import re
@@ -14,8 +13,8 @@ AGREES, FORMULA, INPUT, EXPLAINED, SHOWN, NOT_COMPARABLE, NOT_MEASURED, NOT_RUN,
     "agrees", "formula", "input", "explained", "shown", "not comparable", "not measured", "not run", "CHANGED", "DIFFERS", "BROKEN")
 VERDICTS = {
     AGREES: "the value lies in the thesis's band, or the finding is true",
-    FORMULA: "the same, of a formula alone: no run is behind it",
-    INPUT: "the same, of what Continua was given: the run has it",
+    FORMULA: "the same, but the value rests on formulas alone: no simulation is behind it",
+    INPUT: "the same, but the value is an input: the run gives back what it was given",
     EXPLAINED: "the value lies elsewhere; the reason stands beside it, and the value is the one that was explained",
     SHOWN: "a value without a verdict, since it depends on the machine",
     NOT_COMPARABLE: "Continua has no such quantity, or the thesis does not state enough",
@@ -26,8 +25,8 @@ VERDICTS = {
     BROKEN: "the runs are there, but the measure gives no value",
 }
 FAILURES = (CHANGED, DIFFERS, BROKEN)
-# Functions that read back what a run was given.
-GIVEN = {"entry", "section", "stiffness", "slope"}
+# What an entry of chapter_N.toml may say of its judged value; without it a simulation is behind the value.
+KINDS = {"formula": FORMULA, "input": INPUT}
 
 
 def criterion(text):
@@ -87,19 +86,14 @@ class Row:
         if "ours" in measure and not is_explained:
             return CHANGED, f"{why} Explained was {measure['ours']:.6g}.".strip()
         if agrees:  # without what explains a deviation
-            return self.kind_of_agreement(), " ".join(text for text in notes if text)
+            return KINDS.get(measure.get("kind"), AGREES), " ".join(text for text in notes if text)
         if is_explained:
             return EXPLAINED, why
         return DIFFERS, why
 
-    def kind_of_agreement(self):
-        """Whether a run, a formula alone or the input is behind the judged value."""
-        expression = self.entry.sources[self.entry.judged]
-        if not files_of(expression):
-            return FORMULA
-        called = {node.func.id for node in ast.walk(ast.parse(expression, mode="eval"))
-                  if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)}
-        return INPUT if called <= GIVEN else AGREES
+    def files(self):
+        """The parameter files behind the judged value, in their order."""
+        return files_of(self.entry.sources[self.entry.judged]) if self.entry.sources else []
 
     def deviation(self):
         """Of a number, relative to the thesis's; none where that is zero or the verdict asks for something else."""
@@ -109,10 +103,8 @@ class Row:
 
     def cost_of_runs(self, results):
         """Seconds on the clock of the runs behind the judged value; none without runs."""
-        if not self.entry.sources:
-            return None
         total = None
-        for path in files_of(self.entry.sources[self.entry.judged]):
+        for path in self.files():
             summary = case_runs.read_summary(os.path.join(results.folder, case_runs.name_of(path)))
             wall = (summary.get("wall time [s]") or {}).get("total")
             if wall is not None:
@@ -132,9 +124,16 @@ def needed_files(entries):
     return list(found)
 
 
+def repeated(rows):
+    """The rows that are judged by the same expression as another one, and have its verdict: they do not count twice."""
+    verdicts = {row.entry.id: row.verdict for row in rows}
+    return [row for row in rows if verdicts.get(row.entry.measure.get("same_as")) == row.verdict]
+
+
 def counts(rows):
-    """{verdict: how many} in the order of VERDICTS."""
-    return {verdict: sum(row.verdict == verdict for row in rows) for verdict in VERDICTS}
+    """{verdict: how many} in the order of VERDICTS, without what is repeated."""
+    left_out = repeated(rows)
+    return {verdict: sum(row.verdict == verdict and row not in left_out for row in rows) for verdict in VERDICTS}
 
 
 def text_of(value, unit=""):

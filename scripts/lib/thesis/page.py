@@ -5,7 +5,7 @@ import html
 import os
 
 from . import judge
-from .reference import CHAPTERS, SOURCES
+from .reference import CHAPTERS, ROOT, SOURCES
 
 TITLES = {"2": "One set of equations", "3": "Numerical method", "4": "Beam", "5": "Experiments on tubes", "6": "Linear waves",
           "7": "Future work", "A": "How the tubes are made"}
@@ -18,7 +18,7 @@ table.rows { table-layout: fixed }
 th, td { border-bottom: 1px solid #ddd; padding: 2px 5px; text-align: left; vertical-align: top; overflow-wrap: break-word }
 th { background: #f0f0f0 } td.n { text-align: right } tr { break-inside: avoid }
 figure { margin: .5em 0; break-inside: avoid } figure img { max-width: 160mm; max-height: 150mm }
-figcaption, .small { font-size: 8.5pt; color: #444 }
+figcaption, .small { font-size: 8.5pt; color: #444 } table .small { font-size: 7pt } code { font-size: 6.5pt; overflow-wrap: anywhere }
 .agrees, .formula, .input { background: #d9efd9 } .explained { background: #fdf1cc } .DIFFERS, .CHANGED, .BROKEN { background: #f6c9c4; font-weight: bold }
 .not { color: #777 }
 nav a { margin-right: 1em }
@@ -56,27 +56,39 @@ def cell_of(row, source):
 
 
 # Widths of a table's columns [%].
-WIDTHS = (25, 9, 8, 8, 8, 7, 8, 22, 5)
+WIDTHS = (22, 9, 7, 7, 7, 6, 8, 18, 11, 5)
 
 
 def table(rows):
     columns = "".join(f'<col style="width:{width}%">' for width in WIDTHS)
     head = "".join(f"<th>{name}</th>" for name in ("what, and where", "thesis", *SOURCES.values(), "deviation", "verdict",
-                                                    "why", "cost"))
+                                                    "why", "command", "cost"))
     lines = []
     for row in rows:
         entry = row.entry
         deviation = row.deviation()
         holds = f"<br>true if {escaped(entry.measure['holds'])}" if "holds" in entry.measure else ""
+        if not holds and entry.band and entry.band_why:
+            holds = f'<br><span class="small">{escaped(entry.band_why)}</span>'
         why = escaped(row.why) + (f" <i>Slip: {escaped(entry.slip)}</i>" if entry.slip else "")
+        same = entry.measure.get("same_as") if entry.comparable is not False else None
+        why += f' The measure is that of <a href="#{escaped(same)}">{escaped(same)}</a>.' if same else ""
+        commands = "<br>".join(f"<code>{escaped(command)}</code>" for command in commands_of(row)) or "-"
         measured = f'<br><span class="small">Measured: {escaped(entry.measurable)}</span>' if entry.measurable and entry.sources else ""
         lines.append(
             f'<tr id="{escaped(entry.id)}"><td>{escaped(entry.text)}<br><span class="small">{escaped(entry.place)}</span>{measured}</td>'
             f'<td class="n">{escaped(thesis_value(entry))}{holds}</td>'
             + "".join(f'<td class="n">{cell_of(row, source)}</td>' for source in SOURCES)
             + f'<td class="n">{"-" if deviation is None else f"{100 * deviation:+.2g} %"}</td>'
-            f'<td class="{row.verdict}">{row.verdict}</td><td>{why}</td><td class="n">{duration(row.cost)}</td></tr>')
+            f'<td class="{row.verdict}">{row.verdict}</td><td>{why}</td><td>{commands}</td><td class="n">{duration(row.cost)}</td></tr>')
     return f'<table class="rows"><colgroup>{columns}</colgroup>' f"<thead><tr>{head}</tr></thead><tbody>{''.join(lines)}</tbody></table>"
+
+
+def commands_of(row):
+    """What runs the parameter files behind the judged value, from the folder of the sources."""
+    if row.entry.comparable is False:
+        return []
+    return [f"continua {os.path.relpath(path, ROOT)}" for path in row.files()]
 
 
 def owner(entry, figures):
@@ -116,8 +128,10 @@ def summary_text(rows, figures, pictures):
     lines = [f'<tr><td class="{verdict.split()[0]}">{verdict}</td><td class="n">{number}</td><td>{escaped(judge.VERDICTS[verdict])}</td></tr>'
              for verdict, number in counts.items()]
     failed = [row for row in rows if row.verdict in judge.FAILURES]
+    repeated = judge.repeated(rows)
     reproducible = [figure for figure in figures if figure.reproduced]
     parts = ["<h2>Summary</h2>", f"<table><tbody>{''.join(lines)}</tbody></table>",
+             f"<p>{len(repeated)} more rows repeat the measure of another one with the same verdict. They do not count.</p>" if repeated else "",
              f"<p>{sum(bool(pictures.get(figure.id)) for figure in reproducible)} of {len(reproducible)} figures and tables that "
              f"can be reproduced are drawn; {len(figures) - len(reproducible)} are sketches, or of data that are lost.</p>"]
     if failed:

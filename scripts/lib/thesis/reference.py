@@ -10,7 +10,7 @@ FILE = os.path.join(ROOT, "parameter_files", "thesis", "thesis.toml")
 CHAPTERS = ("2", "3", "4", "5", "6", "7", "A")
 # Where a value comes from, in the order of the report's columns.
 SOURCES = {"taylor_hood": "Taylor-Hood", "cell_wise": "cell-wise", "theory": "theory"}
-MEASURE_KEYS = {*SOURCES, "judged", "holds", "ours", "ours_band", "why", "note", "unjudged"}
+MEASURE_KEYS = {*SOURCES, "judged", "kind", "same_as", "holds", "ours", "ours_band", "why", "note", "unjudged"}
 
 
 class DataError(Exception):
@@ -53,10 +53,19 @@ class Figure:
         return self.data.get(name)
 
 
+def data_of_file():
+    with open(FILE, "rb") as stream:
+        return tomllib.load(stream)
+
+
+def numbers():
+    """{id: value} of all that the thesis prints."""
+    return {entry["id"]: entry["value"] for entry in data_of_file()["number"] if "value" in entry}
+
+
 def read():
     """(figures, entries) in the order of the file."""
-    with open(FILE, "rb") as stream:
-        data = tomllib.load(stream)
+    data = data_of_file()
     figures = [Figure(figure) for figure in data["figure"]]
     entries = [Entry(kind, entry) for kind in ("number", "finding") for entry in data[kind]]
     by_id = {}
@@ -87,4 +96,20 @@ def read():
                 raise DataError(f"{path}: '{name}' explains a deviation without the value 'ours' that was explained; is it a note?")
             if entry.kind == "finding" and not {"holds", "unjudged"} & set(measure):
                 raise DataError(f"{path}: the finding '{name}' needs 'holds'")
+            if measure.get("kind", "input") not in ("input", "formula"):
+                raise DataError(f"{path}: '{name}' is of the kind '{measure['kind']}', which is neither 'input' nor 'formula'")
+    check_repetitions(entries)
     return figures, entries
+
+
+def check_repetitions(entries):
+    """Whether same_as stands where the same expression judges twice, and there alone."""
+    first = {}
+    for entry in entries:
+        if not entry.sources or entry.comparable is False:
+            continue
+        expression = " ".join(entry.sources[entry.judged].split())
+        other = first.setdefault(expression, entry.id)
+        if entry.measure.get("same_as") != (other if other != entry.id else None):
+            raise DataError(f"'{entry.id}' needs same_as = \"{other}\", which is judged by the same expression" if other != entry.id else
+                            f"'{entry.id}' is not judged by the expression of '{entry.measure['same_as']}'")

@@ -63,18 +63,31 @@ class Results:
         relative = os.path.relpath(path, os.path.join(ROOT, "parameter_files"))
         return os.path.join(self.folder, os.path.splitext(relative)[0])
 
+    def is_old(self, name):
+        """Whether a run that is there is older than its input or the program."""
+        if not self.program:
+            return False
+        newest = case_runs.newest_input(case_runs.texts_of(parameter_file(name)), self.program)
+        return os.path.getmtime(os.path.join(self.folder_of(name), "summary.json")) < newest
+
+    def is_there(self, path):
+        """Whether the run of a parameter file has ended, well or not, and is up to date."""
+        name = os.path.splitext(os.path.relpath(path, os.path.join(ROOT, "parameter_files")))[0]
+        status = case_runs.read_summary(os.path.join(self.folder, name)).get("status")
+        return status in ("finished", "failed") and not self.is_old(name.removeprefix("thesis/"))
+
     def run(self, name):
         """The chapter_4.Run of a file, finished."""
         if name not in self.runs:
             folder = self.folder_of(name)
+            summary = os.path.join(folder, "summary.json")
+            if not os.path.exists(summary):
+                raise NotThere(f"{name}: {NOT_THERE}")
+            if self.is_old(name):  # before all else: what went wrong with an old run says nothing
+                raise NotThere(f"{name}: the run is older than its input or the program")
             run = chapter_4.Run(*os.path.split(folder))
             if run.problem:
-                raise NotThere(f"{name}: {NOT_THERE}" if "no such run" in run.problem else f"{name}: {run.problem}")
-            summary = os.path.join(folder, "summary.json")
-            if self.program:
-                newest = case_runs.newest_input(case_runs.texts_of(parameter_file(name)), self.program)
-                if os.path.getmtime(summary) < newest:
-                    raise NotThere(f"{name}: the run is older than its input or the program")
+                raise NotThere(f"{name}: {run.problem}")
             with open(summary, encoding="utf-8") as stream:
                 run.summary = json.load(stream)
             if run.summary.get("status") != "finished":
@@ -89,7 +102,8 @@ class Results:
         """A value of a run's summary [SI]; "PROBE: NAME", or "NAME" where one probe alone has it."""
         run = self.run(name)
         if quantity not in run.quantities:
-            raise Broken(f"{name}: the run has no '{quantity}'")
+            several = sum(known.endswith(f": {quantity}") for known in run.quantities) > 1
+            raise Broken(f"{name}: several probes have '{quantity}'" if several else f"{name}: the run has no '{quantity}'")
         return run.quantities[quantity]
 
     def column(self, name, file, column):
