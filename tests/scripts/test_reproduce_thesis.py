@@ -115,6 +115,11 @@ class Judging(unittest.TestCase):
         self.assertEqual(row.verdict, judge.NOT_RUN)
         self.assertIn("older", row.why)
 
+    def test_guards(self):
+        for holds, verdict in (("0.61 .. 0.63", judge.GUARD), ("0.63 .. 0.65", judge.CHANGED)):
+            row = self.verdict(measure={"taylor_hood": BEAM, "kind": "guard", "holds": holds}, unit="m")
+            self.assertEqual((row.verdict, page.thesis_value(row.entry), row.deviation()), (verdict, "-", None))
+
     def test_an_old_run_that_failed(self):
         program = os.path.join(self.temporary.name, "program")
         with open(program, "w", encoding="utf-8"):
@@ -196,7 +201,7 @@ class Data(unittest.TestCase):
         for measures, refused in (('[n]\ntheory = "1"\n[m]\ntheory = "1"\n', 'needs same_as = "n"'),
                                   ('[n]\ntheory = "1"\n[m]\nsame_as = "n"\ntheory = "1"\n', ""),
                                   ('[n]\ntheory = "1"\n[m]\nsame_as = "n"\ntheory = "2"\n', "not judged by the expression of 'n'"),
-                                  ('[n]\nkind = "guess"\ntheory = "1"\n', "neither 'input' nor 'formula'")):
+                                  ('[n]\nkind = "guess"\ntheory = "1"\n', "not 'input', 'formula' or 'guard'")):
             with tempfile.TemporaryDirectory() as folder:
                 paths = [os.path.join(folder, name) for name in ("thesis.toml", "chapter_2.toml")]
                 for path, content in zip(paths, (data, measures)):

@@ -9,12 +9,13 @@ import case_runs
 from .results import Broken, NotThere, files_of
 
 # In the order of the summary. The last three are failures.
-AGREES, FORMULA, INPUT, EXPLAINED, SHOWN, NOT_COMPARABLE, NOT_MEASURED, NOT_RUN, CHANGED, DIFFERS, BROKEN = (
-    "agrees", "formula", "input", "explained", "shown", "not comparable", "not measured", "not run", "CHANGED", "DIFFERS", "BROKEN")
+AGREES, FORMULA, INPUT, GUARD, EXPLAINED, SHOWN, NOT_COMPARABLE, NOT_MEASURED, NOT_RUN, CHANGED, DIFFERS, BROKEN = (
+    "agrees", "formula", "input", "guard", "explained", "shown", "not comparable", "not measured", "not run", "CHANGED", "DIFFERS", "BROKEN")
 VERDICTS = {
     AGREES: "the value lies in the thesis's band, or the finding is true",
     FORMULA: "the same, but the value rests on formulas alone: no simulation is behind it",
     INPUT: "the same, but the value is an input: the run gives back what it was given",
+    GUARD: "the thesis has no number; the value is that of exact theory, and guards the input against a change",
     EXPLAINED: "the value lies elsewhere; the reason stands beside it, and the value is the one that was explained",
     SHOWN: "a value without a verdict, since it depends on the machine",
     NOT_COMPARABLE: "Continua has no such quantity, or the thesis does not state enough",
@@ -26,7 +27,7 @@ VERDICTS = {
 }
 FAILURES = (CHANGED, DIFFERS, BROKEN)
 # What an entry of chapter_N.toml may say of its judged value; without it a simulation is behind the value.
-KINDS = {"formula": FORMULA, "input": INPUT}
+KINDS = {"formula": FORMULA, "input": INPUT, "guard": GUARD}
 
 
 def criterion(text):
@@ -83,6 +84,8 @@ class Row:
             agrees = is_near(self.value, entry.value, entry.band)
         is_explained = "ours" in measure and is_near(self.value, measure["ours"], measure.get("ours_band", 0.01))
         # A deviation that is gone has changed, too: two errors may cancel.
+        if measure.get("kind") == "guard" and not agrees:
+            return CHANGED, why
         if "ours" in measure and not is_explained:
             return CHANGED, f"{why} Explained was {measure['ours']:.6g}.".strip()
         if agrees:  # without what explains a deviation

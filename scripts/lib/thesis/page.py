@@ -19,7 +19,7 @@ th, td { border-bottom: 1px solid #ddd; padding: 2px 5px; text-align: left; vert
 th { background: #f0f0f0 } td.n { text-align: right } tr { break-inside: avoid }
 figure { margin: .5em 0; break-inside: avoid } figure img { max-width: 160mm; max-height: 150mm }
 figcaption, .small { font-size: 8.5pt; color: #444 } table .small { font-size: 7pt } code { font-size: 6.5pt; overflow-wrap: anywhere }
-.agrees, .formula, .input { background: #d9efd9 } .explained { background: #fdf1cc } .DIFFERS, .CHANGED, .BROKEN { background: #f6c9c4; font-weight: bold }
+.agrees, .formula, .input, .guard { background: #d9efd9 } .explained { background: #fdf1cc } .DIFFERS, .CHANGED, .BROKEN { background: #f6c9c4; font-weight: bold }
 .not { color: #777 }
 nav a { margin-right: 1em }
 """

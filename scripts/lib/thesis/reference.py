@@ -96,8 +96,10 @@ def read():
                 raise DataError(f"{path}: '{name}' explains a deviation without the value 'ours' that was explained; is it a note?")
             if entry.kind == "finding" and not {"holds", "unjudged"} & set(measure):
                 raise DataError(f"{path}: the finding '{name}' needs 'holds'")
-            if measure.get("kind", "input") not in ("input", "formula"):
-                raise DataError(f"{path}: '{name}' is of the kind '{measure['kind']}', which is neither 'input' nor 'formula'")
+            if measure.get("kind", "input") not in ("input", "formula", "guard"):
+                raise DataError(f"{path}: '{name}' is of the kind '{measure['kind']}', which is not 'input', 'formula' or 'guard'")
+            if entry.kind == "number" and "value" not in entry.data and not (measure.get("kind") == "guard" and "holds" in measure):
+                raise DataError(f"{path}: '{name}' has no value of the thesis, and is no guard that 'holds'")
     check_repetitions(entries)
     return figures, entries
 
