@@ -6,6 +6,8 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from importlib.machinery import SourceFileLoader
+from importlib.util import module_from_spec, spec_from_loader
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
@@ -62,6 +64,18 @@ class Meshes(unittest.TestCase):
                 stream.write("     E I G E N V A L U E   O U T P U T\n\n      1   0.4E+03   0.21E+02   0.3377E+01   0.0E+00\n\n"
                              "     P A R T I C I P A T I O N   F A C T O R S\n      1   0.1E+01   0.1E+01   0.9E+01   0.0E+00\n")
             self.assertEqual(calculix.frequencies(folder), [3.377])
+
+
+class Tables(unittest.TestCase):
+    def test_the_coarsest_mesh_that_fits(self):
+        loader = SourceFileLoader("beside_calculix", SCRIPT)
+        module = module_from_spec(spec_from_loader(loader.name, loader))
+        loader.exec_module(module)
+        # The time of the coarsest is noise; the first error is small by chance.
+        rows = [("lame-0.3", "a code", (n, 1), 10, error, None, seconds)
+                for n, error, seconds in ((2, 1e-4, 0.1), (4, 0.03, 0.1), (8, 0.004, 0.35), (16, 0.002, 0.34), (32, 0.0002, 0.4))]
+        line = module.table(rows, ["lame-0.3"])[-1]
+        self.assertIn("| 2 x 1, 0.1 | 8 x 1, 0.35 | 32 x 1, 0.4 |", line)
 
 
 class Calls(unittest.TestCase):
