@@ -85,7 +85,7 @@ class Drawing(unittest.TestCase):
                 self.assertIn(f"figure-{number}.csv", there)
             for number in ("4.7", "4.13"):
                 self.assertNotIn(f"figure-{number}.png", there)
-            self.assertIn("left out: fv-velocity-pressure-longitudinal-30s in figure 4.7, 4.8 (no such run)", done.stdout)
+            self.assertIn("left out: fv-velocity-pressure-longitudinal-30s in figure 4.7, 4.8, 4.9 (no such run)", done.stdout)
             self.assertIn("| 4.3 | first maximum | 0.62 m | 0.6241 m | fv-displacement |", done.stdout)
             self.assertIn("| 20 m x 5 m, 1 MPa | 0.68 m | 0.62 m | 0.6241 m | 3.35 Hz | 3.32 Hz | 3.315 Hz |", done.stdout)
             # Of a sine: its amplitude over the square root of 2.
