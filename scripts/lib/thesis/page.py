@@ -45,7 +45,8 @@ def thesis_value(entry):
     if entry.kind == "finding":
         return "-"
     text = judge.text_of(entry.value, entry.unit)
-    return text + (f" ± {100 * entry.band:.2g} %" if entry.band else "")
+    # A band of rounding alone is no band to a reader.
+    return text + (f" ± {100 * entry.band:.2g} %" if entry.band and entry.band > 1e-6 else "")
 
 
 def cell_of(row, source):
@@ -56,7 +57,7 @@ def cell_of(row, source):
 
 
 # Widths of a table's columns [%].
-WIDTHS = (22, 9, 7, 7, 7, 6, 8, 18, 11, 5)
+WIDTHS = (22, 9, 7, 7, 7, 7, 8, 17, 11, 5)
 
 
 def table(rows):
