@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 
 namespace Continua
 {
@@ -108,7 +109,7 @@ void AmplificationAnalysis::compute_waves(const OutputDirectory &directory,
     table = std::make_unique<TableWriter>(directory.file("amplification.csv"), columns);
 
   std::vector<Extremes> extremes(schemes.size());
-  unsigned int n_done = 0;
+  unsigned int n_done = 0, n_unmeasured = 0;
   const unsigned int n_rows =
       parameters.courant_numbers.size() * (parameters.most_cells - parameters.fewest_cells + 1);
   for (const double courant_number : parameters.courant_numbers)
@@ -133,8 +134,14 @@ void AmplificationAnalysis::compute_waves(const OutputDirectory &directory,
         row.insert(row.end(), {amplitude, speed_ratio, radius});
         if (!parameters.runs)
           continue;
-        const Complex measured = bar.measured();
-        const double of_run = std::abs(measured), ratio_of_run = bar.speed_ratio(measured);
+        const std::optional<Complex> measured = bar.measured(factor);
+        if (!measured)
+        {
+          ++n_unmeasured;
+          row.insert(row.end(), 2, std::numeric_limits<double>::quiet_NaN());
+          continue;
+        }
+        const double of_run = std::abs(*measured), ratio_of_run = bar.speed_ratio(*measured);
         row.insert(row.end(), {of_run, ratio_of_run});
         of_scheme.amplitude_difference =
             std::max(of_scheme.amplitude_difference, std::abs(of_run - amplitude));
@@ -147,6 +154,10 @@ void AmplificationAnalysis::compute_waves(const OutputDirectory &directory,
       log.progress(n_done, n_rows, n_done);
     }
   log.end_progress();
+  if (n_unmeasured > 0)
+    log.warning("round-off hides the factor of " + std::to_string(n_unmeasured) +
+                " runs, since the wave hardly changes or is gone within a few steps; their cells "
+                "of the table have no number (nan)");
   if (table)
     table->flush();
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace Continua
 {
@@ -45,6 +46,36 @@ Problem make_problem()
                                        Expression(0.)};
   return problem;
 }
+
+/// States behind those that a recurrence is made of.
+constexpr unsigned int n_checked = 2;
+
+/// Whether the recurrence of the factors leads from each state but the first ones to the next.
+bool follows(const std::vector<double> &states, const std::vector<Complex> &factors)
+{
+  // (x - G_1)(x - G_2)..., the lowest power first.
+  std::vector<Complex> polynomial = {1.};
+  for (const Complex factor : factors)
+  {
+    polynomial.insert(polynomial.begin(), 0.);
+    for (std::size_t j = 0; j + 1 < polynomial.size(); ++j)
+      polynomial[j] -= factor * polynomial[j + 1];
+  }
+  const std::size_t order = factors.size();
+  for (std::size_t i = states.size() - order - n_checked; i + order < states.size(); ++i)
+  {
+    Complex sum = 0.;
+    double scale = 0.;
+    for (std::size_t j = 0; j <= order; ++j)
+    {
+      sum += polynomial[j] * states[i + j];
+      scale = std::max(scale, std::abs(states[i + j]));
+    }
+    if (!(std::abs(sum) <= 1e-6 * scale))
+      return false;
+  }
+  return true;
+}
 } // namespace
 
 WaveBar::WaveBar(const WaveScheme scheme, const unsigned int cells, const double courant_number)
@@ -57,10 +88,10 @@ double WaveBar::theta() const
   return 2. * courant_number * std::sin(PI / cells);
 }
 
-Complex WaveBar::measured() const
+std::optional<Complex> WaveBar::measured(const Complex expected) const
 {
   const WaveSchemeData &data = data_of(scheme);
-  const unsigned int n_steps = data.n_start + 2 * data.n_factors;
+  const unsigned int n_steps = data.n_start + 2 * data.n_factors + n_checked;
   TimeParameters time;
   time.scheme = data.scheme;
   time.update = data.update;
@@ -96,12 +127,20 @@ Complex WaveBar::measured() const
     if (control.n_steps() > data.n_start)
       states.push_back(values[0]);
   }
-  const std::vector<Complex> factors = recurrence_factors(states, data.n_factors);
-  // As Amplification::of_wave(), of which it is the measurement.
-  const double least = 1e-5 * std::abs(factors.front());
-  const auto wave = std::find_if(factors.begin(), factors.end(),
-                                 [least](const Complex value) { return value.imag() > least; });
-  return wave == factors.end() ? factors.front() : *wave;
+  std::vector<Complex> factors;
+  try
+  {
+    factors = recurrence_factors(states, data.n_factors);
+  }
+  catch (const std::invalid_argument &)
+  {
+    return std::nullopt;
+  }
+  if (!follows(states, factors))
+    return std::nullopt;
+  return *std::min_element(factors.begin(), factors.end(),
+                           [expected](const Complex a, const Complex b)
+                           { return std::abs(a - expected) < std::abs(b - expected); });
 }
 
 double WaveBar::speed_ratio(const Complex factor) const

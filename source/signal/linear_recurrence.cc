@@ -1,3 +1,4 @@
+#include <continua/base/quiet_gsl.h>
 #include <continua/signal/gsl_release.h>
 #include <continua/signal/linear_recurrence.h>
 
@@ -26,6 +27,7 @@ using Workspace =
 
 std::vector<std::complex<double>> polynomial_roots(const std::vector<double> &coefficients)
 {
+  const QuietGsl quiet;
   const std::size_t n = coefficients.size();
   const Workspace workspace(gsl_poly_complex_workspace_alloc(n));
   std::vector<double> parts(2 * (n - 1));
@@ -55,7 +57,7 @@ std::vector<std::complex<double>> recurrence_factors(const std::vector<double> &
   const Vector right_side(gsl_vector_alloc(order)), solution(gsl_vector_alloc(order));
   for (unsigned int i = 0; i < order; ++i)
   {
-    // A row each has its own scale in a sequence that decays.
+    // In a sequence that decays each row has a scale of its own.
     double scale = 0.;
     for (unsigned int j = 0; j <= order; ++j)
       scale = std::max(scale, std::abs(sequence[i + j]));

@@ -3,6 +3,8 @@
 
 #include <continua/laboratory/wave_scheme.h>
 
+#include <optional>
+
 namespace Continua
 {
 /**
@@ -16,9 +18,10 @@ public:
   /// `cells` in the wavelength, two or more; `courant_number` c dt/dx.
   WaveBar(WaveScheme scheme, unsigned int cells, double courant_number);
 
-  /// G of the wave as the program steps it: found from the states after a few steps by their
-  /// recurrence. Every rank runs a bar of its own. Throws RunError.
-  Complex measured() const;
+  /// G of the wave as the program steps it: of the factors in the recurrence of the states after a
+  /// few steps that which is nearest to `expected`. None where round-off hides the recurrence: it
+  /// does not lead to the two states that follow. Every rank runs a bar of its own.
+  std::optional<Complex> measured(Complex expected) const;
   /// Speed of the wave over its exact speed, for a G: arg G / (2 pi Co / N) (equation 3.84).
   double speed_ratio(Complex factor) const;
   /// Angle of the mode in a step, of the frequency that the stencil gives it: 2 Co sin(pi/N) [rad].
