@@ -86,7 +86,8 @@ bool has_interface(const dealii::Triangulation<dim> &coarse_mesh, const unsigned
 } // namespace
 
 template <int dim>
-Probes<dim>::Probes(const MPI_Comm communicator) : communicator(communicator)
+Probes<dim>::Probes(const MPI_Comm communicator)
+    : communicator(communicator), run_table(communicator)
 {
 }
 
@@ -438,8 +439,7 @@ void Probes<dim>::open(const std::string &file)
 {
   if (columns.empty())
     return;
-  on_writing_rank(communicator,
-                  [&]() { writer = std::make_unique<TableWriter>(file, header(column_names())); });
+  run_table.open(file, header(column_names()));
 }
 
 template <int dim>
@@ -447,13 +447,8 @@ void Probes<dim>::open(const std::string &file, const double restart_time)
 {
   if (columns.empty())
     return;
-  on_writing_rank(communicator,
-                  [&]()
-                  {
-                    writer =
-                        std::make_unique<TableWriter>(file, header(column_names()), restart_time);
-                    read_history(file);
-                  });
+  run_table.resume(file, header(column_names()), restart_time);
+  on_writing_rank(communicator, [&]() { read_history(file); });
   record_times = broadcast(communicator, record_times);
   for (Column &column : columns)
     column.values = broadcast(communicator, column.values);
@@ -511,8 +506,7 @@ void Probes<dim>::record(const double time)
   row.insert(row.end(), values.begin(), values.end());
   for (unsigned int i = 0; i < columns.size(); ++i)
     columns[i].values.push_back(values[i]);
-  if (writer)
-    writer->row(row);
+  run_table.row(row);
 }
 
 template <int dim>
@@ -575,29 +569,19 @@ void Probes<dim>::add_quantities(const Column &column,
 template <int dim>
 void Probes<dim>::flush_to_disk()
 {
-  on_writing_rank(communicator,
-                  [&]()
-                  {
-                    if (writer)
-                      writer->flush_to_disk();
-                  });
+  run_table.flush_to_disk();
 }
 
 template <int dim>
 std::optional<WrittenTable> Probes<dim>::table() const
 {
-  return writer ? std::make_optional(writer->written()) : std::nullopt;
+  return run_table.written();
 }
 
 template <int dim>
 void Probes<dim>::flush()
 {
-  on_writing_rank(communicator,
-                  [&]()
-                  {
-                    if (writer)
-                      writer->flush();
-                  });
+  run_table.flush();
 }
 
 template <int dim>

@@ -1,6 +1,5 @@
 #include <continua/base/output_files.h>
 #include <continua/postprocess/residual_record.h>
-#include <continua/postprocess/writing_rank.h>
 
 namespace Continua
 {
@@ -10,7 +9,7 @@ constexpr char file_name[] = "residuals.csv";
 }
 
 template <int dim>
-ResidualRecord<dim>::ResidualRecord(const MPI_Comm communicator) : communicator(communicator)
+ResidualRecord<dim>::ResidualRecord(const MPI_Comm communicator) : run_table(communicator)
 {
 }
 
@@ -26,9 +25,7 @@ void ResidualRecord<dim>::open(ContinuumSolver<dim> &solver,
                                const std::string &folder,
                                const bool /*is_due*/)
 {
-  on_writing_rank(
-      communicator,
-      [&]() { writer = std::make_unique<TableWriter>(output_file(folder, file_name), header()); });
+  run_table.open(output_file(folder, file_name), header());
   listen(solver);
 }
 
@@ -37,9 +34,7 @@ void ResidualRecord<dim>::resume(ContinuumSolver<dim> &solver,
                                  const std::string &folder,
                                  const double time)
 {
-  on_writing_rank(
-      communicator, [&]()
-      { writer = std::make_unique<TableWriter>(output_file(folder, file_name), header(), time); });
+  run_table.resume(output_file(folder, file_name), header(), time);
   listen(solver);
 }
 
@@ -52,39 +47,29 @@ void ResidualRecord<dim>::listen(ContinuumSolver<dim> &solver)
 template <int dim>
 void ResidualRecord<dim>::add(const LoopCorrection &correction)
 {
-  if (!writer)
+  if (!run_table.is_writing())
     return;
   row.assign({correction.time, static_cast<double>(correction.number), correction.residual,
               correction.continuity, correction.magnitude});
-  writer->row(row);
+  run_table.row(row);
 }
 
 template <int dim>
 void ResidualRecord<dim>::finish(const RecordedEnd<dim> & /*end*/)
 {
-  on_writing_rank(communicator,
-                  [&]()
-                  {
-                    if (writer)
-                      writer->flush();
-                  });
+  run_table.flush();
 }
 
 template <int dim>
 void ResidualRecord<dim>::flush_to_disk()
 {
-  on_writing_rank(communicator,
-                  [&]()
-                  {
-                    if (writer)
-                      writer->flush_to_disk();
-                  });
+  run_table.flush_to_disk();
 }
 
 template <int dim>
 std::optional<WrittenTable> ResidualRecord<dim>::table() const
 {
-  return writer ? std::make_optional(writer->written()) : std::nullopt;
+  return run_table.written();
 }
 
 template class ResidualRecord<2>;

@@ -3,10 +3,10 @@
 
 #include <continua/base/parameter_section.h>
 #include <continua/base/summary.h>
-#include <continua/base/table_writer.h>
 #include <continua/base/words.h>
 #include <continua/continuum/continuum_solver.h>
 #include <continua/materials/model.h>
+#include <continua/postprocess/run_table.h>
 #include <continua/postprocess/stations.h>
 
 #include <deal.II/grid/tria.h>
@@ -182,7 +182,7 @@ private:
   std::vector<Column> columns;
   std::vector<StationsProbe> stations_probes;
   std::vector<double> record_times;
-  std::unique_ptr<TableWriter> writer; ///< on the rank that writes
+  RunTable run_table;
   std::vector<double> solver_values;
   std::vector<double> row;
 };

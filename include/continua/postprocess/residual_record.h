@@ -1,8 +1,8 @@
 #ifndef continua_postprocess_residual_record_h
 #define continua_postprocess_residual_record_h
 
-#include <continua/base/table_writer.h>
 #include <continua/postprocess/record.h>
+#include <continua/postprocess/run_table.h>
 
 #include <mpi.h>
 
@@ -27,9 +27,8 @@ public:
   std::optional<WrittenTable> table() const override;
 
 private:
-  MPI_Comm communicator;
-  std::unique_ptr<TableWriter> writer; ///< on rank 0 alone
-  std::vector<double> row;             ///< its memory is kept
+  RunTable run_table;
+  std::vector<double> row; ///< its memory is kept
 
   static std::vector<std::string> header();
   void listen(ContinuumSolver<dim> &solver);
