@@ -27,17 +27,17 @@ std::vector<bool> relaxing_regions(const std::vector<Material> &materials)
 template <int dim>
 std::unique_ptr<Record<dim>> make_power_record(const Case<dim> &input, const std::string &)
 {
-  return std::make_unique<PowerRecord<dim>>(input.communicator, input.problem.regions,
-                                            relaxing_regions(input.problem.materials),
-                                            input.problem.outlets, input.adaptation.changes_mesh());
+  return std::make_unique<PowerRecord<dim>>(
+      input.communicator, input.problem.regions, relaxing_regions(input.problem.materials),
+      input.problem.outlets, input.adaptation.changes_mesh(), input.problem.convection.is_on);
 }
 
 template <int dim>
 void name_power(const Case<dim> &input, QuantityNames &names)
 {
-  PowerRecord<dim>::name_quantities(input.problem.regions,
-                                    relaxing_regions(input.problem.materials),
-                                    input.problem.outlets, input.adaptation.changes_mesh(), names);
+  PowerRecord<dim>::name_quantities(
+      input.problem.regions, relaxing_regions(input.problem.materials), input.problem.outlets,
+      input.adaptation.changes_mesh(), input.problem.convection.is_on, names);
 }
 
 template <int dim>

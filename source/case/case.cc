@@ -39,8 +39,11 @@ void GeneralParameters::read(ParameterSection root,
     names.push_back(type.first);
   }
   root.add_choice("Discretisation", discretisation, names, text + ".");
-  root.add_choice("Convection", convection, {"none"},
-                  "Convective terms of the equations; there are none so far.");
+  root.add_choice(
+      "Convection", convection, {"none", "navier stokes"},
+      "Convective terms of the equations: none - linear waves and creeping flow; navier "
+      "stokes - momentum and pressure of the liquids are convected, on a mesh that "
+      "stays, and their density follows the pressure.");
 }
 
 void RestParameters::read(ParameterSection section)
@@ -125,6 +128,11 @@ Case<dim>::Case(ParameterFile &file,
                         problem.regions, dim);
 
   discretisation.read(root, general.discretisation);
+  problem.convection.is_on = general.convection != "none";
+  if (problem.convection.is_on || root.has_subsection("Flow"))
+    problem.convection.read(root.subsection("Flow"));
+  if (problem.convection.is_on || root.has_subsection("Newton"))
+    problem.newton.read(root.subsection("Newton"));
   if (in_time)
     time.read(root.subsection("Time"));
   else if (analysis.is_modal())

@@ -150,6 +150,67 @@ void refuse_checkpoints(const Case<dim> &input, ParameterSection output)
                     "Remove the entry");
 }
 
+/// Where convection has no place, or none so far.
+template <int dim>
+void check_convection(const Case<dim> &input, ParameterSection root)
+{
+  const Problem &problem = input.problem;
+  ParameterSection materials = root.subsection("Materials");
+  if (!problem.convection.is_on)
+  {
+    for (unsigned int region = 0; region < problem.materials.size(); ++region)
+      if (problem.materials[region].volume_exponent != 0.)
+        materials.subsection(problem.regions[region])
+            .refuse("Volume exponent", "without convection the equation of state is linear",
+                    "Remove it, or set Convection = navier stokes");
+    return;
+  }
+  if (problem.model == Model::plane_stress)
+    root.refuse("Convection", "plane stress is for solids, which are not convected",
+                "Set Convection = none, or another Model");
+  if (input.discretisation.is_cell_wise())
+    root.refuse("Convection", "the cell-wise path has no convection so far",
+                "Set Convection = none, or Discretisation = taylor hood");
+  if (input.analysis.is_modal())
+    root.refuse("Convection", "vibrations are linear", "Set Convection = none");
+  bool has_liquid = false;
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+  {
+    has_liquid = has_liquid || !problem.materials[region].is_solid();
+    if (problem.materials[region].type == "maxwell")
+      materials.subsection(problem.regions[region])
+          .refuse("Type",
+                  "a Maxwell liquid counts as a solid, whose motion is small: it would not "
+                  "be convected",
+                  "Use 'newtonian', or set Convection = none");
+  }
+  if (!has_liquid)
+    root.refuse("Convection", "no region is a fluid, and solids are not convected",
+                "Set Convection = none");
+  if (input.analysis.motion == Motion::in_time && input.time.update_type() == Update::trapezoidal)
+    root.subsection("Time").refuse(
+        "Update",
+        "convection needs the rate of the pressure at the end of the step, which the "
+        "trapezoidal update does not have",
+        "Set Update = implicit");
+  if (input.discretisation.taylor_hood.linear_solver.type == LinearSolverType::iterative)
+    root.subsection("Linear solver")
+        .refuse("Type",
+                "the iterative solver is for symmetric matrices, and convection makes the "
+                "matrix unsymmetric",
+                "Set Type = direct, or Convection = none");
+  if (input.discretisation.taylor_hood.linear_solver.direct_solver == DirectSolver::cholmod)
+    root.subsection("Linear solver")
+        .refuse("Direct solver",
+                "cholmod is for symmetric matrices, and convection makes the matrix unsymmetric",
+                "Use automatic, umfpack or mumps");
+  for (const BoundaryCondition &condition : problem.conditions)
+    if (condition.outlet != nullptr && condition.normal.flow != nullptr)
+      root.subsection("Boundaries")
+          .subsection(condition.name)
+          .refuse("Coupling", "an outlet that holds the flow rate does not work with convection",
+                  "Set Coupling = pressure, or Convection = none");
+}
 } // namespace
 
 bool is_held(const Problem &problem)
@@ -173,6 +234,7 @@ void check_case(const Case<dim> &input, ParameterSection root)
   check_time_step_control(input, root);
   check_partitioner(input, root);
   check_pressure_level(input, root);
+  check_convection(input, root);
   if (input.problem.model == Model::axisymmetric)
     check_axis(input, root);
   if (input.discretisation.is_cell_wise())

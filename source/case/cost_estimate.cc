@@ -19,6 +19,8 @@ namespace
 constexpr double memory_of_program = 180e6;
 /// Bytes that an entry of a factor takes, with what the solver needs besides.
 constexpr double bytes_per_entry = 11.5;
+/// The same of an unsymmetric one, while it is made.
+constexpr double bytes_per_unsymmetric_entry = 62.;
 /// Unknowns of a rank below which messages cost more than the rank computes.
 constexpr double fewest_unknowns_per_rank = 10000.;
 
@@ -78,7 +80,7 @@ double fill_of(const CostInput &input, const Bar &bar, const double n_unknowns)
   if (input.segregated)
     return 4.;
   // L and U are both kept of an unsymmetric matrix.
-  const double both = input.cell_wise ? 1.6 : 1.;
+  const double both = input.cell_wise ? 1.6 : !input.convection ? 1. : bar.is_plane ? 3.6 : 2.;
   const double pivots = input.pivots && !input.cell_wise ? 1.3 : 1.;
   if (!bar.is_plane)
     return both * pivots * 1.6 * std::pow(unknowns_per_layer, 0.805) * bar.aspect() /
@@ -88,7 +90,7 @@ double fill_of(const CostInput &input, const Bar &bar, const double n_unknowns)
   const double width = 0.5 * input.degree * bar.width;
   const double dissected =
       21. * std::log2(width) - 40. + 5. * std::min(4., std::log2(bar.aspect()));
-  return pivots * std::min(0.6 * unknowns_per_layer, std::max(12., dissected));
+  return both * pivots * std::min(0.6 * unknowns_per_layer, std::max(12., dissected));
 }
 
 /// As make_symmetric_factor() chooses.
@@ -104,7 +106,7 @@ bool takes_cholmod(const CostInput &input, const double n_unknowns)
 
 bool chooses_iterative(const CostInput &input, const double n_unknowns)
 {
-  if (input.cell_wise || input.solver == LinearSolverType::direct)
+  if (input.cell_wise || input.convection || input.solver == LinearSolverType::direct)
     return false;
   const double limit =
       input.dim == 2 ? StepSystem<2>::largest_direct_system : StepSystem<3>::largest_direct_system;
@@ -128,7 +130,8 @@ CostEstimate::CostEstimate(const CostInput &input)
                                    : is_iterative  ? (is_plane ? 4500. : 11500.)
                                                    : (is_plane ? 2900. : 7400.);
   memory = input.n_ranks * memory_of_program + bytes_per_unknown * n_unknowns +
-           input.n_factors * bytes_per_entry * factor_entries;
+           input.n_factors * (input.convection ? bytes_per_unsymmetric_entry : bytes_per_entry) *
+               factor_entries;
 
   const double second = 1., nanosecond = 1e-9 * second, microsecond = 1e-6 * second;
   double factor_time = 0., solve_time = 0.;
@@ -144,6 +147,12 @@ CostEstimate::CostEstimate(const CostInput &input)
   {
     factor_time = 240. * nanosecond * factor_entries;
     solve_time = (factor_entries < 4e5 ? 0.7 : 1.6) * nanosecond * factor_entries;
+  }
+  else if (input.convection)
+  {
+    // Four iterations, each with the integrals of the convective terms.
+    factor_time = 110. * nanosecond * factor_entries;
+    solve_time = 4. * (0.5 * microsecond * n_unknowns + 2. * nanosecond * factor_entries);
   }
   else if (takes_cholmod(input, n_unknowns))
   {

@@ -157,6 +157,24 @@ public:
   }
 };
 
+/// Convection of momentum, with what the density's change by the pressure adds to inertia.
+class ConvectionTerm : public EquationTerm
+{
+public:
+  double power(const unsigned int region,
+               const FinishedStep &step,
+               TermContext &context,
+               DistributedVector *const forces) const override
+  {
+    if (context.problem.materials[region].phase() != 0.)
+      return 0.;
+    context.operators.set_nonlinear_force(region, step.balanced, context.force);
+    if (forces != nullptr)
+      forces->add(1., context.force);
+    return local_product(context.force, step.balanced.velocity);
+  }
+};
+
 template <typename Term>
 std::unique_ptr<EquationTerm> make_term()
 {
@@ -164,13 +182,19 @@ std::unique_ptr<EquationTerm> make_term()
 }
 } // namespace
 
-const std::vector<EquationTermType> &equation_terms()
+const std::vector<EquationTermType> &equation_terms(const bool with_convection)
 {
-  static const std::vector<EquationTermType> terms = {
+  static const std::vector<EquationTermType> linear = {
       {"kinetic", "kinetic energy taken", true, false, make_term<InertiaTerm>},
       {"strain", "strain energy taken", true, true, make_term<BranchTerm>},
       {"viscous", "energy dissipated", false, false, make_term<ViscosityTerm>},
       {"compressive", "compressive energy taken", true, true, make_term<CompressionTerm>}};
-  return terms;
+  static const std::vector<EquationTermType> with_convective_terms = []()
+  {
+    std::vector<EquationTermType> terms = linear;
+    terms.push_back({"convective", "energy convected", false, false, make_term<ConvectionTerm>});
+    return terms;
+  }();
+  return with_convection ? with_convective_terms : linear;
 }
 } // namespace Continua

@@ -206,6 +206,10 @@ void OutletCoupling::couple(const Step &step,
     changed = models[o].linearise(step, &sums[n + first_port[o]]) || changed;
   take_models(changed);
   add_responses(velocity, pressure);
+}
+
+void OutletCoupling::finish_step(const Step &step)
+{
   for (unsigned int o = 0; o < models.size(); ++o)
     models[o].advance(step, &flow_rates[first_port[o]]);
 }

@@ -21,6 +21,7 @@ TimeStepping::TimeStepping(const Problem &problem, Operators &operators, Log &lo
       history(problem.materials),
       bulk_history(problem.materials),
       outlets(problem, operators),
+      newton(problem, operators, outlets),
       ledger(problem, operators, outlets, history, bulk_history),
       kept([this](StateVisitor &visitor) { visit(visitor); })
 {
@@ -50,11 +51,14 @@ void TimeStepping::setup()
   bulk_history.reinit(zero_pressure, operators.pressure_nodes());
   outlets.build();
   ledger.reinit();
+  if (operators.is_nonlinear())
+    newton.reinit();
   for (DistributedVector *vector :
        {&balanced.velocity, &balanced.acceleration, &balanced.prescribed, &prescribed, &momentum,
         &velocity_work, &mixture})
     vector->reinit(zero_velocity);
-  for (DistributedVector *vector : {&balanced.pressure, &mass, &pressure_work, &mass_work})
+  for (DistributedVector *vector :
+       {&balanced.pressure, &balanced.pressure_rate, &mass, &pressure_work, &mass_work})
     vector->reinit(zero_pressure);
   StateSizes sizes(zero_velocity, zero_pressure);
   visit(sizes);
@@ -117,7 +121,7 @@ void TimeStepping::balance(const Step &step, StepReport &report)
 {
   kept.move_older_level(step);
   deform_by_jump(step);
-  prepare(step, report);
+  const SystemChange change = prepare(step, report);
   {
     TimerOutput::Scope scope(log.timer(), "right-hand side");
     set_momentum(step);
@@ -125,10 +129,16 @@ void TimeStepping::balance(const Step &step, StepReport &report)
     if (!operators.is_homogeneous())
     {
       set_prescribed(step);
-      operators.eliminate_prescribed(balanced.prescribed, momentum, mass);
+      if (!operators.is_nonlinear())
+        operators.eliminate_prescribed(balanced.prescribed, momentum, mass);
     }
   }
   TimerOutput::Scope scope(log.timer(), "solve");
+  if (operators.is_nonlinear())
+  {
+    iterate(step, change != SystemChange::none, report);
+    return;
+  }
   if (operators.starts_from_guess())
   {
     balanced.velocity.equ(1., velocity);
@@ -137,18 +147,38 @@ void TimeStepping::balance(const Step &step, StepReport &report)
   operators.solve(balanced.prescribed, momentum, mass, balanced.velocity, balanced.pressure,
                   report);
   outlets.couple(step, velocity, balanced.velocity, balanced.pressure);
+  outlets.finish_step(step);
 }
 
-void TimeStepping::prepare(const Step &step, StepReport &report)
+void TimeStepping::iterate(const Step &step, const bool system_is_new, StepReport &report)
+{
+  // The first guess goes on as the last step did.
+  double further = 0.;
+  if (!step.is_start && step.extrapolate)
+    further = 0.5;
+  else if (!step.is_start && step.a2 != 0.)
+    further = step.size() / step.older_distance;
+  balanced.velocity.equ(1. + further, velocity);
+  if (further != 0.)
+    balanced.velocity.add(-further, velocity_older);
+  operators.set_prescribed(balanced.prescribed, balanced.velocity);
+  balanced.pressure.equ(1., pressure);
+  balanced.step = step;
+  newton.solve({step, coefficients, system_is_new, momentum, mass, pressure_work, velocity},
+               balanced, report);
+}
+
+SystemChange TimeStepping::prepare(const Step &step, StepReport &report)
 {
   TimerOutput::Scope scope(log.timer(), "factor");
   coefficients.set(problem.materials, step);
   const SystemChange change = operators.prepare(coefficients, step.pressure_time);
-  if (change != SystemChange::none)
+  if (change != SystemChange::none && !operators.is_nonlinear())
     outlets.respond(report);
   report.factored = change == SystemChange::factor;
-  if (report.factored)
+  if (report.factored || (change != SystemChange::none && operators.is_nonlinear()))
     report_exponential_branches(step);
+  return change;
 }
 
 void TimeStepping::set_momentum(const Step &step)
@@ -319,6 +349,8 @@ void TimeStepping::deform_massless()
 
 bool TimeStepping::steady_is_direct() const
 {
+  if (operators.is_nonlinear())
+    return false;
   bool all_solid = true, all_fluid = true;
   for (const Material &material : problem.materials)
     (material.shear.branches.empty() ? all_solid : all_fluid) = false;
@@ -433,6 +465,7 @@ void TimeStepping::transfer()
 
 void TimeStepping::save(ArchiveWriter &archive) const
 {
+  newton.forget_factor();
   save_state(archive, operators.numbering(), kept);
 }
 

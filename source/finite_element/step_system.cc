@@ -101,6 +101,15 @@ bool StepSystem<dim>::prepare(const SystemCoefficients &wanted)
 }
 
 template <int dim>
+bool StepSystem<dim>::take(const SystemCoefficients &wanted)
+{
+  if (coefficients == wanted)
+    return false;
+  coefficients = wanted;
+  return true;
+}
+
+template <int dim>
 void StepSystem<dim>::factorize()
 {
   // The oldest goes first: there may be no room for one more.

@@ -38,6 +38,8 @@ TaylorHood<dim>::TaylorHood(parallel::TriangulationBase<dim> &triangulation,
       constraints(space, problem.conditions),
       load_list(space, problem),
       system(space, operators, constraints, parameters.linear_solver),
+      convective_terms(space, problem),
+      tangent(space, operators, constraints, parameters.linear_solver.direct_solver),
       mesh_transfer(space),
       evaluation(space, problem),
       output(space, problem, evaluation)
@@ -65,6 +67,8 @@ void TaylorHood<dim>::setup()
     log.warning(conflict);
   load_list.build();
   system.reinit();
+  convective_terms.reinit();
+  tangent.reinit();
   evaluation.rebuild();
   for (DistributedVector *vector : {&zero_velocity, &velocity_work})
     *vector = space.velocity_vector();
@@ -227,6 +231,8 @@ void TaylorHood<dim>::set_initial_state(DistributedVector &velocity,
 template <int dim>
 SystemChange TaylorHood<dim>::prepare(const SystemCoefficients &coefficients, double)
 {
+  if (is_nonlinear())
+    return system.take(coefficients) ? SystemChange::coefficients : SystemChange::none;
   if (!system.prepare(coefficients))
     return SystemChange::none;
   report_linear_solver();
@@ -274,9 +280,69 @@ void TaylorHood<dim>::solve(const DistributedVector &prescribed,
   constraints.restrict_to_free(momentum);
   // The symmetric system has the negative of the mass equation.
   mass *= -1.;
-  system.solve(momentum, mass, velocity, pressure);
+  if (is_nonlinear())
+  {
+    space.set_hanging_pressures_to_zero(mass);
+    tangent.solve(momentum, mass, velocity, pressure);
+  }
+  else
+    system.solve(momentum, mass, velocity, pressure);
   constraints.set_constrained(velocity, prescribed);
   report.linear_iterations += system.take_iterations();
+}
+
+template <int dim>
+void TaylorHood<dim>::add_nonlinear_terms(const BalancedStep &state,
+                                          DistributedVector &momentum,
+                                          DistributedVector &mass)
+{
+  convective_terms.add(state, momentum, mass);
+}
+
+template <int dim>
+void TaylorHood<dim>::set_nonlinear_force(const unsigned int region,
+                                          const BalancedStep &state,
+                                          DistributedVector &force)
+{
+  convective_terms.set_momentum_of(region, state, force);
+}
+
+template <int dim>
+void TaylorHood<dim>::linearise(const BalancedStep &state)
+{
+  const bool is_first = tangent.factor() == nullptr;
+  tangent.factorize(system.present_coefficients(), state, convective_terms);
+  if (is_first)
+    log.detail("Linear solver: direct, of the tangent; " + tangent.factor()->name());
+}
+
+template <int dim>
+void TaylorHood<dim>::restrict_residuals(DistributedVector &momentum, DistributedVector &mass) const
+{
+  constraints.restrict_to_free(momentum);
+  space.set_hanging_pressures_to_zero(mass);
+}
+
+template <int dim>
+ResidualScales TaylorHood<dim>::residual_scales(const DistributedVector &velocity,
+                                                const DistributedVector &pressure) const
+{
+  // B U of a motion without change of volume and B^T p of a uniform pressure are nothing but
+  // round-off of their terms.
+  ResidualScales scales;
+  for (const RegionOperators &region : operators)
+  {
+    scales.momentum += region.divergence.l1_norm() * pressure.linfty_norm();
+    scales.mass += region.divergence.linfty_norm() * velocity.linfty_norm();
+  }
+  return scales;
+}
+
+template <int dim>
+void TaylorHood<dim>::set_prescribed(const DistributedVector &prescribed,
+                                     DistributedVector &velocity) const
+{
+  constraints.set_constrained(velocity, prescribed);
 }
 
 template <int dim>
@@ -329,6 +395,14 @@ SolverSizes TaylorHood<dim>::sizes() const
   sizes.n_cells = space.triangulation.n_global_active_cells();
   sizes.n_dofs["velocity"] = space.velocity_dofs.n_dofs();
   sizes.n_dofs["pressure"] = space.pressure_dofs.n_dofs();
+  if (tangent.factor() != nullptr)
+  {
+    sizes.factor_entries = tangent.factor()->n_entries();
+    sizes.factor_memory = tangent.factor()->memory();
+    sizes.linear_solver = tangent.factor()->name();
+    sizes.reason_of_linear_solver = "convection is on";
+    return sizes;
+  }
   if (system.factor() != nullptr)
   {
     sizes.factor_entries = system.factor()->n_entries();

@@ -134,6 +134,11 @@ Material newtonian(ParameterSection &section, const Model model)
   material.shear.viscosity = required_entry(section, "Viscosity", Dimensions::viscosity,
                                             "Dynamic viscosity eta.", Range::not_negative());
   material.compression = read_compression(section);
+  section.add("Volume exponent", material.volume_exponent, Dimensions::none,
+              "n of the bulk modulus K + n (p - p0), where convection is on: 0 - constant; 1 - the "
+              "equation of state of Giannopapa's thesis (2.28); 7.15 - water (Tait).");
+  section.add("Reference pressure", material.reference_pressure, Dimensions::pressure,
+              "p0, at which Density and Bulk modulus are given, where convection is on.");
   return material;
 }
 

@@ -2,7 +2,6 @@
 #include <continua/base/output_files.h>
 #include <continua/continuum/equation_term.h>
 #include <continua/postprocess/power_record.h>
-#include <continua/postprocess/writing_rank.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,14 +21,16 @@ PowerRecord<dim>::PowerRecord(const MPI_Comm communicator,
                               const std::vector<std::string> &regions,
                               const std::vector<bool> &relaxes,
                               const std::vector<Outlet> &outlets,
-                              const bool mesh_changes)
-    : communicator(communicator),
+                              const bool mesh_changes,
+                              const bool with_convection)
+    : run_table(communicator),
       regions(regions),
       relaxes(relaxes),
       any_relaxes(std::find(relaxes.begin(), relaxes.end(), true) != relaxes.end()),
       mesh_changes(mesh_changes),
-      transferred(equation_terms().size(), std::vector<double>(regions.size(), 0.)),
-      taken(regions.size(), std::vector<double>(equation_terms().size(), 0.)),
+      term_types(equation_terms(with_convection)),
+      transferred(term_types.size(), std::vector<double>(regions.size(), 0.)),
+      taken(regions.size(), std::vector<double>(term_types.size(), 0.)),
       given(outlets.size())
 {
   for (const Outlet &outlet : outlets)
@@ -53,7 +54,7 @@ std::vector<std::string> PowerRecord<dim>::header() const
   std::vector<std::string> names = {"time [s]", "balance time [s]", "external [W]"};
   const auto add_terms = [&](const std::string &prefix, const bool with_relaxation)
   {
-    for (const EquationTermType &term : equation_terms())
+    for (const EquationTermType &term : term_types)
       names.push_back(prefix + term.name + " [W]");
     if (with_relaxation)
       names.push_back(prefix + "relaxation [W]");
@@ -69,7 +70,7 @@ std::vector<std::string> PowerRecord<dim>::header() const
       names.push_back("outlet " + outlet_names[outlet] + ": stored [W]");
   }
   names.insert(names.end(), {"residual [W]", "share [1]"});
-  for (const EquationTermType &term : equation_terms())
+  for (const EquationTermType &term : term_types)
     if (term.stores)
       names.push_back(term.name + " energy [J]");
   names.emplace_back("work of loads [J]");
@@ -117,14 +118,13 @@ void PowerRecord<dim>::finish(const RecordedEnd<dim> &end)
 template <int dim>
 void PowerRecord<dim>::open(const std::string &file)
 {
-  on_writing_rank(communicator, [&]() { writer = std::make_unique<TableWriter>(file, header()); });
+  run_table.open(file, header());
 }
 
 template <int dim>
 void PowerRecord<dim>::open(const std::string &file, const double restart_time)
 {
-  on_writing_rank(communicator,
-                  [&]() { writer = std::make_unique<TableWriter>(file, header(), restart_time); });
+  run_table.resume(file, header(), restart_time);
 }
 
 template <int dim>
@@ -157,11 +157,11 @@ void PowerRecord<dim>::record(ContinuumSolver<dim> &solver, const Step &step, co
 
   const Energy energy = solver.energy();
   compare(energy.sum());
-  if (!writer)
+  if (!run_table.is_writing())
     return;
 
   Power whole;
-  whole.terms.assign(equation_terms().size(), 0.);
+  whole.terms.assign(term_types.size(), 0.);
   for (const Power &power : balance.materials)
   {
     for (unsigned int term = 0; term < power.terms.size(); ++term)
@@ -181,13 +181,13 @@ void PowerRecord<dim>::record(ContinuumSolver<dim> &solver, const Step &step, co
   }
   const double share = balance.exchanged > 0. ? balance.residual / balance.exchanged : 0.;
   row.insert(row.end(), {balance.residual, share});
-  for (unsigned int term = 0; term < equation_terms().size(); ++term)
-    if (equation_terms()[term].stores)
+  for (unsigned int term = 0; term < term_types.size(); ++term)
+    if (term_types[term].stores)
       row.push_back(energy.of_term(term));
   row.push_back(totals.work);
   if (mesh_changes)
     row.push_back(totals.transfer);
-  writer->row(row);
+  run_table.row(row);
 }
 
 template <int dim>
@@ -210,29 +210,19 @@ void PowerRecord<dim>::compare(const double energy)
 template <int dim>
 void PowerRecord<dim>::flush_to_disk()
 {
-  on_writing_rank(communicator,
-                  [&]()
-                  {
-                    if (writer)
-                      writer->flush_to_disk();
-                  });
+  run_table.flush_to_disk();
 }
 
 template <int dim>
 std::optional<WrittenTable> PowerRecord<dim>::table() const
 {
-  return writer ? std::make_optional(writer->written()) : std::nullopt;
+  return run_table.written();
 }
 
 template <int dim>
 void PowerRecord<dim>::flush()
 {
-  on_writing_rank(communicator,
-                  [&]()
-                  {
-                    if (writer)
-                      writer->flush();
-                  });
+  run_table.flush();
 }
 
 template <int dim>
@@ -256,7 +246,7 @@ void PowerRecord<dim>::finish(ContinuumSolver<dim> &solver, Summary &summary)
     std::vector<double> held = taken[region];
     double relaxed = 0.;
     for (unsigned int term = 0; term < held.size() && region_relaxes(region); ++term)
-      if (equation_terms()[term].may_relax)
+      if (term_types[term].may_relax)
       {
         // What the springs hold; the rest of what they were given has relaxed.
         held[term] = energy.terms[term][region] - initial[term][region] - transferred[term][region];
@@ -266,8 +256,8 @@ void PowerRecord<dim>::finish(ContinuumSolver<dim> &solver, Summary &summary)
       summary.add({"energy relaxed", relaxed, "J", regions[region]});
     for (const bool stores : {true, false})
       for (unsigned int term = 0; term < held.size(); ++term)
-        if (equation_terms()[term].stores == stores)
-          summary.add({equation_terms()[term].total, held[term], "J", regions[region]});
+        if (term_types[term].stores == stores)
+          summary.add({term_types[term].total, held[term], "J", regions[region]});
   }
   for (unsigned int outlet = 0; outlet < given.size() && totals.largest_exchanged > 0.; ++outlet)
   {
@@ -285,6 +275,7 @@ void PowerRecord<dim>::name_quantities(const std::vector<std::string> &regions,
                                        const std::vector<bool> &relaxes,
                                        const std::vector<Outlet> &outlets,
                                        const bool mesh_changes,
+                                       const bool with_convection,
                                        QuantityNames &names)
 {
   for (const char *const name :
@@ -294,7 +285,7 @@ void PowerRecord<dim>::name_quantities(const std::vector<std::string> &regions,
     names.add("energy change by transfer");
   for (unsigned int region = 0; region < regions.size(); ++region)
   {
-    for (const EquationTermType &term : equation_terms())
+    for (const EquationTermType &term : equation_terms(with_convection))
       names.add(term.total, regions[region]);
     if (region < relaxes.size() && relaxes[region])
       names.add("energy relaxed", regions[region]);
@@ -319,9 +310,9 @@ void PowerRecord<dim>::save(ArchiveWriter &archive) const
   for (const OutletPower &power : given)
     values.insert(values.end(), {power.leaving, power.stored});
   archive.add("power record", values);
-  for (unsigned int term = 0; term < equation_terms().size(); ++term)
+  for (unsigned int term = 0; term < term_types.size(); ++term)
   {
-    const std::string &name = equation_terms()[term].name;
+    const std::string &name = term_types[term].name;
     archive.add("initial energies: " + name,
                 initial.empty() ? std::vector<double>() : initial[term]);
     archive.add("energies by transfer: " + name, transferred[term]);
@@ -332,7 +323,7 @@ template <int dim>
 void PowerRecord<dim>::load(const ArchiveReader &archive)
 {
   const std::vector<double> values = archive.values("power record");
-  const std::size_t n_terms = equation_terms().size(), n_totals = 8;
+  const std::size_t n_terms = term_types.size(), n_totals = 8;
   if (values.size() != n_totals + n_terms * taken.size() + 2 * given.size())
     throw RunError("the checkpoint's power record is that of another version of the program");
   totals = {values[0], values[1], values[2], values[3], values[4], values[5], values[6], values[7]};
@@ -350,7 +341,7 @@ void PowerRecord<dim>::load(const ArchiveReader &archive)
   initial.clear();
   for (unsigned int term = 0; term < n_terms; ++term)
   {
-    const std::string &name = equation_terms()[term].name;
+    const std::string &name = term_types[term].name;
     initial.push_back(archive.values("initial energies: " + name));
     transferred[term] = archive.values("energies by transfer: " + name);
   }

@@ -6,6 +6,7 @@
 #include <continua/boundary/boundary_condition.h>
 #include <continua/case/case.h>
 #include <continua/case/measured_waves.h>
+#include <continua/continuum/convection.h>
 #include <continua/laboratory/amplification_parameters.h>
 #include <continua/laboratory/laboratory_parameters.h>
 #include <continua/materials/material.h>
@@ -137,6 +138,17 @@ std::vector<Source> sources()
        "How the equations are discretised in space, and how the systems are solved.",
        {},
        read_discretisation,
+       "",
+       {}},
+      {"Flow",
+       "Convection of the liquids, where Convection at the top of the file says so, and Newton's "
+       "iteration of its steps.",
+       {},
+       [](Root &root, const General &)
+       {
+         Convection().read(root.subsection("Flow"));
+         NewtonParameters().read(root.subsection("Newton"));
+       },
        "",
        {}},
       {"Time",

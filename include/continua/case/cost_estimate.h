@@ -21,6 +21,7 @@ struct CostInput
   bool has_pressure = true;     ///< of the cell-wise one: whether it is an unknown
   bool segregated = false;      ///< of the cell-wise one: solved component by component
   bool pivots = false;          ///< the factor does: a material is incompressible
+  bool convection = false;      ///< the matrix is unsymmetric, and steps are iterated
   LinearSolverType solver = LinearSolverType::automatic;
   DirectSolver direct_solver = DirectSolver::automatic;
   unsigned int n_factors = 1; ///< kept at one time

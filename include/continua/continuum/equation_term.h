@@ -65,8 +65,8 @@ struct EquationTermType
 };
 
 /// The terms of the equations, in the order of the ledger's columns: a row here gives `power.csv`
-/// and the summary what they say of the term.
-const std::vector<EquationTermType> &equation_terms();
+/// and the summary what they say of the term. Linear runs have no convective one.
+const std::vector<EquationTermType> &equation_terms(bool with_convection);
 } // namespace Continua
 
 #endif

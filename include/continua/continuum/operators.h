@@ -22,6 +22,13 @@ enum class SystemChange
   factor        ///< a factor or a preconditioner was made
 };
 
+/// Sizes of the terms that cancel in a residual.
+struct ResidualScales
+{
+  double momentum = 0.; ///< [N]
+  double mass = 0.;     ///< [m^3/s]
+};
+
 /**
  * The operators of a discretisation on its present mesh: what the step in time, the ledger and the
  * outlets know of it. With the forces v.( ) on the velocities and the rates q.( ) on the pressures
@@ -128,6 +135,32 @@ public:
                      DistributedVector &velocity,
                      DistributedVector &pressure,
                      StepReport &report) = 0;
+
+  // Terms that are not linear; for discretisations that have them.
+  /// Whether the problem has such terms: Newton's iteration makes the steps then, and prepare() and
+  /// solve() are those of the tangent.
+  virtual bool is_nonlinear() const { return false; }
+  /// Adds the terms at the level of the step to the rows of momentum [N] and of volume [m^3/s].
+  virtual void add_nonlinear_terms(const BalancedStep &, DistributedVector &, DistributedVector &)
+  {
+  }
+  /// Those of momentum of one region [N].
+  virtual void
+  set_nonlinear_force(unsigned int /*region*/, const BalancedStep &, DistributedVector &)
+  {
+  }
+  /// Makes the system of solve() the tangent at this state. Throws RunError.
+  virtual void linearise(const BalancedStep &) {}
+  /// Sets rows of residuals that are no equations to zero: prescribed velocities, hanging nodes.
+  virtual void restrict_residuals(DistributedVector &, DistributedVector &) const {}
+  virtual ResidualScales residual_scales(const DistributedVector &, const DistributedVector &) const
+  {
+    return {};
+  }
+  /// Sets what is prescribed of a velocity.
+  virtual void set_prescribed(const DistributedVector & /*prescribed*/, DistributedVector &) const
+  {
+  }
 
   // Outlets; for discretisations that have them.
   /// int v . n over the faces of a boundary condition: the flow rate out of the body that each

@@ -51,13 +51,15 @@ public:
   /// Takes the right-hand side f of the momentum equation, without the prescribed velocities' part
   /// [N].
   void take_forces(const DistributedVector &momentum);
-  /// Completes a step's solution without outlets to the one with them, all at the balanced level,
-  /// and moves the states on to the end of the step. `velocity_old` at its start.
+  /// Completes a step's solution without outlets to the one with them, all at the balanced level.
+  /// `velocity_old` at its start.
   void couple(const Step &step,
               const DistributedVector &velocity_old,
               DistributedVector &velocity,
               DistributedVector &pressure);
-  /// The same of a steady flow, with Z(0). Throws RunError if an outlet lets no steady flow pass.
+  /// Moves the states on to the end of the step, by the flow rates of the last couple().
+  void finish_step(const Step &step);
+  /// Completes a steady flow, with Z(0). Throws RunError if an outlet lets no steady flow pass.
   void couple_steady(double time, DistributedVector &velocity, DistributedVector &pressure);
 
   /// Adds factor times the forces that the ports that hold pressures exert at the balanced level,

@@ -3,6 +3,7 @@
 
 #include <continua/boundary/boundary_condition.h>
 #include <continua/boundary/outlet.h>
+#include <continua/continuum/convection.h>
 #include <continua/materials/material.h>
 #include <continua/materials/model.h>
 #include <continua/materials/plane_stress.h>
@@ -49,6 +50,8 @@ struct Problem
   std::vector<BoundaryCondition> conditions;
   std::vector<Outlet> outlets;
   InteriorData interior;
+  Convection convection;
+  NewtonParameters newton;
 
   /// Of a region in any model.
   PlaneStressFactors plane_stress(const unsigned int region) const

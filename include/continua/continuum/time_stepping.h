@@ -7,6 +7,7 @@
 #include <continua/continuum/bulk_history.h>
 #include <continua/continuum/kept_state.h>
 #include <continua/continuum/ledger.h>
+#include <continua/continuum/newton.h>
 #include <continua/continuum/operators.h>
 #include <continua/continuum/outlet_coupling.h>
 #include <continua/continuum/problem.h>
@@ -73,6 +74,8 @@ private:
   BranchHistory history;
   BulkHistory bulk_history;
   OutletCoupling outlets;
+  /// Its factor is no part of the state: a checkpoint makes it forgotten.
+  mutable Newton newton;
   Ledger ledger;
 
   // The state: at the present time, and one step before.
@@ -101,8 +104,10 @@ private:
   void report_exponential_branches(const Step &step);
   /// Solves the equations of a step at its balanced level.
   void balance(const Step &step, StepReport &report);
+  /// The same by Newton's iteration, of the right-hand sides that are set.
+  void iterate(const Step &step, bool system_is_new, StepReport &report);
   /// The parts of a step: its system, its right-hand sides, and the state at its end.
-  void prepare(const Step &step, StepReport &report);
+  SystemChange prepare(const Step &step, StepReport &report);
   void set_momentum(const Step &step);
   void set_mass(const Step &step);
   void set_prescribed(const Step &step);

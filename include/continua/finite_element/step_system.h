@@ -46,6 +46,9 @@ public:
   /// Makes the system that of the coefficients, and says whether they are others than before.
   /// Throws RunError.
   bool prepare(const SystemCoefficients &coefficients);
+  /// Takes the coefficients for the products alone, and says whether they are others than before.
+  bool take(const SystemCoefficients &wanted);
+  const SystemCoefficients &present_coefficients() const { return coefficients; }
   /// Whether the last prepare() had to make a factor or a preconditioner.
   bool has_new_factor() const { return made_factor; }
   /// Solves for free dofs; constrained and hanging entries of the result are 0. The right-hand

@@ -5,6 +5,7 @@
 #include <continua/continuum/discretisation.h>
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/boundary_constraints.h>
+#include <continua/finite_element/convective_terms.h>
 #include <continua/finite_element/field_evaluation.h>
 #include <continua/finite_element/field_output.h>
 #include <continua/finite_element/loads.h>
@@ -12,6 +13,7 @@
 #include <continua/finite_element/region_operators.h>
 #include <continua/finite_element/space.h>
 #include <continua/finite_element/step_system.h>
+#include <continua/finite_element/tangent_system.h>
 
 #include <memory>
 #include <string>
@@ -92,6 +94,20 @@ public:
              DistributedVector &velocity,
              DistributedVector &pressure,
              StepReport &report) override;
+  bool is_nonlinear() const override { return problem.convection.is_on; }
+  void add_nonlinear_terms(const BalancedStep &state,
+                           DistributedVector &momentum,
+                           DistributedVector &mass) override;
+  void set_nonlinear_force(unsigned int region,
+                           const BalancedStep &state,
+                           DistributedVector &force) override;
+  void linearise(const BalancedStep &state) override;
+  void restrict_residuals(DistributedVector &momentum, DistributedVector &mass) const override;
+  ResidualScales residual_scales(const DistributedVector &velocity,
+                                 const DistributedVector &pressure) const override;
+  void set_prescribed(const DistributedVector &prescribed,
+                      DistributedVector &velocity) const override;
+
   DistributedVector flow_of_velocities(unsigned int condition) const override;
   DistributedVector flow_profile(unsigned int condition) const override;
   void add_velocity_product(const DistributedVector &velocity, DistributedVector &result) override;
@@ -126,6 +142,8 @@ private:
   BoundaryConstraints<dim> constraints;
   Loads<dim> load_list;
   StepSystem<dim> system;
+  ConvectiveTerms<dim> convective_terms;
+  TangentSystem<dim> tangent; ///< in the system's place where convection is on
   MeshTransfer<dim> mesh_transfer;
   FieldEvaluation<dim> evaluation;
   FieldOutput<dim> output;

@@ -5,6 +5,7 @@
 #include <continua/materials/compression.h>
 #include <continua/materials/model.h>
 #include <continua/materials/shear.h>
+#include <continua/materials/volume_law.h>
 
 #include <complex>
 #include <string>
@@ -25,7 +26,14 @@ struct Material
   /// are there.
   Compression compression;
   Shear shear;
+  double volume_exponent = 0.;    ///< n of the VolumeLaw [1]
+  double reference_pressure = 0.; ///< p0 of it [Pa]
 
+  /// Of a fluid that is convected.
+  VolumeLaw volume_law() const
+  {
+    return {inverse_bulk_modulus(), volume_exponent, reference_pressure};
+  }
   /// The phase field: 1 where the material has branches, 0 where it has none (equation 7.5 of the
   /// thesis).
   double phase() const { return is_solid() ? 1. : 0.; }

@@ -1,9 +1,10 @@
 #ifndef continua_postprocess_power_record_h
 #define continua_postprocess_power_record_h
 
-#include <continua/base/table_writer.h>
 #include <continua/boundary/outlet.h>
+#include <continua/continuum/equation_term.h>
 #include <continua/postprocess/record.h>
+#include <continua/postprocess/run_table.h>
 
 #include <mpi.h>
 
@@ -27,11 +28,13 @@ public:
   /// which of them stresses relax; none if empty. They have a column for what that turns into heat.
   /// `outlets` as in the problem; each has a column, and one more if it has stores of its own.
   /// `mesh_changes`: there is a column for the energy that came or went with transfers.
+  /// `with_convection`: there are columns for the convective terms.
   PowerRecord(MPI_Comm communicator,
               const std::vector<std::string> &regions,
               const std::vector<bool> &relaxes = {},
               const std::vector<Outlet> &outlets = {},
-              bool mesh_changes = false);
+              bool mesh_changes = false,
+              bool with_convection = false);
 
   // As a record of a run: power.csv.
   void open(ContinuumSolver<dim> &solver, const std::string &folder, bool is_due) override;
@@ -75,6 +78,7 @@ public:
                               const std::vector<bool> &relaxes,
                               const std::vector<Outlet> &outlets,
                               bool mesh_changes,
+                              bool with_convection,
                               QuantityNames &names);
 
   /// Writes what is buffered of the file. Throws RunError on all ranks.
@@ -107,11 +111,12 @@ private:
     return region < relaxes.size() && relaxes[region];
   }
 
-  MPI_Comm communicator;
+  RunTable run_table;
   std::vector<std::string> regions;
   std::vector<bool> relaxes;
   bool any_relaxes;
   bool mesh_changes;
+  const std::vector<EquationTermType> &term_types;
   std::vector<std::string> outlet_names;
   std::vector<bool> outlet_stores; ///< whether they have stores of their own
   Totals totals;
@@ -119,7 +124,6 @@ private:
   std::vector<std::vector<double>> initial, transferred;
   std::vector<std::vector<double>> taken; ///< by region and term: powers over time [J]
   std::vector<OutletPower> given;         ///< to outlets, over time [J]
-  std::unique_ptr<TableWriter> writer;    ///< on the rank that writes
   std::vector<double> row;
 };
 } // namespace Continua

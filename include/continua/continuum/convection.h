@@ -1,0 +1,47 @@
+#ifndef continua_continuum_convection_h
+#define continua_continuum_convection_h
+
+#include <continua/base/parameter_section.h>
+
+namespace Continua
+{
+/// How the convective term of the momentum equation is written.
+enum class ConvectiveTerm
+{
+  skew, ///< with half of U times the equation of state: its power is a flux through the boundary
+  advective ///< rho (U . grad) U alone
+};
+
+enum class ConvectionStabilisation
+{
+  none,
+  grad_div ///< the residual of the equation of state times the divergence of the test function
+};
+
+/// The convective terms of the liquids; off by default. Sections: the entry `Convection` at the top
+/// of a parameter file and the section `Flow`.
+struct Convection
+{
+  bool is_on = false;
+  ConvectiveTerm term = ConvectiveTerm::skew;
+  ConvectionStabilisation stabilisation = ConvectionStabilisation::none;
+  double stabilisation_viscosity = 0.; ///< gamma of grad-div [Pa s]
+
+  /// Reads the section Flow. Throws InputError.
+  void read(ParameterSection section);
+};
+
+/// When Newton's iteration of a step ends, and when it gives up. The section Newton.
+struct NewtonParameters
+{
+  /// Of the residual over the largest one met in the step, of momentum and of volume each [1].
+  double tolerance = 1e-8;
+  unsigned int maximum_iterations = 25;
+  /// Residual over that of the iteration before above which a new factor is made [1].
+  double slowest_rate = 0.5;
+
+  void read(ParameterSection section);
+};
+} // namespace Continua
+
+#endif

@@ -1,0 +1,77 @@
+#ifndef continua_continuum_newton_h
+#define continua_continuum_newton_h
+
+#include <continua/continuum/balanced_step.h>
+#include <continua/continuum/operators.h>
+#include <continua/continuum/outlet_coupling.h>
+#include <continua/continuum/problem.h>
+#include <continua/continuum/system_coefficients.h>
+
+namespace Continua
+{
+/// What Newton's iteration of a step starts from.
+struct NewtonInput
+{
+  const Step &step;
+  const SystemCoefficients &coefficients;
+  bool system_is_new;                ///< the coefficients are others than those of the step before
+  const DistributedVector &momentum; ///< f of the linear equations [N]
+  const DistributedVector &mass;     ///< g of them [m^3/s]
+  const DistributedVector &predicted_pressure; ///< p_plus [Pa]
+  const DistributedVector &velocity_old;       ///< at the step's start [m/s]
+};
+
+/**
+ * Newton's iteration for the equations of a step that are not linear,
+ *
+ *   f - A U - G p - N_u(U, p) = 0,     g - B U - C p - N_p(U, p) = 0,
+ *
+ * with the tangent's factor kept over iterations and steps: a new one is made when the residual
+ * falls too slowly, and is then the exact derivative at that iterate. The iteration ends when the
+ * residuals of momentum and of volume are small against the largest ones met in the step, or at the
+ * round-off of the terms that cancel in them: a body at rest starts there.
+ *
+ * Outlets are linear. Each iteration solves without the forces of their ports and adds the body's
+ * responses, as a linear step does.
+ */
+class Newton
+{
+public:
+  /// All must outlive it.
+  Newton(const Problem &problem, Operators &operators, OutletCoupling &outlets);
+
+  /// The mesh has changed.
+  void reinit();
+  /// The next iteration makes a factor. Where a run writes a checkpoint it goes on as a restart
+  /// from it would.
+  void forget_factor() { has_factor = false; }
+  /// In: in `balanced` the prescribed velocities, a first guess of velocity and pressure, and for
+  /// the acceleration the part of it that the past gives. Out: what balances the step; the
+  /// acceleration is as before. Throws RunError.
+  void solve(const NewtonInput &input, BalancedStep &balanced, StepReport &report);
+
+private:
+  /// Largest entries of the residuals of momentum and of volume, and the round-off of the terms
+  /// that cancel in them.
+  struct Norms
+  {
+    double momentum = 0., mass = 0.;
+    double momentum_round_off = 0., mass_round_off = 0.;
+  };
+
+  const Problem &problem;
+  Operators &operators;
+  OutletCoupling &outlets;
+  bool has_factor = false;
+  DistributedVector past_acceleration, momentum, momentum_work, velocity_change, zero_velocity;
+  DistributedVector mass, mass_work, pressure_change;
+
+  /// dU/dt and dp/dt of the iterate.
+  void set_rates(const NewtonInput &input, BalancedStep &balanced) const;
+  /// Sets `momentum` and `mass` to the residuals without the forces of the ports, and returns those
+  /// with them.
+  Norms set_residuals(const NewtonInput &input, const BalancedStep &balanced);
+};
+} // namespace Continua
+
+#endif

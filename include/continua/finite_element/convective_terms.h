@@ -1,0 +1,99 @@
+#ifndef continua_finite_element_convective_terms_h
+#define continua_finite_element_convective_terms_h
+
+#include <continua/continuum/balanced_step.h>
+#include <continua/continuum/problem.h>
+#include <continua/finite_element/space.h>
+#include <continua/linear_algebra/unsymmetric_factor.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/hp/fe_values.h>
+#include <deal.II/lac/full_matrix.h>
+
+#include <array>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * What convection and a density that follows the pressure add to the equations of the liquids, the
+ * regions whose phase is 0, beside the linear terms: for test functions v and q
+ *
+ *   int v . ( (rho - rho0) dU/dt + rho (U . grad) U ) + 1/2 rho m U . v + gamma m div v
+ *   int q ( (c - 1/K) dp/dt + c U . grad p ),         m = c (dp/dt + U . grad p) + div U
+ *
+ * with rho(p), c(p) of the VolumeLaw; the term with 1/2 rho m is that of the skew form, gamma that
+ * of grad-div. Temam (1968) has the skew form of an incompressible liquid; with m in the place of
+ * div U it holds for any law of the density: the power of the convective terms is
+ * d/dt int rho/2 U^2 + the flux of rho/2 U^2 through the boundary, less that of rho0.
+ */
+template <int dim>
+class ConvectiveTerms
+{
+public:
+  /// Both must outlive it.
+  ConvectiveTerms(const Space<dim> &space, const Problem &problem);
+
+  /// The mesh has changed.
+  void reinit();
+
+  /// Adds the terms to the rows of momentum [N] and of volume [m^3/s], with the hanging nodes
+  /// condensed. Collective. Throws RunError where the exponent leaves a bulk modulus that is not
+  /// positive.
+  void add(const BalancedStep &state, DistributedVector &momentum, DistributedVector &volume);
+  /// The terms of momentum of one region alone [N].
+  void set_momentum_of(unsigned int region, const BalancedStep &state, DistributedVector &momentum);
+
+  /// Adds the derivative by U and p, with the acceleration and the rate of p following as the step
+  /// has them, to a matrix whose unknowns are the velocities and then the pressures and whose rows
+  /// of volume are multiplied by -1. `constraints`: of the velocity, homogeneous, hanging nodes
+  /// included; rows and columns of what they constrain stay empty.
+  void add_derivative(const BalancedStep &state,
+                      const dealii::AffineConstraints<double> &constraints,
+                      Triplets &matrix);
+
+private:
+  /// Shape functions and the state at a quadrature point of a cell.
+  struct Point
+  {
+    double weight = 0.;
+    double pressure = 0., pressure_rate = 0., divergence = 0.;
+    dealii::Tensor<1, dim> velocity, acceleration, pressure_gradient;
+    dealii::Tensor<2, dim> velocity_gradient; ///< [c][d]: of component c along d
+  };
+
+  const Space<dim> &space;
+  const Problem &problem;
+  const dealii::FE_Q<dim> scalar_element;
+  const dealii::QGauss<dim> quadrature;
+  dealii::FEValues<dim> values;
+  dealii::hp::FEValues<dim> hp_pressure_values;
+  const dealii::FEValues<dim> *pressure_values = nullptr; ///< on the present cell
+  /// place[c][a]: the cell's dof of component c and scalar function a.
+  std::array<std::vector<unsigned int>, dim> place;
+  // The state with ghost entries.
+  DistributedVector velocity, acceleration, pressure, pressure_rate;
+  // Of a cell.
+  std::vector<dealii::types::global_dof_index> velocity_indices, pressure_indices;
+  dealii::Vector<double> cell_velocity, cell_acceleration, cell_pressure, cell_pressure_rate;
+  dealii::Vector<double> cell_momentum, cell_volume;
+
+  bool has_terms(unsigned int region) const;
+  void take(const BalancedStep &state);
+  /// Makes shape functions, indices and the state's entries those of the cell.
+  void visit(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell);
+  Point point(unsigned int q) const;
+  /// Trace of the strain of a velocity's shape function.
+  double trace(unsigned int component, unsigned int function, unsigned int q) const;
+  /// Adds the rows of the present cell to cell_momentum and cell_volume; the least of
+  /// VolumeLaw::stiffening().
+  double integrate();
+  /// The derivative of the rows, velocities first.
+  void integrate_derivative(const Step &step, dealii::FullMatrix<double> &matrix);
+  /// The place of the present cell's region in the problem.
+  unsigned int region = 0;
+};
+} // namespace Continua
+
+#endif

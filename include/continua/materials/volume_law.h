@@ -1,0 +1,31 @@
+#ifndef continua_materials_volume_law_h
+#define continua_materials_volume_law_h
+
+namespace Continua
+{
+/**
+ * How the density of a fluid follows its pressure where convection is on:
+ *
+ *   c(p) = (d rho/dp)/rho = 1/(K + n (p - p0)),     rho = rho0 (1 + n (p - p0)/K)^(1/n)
+ *
+ * n = 0 is a constant bulk modulus, rho = rho0 exp((p - p0)/K); n = 1 the thesis's equation of
+ * state (2.28); n = 7.15 water (Tait). 1/K = 0 is incompressible.
+ */
+struct VolumeLaw
+{
+  double inverse_bulk_modulus = 0.; ///< 1/K at p0 [1/Pa]
+  double exponent = 0.;             ///< n [1]
+  double reference_pressure = 0.;   ///< p0, at which the density is that of the material [Pa]
+
+  /// (K + n (p - p0))/K [1]: not positive where the law has no meaning.
+  double stiffening(double pressure) const;
+  /// c(p) [1/Pa].
+  double compressibility(double pressure) const;
+  /// dc/dp = -n c^2 [1/Pa^2].
+  double compressibility_slope(double pressure) const;
+  /// rho/rho0 [1].
+  double density_ratio(double pressure) const;
+};
+} // namespace Continua
+
+#endif

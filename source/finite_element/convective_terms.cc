@@ -1,0 +1,355 @@
+#include <continua/finite_element/convective_terms.h>
+
+#include <continua/base/input_error.h>
+#include <continua/mesh/cells_in_tree_order.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+namespace Continua
+{
+using namespace dealii;
+
+namespace
+{
+/// The unknowns that an unknown of a cell stands for, with their weights.
+using Masters = std::vector<std::pair<int, double>>;
+
+void set_masters(const AffineConstraints<double> &constraints,
+                 const types::global_dof_index index,
+                 const int first,
+                 Masters &masters)
+{
+  masters.clear();
+  if (!constraints.is_constrained(index))
+    masters.emplace_back(first + static_cast<int>(index), 1.);
+  else
+    for (const auto &entry : *constraints.get_constraint_entries(index))
+      masters.emplace_back(first + static_cast<int>(entry.first), entry.second);
+}
+} // namespace
+
+template <int dim>
+ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space, const Problem &problem)
+    : space(space),
+      problem(problem),
+      scalar_element(space.degree()),
+      // One point more than the linear terms: products of three functions are integrated exactly on
+      // parallelograms, where density and compressibility are constant.
+      quadrature(space.n_quadrature_points() + 1),
+      values(space.mapping,
+             scalar_element,
+             quadrature,
+             update_values | update_gradients | update_quadrature_points | update_JxW_values),
+      hp_pressure_values(space.mappings,
+                         space.pressure_elements,
+                         hp::QCollection<dim>(quadrature),
+                         update_values | update_gradients)
+{
+  const unsigned int n_velocity = space.velocity_element.n_dofs_per_cell();
+  for (auto &indices : place)
+    indices.resize(scalar_element.n_dofs_per_cell());
+  for (unsigned int i = 0; i < n_velocity; ++i)
+  {
+    const auto component = space.velocity_element.system_to_component_index(i);
+    place[component.first][component.second] = i;
+  }
+  velocity_indices.resize(n_velocity);
+  for (Vector<double> *vector : {&cell_velocity, &cell_acceleration, &cell_momentum})
+    vector->reinit(n_velocity);
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::reinit()
+{
+  for (DistributedVector *vector : {&velocity, &acceleration})
+    vector->reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
+  for (DistributedVector *vector : {&pressure, &pressure_rate})
+    vector->reinit(space.pressure_owned, space.pressure_relevant, space.communicator);
+}
+
+template <int dim>
+bool ConvectiveTerms<dim>::has_terms(const unsigned int of_region) const
+{
+  return problem.materials[of_region].phase() == 0.;
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::take(const BalancedStep &state)
+{
+  velocity = space.ghosted_velocity(state.velocity);
+  acceleration = space.ghosted_velocity(state.acceleration);
+  pressure = space.ghosted_pressure(state.pressure);
+  pressure_rate = space.ghosted_pressure(state.pressure_rate);
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::visit(const typename DoFHandler<dim>::active_cell_iterator &cell)
+{
+  const typename DoFHandler<dim>::active_cell_iterator pressure_cell(
+      &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs);
+  values.reinit(static_cast<typename Triangulation<dim>::active_cell_iterator>(cell));
+  hp_pressure_values.reinit(pressure_cell);
+  pressure_values = &hp_pressure_values.get_present_fe_values();
+  region = cell->material_id();
+  const unsigned int n_pressure = pressure_cell->get_fe().n_dofs_per_cell();
+  pressure_indices.resize(n_pressure);
+  for (Vector<double> *vector : {&cell_pressure, &cell_pressure_rate, &cell_volume})
+    vector->reinit(n_pressure);
+  cell->get_dof_indices(velocity_indices);
+  pressure_cell->get_dof_indices(pressure_indices);
+  for (unsigned int i = 0; i < velocity_indices.size(); ++i)
+  {
+    cell_velocity[i] = velocity(velocity_indices[i]);
+    cell_acceleration[i] = acceleration(velocity_indices[i]);
+  }
+  for (unsigned int k = 0; k < n_pressure; ++k)
+  {
+    cell_pressure[k] = pressure(pressure_indices[k]);
+    cell_pressure_rate[k] = pressure_rate(pressure_indices[k]);
+  }
+}
+
+template <int dim>
+double ConvectiveTerms<dim>::trace(const unsigned int component,
+                                   const unsigned int function,
+                                   const unsigned int q) const
+{
+  double sum = values.shape_grad(function, q)[component];
+  if (space.is_axisymmetric() && component == 1)
+    sum += values.shape_value(function, q) / values.quadrature_point(q)[1];
+  return sum;
+}
+
+template <int dim>
+typename ConvectiveTerms<dim>::Point ConvectiveTerms<dim>::point(const unsigned int q) const
+{
+  Point point;
+  point.weight = values.JxW(q) * space.measure(values.quadrature_point(q));
+  for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int a = 0; a < place[c].size(); ++a)
+    {
+      const unsigned int i = place[c][a];
+      point.velocity[c] += cell_velocity[i] * values.shape_value(a, q);
+      point.acceleration[c] += cell_acceleration[i] * values.shape_value(a, q);
+      point.velocity_gradient[c] += cell_velocity[i] * values.shape_grad(a, q);
+      point.divergence += cell_velocity[i] * trace(c, a, q);
+    }
+  for (unsigned int k = 0; k < cell_pressure.size(); ++k)
+  {
+    point.pressure += cell_pressure[k] * pressure_values->shape_value(k, q);
+    point.pressure_rate += cell_pressure_rate[k] * pressure_values->shape_value(k, q);
+    point.pressure_gradient += cell_pressure[k] * pressure_values->shape_grad(k, q);
+  }
+  return point;
+}
+
+template <int dim>
+double ConvectiveTerms<dim>::integrate()
+{
+  const Material &material = problem.materials[region];
+  const VolumeLaw law = material.volume_law();
+  const Convection &convection = problem.convection;
+  const bool is_skew = convection.term == ConvectiveTerm::skew;
+  double least_stiffening = 1.;
+  cell_momentum = 0.;
+  cell_volume = 0.;
+  for (unsigned int q = 0; q < quadrature.size(); ++q)
+  {
+    const Point here = point(q);
+    least_stiffening = std::min(least_stiffening, law.stiffening(here.pressure));
+    const double density = material.density * law.density_ratio(here.pressure);
+    const double compressibility = law.compressibility(here.pressure);
+    const double compression =
+        compressibility * (here.pressure_rate + here.velocity * here.pressure_gradient);
+    const double source = compression + here.divergence;
+    Tensor<1, dim> force = (density - material.density) * here.acceleration +
+                           density * (here.velocity_gradient * here.velocity);
+    if (is_skew)
+      force += 0.5 * density * source * here.velocity;
+    const double second_pressure = convection.stabilisation_viscosity * source;
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int a = 0; a < place[c].size(); ++a)
+        cell_momentum[place[c][a]] +=
+            here.weight * (force[c] * values.shape_value(a, q) + second_pressure * trace(c, a, q));
+    const double rate = compression - law.inverse_bulk_modulus * here.pressure_rate;
+    for (unsigned int k = 0; k < cell_volume.size(); ++k)
+      cell_volume[k] += here.weight * rate * pressure_values->shape_value(k, q);
+  }
+  return least_stiffening;
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::add(const BalancedStep &state,
+                               DistributedVector &momentum,
+                               DistributedVector &volume)
+{
+  take(state);
+  double least_stiffening = 1.;
+  unsigned int softest = 0;
+  for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
+    if (cell->is_locally_owned() && has_terms(cell->material_id()))
+    {
+      visit(cell);
+      const double stiffening = integrate();
+      if (!(stiffening >= least_stiffening))
+      {
+        least_stiffening = stiffening;
+        softest = region;
+      }
+      space.velocity_hanging.distribute_local_to_global(cell_momentum, velocity_indices, momentum);
+      space.pressure_hanging.distribute_local_to_global(cell_volume, pressure_indices, volume);
+    }
+  momentum.compress(VectorOperation::add);
+  volume.compress(VectorOperation::add);
+  const auto least = Utilities::MPI::min_max_avg(least_stiffening, space.communicator);
+  if (least.min > 0.)
+    return;
+  softest = Utilities::MPI::max(least_stiffening == least.min ? softest : 0, space.communicator);
+  std::ostringstream text;
+  text << "the pressure in the region '" << problem.regions[softest]
+       << "' is so low that its bulk modulus K + n (p - p0) is not positive: K/n is "
+       << 1. / (problem.materials[softest].volume_law().inverse_bulk_modulus *
+                problem.materials[softest].volume_law().exponent)
+       << " Pa; use smaller loads, or Volume exponent = 0";
+  throw RunError(text.str());
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::set_momentum_of(const unsigned int of_region,
+                                           const BalancedStep &state,
+                                           DistributedVector &momentum)
+{
+  momentum = 0.;
+  if (!has_terms(of_region))
+    return;
+  take(state);
+  for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
+    if (cell->is_locally_owned() && cell->material_id() == of_region)
+    {
+      visit(cell);
+      integrate();
+      space.velocity_hanging.distribute_local_to_global(cell_momentum, velocity_indices, momentum);
+    }
+  momentum.compress(VectorOperation::add);
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::integrate_derivative(const Step &step, FullMatrix<double> &matrix)
+{
+  const Material &material = problem.materials[region];
+  const VolumeLaw law = material.volume_law();
+  const double skew = problem.convection.term == ConvectiveTerm::skew ? 0.5 : 0.;
+  const double gamma = problem.convection.stabilisation_viscosity;
+  const double rate_by_pressure = 1. / step.pressure_time;
+  const unsigned int n_scalar = place[0].size(), n_velocity = velocity_indices.size(),
+                     n_pressure = pressure_indices.size();
+  matrix.reinit(n_velocity + n_pressure, n_velocity + n_pressure);
+  // Derivatives by the unknowns at one point: of the divergence and of the source m.
+  std::vector<double> traces(n_velocity), sources(n_velocity), along(n_scalar),
+      pressure_sources(n_pressure), pressure_rates(n_pressure), densities(n_pressure);
+  for (unsigned int q = 0; q < quadrature.size(); ++q)
+  {
+    const Point here = point(q);
+    const double density = material.density * law.density_ratio(here.pressure);
+    const double compressibility = law.compressibility(here.pressure);
+    const double slope = law.compressibility_slope(here.pressure);
+    const double motion = here.pressure_rate + here.velocity * here.pressure_gradient;
+    const double source = compressibility * motion + here.divergence;
+    const Tensor<1, dim> inertia = here.acceleration + here.velocity_gradient * here.velocity;
+    for (unsigned int b = 0; b < n_scalar; ++b)
+    {
+      along[b] = here.velocity * values.shape_grad(b, q);
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        traces[place[d][b]] = trace(d, b, q);
+        sources[place[d][b]] =
+            compressibility * values.shape_value(b, q) * here.pressure_gradient[d] +
+            traces[place[d][b]];
+      }
+    }
+    for (unsigned int l = 0; l < n_pressure; ++l)
+    {
+      const double shape = pressure_values->shape_value(l, q);
+      const double moved =
+          rate_by_pressure * shape + here.velocity * pressure_values->shape_grad(l, q);
+      pressure_sources[l] = slope * shape * motion + compressibility * moved;
+      pressure_rates[l] = pressure_sources[l] - law.inverse_bulk_modulus * rate_by_pressure * shape;
+      densities[l] = density * compressibility * shape;
+    }
+    for (unsigned int a = 0; a < n_scalar; ++a)
+    {
+      const double test = here.weight * values.shape_value(a, q);
+      for (unsigned int c = 0; c < dim; ++c)
+      {
+        const unsigned int i = place[c][a];
+        const double test_trace = here.weight * gamma * traces[i];
+        const double by_source = test * skew * density * here.velocity[c] + test_trace;
+        for (unsigned int b = 0; b < n_scalar; ++b)
+        {
+          const double shape = values.shape_value(b, q);
+          const double same = test * ((density - material.density) * step.a0 * shape +
+                                      density * along[b] + skew * density * source * shape);
+          for (unsigned int d = 0; d < dim; ++d)
+          {
+            const unsigned int j = place[d][b];
+            matrix(i, j) += (c == d ? same : 0.) +
+                            test * density * shape * here.velocity_gradient[c][d] +
+                            by_source * sources[j];
+          }
+        }
+        const double by_density = test * (inertia[c] + skew * source * here.velocity[c]);
+        for (unsigned int l = 0; l < n_pressure; ++l)
+          matrix(i, n_velocity + l) += by_density * densities[l] + by_source * pressure_sources[l];
+      }
+    }
+    for (unsigned int k = 0; k < n_pressure; ++k)
+    {
+      const double test = -here.weight * pressure_values->shape_value(k, q);
+      for (unsigned int j = 0; j < n_velocity; ++j)
+        matrix(n_velocity + k, j) += test * (sources[j] - traces[j]);
+      for (unsigned int l = 0; l < n_pressure; ++l)
+        matrix(n_velocity + k, n_velocity + l) += test * pressure_rates[l];
+    }
+  }
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::add_derivative(const BalancedStep &state,
+                                          const AffineConstraints<double> &constraints,
+                                          Triplets &matrix)
+{
+  take(state);
+  const int first_pressure = static_cast<int>(space.velocity_dofs.n_dofs());
+  FullMatrix<double> local;
+  std::vector<Masters> masters;
+  for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
+    if (cell->is_locally_owned() && has_terms(cell->material_id()))
+    {
+      visit(cell);
+      integrate_derivative(state.step, local);
+      masters.resize(local.m());
+      for (unsigned int i = 0; i < velocity_indices.size(); ++i)
+        set_masters(constraints, velocity_indices[i], 0, masters[i]);
+      for (unsigned int k = 0; k < pressure_indices.size(); ++k)
+        set_masters(space.pressure_hanging, pressure_indices[k], first_pressure,
+                    masters[velocity_indices.size() + k]);
+      for (unsigned int i = 0; i < local.m(); ++i)
+        for (unsigned int j = 0; j < local.n(); ++j)
+          if (local(i, j) != 0.)
+            for (const auto &[row, row_weight] : masters[i])
+              for (const auto &[column, column_weight] : masters[j])
+              {
+                matrix.rows.push_back(row);
+                matrix.columns.push_back(column);
+                matrix.values.push_back(row_weight * column_weight * local(i, j));
+              }
+    }
+}
+
+template class ConvectiveTerms<2>;
+template class ConvectiveTerms<3>;
+} // namespace Continua

@@ -1,0 +1,80 @@
+#include <continua/finite_element/tangent_system.h>
+
+#include <continua/base/input_error.h>
+#include <continua/finite_element/condensed_system.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace Continua
+{
+template <int dim>
+TangentSystem<dim>::TangentSystem(const Space<dim> &space,
+                                  const std::vector<RegionOperators> &operators,
+                                  const BoundaryConstraints<dim> &constraints,
+                                  const DirectSolver direct_solver)
+    : space(space), operators(operators), constraints(constraints), direct_solver(direct_solver)
+{
+}
+
+template <int dim>
+void TangentSystem<dim>::reinit()
+{
+  made_factor = nullptr;
+  packed.resize(space.velocity_owned.n_elements() + space.pressure_owned.n_elements());
+}
+
+template <int dim>
+void TangentSystem<dim>::factorize(const SystemCoefficients &coefficients,
+                                   const BalancedStep &state,
+                                   ConvectiveTerms<dim> &terms)
+{
+  std::vector<int> owned;
+  owned.reserve(packed.size());
+  for (const auto index : space.velocity_owned)
+    owned.push_back(index);
+  for (const auto index : space.pressure_owned)
+    owned.push_back(space.velocity_dofs.n_dofs() + index);
+  const SymmetricTriplets lower = condensed_triplets(space, operators, constraints, coefficients);
+  Triplets matrix;
+  matrix.n = lower.n;
+  matrix.rows = lower.rows;
+  matrix.columns = lower.columns;
+  matrix.values = lower.values;
+  for (std::size_t k = 0; k < lower.values.size(); ++k)
+    if (lower.rows[k] != lower.columns[k])
+    {
+      matrix.rows.push_back(lower.columns[k]);
+      matrix.columns.push_back(lower.rows[k]);
+      matrix.values.push_back(lower.values[k]);
+    }
+  terms.add_derivative(state, constraints.all(), matrix);
+  // The old one goes first: there may be no room for both.
+  made_factor = nullptr;
+  try
+  {
+    made_factor = make_unsymmetric_factor(direct_solver, space.communicator);
+  }
+  catch (const std::invalid_argument &error)
+  {
+    throw RunError(error.what());
+  }
+  made_factor->factorize(matrix, owned);
+}
+
+template <int dim>
+void TangentSystem<dim>::solve(const DistributedVector &momentum,
+                               const DistributedVector &mass,
+                               DistributedVector &velocity,
+                               DistributedVector &pressure)
+{
+  const auto middle = std::copy(momentum.begin(), momentum.end(), packed.begin());
+  std::copy(mass.begin(), mass.end(), middle);
+  made_factor->solve(packed);
+  std::copy(packed.begin(), middle, velocity.begin());
+  std::copy(middle, packed.end(), pressure.begin());
+}
+
+template class TangentSystem<2>;
+template class TangentSystem<3>;
+} // namespace Continua

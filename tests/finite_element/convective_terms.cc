@@ -1,0 +1,260 @@
+// The convective terms: forces of polynomial flows by hand, the derivative against differences, the
+// power of the skew form, and regions that have none; on hanging nodes, in axisymmetry and in
+// space.
+
+#include <continua/finite_element/convective_terms.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+
+#include "../unit_test.h"
+#include "small_problem.h"
+
+using namespace Continua;
+using namespace dealii;
+
+namespace
+{
+/// A liquid in region 0 and a solid in region 1.
+Problem make_problem(const Model model, const double inverse_bulk_modulus, const double exponent)
+{
+  Problem problem;
+  problem.model = model;
+  problem.regions = {"liquid", "solid"};
+  problem.materials.resize(2);
+  problem.materials[0].density = 3.;
+  problem.materials[0].compression = Compression::elastic(inverse_bulk_modulus);
+  problem.materials[0].volume_exponent = exponent;
+  problem.materials[0].reference_pressure = 0.3;
+  problem.materials[1] = problem.materials[0];
+  problem.materials[1].shear.branches = {{1., 1.}};
+  problem.convection.is_on = true;
+  problem.convection.stabilisation_viscosity = 0.7;
+  return problem;
+}
+
+template <int dim>
+double wave(const Point<dim> &x, const double phase)
+{
+  double sum = phase;
+  for (unsigned int c = 0; c < dim; ++c)
+    sum += (1.3 + 0.7 * c + 0.2 * phase) * x[c];
+  return std::sin(sum);
+}
+
+/// A state without any symmetry.
+template <int dim>
+BalancedStep make_state(const Space<dim> &space)
+{
+  const auto vector = [&](const double phase)
+  {
+    return small_problem::interpolated<dim>(space,
+                                            [phase](const Point<dim> &x)
+                                            {
+                                              Tensor<1, dim> value;
+                                              for (unsigned int c = 0; c < dim; ++c)
+                                                value[c] = wave(x, phase + 2. * c);
+                                              return value;
+                                            });
+  };
+  const auto scalar = [&](const double phase)
+  {
+    return small_problem::interpolated_pressure<dim>(
+        space, [phase](const Point<dim> &x, unsigned int) { return wave(x, phase); });
+  };
+  BalancedStep state;
+  state.step = backward_differencing_step(0., 0.1, 0.1, Update::implicit);
+  state.velocity = vector(0.);
+  state.acceleration = vector(1.);
+  state.pressure = scalar(2.);
+  state.pressure_rate = scalar(3.);
+  return state;
+}
+
+/// The rows of momentum and of the negative of volume, one after the other.
+template <int dim>
+std::vector<double>
+rows_of(const Space<dim> &space, ConvectiveTerms<dim> &terms, const BalancedStep &state)
+{
+  DistributedVector momentum = space.velocity_vector(), volume = space.pressure_vector();
+  terms.add(state, momentum, volume);
+  std::vector<double> rows(momentum.begin(), momentum.end());
+  for (unsigned int k = 0; k < volume.locally_owned_size(); ++k)
+    rows.push_back(-volume.begin()[k]);
+  return rows;
+}
+
+/// state + factor times a change, with the rates that follow.
+template <int dim>
+BalancedStep
+changed(const BalancedStep &state, const std::vector<double> &change, const double factor)
+{
+  BalancedStep result = state;
+  const unsigned int n_velocity = state.velocity.locally_owned_size();
+  for (unsigned int i = 0; i < n_velocity; ++i)
+  {
+    result.velocity.begin()[i] += factor * change[i];
+    result.acceleration.begin()[i] += factor * state.step.a0 * change[i];
+  }
+  for (unsigned int k = 0; k < state.pressure.locally_owned_size(); ++k)
+  {
+    result.pressure.begin()[k] += factor * change[n_velocity + k];
+    result.pressure_rate.begin()[k] += factor / state.step.pressure_time * change[n_velocity + k];
+  }
+  return result;
+}
+
+template <int dim>
+void check_derivative(const std::string &name,
+                      const Space<dim> &space,
+                      const ConvectiveTerm term,
+                      const double exponent)
+{
+  Problem problem = make_problem(
+      space.is_axisymmetric() ? Model::axisymmetric : Model::plane_strain, 0.05, exponent);
+  problem.convection.term = term;
+  ConvectiveTerms<dim> terms(space, problem);
+  terms.reinit();
+  const BalancedStep state = make_state(space);
+  // Any change, nothing at hanging nodes.
+  DistributedVector velocity = small_problem::interpolated<dim>(
+      space,
+      [](const Point<dim> &x) { return wave(x, 7.) * Point<dim>::unit_vector(dim - 1) + 0.3 * x; });
+  DistributedVector pressure = small_problem::interpolated_pressure<dim>(
+      space, [](const Point<dim> &x, unsigned int) { return wave(x, 9.); });
+  std::vector<double> change(velocity.begin(), velocity.end());
+  change.insert(change.end(), pressure.begin(), pressure.end());
+
+  const double h = 1e-5;
+  const std::vector<double> above = rows_of(space, terms, changed<dim>(state, change, h)),
+                            below = rows_of(space, terms, changed<dim>(state, change, -h));
+  Triplets matrix;
+  terms.add_derivative(state, space.velocity_hanging, matrix);
+  std::vector<double> product(change.size(), 0.);
+  for (std::size_t k = 0; k < matrix.values.size(); ++k)
+    product[matrix.rows[k]] += matrix.values[k] * change[matrix.columns[k]];
+  double largest = 0., difference = 0.;
+  for (std::size_t i = 0; i < product.size(); ++i)
+  {
+    largest = std::max(largest, std::abs(product[i]));
+    difference = std::max(difference, std::abs(product[i] - (above[i] - below[i]) / (2. * h)));
+  }
+  check::is_true(name + ": there is a derivative", largest > 0.1);
+  check::absolute(name + ": derivative", difference / largest, 0., 1e-8);
+}
+
+/// The power of convection in a flow that is zero at the boundary of the liquid.
+template <int dim>
+double power_of_enclosed_flow(const Space<dim> &space, const ConvectiveTerm term)
+{
+  Problem problem = make_problem(Model::plane_strain, 0., 0.);
+  problem.convection.term = term;
+  problem.convection.stabilisation_viscosity = 0.;
+  ConvectiveTerms<dim> terms(space, problem);
+  terms.reinit();
+  BalancedStep state = make_state(space);
+  state.velocity = small_problem::interpolated<dim>(space,
+                                                    [](const Point<dim> &x)
+                                                    {
+                                                      double bump = 1.;
+                                                      for (unsigned int c = 0; c < dim; ++c)
+                                                        bump *= x[c] * (2. - x[c]);
+                                                      Tensor<1, dim> value;
+                                                      for (unsigned int c = 0; c < dim; ++c)
+                                                        value[c] = bump * wave(x, 2. * c);
+                                                      return value;
+                                                    });
+  DistributedVector force = space.velocity_vector();
+  terms.set_momentum_of(0, state, force);
+  return force * state.velocity;
+}
+} // namespace
+
+UNIT_TEST(convective_terms)
+{
+  const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  small_problem::Mesh<2> mesh(MPI_COMM_WORLD);
+  small_problem::make_box<2>(mesh, {4, 2}, Point<2>(), 2.);
+  small_problem::refine<2>(mesh, [](const Point<2> &x) { return x[0] < 1. || x[1] > 1.; });
+  Space<2> space(mesh, SpaceParameters(), Model::plane_strain, 2);
+  space.distribute();
+  small_problem::Mesh<2> round_mesh(MPI_COMM_WORLD);
+  small_problem::make_box<2>(round_mesh, {2, 2}, Point<2>(0., 0.5), 1.);
+  Space<2> round_space(round_mesh, SpaceParameters(), Model::axisymmetric, 2);
+  round_space.distribute();
+  small_problem::Mesh<3> solid_mesh(MPI_COMM_WORLD);
+  small_problem::make_box<3>(solid_mesh, {2, 1, 1}, Point<3>(), 1.);
+  Space<3> solid_space(solid_mesh, SpaceParameters(), Model::three_dimensional, 2);
+  solid_space.distribute();
+
+  for (const ConvectiveTerm term : {ConvectiveTerm::skew, ConvectiveTerm::advective})
+    for (const double exponent : {0., 1., 7.15})
+    {
+      const std::string name = std::string(term == ConvectiveTerm::skew ? "skew" : "advective") +
+                               ", exponent " + std::to_string(exponent);
+      check_derivative(name + ", plane", space, term, exponent);
+      check_derivative(name + ", axisymmetric", round_space, term, exponent);
+      check_derivative(name + ", in space", solid_space, term, exponent);
+    }
+
+  // In the square of the liquid, with the solid's region beside it at rest.
+  small_problem::Mesh<2> square(MPI_COMM_WORLD);
+  small_problem::make_box<2>(square, {2, 2});
+  small_problem::refine<2>(square, [](const Point<2> &x) { return x[0] < 1.; });
+  Space<2> square_space(square, SpaceParameters(), Model::plane_strain, 2);
+  square_space.distribute();
+  const double advective = power_of_enclosed_flow(square_space, ConvectiveTerm::advective);
+  check::is_true("the advective form has a power", std::abs(advective) > 1e-3);
+  check::absolute("the skew form has none",
+                  power_of_enclosed_flow(square_space, ConvectiveTerm::skew) / advective, 0.,
+                  1e-11);
+
+  // U = (x, 0), p = 3 x: (U . grad) U = (x, 0), U . grad p = 3 x, div U = 1, over the square of
+  // side 2.
+  Problem problem = make_problem(Model::plane_strain, 0.5, 0.);
+  problem.materials[0].reference_pressure = 0.;
+  problem.convection.stabilisation_viscosity = 0.;
+  problem.convection.term = ConvectiveTerm::advective;
+  BalancedStep state = make_state(square_space);
+  state.velocity = small_problem::interpolated<2>(square_space,
+                                                  [](const Point<2> &x) {
+                                                    return Tensor<1, 2>({x[0], 0.});
+                                                  });
+  state.pressure = small_problem::interpolated_pressure<2>(
+      square_space, [](const Point<2> &x, unsigned int) { return 3. * x[0]; });
+  state.acceleration = 0.;
+  state.pressure_rate = 0.;
+  const DistributedVector along = small_problem::interpolated<2>(square_space,
+                                                                 [](const Point<2> &) {
+                                                                   return Tensor<1, 2>({1., 0.});
+                                                                 });
+  for (const bool is_skew : {false, true})
+  {
+    problem.convection.term = is_skew ? ConvectiveTerm::skew : ConvectiveTerm::advective;
+    ConvectiveTerms<2> terms(square_space, problem);
+    terms.reinit();
+    DistributedVector momentum = square_space.velocity_vector(),
+                      volume = square_space.pressure_vector();
+    terms.add(state, momentum, volume);
+    // rho = 3 exp(1.5 x), c = 1/2, m = 1.5 x + 1: integrals over x times the side.
+    const double e = std::exp(3.);
+    const double of_x = 2. * 3. * (e * (2. / 1.5 - 1. / 2.25) + 1. / 2.25);
+    const double of_x_squared = 2. * 3. * (e * (4. / 1.5 - 4. / 2.25 + 2. / 3.375) - 2. / 3.375);
+    const double expected = is_skew ? 1.5 * of_x + 0.75 * of_x_squared : of_x;
+    check::relative(is_skew ? "momentum, skew" : "momentum, advective", momentum * along, expected,
+                    1e-5);
+    check::relative("volume", volume.mean_value() * volume.size(), 2. * 0.5 * 3. * 2., 1e-12);
+  }
+
+  // A solid has no such terms.
+  problem = make_problem(Model::plane_strain, 0.05, 1.);
+  ConvectiveTerms<2> terms(space, problem);
+  terms.reinit();
+  state = make_state(space);
+  DistributedVector force = space.velocity_vector();
+  terms.set_momentum_of(1, state, force);
+  check::absolute("in the solid", force.linfty_norm(), 0., 0.);
+  terms.set_momentum_of(0, state, force);
+  check::is_true("in the liquid", force.linfty_norm() > 0.1);
+}

@@ -1,0 +1,37 @@
+// The law of the density: its derivatives against differences, and the closed laws of three
+// exponents.
+
+#include <continua/materials/volume_law.h>
+
+#include <cmath>
+
+#include "../unit_test.h"
+
+using namespace Continua;
+
+UNIT_TEST(volume_law)
+{
+  for (const double exponent : {0., 1., 7.15, -1.})
+  {
+    const VolumeLaw law{1. / 20., exponent, 2.};
+    const std::string name = "exponent " + std::to_string(exponent);
+    const double p = 3.5, h = 1e-5;
+    check::relative(name + ": density at p0", law.density_ratio(2.), 1., 1e-15);
+    check::relative(name + ": compressibility", law.compressibility(p),
+                    (law.density_ratio(p + h) - law.density_ratio(p - h)) /
+                        (2. * h * law.density_ratio(p)),
+                    1e-9);
+    check::absolute(name + ": slope", law.compressibility_slope(p),
+                    (law.compressibility(p + h) - law.compressibility(p - h)) / (2. * h), 1e-10);
+  }
+  // The thesis's equation of state (2.28): p - p0 = K (rho/rho0 - 1); and p - p0 = -K (J - 1).
+  check::relative("exponent 1", VolumeLaw{1. / 20., 1., 2.}.density_ratio(3.5), 1. + 1.5 / 20.,
+                  1e-15);
+  check::relative("exponent -1", 1. / VolumeLaw{1. / 20., -1., 2.}.density_ratio(3.5),
+                  1. - 1.5 / 20., 1e-15);
+  check::relative("exponent 0", VolumeLaw{1. / 20., 0., 2.}.density_ratio(3.5), std::exp(1.5 / 20.),
+                  1e-15);
+  check::absolute("incompressible", VolumeLaw{}.compressibility(1e9), 0., 0.);
+  check::relative("incompressible: density", VolumeLaw{}.density_ratio(1e9), 1., 1e-15);
+  check::is_true("too low a pressure", VolumeLaw{1. / 20., 1., 2.}.stiffening(-19.) < 0.);
+}
