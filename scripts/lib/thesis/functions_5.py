@@ -49,8 +49,9 @@ def preflight(results, run, line):
     raise _not_there(f"{run}: the pre-flight report has no '{line}'")
 
 
-def entry(results, run, name):
-    """The value [SI] of an entry of a run, given or by default, "Section/.../Entry", from its parameters.prm."""
+def entry(results, run, name, component=0):
+    """The value [SI] of an entry of a run, given or by default, "Section/.../Entry", from its parameters.prm; of a list that component,
+    counted from 0."""
     path, sections = os.path.join(results.run(run).folder, "parameters.prm"), []
     with open(path, encoding="utf-8") as stream:
         for line in stream:
@@ -63,7 +64,7 @@ def entry(results, run, name):
             elif words[:1] == ["set"] and "=" in words[1]:
                 key, _, value = words[1].partition("=")
                 if "/".join([*sections, key.strip()]) == name:
-                    number, _, unit = value.strip().partition(" ")
+                    number, _, unit = value.split(",")[component].strip().partition(" ")
                     return float(number) * UNITS[unit.strip()]
     raise _not_there(f"{run}: its parameters have no '{name}'")
 
