@@ -166,8 +166,6 @@ public:
                TermContext &context,
                DistributedVector *const forces) const override
   {
-    if (context.problem.materials[region].phase() != 0.)
-      return 0.;
     context.operators.set_nonlinear_force(region, step.balanced, context.force);
     if (forces != nullptr)
       forces->add(1., context.force);

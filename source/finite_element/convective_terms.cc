@@ -74,7 +74,7 @@ void ConvectiveTerms<dim>::reinit()
 template <int dim>
 bool ConvectiveTerms<dim>::has_terms(const unsigned int of_region) const
 {
-  return problem.materials[of_region].phase() == 0.;
+  return problem.materials[of_region].phase() < 1.;
 }
 
 template <int dim>
@@ -128,7 +128,8 @@ template <int dim>
 typename ConvectiveTerms<dim>::Point ConvectiveTerms<dim>::point(const unsigned int q) const
 {
   Point point;
-  point.weight = values.JxW(q) * space.measure(values.quadrature_point(q));
+  point.weight = (1. - problem.materials[region].phase()) * values.JxW(q) *
+                 space.measure(values.quadrature_point(q));
   for (unsigned int c = 0; c < dim; ++c)
     for (unsigned int a = 0; a < place[c].size(); ++a)
     {

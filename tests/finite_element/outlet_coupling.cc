@@ -135,6 +135,7 @@ struct Tube
     DistributedVector new_velocity = space.velocity_vector();
     body->solve(prescribed, momentum, mass, new_velocity, new_pressure, report);
     coupling->couple(step, old, new_velocity, new_pressure);
+    coupling->finish_step(step);
     velocity = new_velocity;
     if (step.extrapolate)
     {

@@ -17,8 +17,8 @@
 namespace Continua
 {
 /**
- * What convection and a density that follows the pressure add to the equations of the liquids, the
- * regions whose phase is 0, beside the linear terms: for test functions v and q
+ * What convection and a density that follows the pressure add to the equations beside the linear
+ * terms, times 1 - phase, which is 0 in solids: for test functions v and q
  *
  *   int v . ( (rho - rho0) dU/dt + rho (U . grad) U ) + 1/2 rho m U . v + gamma m div v
  *   int q ( (c - 1/K) dp/dt + c U . grad p ),         m = c (dp/dt + U . grad p) + div U
@@ -79,6 +79,7 @@ private:
   dealii::Vector<double> cell_velocity, cell_acceleration, cell_pressure, cell_pressure_rate;
   dealii::Vector<double> cell_momentum, cell_volume;
 
+  /// Whether 1 - phase is more than 0.
   bool has_terms(unsigned int region) const;
   void take(const BalancedStep &state);
   /// Makes shape functions, indices and the state's entries those of the cell.
