@@ -143,32 +143,79 @@ template <int dim>
 void Steady<dim>::step_to_rest()
 {
   const RestParameters &rest = run.input.rest;
-  double largest_velocity = 0.;
+  const unsigned int few_corrections = run.input.problem.newton.maximum_iterations / 2;
+  double largest_velocity = 0., size = rest.time_step, smallest = size, largest = size, passed = 0.;
+  unsigned int n_halved = 0, n_corrections = 0;
   for (unsigned int step = 0; step < rest.maximum_steps; ++step)
   {
-    Step euler = euler_step(0., rest.time_step, Update::implicit);
-    // Loads and pictures are those of t = 0, however long it takes.
-    euler.balance_time = 0.;
-    euler.time = 0.;
-    const StepReport report = run.solver->advance(euler);
-    loop.take(report, (step + 1) * rest.time_step, run.log);
+    const StepReport report = step_of(size, n_halved);
+    passed += size;
+    loop.take(report, passed, run.log);
     ++n_steps;
+    n_corrections += report.corrections;
+    smallest = std::min(smallest, size);
+    largest = std::max(largest, size);
     largest_velocity = std::max(largest_velocity, report.largest_velocity);
     if (report.largest_change <= rest.tolerance * largest_velocity)
     {
       std::ostringstream text;
       text << "At rest after " << step + 1 << " steps";
+      if (smallest < largest)
+        text << " of " << smallest << " s to " << largest << " s";
+      if (n_corrections > 0)
+        text << " with " << n_corrections << " corrections";
+      if (n_halved > 0)
+        text << "; " << n_halved << " steps had no solution and were made anew at half their size";
       run.log.line(text.str());
       return;
     }
+    if (report.corrections <= few_corrections)
+      size *= rest.time_step_growth;
     SignalWatch::stop_if_asked(run.input.communicator, "on the way to rest, after step " +
                                                            std::to_string(step + 1) +
                                                            "; a steady analysis begins anew");
   }
   std::ostringstream text;
-  text << "the body did not come to rest in " << rest.maximum_steps << " steps of "
-       << rest.time_step << " s; raise Steady/Maximum steps or Steady/Time step";
+  text << "the body did not come to rest in " << rest.maximum_steps << " steps of ";
+  if (smallest < largest)
+    text << smallest << " s to " << largest << " s";
+  else
+    text << rest.time_step << " s";
+  text << "; raise Steady/Maximum steps or Steady/Time step";
+  if (run.input.problem.convection.is_on)
+    text << ", or find out with Analysis = transient whether the flow becomes steady";
   throw RunError(text.str());
+}
+
+template <int dim>
+StepReport Steady<dim>::step_of(double &size, unsigned int &n_halved)
+{
+  for (int halvings = 0;; ++halvings)
+  {
+    Step euler = euler_step(0., size, Update::implicit);
+    // Loads and pictures are those of t = 0, however long it takes.
+    euler.balance_time = 0.;
+    euler.time = 0.;
+    try
+    {
+      return run.solver->advance(euler);
+    }
+    catch (const StepFailure &failure)
+    {
+      std::ostringstream text;
+      text << "on the way to rest, step " << n_steps + 1 << " of " << size
+           << " s: " << failure.what();
+      if (halvings == most_halvings)
+      {
+        text << "; the step was halved " << most_halvings
+             << " times (Steady/Time step, Steady/Time step growth)";
+        throw RunError(text.str());
+      }
+      run.log.line(text.str() + "; it is made anew at half its size");
+      size *= 0.5;
+      ++n_halved;
+    }
+  }
 }
 
 template class Steady<2>;

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <sstream>
 
@@ -44,6 +45,8 @@ void Transient<dim>::name_quantities(const Case<dim> &input, QuantityNames &name
   name_quantities_of_records(input, names);
   LinearWaveTheory<dim>::name_quantities_of_comparison(input, names);
   names.add("weak divergence at the end");
+  if (input.problem.convection.is_on)
+    names.add("steps halved");
 }
 
 template <int dim>
@@ -81,6 +84,8 @@ void Transient<dim>::perform()
     entry.record->finish({*run.solver, time_control, run.summary, run.log});
   LinearWaveTheory<dim>(run).compare();
   run.summary.add({"weak divergence at the end", run.solver->divergence(), "1/s", ""});
+  if (run.input.problem.convection.is_on)
+    run.summary.add({"steps halved", static_cast<double>(n_halved), "1", ""});
   if (run.input.time.scheme == Scheme::crank_nicolson && run.input.time.smooth_start)
     run.citations.add("rannacher1984");
   run.finish(time_control.n_steps(), time_control.time());
@@ -213,6 +218,7 @@ void Transient<dim>::restart()
           entry.record->load(archive);
         largest_energy = archive.value("largest energy");
         n_restarts = archive.integer("restarts") + 1;
+        n_halved = archive.integer("steps halved");
         earlier_wall_time = archive.value("wall time");
         std::istringstream lines(archive.text("warnings"));
         for (std::string line; std::getline(lines, line);)
@@ -282,6 +288,65 @@ StepReport Transient<dim>::advance(const Step &part)
 }
 
 template <int dim>
+std::vector<Step> Transient<dim>::next_parts()
+{
+  std::vector<Step> parts = time_control.next();
+  std::reverse(parts.begin(), parts.end());
+  return parts;
+}
+
+template <int dim>
+StepReport Transient<dim>::make_next_part(std::vector<Step> &parts, const bool is_first)
+{
+  const double shortest = std::ldexp(time_control.last_size(), -most_halvings);
+  for (;;)
+  {
+    last_part = parts.back();
+    parts.pop_back();
+    try
+    {
+      return advance(last_part);
+    }
+    catch (const StepFailure &failure)
+    {
+      if (is_first && time_control.is_adaptive())
+      {
+        // A step without a solution has an error without bound.
+        if (time_control.judge(std::numeric_limits<double>::infinity()))
+          throw RunError(std::string(failure.what()) +
+                         "; the step has the smallest size (Time/Smallest time step)");
+        run.log.detail(std::string(failure.what()) + "; a shorter step takes its place");
+        run.solver->return_to_kept_state();
+        parts = next_parts();
+        continue;
+      }
+      if (last_part.size() < 1.5 * shortest)
+      {
+        std::ostringstream text;
+        text << failure.what() << "; the step was halved " << most_halvings << " times";
+        throw RunError(text.str());
+      }
+      step_is_divided = true;
+      const std::array<Step, 2> halves = halves_of(last_part);
+      ++n_halved;
+      std::ostringstream text;
+      text << failure.what() << "; it is made in halves of " << halves.front().size() << " s";
+      run.log.line(text.str());
+      // The formulas of the part after these two know the size of the one before it.
+      if (!parts.empty() && parts.back().a2 != 0.)
+      {
+        const Step after = parts.back();
+        parts.back() = step_like(after, after.time_old, after.size(), halves.back().size());
+        parts.back().time = after.time;
+        parts.back().balance_time = after.balance_time;
+      }
+      parts.push_back(halves.back());
+      parts.push_back(halves.front());
+    }
+  }
+}
+
+template <int dim>
 bool Transient<dim>::stands()
 {
   if (!time_control.is_adaptive())
@@ -309,22 +374,25 @@ template <int dim>
 void Transient<dim>::step()
 {
   find_jumps();
+  step_is_divided = false;
   if (time_control.is_adaptive())
     run.solver->keep_state();
-  std::vector<Step> steps = time_control.next();
-  StepReport report = advance(steps.front());
+  // The parts of the step that are left, the next one last.
+  std::vector<Step> parts = next_parts();
+  StepReport report = make_next_part(parts, true);
   // A step in two halves stands: it starts the scheme, and its error is not known.
   while (!stands())
   {
     run.solver->return_to_kept_state();
-    steps = time_control.next();
-    report = advance(steps.front());
+    parts = next_parts();
+    report = make_next_part(parts, true);
   }
   const double time = time_control.time(), size = time_control.last_size();
-  for (const Step &part : steps)
+  for (bool is_first = true; is_first || !parts.empty(); is_first = false)
   {
-    if (&part != &steps.front())
-      report = advance(part);
+    if (!is_first)
+      report = make_next_part(parts, false);
+    const Step part = last_part;
     for (const ScheduledRecord<dim> &entry : records)
       entry.record->take(report, part.time, run.log);
     if (report.largest_velocity > run.input.time.velocity_limit)
@@ -335,7 +403,7 @@ void Transient<dim>::step()
            << " m/s, above Time/Velocity limit = " << run.input.time.velocity_limit << " m/s";
       throw RunError(text.str());
     }
-    const bool is_whole = &part == &steps.back();
+    const bool is_whole = parts.empty();
     if (is_whole && probe_schedule.due(time, size))
     {
       TimerOutput::Scope scope(run.log.timer(), "probes");
@@ -345,6 +413,8 @@ void Transient<dim>::step()
       entry.record->record({*run.solver, part, time, size, is_whole,
                             is_whole && entry.schedule.due(time, size), run.log});
   }
+  if (step_is_divided)
+    time_control.set_last_size(last_part.size());
   last_size = size;
   if (adaptation_is_due() && !time_control.at_end())
     adapt();
@@ -446,6 +516,7 @@ void Transient<dim>::write_checkpoint()
         archive.add("rows of probes.csv",
                     static_cast<unsigned long>(run.input.probes.times().size()));
         archive.add("restarts", n_restarts);
+        archive.add("steps halved", n_halved);
         archive.add("wall time", earlier_wall_time + run.log.wall_times().at("total"));
         std::string warnings;
         for (const std::string &warning : run.log.warnings())

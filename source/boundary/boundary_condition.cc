@@ -43,6 +43,18 @@ void read_tangential(ParameterSection &section, BoundaryCondition &condition)
              "Along the boundary: free of traction, or fixed (no velocity along it).");
 }
 
+void read_inflow_pressure(ParameterSection &section,
+                          BoundaryCondition &condition,
+                          const InflowPressure by_itself)
+{
+  condition.inflow_pressure = by_itself;
+  add_choice(section, "Inflow pressure", condition.inflow_pressure,
+             {{"static", InflowPressure::static_pressure}, {"total", InflowPressure::total}},
+             "What the boundary's pressure is where liquid flows in, with convection: static - the "
+             "pressure of the liquid there; total - that and half of its density times the square "
+             "of its velocity, which bounds the energy that flows back in through an outlet.");
+}
+
 void read_pressure(ParameterSection &section, BoundaryCondition &condition, unsigned int)
 {
   condition.normal.along_normal =
@@ -50,6 +62,7 @@ void read_pressure(ParameterSection &section, BoundaryCondition &condition, unsi
                      "Outside pressure: the normal traction is -p n.", true);
   condition.normal.negative = true;
   read_tangential(section, condition);
+  read_inflow_pressure(section, condition, InflowPressure::static_pressure);
 }
 
 void read_flow_rate(ParameterSection &section, BoundaryCondition &condition, unsigned int)
@@ -95,8 +108,12 @@ void read_outlet(ParameterSection &section, BoundaryCondition &condition, Outlet
              "How the velocity of Coupling = flow is distributed over the section: flat "
              "(zero at the rim) or parabolic.");
   read_tangential(section, condition);
+  read_inflow_pressure(section, condition, InflowPressure::total);
   if (outlet.coupling == Outlet::Coupling::flow)
   {
+    if (section.given("Inflow pressure"))
+      section.refuse("Inflow pressure", "with Coupling = flow the velocity is held",
+                     "Remove the entry, or set Coupling = pressure");
     if (section.given("Tangential") && condition.tangential.kind == Kind::traction)
       section.refuse("Tangential", "with Coupling = flow the section has no velocity along it",
                      "Remove the entry, or set Coupling = pressure");
@@ -149,6 +166,7 @@ void read_absorbing(ParameterSection &section, BoundaryCondition &condition, uns
   Outlet outlet;
   outlet.name = condition.name;
   condition.absorbing.read(section);
+  read_inflow_pressure(section, condition, InflowPressure::total);
   condition.outlet = std::make_shared<const Outlet>(outlet);
 }
 
@@ -157,7 +175,10 @@ void read_roller(ParameterSection &, BoundaryCondition &condition, unsigned int)
   condition.normal.kind = Kind::velocity;
 }
 
-void read_free(ParameterSection &, BoundaryCondition &, unsigned int) {}
+void read_free(ParameterSection &section, BoundaryCondition &condition, unsigned int)
+{
+  read_inflow_pressure(section, condition, InflowPressure::total);
+}
 
 void read_mixed(ParameterSection &section, BoundaryCondition &condition, const unsigned int dim)
 {

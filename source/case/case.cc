@@ -46,7 +46,7 @@ void GeneralParameters::read(ParameterSection root,
       "stays, and their density follows the pressure.");
 }
 
-void RestParameters::read(ParameterSection section)
+void RestParameters::read(ParameterSection section, const bool with_convection)
 {
   section.add("Time step", time_step, Dimensions::time,
               "Backward Euler step by which a body of fluid and solid is brought to rest.",
@@ -56,6 +56,13 @@ void RestParameters::read(ParameterSection section)
               "largest velocity so far.",
               Range::positive());
   section.add("Maximum steps", maximum_steps, "Steps after which the run gives up [1].", 1);
+  if (with_convection)
+    time_step_growth = 2.;
+  section.add("Time step growth", time_step_growth, Dimensions::none,
+              "Largest ratio of a step to the one before it; 1 keeps them at one size, with one "
+              "matrix. With convection a step grows where Newton's iteration needed no more than "
+              "half of its maximum, and a step without a solution is made anew at half its size.",
+              Range{1., 100.});
 }
 
 namespace
@@ -138,7 +145,7 @@ Case<dim>::Case(ParameterFile &file,
   else if (analysis.is_modal())
     modal.read(root.subsection("Modal"));
   else
-    rest.read(root.subsection("Steady"));
+    rest.read(root.subsection("Steady"), problem.convection.is_on);
   if (!analysis.is_modal())
   {
     ParameterSection section = root.subsection("Adaptivity");

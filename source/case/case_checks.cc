@@ -150,6 +150,51 @@ void refuse_checkpoints(const Case<dim> &input, ParameterSection output)
                     "Remove the entry");
 }
 
+/// Entries that a run without convection does not use.
+void refuse_what_convection_uses(const Problem &problem, ParameterSection root)
+{
+  const std::string remedy = "Remove it, or set Convection = navier stokes";
+  for (const char *const name : {"Flow", "Newton"})
+    if (root.has_subsection(name))
+      root.subsection(name).refuse("", "without convection nothing uses the section", remedy);
+  for (const std::string &region : problem.regions)
+    for (const char *const key : {"Volume exponent", "Reference pressure"})
+      if (ParameterSection material = root.subsection("Materials").subsection(region);
+          material.given(key))
+        material.refuse(key, "without convection the equation of state is linear", remedy);
+  for (const BoundaryCondition &condition : problem.conditions)
+    if (ParameterSection boundary = root.subsection("Boundaries").subsection(condition.name);
+        boundary.given("Inflow pressure"))
+      boundary.refuse("Inflow pressure", "without convection both pressures are the same", remedy);
+}
+
+/// Entries that convection makes no use of.
+template <int dim>
+void refuse_what_only_linear_runs_use(const Case<dim> &input, ParameterSection root)
+{
+  const Problem &problem = input.problem;
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+    for (const char *const key : {"Volume exponent", "Reference pressure"})
+      if (ParameterSection material =
+              root.subsection("Materials").subsection(problem.regions[region]);
+          problem.materials[region].is_incompressible() && material.given(key))
+        material.refuse(key, "an incompressible liquid has no such law",
+                        "Remove it, or give a Bulk modulus");
+  ParameterSection solver = root.subsection("Linear solver");
+  for (const char *const key : {"Refinement steps", "Kept factors"})
+    if (solver.given(key))
+      solver.refuse(key, "with convection Newton's iteration refines, and keeps one factor",
+                    "Remove it, or set Convection = none");
+  for (const BoundaryCondition &condition : problem.conditions)
+    if (ParameterSection boundary = root.subsection("Boundaries").subsection(condition.name);
+        boundary.given("Inflow pressure") &&
+        std::all_of(condition.region_ids.begin(), condition.region_ids.end(),
+                    [&](const unsigned int region)
+                    { return problem.materials[region].is_solid(); }))
+      boundary.refuse("Inflow pressure",
+                      "the boundary belongs to a solid, into which nothing flows", "Remove it");
+}
+
 /// Where convection has no place, or none so far.
 template <int dim>
 void check_convection(const Case<dim> &input, ParameterSection root)
@@ -158,11 +203,7 @@ void check_convection(const Case<dim> &input, ParameterSection root)
   ParameterSection materials = root.subsection("Materials");
   if (!problem.convection.is_on)
   {
-    for (unsigned int region = 0; region < problem.materials.size(); ++region)
-      if (problem.materials[region].volume_exponent != 0.)
-        materials.subsection(problem.regions[region])
-            .refuse("Volume exponent", "without convection the equation of state is linear",
-                    "Remove it, or set Convection = navier stokes");
+    refuse_what_convection_uses(problem, root);
     return;
   }
   if (problem.model == Model::plane_stress)
@@ -204,8 +245,9 @@ void check_convection(const Case<dim> &input, ParameterSection root)
         .refuse("Direct solver",
                 "cholmod is for symmetric matrices, and convection makes the matrix unsymmetric",
                 "Use automatic, umfpack or mumps");
+  refuse_what_only_linear_runs_use(input, root);
   for (const BoundaryCondition &condition : problem.conditions)
-    if (condition.outlet != nullptr && condition.normal.flow != nullptr)
+    if (condition.outlet != nullptr && condition.outlet->coupling == Outlet::Coupling::flow)
       root.subsection("Boundaries")
           .subsection(condition.name)
           .refuse("Coupling", "an outlet that holds the flow rate does not work with convection",

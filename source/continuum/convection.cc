@@ -18,7 +18,7 @@ void Convection::read(ParameterSection section)
       "test function, which lets the velocity conserve volume more closely.");
   section.add("Stabilisation viscosity", stabilisation_viscosity, Dimensions::viscosity,
               "Factor of grad-div; 0.1 to 0.2 times density, speed and size of a cell is usual.",
-              Range::not_negative());
+              Range::positive());
   const bool is_stabilised = stabilisation != ConvectionStabilisation::none;
   if (is_stabilised)
     section.require("Stabilisation viscosity");

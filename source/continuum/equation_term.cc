@@ -22,12 +22,17 @@ public:
       return 0.5 * density / step.balanced.step.size() *
              (square(region, step.end, context) - square(region, step.start, context));
     context.operators.multiply_mass(region, context.force, step.balanced.acceleration);
+    context.force *= density;
+    if (context.operators.is_nonlinear_in(region))
+      context.force.add(1., context.nonlinear_forces.inertia);
     if (forces != nullptr)
-      forces->add(density, context.force);
-    return density * local_product(context.force, step.balanced.velocity);
+      forces->add(1., context.force);
+    return local_product(context.force, step.balanced.velocity);
   }
   double energy(const unsigned int region, const State &state, TermContext &context) const override
   {
+    if (context.operators.is_nonlinear_in(region))
+      return context.nonlinear_energy.kinetic;
     return 0.5 * context.problem.materials[region].density *
            square(region, state.velocity, context);
   }
@@ -142,6 +147,8 @@ public:
   }
   double energy(const unsigned int region, const State &state, TermContext &context) const override
   {
+    if (context.operators.is_nonlinear_in(region))
+      return context.nonlinear_energy.compressive;
     const Material &material = context.problem.materials[region];
     double sum = 0.;
     for (unsigned int k = 0; k < material.compression.bulk_branches().size(); ++k)
@@ -157,8 +164,9 @@ public:
   }
 };
 
-/// Convection of momentum, with what the density's change by the pressure adds to inertia.
-class ConvectionTerm : public EquationTerm
+/// A kind of forces that are not linear in the velocity.
+template <DistributedVector NonlinearForces::*kind>
+class NonlinearTerm : public EquationTerm
 {
 public:
   double power(const unsigned int region,
@@ -166,10 +174,11 @@ public:
                TermContext &context,
                DistributedVector *const forces) const override
   {
-    context.operators.set_nonlinear_force(region, step.balanced, context.force);
+    if (!context.operators.is_nonlinear_in(region))
+      return 0.;
     if (forces != nullptr)
-      forces->add(1., context.force);
-    return local_product(context.force, step.balanced.velocity);
+      forces->add(1., context.nonlinear_forces.*kind);
+    return local_product(context.nonlinear_forces.*kind, step.balanced.velocity);
   }
 };
 
@@ -190,7 +199,12 @@ const std::vector<EquationTermType> &equation_terms(const bool with_convection)
   static const std::vector<EquationTermType> with_convective_terms = []()
   {
     std::vector<EquationTermType> terms = linear;
-    terms.push_back({"convective", "energy convected", false, false, make_term<ConvectionTerm>});
+    terms.push_back({"convective", "energy convected", false, false,
+                     make_term<NonlinearTerm<&NonlinearForces::convection>>});
+    terms.push_back({"inflow", "energy taken from inflow", false, false,
+                     make_term<NonlinearTerm<&NonlinearForces::inflow>>});
+    terms.push_back({"stabilisation", "energy taken by the stabilisation", false, false,
+                     make_term<NonlinearTerm<&NonlinearForces::stabilisation>>});
     return terms;
   }();
   return with_convection ? with_convective_terms : linear;

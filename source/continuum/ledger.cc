@@ -29,6 +29,11 @@ void Ledger::reinit()
   forces = operators.velocity_vector();
   for (DistributedVector *vector : {&context.force, &context.mixture, &context.forgotten})
     vector->reinit(forces);
+  if (problem.convection.is_on)
+    for (DistributedVector *vector :
+         {&context.nonlinear_forces.inertia, &context.nonlinear_forces.convection,
+          &context.nonlinear_forces.stabilisation, &context.nonlinear_forces.inflow})
+      vector->reinit(forces);
   for (DistributedVector *vector : {&context.dilatation, &context.forgotten_rate})
     *vector = operators.pressure_vector();
 }
@@ -56,6 +61,8 @@ PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
   }
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
+    if (operators.is_nonlinear_in(region))
+      operators.set_nonlinear_forces(region, balanced, context.nonlinear_forces);
     for (const auto &term : terms)
       sums.push_back(term->power(region, step, context, reactions ? &forces : nullptr));
     double relaxed = 0.;
@@ -93,14 +100,19 @@ Energy Ledger::energy(const State &state)
 {
   const std::size_t n_regions = problem.materials.size();
   sums.clear();
-  for (const auto &term : terms)
-    for (unsigned int region = 0; region < problem.materials.size(); ++region)
+  for (unsigned int region = 0; region < n_regions; ++region)
+  {
+    if (operators.is_nonlinear_in(region))
+      context.nonlinear_energy = operators.nonlinear_energy(region, state.velocity, state.pressure);
+    for (const auto &term : terms)
       sums.push_back(term->energy(region, state, context));
+  }
   Utilities::MPI::sum(sums, problem.communicator, sums);
   Energy energy;
-  for (std::size_t term = 0; term < terms.size(); ++term)
-    energy.terms.emplace_back(sums.begin() + term * n_regions,
-                              sums.begin() + (term + 1) * n_regions);
+  energy.terms.assign(terms.size(), std::vector<double>(n_regions));
+  for (std::size_t region = 0; region < n_regions; ++region)
+    for (std::size_t term = 0; term < terms.size(); ++term)
+      energy.terms[term][region] = sums[region * terms.size() + term];
   energy.outlets = outlets.energy();
   return energy;
 }

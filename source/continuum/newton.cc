@@ -90,6 +90,7 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
 {
   if (input.system_is_new)
     has_factor = false;
+  outlets.predict(input.step, input.velocity_old);
   past_acceleration.equ(1., balanced.acceleration);
   double largest_momentum = 0., largest_mass = 0., previous = 0.;
   for (unsigned int iteration = 0;; ++iteration)
@@ -102,8 +103,12 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
     const bool is_solved =
         norms.momentum <= std::max(tolerance * largest_momentum, norms.momentum_round_off) &&
         norms.mass <= std::max(tolerance * largest_mass, norms.mass_round_off);
+    // What is round-off says nothing of the iteration.
+    const double of_momentum =
+        norms.momentum <= norms.momentum_round_off ? 0. : norms.momentum / largest_momentum;
+    const double of_mass = norms.mass <= norms.mass_round_off ? 0. : norms.mass / largest_mass;
     report.corrections = iteration;
-    report.residual = largest_momentum > 0. ? norms.momentum / largest_momentum : 0.;
+    report.residual = std::max(of_momentum, of_mass);
     // The outlets' pressures and flow rates of the step come with its first solve.
     if (is_solved && (iteration > 0 || outlets.is_empty()))
       break;
@@ -111,21 +116,24 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
     const bool is_finite = norms.momentum < HUGE_VAL && norms.mass < HUGE_VAL;
     if (!is_finite || iteration == problem.newton.maximum_iterations)
     {
+      const bool is_of_momentum = is_finite ? of_momentum >= of_mass : !(norms.momentum < HUGE_VAL);
       std::ostringstream text;
       text << "Newton's iteration ";
       if (is_finite)
-        text << "left " << report.residual << " of the largest residual after " << iteration
-             << " iterations (Newton/Maximum iterations)";
+        text << "left " << report.residual << " of the largest residual";
       else
-        text << "met a residual that is no number in iteration " << iteration;
+        text << "met a residual that is no number";
+      text << " of " << (is_of_momentum ? "momentum" : "volume") << ' '
+           << operators.place_of_largest(momentum_work, mass_work, is_of_momentum) << ' ';
+      if (is_finite)
+        text << "after " << iteration << " iterations (Newton/Maximum iterations)";
+      else
+        text << "in iteration " << iteration;
       text << "; a smaller time step, loads that begin smoothly or a finer mesh help";
-      throw RunError(text.str());
+      throw StepFailure(text.str());
     }
-    const double relative =
-        std::max(largest_momentum > 0. ? norms.momentum / largest_momentum : 0.,
-                 norms.mass > norms.mass_round_off ? norms.mass / largest_mass : 0.);
-    const bool is_slow = iteration > 0 && relative > problem.newton.slowest_rate * previous;
-    previous = relative;
+    const bool is_slow = iteration > 0 && report.residual > problem.newton.slowest_rate * previous;
+    previous = report.residual;
     if (!has_factor || is_slow)
     {
       operators.linearise(balanced);

@@ -208,6 +208,30 @@ void OutletCoupling::couple(const Step &step,
   add_responses(velocity, pressure);
 }
 
+void OutletCoupling::predict(const Step &step, const DistributedVector &velocity_old)
+{
+  if (is_empty())
+    return;
+  std::vector<double> flows;
+  for (const Port &port : ports)
+    flows.push_back(product(port.flow, velocity_old));
+  Utilities::MPI::sum(flows, problem.communicator, flows);
+  for (unsigned int o = 0; o < models.size(); ++o)
+  {
+    OutletModel &model = models[o];
+    const unsigned int first = first_port[o];
+    if (model.linearise(step, &flows[first]))
+      inputs_are_current = false;
+    const FullMatrix<double> impedance = model.impedance();
+    for (unsigned int i = 0; i < model.n_ports(); ++i)
+    {
+      pressures[first + i] = model.predicted_pressures()[i];
+      for (unsigned int j = 0; j < model.n_ports(); ++j)
+        pressures[first + i] += impedance(i, j) * flows[first + j];
+    }
+  }
+}
+
 void OutletCoupling::finish_step(const Step &step)
 {
   for (unsigned int o = 0; o < models.size(); ++o)

@@ -14,6 +14,16 @@ namespace Continua
 {
 using namespace dealii;
 
+namespace
+{
+std::string text_of(const Step &step, const RunError &error)
+{
+  std::ostringstream text;
+  text << "in the step to t = " << step.time << " s " << error.what();
+  return text.str();
+}
+} // namespace
+
 TimeStepping::TimeStepping(const Problem &problem, Operators &operators, Log &log)
     : problem(problem),
       operators(operators),
@@ -105,11 +115,14 @@ StepReport TimeStepping::advance(const Step &given_step)
     else
       balance(step, report);
   }
+  catch (const StepFailure &error)
+  {
+    newton.forget_factor();
+    throw StepFailure(text_of(step, error));
+  }
   catch (const RunError &error)
   {
-    std::ostringstream text;
-    text << "in the step to t = " << step.time << " s " << error.what();
-    throw RunError(text.str());
+    throw RunError(text_of(step, error));
   }
   TimerOutput::Scope scope(log.timer(), "update");
   set_extremes(step, velocity, balanced.velocity, balanced.pressure, report);

@@ -6,6 +6,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 #include <utility>
 
@@ -47,7 +48,8 @@ ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space, const Problem &pr
       hp_pressure_values(space.mappings,
                          space.pressure_elements,
                          hp::QCollection<dim>(quadrature),
-                         update_values | update_gradients)
+                         update_values | update_gradients),
+      inflow_terms(space, problem)
 {
   const unsigned int n_velocity = space.velocity_element.n_dofs_per_cell();
   for (auto &indices : place)
@@ -58,7 +60,8 @@ ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space, const Problem &pr
     place[component.first][component.second] = i;
   }
   velocity_indices.resize(n_velocity);
-  for (Vector<double> *vector : {&cell_velocity, &cell_acceleration, &cell_momentum})
+  for (Vector<double> *vector : {&cell_velocity, &cell_acceleration, &cell_inertia,
+                                 &cell_convection, &cell_stabilisation, &cell_inflow})
     vector->reinit(n_velocity);
 }
 
@@ -69,6 +72,12 @@ void ConvectiveTerms<dim>::reinit()
     vector->reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
   for (DistributedVector *vector : {&pressure, &pressure_rate})
     vector->reinit(space.pressure_owned, space.pressure_relevant, space.communicator);
+  velocity_work = space.velocity_vector();
+  pressure_work = space.pressure_vector();
+  cells.clear();
+  for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
+    if (cell->is_locally_owned() && has_terms(cell->material_id()))
+      cells.push_back(cell);
 }
 
 template <int dim>
@@ -78,19 +87,26 @@ bool ConvectiveTerms<dim>::has_terms(const unsigned int of_region) const
 }
 
 template <int dim>
+void ConvectiveTerms<dim>::take(const DistributedVector &of_velocity,
+                                const DistributedVector &of_pressure)
+{
+  space.copy_velocity(of_velocity, velocity_work, velocity);
+  space.copy_pressure(of_pressure, pressure_work, pressure);
+}
+
+template <int dim>
 void ConvectiveTerms<dim>::take(const BalancedStep &state)
 {
-  velocity = space.ghosted_velocity(state.velocity);
-  acceleration = space.ghosted_velocity(state.acceleration);
-  pressure = space.ghosted_pressure(state.pressure);
-  pressure_rate = space.ghosted_pressure(state.pressure_rate);
+  take(state.velocity, state.pressure);
+  space.copy_velocity(state.acceleration, velocity_work, acceleration);
+  space.copy_pressure(state.pressure_rate, pressure_work, pressure_rate);
 }
 
 template <int dim>
 void ConvectiveTerms<dim>::visit(const typename DoFHandler<dim>::active_cell_iterator &cell)
 {
-  const typename DoFHandler<dim>::active_cell_iterator pressure_cell(
-      &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs);
+  present_cell = cell;
+  const typename DoFHandler<dim>::active_cell_iterator pressure_cell = present_pressure_cell();
   values.reinit(static_cast<typename Triangulation<dim>::active_cell_iterator>(cell));
   hp_pressure_values.reinit(pressure_cell);
   pressure_values = &hp_pressure_values.get_present_fe_values();
@@ -111,6 +127,12 @@ void ConvectiveTerms<dim>::visit(const typename DoFHandler<dim>::active_cell_ite
     cell_pressure[k] = pressure(pressure_indices[k]);
     cell_pressure_rate[k] = pressure_rate(pressure_indices[k]);
   }
+}
+
+template <int dim>
+typename DoFHandler<dim>::active_cell_iterator ConvectiveTerms<dim>::present_pressure_cell() const
+{
+  return {&space.triangulation, present_cell->level(), present_cell->index(), &space.pressure_dofs};
 }
 
 template <int dim>
@@ -156,8 +178,9 @@ double ConvectiveTerms<dim>::integrate()
   const Convection &convection = problem.convection;
   const bool is_skew = convection.term == ConvectiveTerm::skew;
   double least_stiffening = 1.;
-  cell_momentum = 0.;
-  cell_volume = 0.;
+  for (Vector<double> *vector :
+       {&cell_inertia, &cell_convection, &cell_stabilisation, &cell_inflow, &cell_volume})
+    *vector = 0.;
   for (unsigned int q = 0; q < quadrature.size(); ++q)
   {
     const Point here = point(q);
@@ -167,19 +190,26 @@ double ConvectiveTerms<dim>::integrate()
     const double compression =
         compressibility * (here.pressure_rate + here.velocity * here.pressure_gradient);
     const double source = compression + here.divergence;
-    Tensor<1, dim> force = (density - material.density) * here.acceleration +
-                           density * (here.velocity_gradient * here.velocity);
+    const Tensor<1, dim> inertia = here.weight * (density - material.density) * here.acceleration;
+    Tensor<1, dim> convective = density * (here.velocity_gradient * here.velocity);
     if (is_skew)
-      force += 0.5 * density * source * here.velocity;
-    const double second_pressure = convection.stabilisation_viscosity * source;
+      convective += 0.5 * density * source * here.velocity;
+    convective *= here.weight;
+    const double second_pressure = here.weight * convection.stabilisation_viscosity * source;
     for (unsigned int c = 0; c < dim; ++c)
       for (unsigned int a = 0; a < place[c].size(); ++a)
-        cell_momentum[place[c][a]] +=
-            here.weight * (force[c] * values.shape_value(a, q) + second_pressure * trace(c, a, q));
+      {
+        const unsigned int i = place[c][a];
+        cell_inertia[i] += inertia[c] * values.shape_value(a, q);
+        cell_convection[i] += convective[c] * values.shape_value(a, q);
+        cell_stabilisation[i] += second_pressure * trace(c, a, q);
+      }
     const double rate = compression - law.inverse_bulk_modulus * here.pressure_rate;
     for (unsigned int k = 0; k < cell_volume.size(); ++k)
       cell_volume[k] += here.weight * rate * pressure_values->shape_value(k, q);
   }
+  if (const auto cell = present_pressure_cell(); inflow_terms.has_face(cell))
+    inflow_terms.add(cell, cell_state(), cell_inflow);
   return least_stiffening;
 }
 
@@ -191,19 +221,20 @@ void ConvectiveTerms<dim>::add(const BalancedStep &state,
   take(state);
   double least_stiffening = 1.;
   unsigned int softest = 0;
-  for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
-    if (cell->is_locally_owned() && has_terms(cell->material_id()))
+  for (const auto &cell : cells)
+  {
+    visit(cell);
+    const double stiffening = integrate();
+    if (!(stiffening >= least_stiffening))
     {
-      visit(cell);
-      const double stiffening = integrate();
-      if (!(stiffening >= least_stiffening))
-      {
-        least_stiffening = stiffening;
-        softest = region;
-      }
-      space.velocity_hanging.distribute_local_to_global(cell_momentum, velocity_indices, momentum);
-      space.pressure_hanging.distribute_local_to_global(cell_volume, pressure_indices, volume);
+      least_stiffening = stiffening;
+      softest = region;
     }
+    for (const Vector<double> *part : {&cell_convection, &cell_stabilisation, &cell_inflow})
+      cell_inertia += *part;
+    space.velocity_hanging.distribute_local_to_global(cell_inertia, velocity_indices, momentum);
+    space.pressure_hanging.distribute_local_to_global(cell_volume, pressure_indices, volume);
+  }
   momentum.compress(VectorOperation::add);
   volume.compress(VectorOperation::add);
   const auto least = Utilities::MPI::min_max_avg(least_stiffening, space.communicator);
@@ -216,26 +247,59 @@ void ConvectiveTerms<dim>::add(const BalancedStep &state,
        << 1. / (problem.materials[softest].volume_law().inverse_bulk_modulus *
                 problem.materials[softest].volume_law().exponent)
        << " Pa; use smaller loads, or Volume exponent = 0";
-  throw RunError(text.str());
+  throw StepFailure(text.str());
 }
 
 template <int dim>
-void ConvectiveTerms<dim>::set_momentum_of(const unsigned int of_region,
-                                           const BalancedStep &state,
-                                           DistributedVector &momentum)
+void ConvectiveTerms<dim>::set_forces_of(const unsigned int of_region,
+                                         const BalancedStep &state,
+                                         NonlinearForces &forces)
 {
-  momentum = 0.;
+  const std::array<std::pair<const Vector<double> *, DistributedVector *>, 4> parts = {
+      {{&cell_inertia, &forces.inertia},
+       {&cell_convection, &forces.convection},
+       {&cell_stabilisation, &forces.stabilisation},
+       {&cell_inflow, &forces.inflow}}};
+  for (const auto &part : parts)
+    *part.second = 0.;
   if (!has_terms(of_region))
     return;
   take(state);
-  for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
-    if (cell->is_locally_owned() && cell->material_id() == of_region)
+  for (const auto &cell : cells)
+    if (cell->material_id() == of_region)
     {
       visit(cell);
       integrate();
-      space.velocity_hanging.distribute_local_to_global(cell_momentum, velocity_indices, momentum);
+      for (const auto &part : parts)
+        space.velocity_hanging.distribute_local_to_global(*part.first, velocity_indices,
+                                                          *part.second);
     }
-  momentum.compress(VectorOperation::add);
+  for (const auto &part : parts)
+    part.second->compress(VectorOperation::add);
+}
+
+template <int dim>
+NonlinearEnergy ConvectiveTerms<dim>::energy_of(const unsigned int of_region,
+                                                const DistributedVector &of_velocity,
+                                                const DistributedVector &of_pressure)
+{
+  NonlinearEnergy energy;
+  const Material &material = problem.materials[of_region];
+  const VolumeLaw law = material.volume_law();
+  take(of_velocity, of_pressure);
+  for (const auto &cell : cells)
+    if (cell->material_id() == of_region)
+    {
+      visit(cell);
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
+      {
+        const Point here = point(q);
+        energy.kinetic += here.weight * 0.5 * material.density * law.density_ratio(here.pressure) *
+                          here.velocity.norm_square();
+        energy.compressive += here.weight * law.energy(here.pressure);
+      }
+    }
+  return energy;
 }
 
 template <int dim>
@@ -327,28 +391,29 @@ void ConvectiveTerms<dim>::add_derivative(const BalancedStep &state,
   const int first_pressure = static_cast<int>(space.velocity_dofs.n_dofs());
   FullMatrix<double> local;
   std::vector<Masters> masters;
-  for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
-    if (cell->is_locally_owned() && has_terms(cell->material_id()))
-    {
-      visit(cell);
-      integrate_derivative(state.step, local);
-      masters.resize(local.m());
-      for (unsigned int i = 0; i < velocity_indices.size(); ++i)
-        set_masters(constraints, velocity_indices[i], 0, masters[i]);
-      for (unsigned int k = 0; k < pressure_indices.size(); ++k)
-        set_masters(space.pressure_hanging, pressure_indices[k], first_pressure,
-                    masters[velocity_indices.size() + k]);
-      for (unsigned int i = 0; i < local.m(); ++i)
-        for (unsigned int j = 0; j < local.n(); ++j)
-          if (local(i, j) != 0.)
-            for (const auto &[row, row_weight] : masters[i])
-              for (const auto &[column, column_weight] : masters[j])
-              {
-                matrix.rows.push_back(row);
-                matrix.columns.push_back(column);
-                matrix.values.push_back(row_weight * column_weight * local(i, j));
-              }
-    }
+  for (const auto &cell : cells)
+  {
+    visit(cell);
+    integrate_derivative(state.step, local);
+    if (const auto pressure_cell = present_pressure_cell(); inflow_terms.has_face(pressure_cell))
+      inflow_terms.add_derivative(pressure_cell, cell_state(), local);
+    masters.resize(local.m());
+    for (unsigned int i = 0; i < velocity_indices.size(); ++i)
+      set_masters(constraints, velocity_indices[i], 0, masters[i]);
+    for (unsigned int k = 0; k < pressure_indices.size(); ++k)
+      set_masters(space.pressure_hanging, pressure_indices[k], first_pressure,
+                  masters[velocity_indices.size() + k]);
+    for (unsigned int i = 0; i < local.m(); ++i)
+      for (unsigned int j = 0; j < local.n(); ++j)
+        if (local(i, j) != 0.)
+          for (const auto &[row, row_weight] : masters[i])
+            for (const auto &[column, column_weight] : masters[j])
+            {
+              matrix.rows.push_back(row);
+              matrix.columns.push_back(column);
+              matrix.values.push_back(row_weight * column_weight * local(i, j));
+            }
+  }
 }
 
 template class ConvectiveTerms<2>;

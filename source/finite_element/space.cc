@@ -1,5 +1,7 @@
 #include <continua/finite_element/space.h>
 
+#include <continua/base/words.h>
+
 #include <deal.II/base/numbers.h>
 #include <deal.II/dofs/dof_renumbering.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -95,21 +97,39 @@ void Space<dim>::distribute()
 template <int dim>
 DistributedVector Space<dim>::ghosted_velocity(const DistributedVector &owned) const
 {
-  DistributedVector complete(owned);
-  velocity_hanging.distribute(complete);
+  DistributedVector complete = velocity_vector();
   DistributedVector ghosted(velocity_owned, velocity_relevant, communicator);
-  ghosted = complete;
+  copy_velocity(owned, complete, ghosted);
   return ghosted;
 }
 
 template <int dim>
 DistributedVector Space<dim>::ghosted_pressure(const DistributedVector &owned) const
 {
-  DistributedVector complete(owned);
-  pressure_hanging.distribute(complete);
+  DistributedVector complete = pressure_vector();
   DistributedVector ghosted(pressure_owned, pressure_relevant, communicator);
-  ghosted = complete;
+  copy_pressure(owned, complete, ghosted);
   return ghosted;
+}
+
+template <int dim>
+void Space<dim>::copy_velocity(const DistributedVector &owned,
+                               DistributedVector &work,
+                               DistributedVector &ghosted) const
+{
+  work.equ(1., owned);
+  velocity_hanging.distribute(work);
+  ghosted = work;
+}
+
+template <int dim>
+void Space<dim>::copy_pressure(const DistributedVector &owned,
+                               DistributedVector &work,
+                               DistributedVector &ghosted) const
+{
+  work.equ(1., owned);
+  pressure_hanging.distribute(work);
+  ghosted = work;
 }
 
 template <int dim>

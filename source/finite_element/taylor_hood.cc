@@ -6,6 +6,7 @@
 #include <continua/finite_element/flow_shapes.h>
 #include <continua/finite_element/initial_state.h>
 #include <continua/finite_element/kelly_indicator.h>
+#include <continua/finite_element/place_of_entry.h>
 #include <continua/finite_element/taylor_hood_vibration.h>
 #include <continua/finite_element/traction_jump.h>
 
@@ -73,6 +74,12 @@ void TaylorHood<dim>::setup()
   for (DistributedVector *vector : {&zero_velocity, &velocity_work})
     *vector = space.velocity_vector();
   pressure_work = space.pressure_vector();
+  divergence_norm = gradient_norm = 0.;
+  for (const RegionOperators &region : operators)
+  {
+    divergence_norm += region.divergence.linfty_norm();
+    gradient_norm += region.divergence.l1_norm();
+  }
 }
 
 template <int dim>
@@ -300,11 +307,34 @@ void TaylorHood<dim>::add_nonlinear_terms(const BalancedStep &state,
 }
 
 template <int dim>
-void TaylorHood<dim>::set_nonlinear_force(const unsigned int region,
-                                          const BalancedStep &state,
-                                          DistributedVector &force)
+void TaylorHood<dim>::set_nonlinear_forces(const unsigned int region,
+                                           const BalancedStep &state,
+                                           NonlinearForces &forces)
 {
-  convective_terms.set_momentum_of(region, state, force);
+  convective_terms.set_forces_of(region, state, forces);
+}
+
+template <int dim>
+bool TaylorHood<dim>::is_nonlinear_in(const unsigned int region) const
+{
+  return is_nonlinear() && problem.materials[region].phase() < 1.;
+}
+
+template <int dim>
+NonlinearEnergy TaylorHood<dim>::nonlinear_energy(const unsigned int region,
+                                                  const DistributedVector &velocity,
+                                                  const DistributedVector &pressure)
+{
+  return convective_terms.energy_of(region, velocity, pressure);
+}
+
+template <int dim>
+std::string TaylorHood<dim>::place_of_largest(const DistributedVector &momentum,
+                                              const DistributedVector &mass,
+                                              const bool of_momentum) const
+{
+  return of_momentum ? place_of_largest_entry(space, space.velocity_dofs, momentum, problem.regions)
+                     : place_of_largest_entry(space, space.pressure_dofs, mass, problem.regions);
 }
 
 template <int dim>
@@ -329,13 +359,7 @@ ResidualScales TaylorHood<dim>::residual_scales(const DistributedVector &velocit
 {
   // B U of a motion without change of volume and B^T p of a uniform pressure are nothing but
   // round-off of their terms.
-  ResidualScales scales;
-  for (const RegionOperators &region : operators)
-  {
-    scales.momentum += region.divergence.l1_norm() * pressure.linfty_norm();
-    scales.mass += region.divergence.linfty_norm() * velocity.linfty_norm();
-  }
-  return scales;
+  return {gradient_norm * pressure.linfty_norm(), divergence_norm * velocity.linfty_norm()};
 }
 
 template <int dim>

@@ -1,5 +1,7 @@
 #include <continua/materials/volume_law.h>
 
+#include <boost/math/quadrature/gauss.hpp>
+
 #include <cmath>
 
 namespace Continua
@@ -18,6 +20,21 @@ double VolumeLaw::compressibility_slope(const double pressure) const
 {
   const double c = compressibility(pressure);
   return -exponent * c * c;
+}
+
+double VolumeLaw::energy(const double pressure) const
+{
+  if (inverse_bulk_modulus == 0.)
+    return 0.;
+  // In closed form the terms cancel where the pressure is small against K.
+  const double change = pressure - reference_pressure;
+  const auto integrand = [&](const double part)
+  {
+    const double between = reference_pressure + part * change;
+    return between * compressibility(between) / density_ratio(between);
+  };
+  return density_ratio(pressure) * change *
+         boost::math::quadrature::gauss<double, 10>::integrate(integrand, 0., 1.);
 }
 
 double VolumeLaw::density_ratio(const double pressure) const

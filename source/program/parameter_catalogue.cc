@@ -160,7 +160,7 @@ std::vector<Source> sources()
       {"Steady",
        "How a body of fluid and solid together is stepped to rest.",
        {},
-       [](Root &root, const General &) { RestParameters().read(root.subsection("Steady")); },
+       [](Root &root, const General &) { RestParameters().read(root.subsection("Steady"), false); },
        "",
        {}},
       {"Modal",

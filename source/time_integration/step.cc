@@ -100,4 +100,28 @@ Step crank_nicolson_step(const double time_old, const double size)
   step.extrapolate = true;
   return step;
 }
+
+Step step_like(const Step &whole, const double time_old, const double size, const double size_old)
+{
+  Step step;
+  if (whole.extrapolate)
+    step = crank_nicolson_step(time_old, size);
+  else if (whole.a2 != 0.)
+    step = backward_differencing_step(time_old, size, size_old, whole.update);
+  else
+    step = euler_step(time_old, size, whole.update);
+  step.is_start = whole.is_start;
+  return step;
+}
+
+std::array<Step, 2> halves_of(const Step &whole)
+{
+  const double half = 0.5 * whole.size();
+  std::array<Step, 2> halves = {{step_like(whole, whole.time_old, half, whole.older_distance),
+                                 step_like(whole, whole.time_old + half, half, half)}};
+  halves.back().time = whole.time;
+  if (!whole.extrapolate)
+    halves.back().balance_time = whole.balance_time;
+  return halves;
+}
 } // namespace Continua

@@ -1,6 +1,6 @@
 // The convective terms: forces of polynomial flows by hand, the derivative against differences, the
-// power of the skew form, and regions that have none; on hanging nodes, in axisymmetry and in
-// space.
+// power of the skew form, of a compressible liquid too, inflow at open ends, and regions that have
+// none; on hanging nodes, in axisymmetry and in space.
 
 #include <continua/finite_element/convective_terms.h>
 
@@ -32,6 +32,16 @@ Problem make_problem(const Model model, const double inverse_bulk_modulus, const
   problem.convection.is_on = true;
   problem.convection.stabilisation_viscosity = 0.7;
   return problem;
+}
+
+/// An open end on the left where liquid flows in with the total pressure.
+void add_open_end(Problem &problem)
+{
+  BoundaryCondition condition;
+  condition.boundary_id = 0;
+  condition.region_ids = {0};
+  condition.inflow_pressure = InflowPressure::total;
+  problem.conditions.push_back(condition);
 }
 
 template <int dim>
@@ -114,6 +124,7 @@ void check_derivative(const std::string &name,
   Problem problem = make_problem(
       space.is_axisymmetric() ? Model::axisymmetric : Model::plane_strain, 0.05, exponent);
   problem.convection.term = term;
+  add_open_end(problem);
   ConvectiveTerms<dim> terms(space, problem);
   terms.reinit();
   const BalancedStep state = make_state(space);
@@ -144,6 +155,30 @@ void check_derivative(const std::string &name,
   check::absolute(name + ": derivative", difference / largest, 0., 1e-8);
 }
 
+/// A flow that is zero at the boundary of the square of side 2.
+template <int dim>
+DistributedVector enclosed_flow(const Space<dim> &space)
+{
+  return small_problem::interpolated<dim>(space,
+                                          [](const Point<dim> &x)
+                                          {
+                                            double bump = 1.;
+                                            for (unsigned int c = 0; c < dim; ++c)
+                                              bump *= x[c] * (2. - x[c]);
+                                            Tensor<1, dim> value;
+                                            for (unsigned int c = 0; c < dim; ++c)
+                                              value[c] = bump * wave(x, 2. * c);
+                                            return value;
+                                          });
+}
+
+template <int dim>
+NonlinearForces make_forces(const Space<dim> &space)
+{
+  const DistributedVector zero = space.velocity_vector();
+  return {zero, zero, zero, zero};
+}
+
 /// The power of convection in a flow that is zero at the boundary of the liquid.
 template <int dim>
 double power_of_enclosed_flow(const Space<dim> &space, const ConvectiveTerm term)
@@ -154,20 +189,28 @@ double power_of_enclosed_flow(const Space<dim> &space, const ConvectiveTerm term
   ConvectiveTerms<dim> terms(space, problem);
   terms.reinit();
   BalancedStep state = make_state(space);
-  state.velocity = small_problem::interpolated<dim>(space,
-                                                    [](const Point<dim> &x)
-                                                    {
-                                                      double bump = 1.;
-                                                      for (unsigned int c = 0; c < dim; ++c)
-                                                        bump *= x[c] * (2. - x[c]);
-                                                      Tensor<1, dim> value;
-                                                      for (unsigned int c = 0; c < dim; ++c)
-                                                        value[c] = bump * wave(x, 2. * c);
-                                                      return value;
-                                                    });
-  DistributedVector force = space.velocity_vector();
-  terms.set_momentum_of(0, state, force);
-  return force * state.velocity;
+  state.velocity = enclosed_flow(space);
+  NonlinearForces forces = make_forces(space);
+  terms.set_forces_of(0, state, forces);
+  return forces.convection * state.velocity;
+}
+
+/// The rate of the kinetic energy in an enclosed flow, by differences along the rates of the state.
+template <int dim>
+double
+rate_of_kinetic_energy(const Space<dim> &space, const Problem &problem, const BalancedStep &state)
+{
+  ConvectiveTerms<dim> terms(space, problem);
+  terms.reinit();
+  const double h = 1e-5;
+  const auto energy_at = [&](const double time)
+  {
+    DistributedVector velocity = state.velocity, pressure = state.pressure;
+    velocity.add(time, state.acceleration);
+    pressure.add(time, state.pressure_rate);
+    return terms.energy_of(0, velocity, pressure).kinetic;
+  };
+  return (energy_at(h) - energy_at(-h)) / (2. * h);
 }
 } // namespace
 
@@ -209,6 +252,86 @@ UNIT_TEST(convective_terms)
   check::absolute("the skew form has none",
                   power_of_enclosed_flow(square_space, ConvectiveTerm::skew) / advective, 0.,
                   1e-11);
+
+  // With a density that follows the pressure, the power of inertia and of the skew form is the rate
+  // of the kinetic energy: exact for the exponent 1, whose density is a polynomial.
+  {
+    Problem gas = make_problem(Model::plane_strain, 0.05, 1.);
+    BalancedStep moving = make_state(square_space);
+    moving.velocity = enclosed_flow(square_space);
+    ConvectiveTerms<2> terms(square_space, gas);
+    terms.reinit();
+    NonlinearForces forces = make_forces(square_space);
+    terms.set_forces_of(0, moving, forces);
+    // The inertia of rho0 is no part of these terms.
+    const double linear =
+        rate_of_kinetic_energy<2>(square_space, make_problem(Model::plane_strain, 0., 0.), moving);
+    const double rate = rate_of_kinetic_energy<2>(square_space, gas, moving);
+    const double power =
+        linear + forces.inertia * moving.velocity + forces.convection * moving.velocity;
+    check::is_true("kinetic energy: the density counts", std::abs(rate / linear - 1.) > 1e-3);
+    check::absolute("kinetic energy: its rate is the power", power / rate, 1., 1e-8);
+    check::is_true("grad-div has a power of its own",
+                   std::abs(forces.stabilisation * moving.velocity) > 1e-3);
+  }
+
+  // U = (x, r), p = 3 r in the ring of 1 m between r = 0.5 m and 2.5 m: (U . grad) U = U, div U =
+  // 3, U . grad p = 3 r.
+  {
+    Problem ring = make_problem(Model::axisymmetric, 0., 0.);
+    BalancedStep moving = make_state(round_space);
+    moving.acceleration = 0.;
+    moving.pressure_rate = 0.;
+    moving.velocity = small_problem::interpolated<2>(round_space,
+                                                     [](const Point<2> &x) {
+                                                       return Tensor<1, 2>({x[0], x[1]});
+                                                     });
+    moving.pressure = small_problem::interpolated_pressure<2>(
+        round_space, [](const Point<2> &x, unsigned int) { return 3. * x[1]; });
+    const DistributedVector along = small_problem::interpolated<2>(round_space,
+                                                                   [](const Point<2> &) {
+                                                                     return Tensor<1, 2>({1., 0.});
+                                                                   });
+    NonlinearForces forces = make_forces(round_space);
+    ConvectiveTerms<2> of_liquid(round_space, ring);
+    of_liquid.reinit();
+    of_liquid.set_forces_of(0, moving, forces);
+    // int 2 pi r dr dx = 6 pi m^3, its mean of x is 1/2.
+    check::relative("ring: convection, skew", forces.convection * along,
+                    3. * (1. + 1.5) * 0.5 * 6. * numbers::PI, 1e-12);
+    check::relative("ring: grad-div", forces.stabilisation * moving.velocity,
+                    0.7 * 9. * 6. * numbers::PI, 1e-12);
+    ring = make_problem(Model::axisymmetric, 0.5, 0.);
+    ConvectiveTerms<2> of_gas(round_space, ring);
+    of_gas.reinit();
+    DistributedVector momentum = round_space.velocity_vector(),
+                      volume = round_space.pressure_vector();
+    of_gas.add(moving, momentum, volume);
+    check::relative("ring: volume", volume.mean_value() * volume.size(),
+                    0.5 * 3. * 2. * numbers::PI * (15.625 - 0.125) / 3., 1e-12);
+  }
+
+  // U = (1 + x, 1) enters at x = 0 over the height 2: t = rho/2 (-1) U.
+  {
+    Problem open = make_problem(Model::plane_strain, 0., 0.);
+    add_open_end(open);
+    BalancedStep moving = make_state(square_space);
+    moving.velocity = small_problem::interpolated<2>(square_space,
+                                                     [](const Point<2> &x) {
+                                                       return Tensor<1, 2>({1. + x[0], 1.});
+                                                     });
+    NonlinearForces forces = make_forces(square_space);
+    for (const double direction : {1., -1.})
+    {
+      moving.velocity *= direction;
+      ConvectiveTerms<2> terms(square_space, open);
+      terms.reinit();
+      terms.set_forces_of(0, moving, forces);
+      const double power = forces.inflow * moving.velocity;
+      check::absolute(direction > 0. ? "inflow: its energy is taken" : "outflow: nothing", power,
+                      direction > 0. ? 0.5 * 3. * 2. * 2. : 0., 1e-12);
+    }
+  }
 
   // U = (x, 0), p = 3 x: (U . grad) U = (x, 0), U . grad p = 3 x, div U = 1, over the square of
   // side 2.
@@ -252,9 +375,9 @@ UNIT_TEST(convective_terms)
   ConvectiveTerms<2> terms(space, problem);
   terms.reinit();
   state = make_state(space);
-  DistributedVector force = space.velocity_vector();
-  terms.set_momentum_of(1, state, force);
-  check::absolute("in the solid", force.linfty_norm(), 0., 0.);
-  terms.set_momentum_of(0, state, force);
-  check::is_true("in the liquid", force.linfty_norm() > 0.1);
+  NonlinearForces forces = make_forces(space);
+  terms.set_forces_of(1, state, forces);
+  check::absolute("in the solid", forces.convection.linfty_norm(), 0., 0.);
+  terms.set_forces_of(0, state, forces);
+  check::is_true("in the liquid", forces.convection.linfty_norm() > 0.1);
 }

@@ -31,6 +31,25 @@ UNIT_TEST(volume_law)
                   1. - 1.5 / 20., 1e-15);
   check::relative("exponent 0", VolumeLaw{1. / 20., 0., 2.}.density_ratio(3.5), std::exp(1.5 / 20.),
                   1e-15);
+  // Energy: the power of the pressure against a change of volume, d(e/rho) = p c/rho dp; closed
+  // forms where they have digits; and half of p^2/K where pressures are small.
+  for (const double exponent : {0., 1., 7.15, -1.})
+  {
+    const VolumeLaw law{1. / 20., exponent, 2.};
+    const std::string name = "exponent " + std::to_string(exponent);
+    const double p = 3.5, h = 1e-4;
+    const auto specific = [&](const double q) { return law.energy(q) / law.density_ratio(q); };
+    check::relative(name + ": energy's rate", (specific(p + h) - specific(p - h)) / (2. * h),
+                    p * law.compressibility(p) / law.density_ratio(p), 1e-8);
+    check::absolute(name + ": no energy at p0", law.energy(2.), 0., 0.);
+    const VolumeLaw water{1. / 2.2e9, exponent, 0.};
+    check::relative(name + ": energy of a small pressure", water.energy(1e3), 0.5e6 / 2.2e9, 1e-5);
+  }
+  check::relative("exponent 0: energy", VolumeLaw{1. / 20., 0., 0.}.energy(9.),
+                  20. * std::expm1(9. / 20.) - 9., 1e-13);
+  check::relative("exponent 1: energy", VolumeLaw{1. / 20., 1., 0.}.energy(9.),
+                  29. * std::log(29. / 20.) - 9., 1e-13);
+  check::absolute("incompressible: energy", VolumeLaw{}.energy(1e9), 0., 0.);
   check::absolute("incompressible", VolumeLaw{}.compressibility(1e9), 0., 0.);
   check::relative("incompressible: density", VolumeLaw{}.density_ratio(1e9), 1., 1e-15);
   check::is_true("too low a pressure", VolumeLaw{1. / 20., 1., 2.}.stiffening(-19.) < 0.);

@@ -5,6 +5,7 @@
 
 #include "../unit_test.h"
 
+#include <array>
 #include <complex>
 #include <limits>
 
@@ -178,6 +179,28 @@ UNIT_TEST(step)
                     1. / std::sqrt(1. + theta * theta), 1e-12);
     check::absolute("crank nicolson: |G| = 1", radius(crank_nicolson_step(0., 1.), theta), 1.,
                     1e-12);
+  }
+  {
+    // Halves of a step obey the formulas of the whole, from the size of the step before it on.
+    const std::array<Step, 2> halves =
+        halves_of(backward_differencing_step(1., 0.2, 0.3, Update::implicit));
+    const Step first = backward_differencing_step(1., 0.1, 0.3, Update::implicit),
+               second = backward_differencing_step(1.1, 0.1, 0.1, Update::implicit);
+    check::absolute("halves, backward differencing: first", halves[0].a2, first.a2, 1e-13);
+    check::absolute("halves, backward differencing: second", halves[1].a2, second.a2, 1e-13);
+    check::absolute("halves, backward differencing: middle", halves[0].time, 1.1, 1e-15);
+    check::absolute("halves, backward differencing: end", halves[1].time, 1.2, 0.);
+    check::absolute("halves, backward differencing: pressure", halves[1].pressure_older,
+                    second.pressure_older, 1e-13);
+    const std::array<Step, 2> middles = halves_of(crank_nicolson_step(1., 0.2));
+    check::absolute("halves, crank nicolson: middle of the second", middles[1].balance_time, 1.15,
+                    1e-15);
+    check::is_true("halves, crank nicolson: extrapolated", middles[0].extrapolate);
+    Step start = euler_step(1., 0.2, Update::trapezoidal);
+    start.is_start = true;
+    check::is_true("halves of a start", halves_of(start)[1].is_start);
+    check::is_true("halves of a start: update", halves_of(start)[1].divergence_old);
+    check::absolute("halves of a start: a0", halves_of(start)[0].a0, 10., 1e-12);
   }
   // The larger root of (3/2 - i theta) z^2 - 2 z + 1/2 = 0.
   check::relative("backward differencing, theta = 1", decay_of_backward_differencing(1., 40),

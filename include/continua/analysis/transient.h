@@ -35,6 +35,9 @@ private:
   double largest_energy = 0.; ///< of the body so far, where the time step adapts [J]
   unsigned int tenths_reported = 0;
   unsigned long n_restarts = 0;
+  Step last_part;                ///< that was made
+  bool step_is_divided = false;  ///< the present step is made in halves, since it had no solution
+  unsigned long n_halved = 0;    ///< steps, and halves of them, without a solution
   Checksum of_log;               ///< of what log.txt had at the last checkpoint
   double earlier_wall_time = 0.; ///< [s] of the run before the restart
   std::chrono::steady_clock::time_point last_checkpoint = std::chrono::steady_clock::now();
@@ -51,6 +54,12 @@ private:
   /// Starts the scheme anew if something jumps in the step that comes next.
   void find_jumps();
   StepReport advance(const Step &part);
+  /// The next time step in parts, in reverse.
+  std::vector<Step> next_parts();
+  /// Makes the last of the parts, which becomes `last_part`. A part without a solution is halved,
+  /// and its halves take its place; an adaptive step is begun anew with a smaller size, as long as
+  /// none of its parts is made. Throws RunError after six halvings.
+  StepReport make_next_part(std::vector<Step> &parts, bool is_first);
   /// Whether the step that was made last is good enough; else time is at its start again.
   bool stands();
   bool adaptation_is_due() const;

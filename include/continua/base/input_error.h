@@ -41,6 +41,14 @@ class RunError : public std::runtime_error
 public:
   using std::runtime_error::runtime_error;
 };
+
+/// A time step has no solution that was found. What was before the step is unchanged, and a shorter
+/// step may have one.
+class StepFailure : public RunError
+{
+public:
+  using RunError::RunError;
+};
 } // namespace Continua
 
 #endif

@@ -60,6 +60,13 @@ enum class BoundaryType
   mixed
 };
 
+/// Which pressure a boundary's is where liquid that is convected flows in.
+enum class InflowPressure
+{
+  static_pressure, ///< p
+  total            ///< p + rho/2 U^2
+};
+
 /// What holds on one boundary (of one region, or of all that touch it).
 struct BoundaryCondition
 {
@@ -75,6 +82,7 @@ struct BoundaryCondition
   /// itself has to tell the impedance (absorbing). Its pressure is no part of `normal`.
   std::shared_ptr<const Outlet> outlet;
   AbsorbingEndParameters absorbing; ///< of that type
+  InflowPressure inflow_pressure = InflowPressure::static_pressure;
 
   /// A sentence for the log where the prescribed value at t = 0 is not zero at `point` (three
   /// coordinates [m]), so that a body at rest meets a jump; else empty.

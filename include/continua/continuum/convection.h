@@ -38,7 +38,7 @@ struct NewtonParameters
   double tolerance = 1e-8;
   unsigned int maximum_iterations = 25;
   /// Residual over that of the iteration before above which a new factor is made [1].
-  double slowest_rate = 0.5;
+  double slowest_rate = 0.2;
 
   void read(ParameterSection section);
 };

@@ -23,6 +23,9 @@ struct TermContext
   const BulkHistory &bulk_history;
   DistributedVector force = {}, mixture = {}, forgotten = {}; ///< like velocities
   DistributedVector dilatation = {}, forgotten_rate = {};     ///< like pressures
+  /// Of the region at hand: forces of a step that is over, energies of a state.
+  NonlinearForces nonlinear_forces = {};
+  NonlinearEnergy nonlinear_energy = {};
 };
 
 /// A step that is over: what it has balanced, and the velocities at its ends [m/s].

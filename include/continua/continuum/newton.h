@@ -47,7 +47,7 @@ public:
   void forget_factor() { has_factor = false; }
   /// In: in `balanced` the prescribed velocities, a first guess of velocity and pressure, and for
   /// the acceleration the part of it that the past gives. Out: what balances the step; the
-  /// acceleration is as before. Throws RunError.
+  /// acceleration is as before. Throws StepFailure.
   void solve(const NewtonInput &input, BalancedStep &balanced, StepReport &report);
 
 private:

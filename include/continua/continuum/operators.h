@@ -5,11 +5,13 @@
 #include <continua/continuum/balanced_step.h>
 #include <continua/continuum/continuum_solver.h>
 #include <continua/continuum/load_list.h>
+#include <continua/continuum/nonlinear_terms.h>
 #include <continua/continuum/state.h>
 #include <continua/continuum/state_archive.h>
 #include <continua/continuum/system_coefficients.h>
 #include <continua/linear_algebra/distributed_vector.h>
 
+#include <string>
 #include <vector>
 
 namespace Continua
@@ -144,15 +146,32 @@ public:
   virtual void add_nonlinear_terms(const BalancedStep &, DistributedVector &, DistributedVector &)
   {
   }
-  /// Those of momentum of one region [N].
+  /// Those of momentum of one region.
   virtual void
-  set_nonlinear_force(unsigned int /*region*/, const BalancedStep &, DistributedVector &)
+  set_nonlinear_forces(unsigned int /*region*/, const BalancedStep &, NonlinearForces &)
   {
+  }
+  /// Whether a region has such terms, and its energies are those of nonlinear_energy().
+  virtual bool is_nonlinear_in(unsigned int /*region*/) const { return false; }
+  /// This rank's part of the energies of such a region, of velocity [m/s] and pressure [Pa].
+  virtual NonlinearEnergy nonlinear_energy(unsigned int /*region*/,
+                                           const DistributedVector & /*velocity*/,
+                                           const DistributedVector & /*pressure*/)
+  {
+    return {};
   }
   /// Makes the system of solve() the tangent at this state. Throws RunError.
   virtual void linearise(const BalancedStep &) {}
   /// Sets rows of residuals that are no equations to zero: prescribed velocities, hanging nodes.
   virtual void restrict_residuals(DistributedVector &, DistributedVector &) const {}
+  /// Where the largest entry of restricted residuals is, or the first one that is no number, for a
+  /// message: "in the region 'liquid' near (0.1, 0.2) m".
+  virtual std::string place_of_largest(const DistributedVector & /*momentum*/,
+                                       const DistributedVector & /*mass*/,
+                                       bool /*of_momentum*/) const
+  {
+    return "";
+  }
   virtual ResidualScales residual_scales(const DistributedVector &, const DistributedVector &) const
   {
     return {};

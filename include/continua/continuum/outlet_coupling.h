@@ -51,6 +51,9 @@ public:
   /// Takes the right-hand side f of the momentum equation, without the prescribed velocities' part
   /// [N].
   void take_forces(const DistributedVector &momentum);
+  /// Sets the ports' pressures to those that the flow rates at the step's start cause in it: what
+  /// an iteration starts from.
+  void predict(const Step &step, const DistributedVector &velocity_old);
   /// Completes a step's solution without outlets to the one with them, all at the balanced level.
   /// `velocity_old` at its start.
   void couple(const Step &step,

@@ -2,7 +2,9 @@
 #define continua_finite_element_convective_terms_h
 
 #include <continua/continuum/balanced_step.h>
+#include <continua/continuum/nonlinear_terms.h>
 #include <continua/continuum/problem.h>
+#include <continua/finite_element/inflow_terms.h>
 #include <continua/finite_element/space.h>
 #include <continua/linear_algebra/unsymmetric_factor.h>
 
@@ -23,10 +25,11 @@ namespace Continua
  *   int v . ( (rho - rho0) dU/dt + rho (U . grad) U ) + 1/2 rho m U . v + gamma m div v
  *   int q ( (c - 1/K) dp/dt + c U . grad p ),         m = c (dp/dt + U . grad p) + div U
  *
- * with rho(p), c(p) of the VolumeLaw; the term with 1/2 rho m is that of the skew form, gamma that
- * of grad-div. Temam (1968) has the skew form of an incompressible liquid; with m in the place of
- * div U it holds for any law of the density: the power of the convective terms is
- * d/dt int rho/2 U^2 + the flux of rho/2 U^2 through the boundary, less that of rho0.
+ * with rho(p), c(p) of the VolumeLaw, and InflowTerms at open ends; the term with 1/2 rho m is that
+ * of the skew form, gamma that of grad-div. Temam (1968) has the skew form of an incompressible
+ * liquid; with m in the place of div U it holds for any law of the density: the power of the
+ * convective terms is d/dt int rho/2 U^2 + the flux of rho/2 U^2 through the boundary, less that of
+ * rho0.
  */
 template <int dim>
 class ConvectiveTerms
@@ -39,11 +42,16 @@ public:
   void reinit();
 
   /// Adds the terms to the rows of momentum [N] and of volume [m^3/s], with the hanging nodes
-  /// condensed. Collective. Throws RunError where the exponent leaves a bulk modulus that is not
+  /// condensed. Collective. Throws StepFailure where the exponent leaves a bulk modulus that is not
   /// positive.
   void add(const BalancedStep &state, DistributedVector &momentum, DistributedVector &volume);
-  /// The terms of momentum of one region alone [N].
-  void set_momentum_of(unsigned int region, const BalancedStep &state, DistributedVector &momentum);
+  /// The terms of momentum of one region alone, by kind [N].
+  void set_forces_of(unsigned int region, const BalancedStep &state, NonlinearForces &forces);
+  /// This rank's part of the energies of one region, with the density and the compressibility that
+  /// follow the pressure. Collective.
+  NonlinearEnergy energy_of(unsigned int region,
+                            const DistributedVector &velocity,
+                            const DistributedVector &pressure);
 
   /// Adds the derivative by U and p, with the acceleration and the rate of p following as the step
   /// has them, to a matrix whose unknowns are the velocities and then the pressures and whose rows
@@ -72,26 +80,35 @@ private:
   const dealii::FEValues<dim> *pressure_values = nullptr; ///< on the present cell
   /// place[c][a]: the cell's dof of component c and scalar function a.
   std::array<std::vector<unsigned int>, dim> place;
-  // The state with ghost entries.
+  InflowTerms<dim> inflow_terms;
+  /// The owned cells that have terms, in the order of the tree.
+  std::vector<typename dealii::DoFHandler<dim>::active_cell_iterator> cells;
+  // The state with ghost entries, and work space for it.
   DistributedVector velocity, acceleration, pressure, pressure_rate;
+  DistributedVector velocity_work, pressure_work;
   // Of a cell.
   std::vector<dealii::types::global_dof_index> velocity_indices, pressure_indices;
   dealii::Vector<double> cell_velocity, cell_acceleration, cell_pressure, cell_pressure_rate;
-  dealii::Vector<double> cell_momentum, cell_volume;
+  dealii::Vector<double> cell_volume;
+  dealii::Vector<double> cell_inertia, cell_convection, cell_stabilisation, cell_inflow;
 
   /// Whether 1 - phase is more than 0.
   bool has_terms(unsigned int region) const;
+  void take(const DistributedVector &of_velocity, const DistributedVector &of_pressure);
   void take(const BalancedStep &state);
   /// Makes shape functions, indices and the state's entries those of the cell.
   void visit(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell);
   Point point(unsigned int q) const;
+  typename dealii::DoFHandler<dim>::active_cell_iterator present_pressure_cell() const;
   /// Trace of the strain of a velocity's shape function.
   double trace(unsigned int component, unsigned int function, unsigned int q) const;
-  /// Adds the rows of the present cell to cell_momentum and cell_volume; the least of
+  CellState<dim> cell_state() const { return {place, cell_velocity, cell_pressure}; }
+  /// Sets the rows of the present cell: of momentum by kind, and cell_volume. The least of
   /// VolumeLaw::stiffening().
   double integrate();
   /// The derivative of the rows, velocities first.
   void integrate_derivative(const Step &step, dealii::FullMatrix<double> &matrix);
+  typename dealii::DoFHandler<dim>::active_cell_iterator present_cell;
   /// The place of the present cell's region in the problem.
   unsigned int region = 0;
 };

@@ -72,6 +72,14 @@ public:
   DistributedVector ghosted_velocity(const DistributedVector &owned) const;
   DistributedVector ghosted_pressure(const DistributedVector &owned) const;
 
+  /// The same into vectors that are there: `work` like `owned`, `ghosted` with ghost entries.
+  void copy_velocity(const DistributedVector &owned,
+                     DistributedVector &work,
+                     DistributedVector &ghosted) const;
+  void copy_pressure(const DistributedVector &owned,
+                     DistributedVector &work,
+                     DistributedVector &ghosted) const;
+
   /// Owned vectors have no values of their own at hanging nodes: the matrices have those condensed.
   void set_hanging_velocities_to_zero(DistributedVector &owned) const;
   void set_hanging_pressures_to_zero(DistributedVector &owned) const;

@@ -98,9 +98,16 @@ public:
   void add_nonlinear_terms(const BalancedStep &state,
                            DistributedVector &momentum,
                            DistributedVector &mass) override;
-  void set_nonlinear_force(unsigned int region,
-                           const BalancedStep &state,
-                           DistributedVector &force) override;
+  void set_nonlinear_forces(unsigned int region,
+                            const BalancedStep &state,
+                            NonlinearForces &forces) override;
+  bool is_nonlinear_in(unsigned int region) const override;
+  NonlinearEnergy nonlinear_energy(unsigned int region,
+                                   const DistributedVector &velocity,
+                                   const DistributedVector &pressure) override;
+  std::string place_of_largest(const DistributedVector &momentum,
+                               const DistributedVector &mass,
+                               bool of_momentum) const override;
   void linearise(const BalancedStep &state) override;
   void restrict_residuals(DistributedVector &momentum, DistributedVector &mass) const override;
   ResidualScales residual_scales(const DistributedVector &velocity,
@@ -149,6 +156,8 @@ private:
   FieldOutput<dim> output;
   std::string linear_solver_reported;
   DistributedVector zero_velocity, velocity_work, pressure_work;
+  /// Of B U by the largest velocity [m^2], and of B^T p by the largest pressure [m^2].
+  double divergence_norm = 0., gradient_norm = 0.;
 
   void report_linear_solver();
 };

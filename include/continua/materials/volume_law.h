@@ -23,6 +23,9 @@ struct VolumeLaw
   double compressibility(double pressure) const;
   /// dc/dp = -n c^2 [1/Pa^2].
   double compressibility_slope(double pressure) const;
+  /// Energy per volume, 0 at p0: rho int_p0^p q c(q)/rho(q) dq [J/m^3], so that the power of the
+  /// pressure is its rate and its flux. About p^2/(2 K).
+  double energy(double pressure) const;
   /// rho/rho0 [1].
   double density_ratio(double pressure) const;
 };

@@ -1,6 +1,8 @@
 #ifndef continua_time_integration_step_h
 #define continua_time_integration_step_h
 
+#include <array>
+
 namespace Continua
 {
 /// How the branches' internal displacements and the pressure follow the velocity within a step.
@@ -66,6 +68,12 @@ Step euler_step(double time_old, double size, Update update);
 Step backward_differencing_step(double time_old, double size, double size_old, Update update);
 /// Crank-Nicolson: backward Euler over half of `size`, then extrapolation.
 Step crank_nicolson_step(double time_old, double size);
+/// Of a step that has no solution.
+inline constexpr int most_halvings = 6;
+/// A step by the formulas of `whole` from `time_old` over `size`, after one of `size_old` [s].
+Step step_like(const Step &whole, double time_old, double size, double size_old);
+/// Both halves of a step; the second one ends at the very time at which the step ends.
+std::array<Step, 2> halves_of(const Step &whole);
 } // namespace Continua
 
 #endif

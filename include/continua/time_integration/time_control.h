@@ -96,6 +96,9 @@ public:
    */
   bool judge(const std::optional<double> &error);
 
+  /// The last step was made in parts, the last of them of this size [s].
+  void set_last_size(const double size) { now.size_old = size; }
+
   /// The solution is not smooth here: the mesh has changed.
   void restart();
   /// A load jumps in the step that comes next. An adaptive step longer than the first one becomes

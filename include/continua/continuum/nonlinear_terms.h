@@ -1,0 +1,25 @@
+#ifndef continua_continuum_nonlinear_terms_h
+#define continua_continuum_nonlinear_terms_h
+
+#include <continua/linear_algebra/distributed_vector.h>
+
+namespace Continua
+{
+/// Forces of the terms that are not linear, by kind [N].
+struct NonlinearForces
+{
+  DistributedVector inertia;       ///< of a density that is not that of the material
+  DistributedVector convection;    ///< with the skew form's part
+  DistributedVector stabilisation; ///< of grad-div
+  DistributedVector inflow;        ///< at open ends that have the total pressure
+};
+
+/// Energies of a region whose density and compressibility follow the pressure [J].
+struct NonlinearEnergy
+{
+  double kinetic = 0.;     ///< int rho(p)/2 U^2
+  double compressive = 0.; ///< of VolumeLaw::energy()
+};
+} // namespace Continua
+
+#endif
