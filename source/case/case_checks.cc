@@ -22,7 +22,9 @@ void check_pressure_level(const Case<dim> &input, ParameterSection root)
                   [&](const Material &material)
                   {
                     return material.is_incompressible() ||
-                           (input.analysis.is_steady() && material.shear.branches.empty());
+                           // A steady flow without convection is that of Stokes, by one solve.
+                           (input.analysis.is_steady() && material.shear.branches.empty() &&
+                            !input.problem.convection.is_on);
                   });
   const bool enclosed =
       std::all_of(input.problem.conditions.begin(), input.problem.conditions.end(),
