@@ -404,14 +404,15 @@ void Transient<dim>::step()
       throw RunError(text.str());
     }
     const bool is_whole = parts.empty();
+    for (const ScheduledRecord<dim> &entry : records)
+      entry.record->record({*run.solver, part, time, size, is_whole,
+                            is_whole && entry.schedule.due(time, size), run.log});
+    // After the ledger, which has made the forces that a probe may ask for.
     if (is_whole && probe_schedule.due(time, size))
     {
       TimerOutput::Scope scope(run.log.timer(), "probes");
       run.input.probes.record(time);
     }
-    for (const ScheduledRecord<dim> &entry : records)
-      entry.record->record({*run.solver, part, time, size, is_whole,
-                            is_whole && entry.schedule.due(time, size), run.log});
   }
   if (step_is_divided)
     time_control.set_last_size(last_part.size());

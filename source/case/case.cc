@@ -194,6 +194,10 @@ Case<dim>::Case(ParameterFile &file,
                                  problem.materials);
   absorbing_ends.add(*this, root, restart);
   probes.check(*triangulation, field_names<dim>(problem.model), pairs);
+  probes.check_forces(problem.conditions,
+                      discretisation.is_cell_wise()
+                          ? "the cell-wise path has no forces at nodes"
+                          : (analysis.is_modal() ? "a shape of vibration has no step" : ""));
   power_laws.name_quantities(quantities);
   analysis.name_quantities(*this, quantities);
   if (analysis.name_others != nullptr)

@@ -28,9 +28,20 @@ std::vector<FieldComponent> DiscreteContinuum<dim>::fields() const
 }
 
 template <int dim>
+unsigned int DiscreteContinuum<dim>::add_probe(const ProbeRequest<dim> &request)
+{
+  const unsigned int number = discretisation->probes().add(request);
+  if (discretisation->probes().asks_for_forces())
+    stepping.want_forces_at_nodes();
+  return number;
+}
+
+template <int dim>
 void DiscreteContinuum<dim>::evaluate_probes(std::vector<double> &values)
 {
-  discretisation->probes().evaluate(stepping.state(), values);
+  FieldProbes<dim> &probes = discretisation->probes();
+  probes.evaluate(stepping.state(),
+                  probes.asks_for_forces() ? &stepping.forces_at_nodes() : nullptr, values);
 }
 
 template <int dim>

@@ -90,17 +90,32 @@ void FieldProbes<dim>::build(Probe &probe) const
     if (measure == 0.)
       throw std::invalid_argument("the region has no surface with another one");
     break;
+  case Kind::boundary_force:
+    measure = add_force(probe.request, weights);
+    if (measure == 0.)
+      throw std::invalid_argument("the boundary has no faces there");
+    break;
   }
   const bool is_whole = probe.request.is_integral() || probe.request.has_no_field();
   probe.weights = ProbeWeights(weights, is_whole ? 1. : 1. / measure);
 }
 
 template <int dim>
-void FieldProbes<dim>::evaluate(const State &state, std::vector<double> &values) const
+bool FieldProbes<dim>::asks_for_forces() const
+{
+  return std::any_of(probes.begin(), probes.end(),
+                     [](const Probe &probe)
+                     { return probe.request.kind == ProbeRequest<dim>::Kind::boundary_force; });
+}
+
+template <int dim>
+void FieldProbes<dim>::evaluate(const State &state,
+                                const DistributedVector *const forces,
+                                std::vector<double> &values) const
 {
   sums.clear();
   for (const Probe &probe : probes)
-    sums.push_back(probe.weights.share(state, problem.materials));
+    sums.push_back(probe.weights.share(state, forces, problem.materials));
   values.resize(probes.size());
   Utilities::MPI::sum(sums, problem.communicator, values);
 }

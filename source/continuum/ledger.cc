@@ -36,6 +36,15 @@ void Ledger::reinit()
       vector->reinit(forces);
   for (DistributedVector *vector : {&context.dilatation, &context.forgotten_rate})
     *vector = operators.pressure_vector();
+  forces_are_current = true;
+}
+
+const DistributedVector &Ledger::forces_at_nodes(const FinishedStep &step)
+{
+  Assert(forces_are_wanted, ExcInternalError());
+  if (!forces_are_current)
+    balance(step, false);
+  return forces;
 }
 
 PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
@@ -49,8 +58,8 @@ PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
   sums.clear();
 
   // What the equations leave at the nodes - inertia + inner forces - loads - is the force that
-  // moves those of prescribed velocity; without such nodes nobody asks for it.
-  const bool reactions = !operators.is_homogeneous();
+  // moves those of prescribed velocity. Where nothing moves it does no work.
+  const bool reactions = forces_are_wanted || !operators.is_homogeneous();
   forces = 0.;
   operators.loads().add(balance.time, forces);
   sums.push_back(local_product(forces, balanced.velocity));
@@ -71,6 +80,7 @@ PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
         relaxed += term->relaxation_power(region, balanced, context);
     sums.push_back(relaxed);
   }
+  forces_are_current = reactions;
   sums.push_back(reactions ? local_product(forces, balanced.prescribed) : 0.);
   Utilities::MPI::sum(sums, problem.communicator, sums);
 

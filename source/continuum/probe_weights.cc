@@ -7,11 +7,16 @@ using namespace dealii;
 ProbeWeights::Collector::Collector(const DistributedVector &velocity,
                                    const DistributedVector &pressure,
                                    const unsigned int n_regions)
-    : velocity(velocity), displacement(velocity), pressure(pressure), mixtures(n_regions, velocity)
+    : velocity(velocity),
+      displacement(velocity),
+      pressure(pressure),
+      force(velocity),
+      mixtures(n_regions, velocity)
 {
   this->velocity = 0.;
   displacement = 0.;
   this->pressure = 0.;
+  force = 0.;
   for (DistributedVector &mixture : mixtures)
     mixture = 0.;
 }
@@ -26,6 +31,8 @@ DistributedVector &ProbeWeights::Collector::weights(const Source source, const u
     return displacement;
   case Source::pressure:
     return pressure;
+  case Source::force:
+    return force;
   default:
     return mixtures[region];
   }
@@ -36,6 +43,7 @@ ProbeWeights::ProbeWeights(Collector &collector, const double factor)
   keep(Source::velocity, 0, collector.velocity, factor);
   keep(Source::displacement, 0, collector.displacement, factor);
   keep(Source::pressure, 0, collector.pressure, factor);
+  keep(Source::force, 0, collector.force, factor);
   for (unsigned int region = 0; region < collector.mixtures.size(); ++region)
     keep(Source::mixture, region, collector.mixtures[region], factor);
 }
@@ -57,7 +65,9 @@ void ProbeWeights::keep(const Source source,
     parts.push_back(part);
 }
 
-double ProbeWeights::share(const State &state, const std::vector<Material> &materials) const
+double ProbeWeights::share(const State &state,
+                           const DistributedVector *const forces,
+                           const std::vector<Material> &materials) const
 {
   double result = 0.;
   for (const Part &part : parts)
@@ -80,6 +90,9 @@ double ProbeWeights::share(const State &state, const std::vector<Material> &mate
       break;
     case Source::pressure:
       add(1., state.pressure);
+      break;
+    case Source::force:
+      add(1., *forces);
       break;
     case Source::mixture:
       const Material &material = materials[part.region];

@@ -299,6 +299,7 @@ void TimeStepping::finish(const Step &step)
   }
   present_time = step.time;
   balanced.step = step;
+  ledger.forget_forces();
   operators.finish_step(step, present());
   kept.advance(step);
 }
@@ -406,6 +407,13 @@ void TimeStepping::solve_steady(const double time)
                    reason_not_finite(velocity_work.get_mpi_communicator()));
   (solid ? history.displacement() : velocity).equ(1., velocity_work);
   present_time = time;
+  // As a step without inertia: what the ledger says of it.
+  balanced.step = Step();
+  balanced.step.balance_time = time;
+  balanced.velocity.equ(1., velocity);
+  balanced.pressure.equ(1., pressure);
+  balanced.acceleration = 0.;
+  ledger.forget_forces();
 }
 
 StepError TimeStepping::step_error()

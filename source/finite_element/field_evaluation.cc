@@ -83,7 +83,8 @@ double FieldEvaluation<dim>::add_boundary(const ProbeRequest<dim> &request,
   for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
     if (cell->is_locally_owned() && this->counts(request, cell->material_id()))
       for (const unsigned int f : cell->face_indices())
-        if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == request.boundary_id)
+        if (cell->face(f)->at_boundary() &&
+            request.boundary_ids.count(cell->face(f)->boundary_id()) > 0)
         {
           values.reinit(cell, f);
           pressure_values.reinit(
@@ -187,6 +188,37 @@ double FieldEvaluation<dim>::add_interface(const ProbeRequest<dim> &request,
         }
       }
   return Utilities::MPI::sum(area, space.communicator);
+}
+
+template <int dim>
+double FieldEvaluation<dim>::add_force(const ProbeRequest<dim> &request, Collector &collector) const
+{
+  // Each node once, also one of several faces or boundaries. The rows of hanging nodes are part of
+  // those that they hang on. A node of this rank may be on faces of another one's cells only.
+  DistributedVector &weights = collector.weights(Source::force);
+  std::vector<types::global_dof_index> indices(space.velocity_element.n_dofs_per_face());
+  double n_nodes = 0.;
+  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+    if (!cell->is_artificial() && cell->at_boundary())
+      for (const unsigned int f : cell->face_indices())
+      {
+        if (!cell->face(f)->at_boundary() ||
+            request.boundary_ids.count(cell->face(f)->boundary_id()) == 0)
+          continue;
+        cell->face(f)->get_dof_indices(indices, cell->active_fe_index());
+        for (unsigned int i = 0; i < indices.size(); ++i)
+        {
+          if (space.velocity_element.face_system_to_component_index(i, f).first !=
+                  request.component ||
+              !space.velocity_owned.is_element(indices[i]) ||
+              space.velocity_hanging.is_constrained(indices[i]))
+            continue;
+          // Minus: the force on what holds the node.
+          weights.begin()[space.velocity_owned.index_within_set(indices[i])] = -1.;
+          n_nodes += 1.;
+        }
+      }
+  return Utilities::MPI::sum(n_nodes, space.communicator);
 }
 
 template <int dim>

@@ -110,7 +110,7 @@ double CellEvaluation<dim>::add_boundary(const ProbeRequest<dim> &request,
   for (unsigned int face = 0; face < space.mesh.faces().size(); ++face)
   {
     const VolumeFace<dim> &surface = space.mesh.faces()[face];
-    if (!surface.at_boundary() || surface.boundary_id != request.boundary_id)
+    if (!surface.at_boundary() || request.boundary_ids.count(surface.boundary_id) == 0)
       continue;
     const FiniteVolume<dim> &volume = space.mesh.cells()[surface.owner];
     if (!volume.is_owned || !this->counts(request, volume.material_id))
@@ -192,6 +192,12 @@ double CellEvaluation<dim>::add_interface(const ProbeRequest<dim> &request,
     }
   }
   return Utilities::MPI::sum(area, space.communicator);
+}
+
+template <int dim>
+double CellEvaluation<dim>::add_force(const ProbeRequest<dim> &, Collector &) const
+{
+  throw std::invalid_argument("the cell-wise path has no forces at nodes");
 }
 
 template <int dim>

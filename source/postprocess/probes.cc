@@ -72,6 +72,22 @@ std::string unit_of_integral(const std::string &unit, const Model model, const b
 /// What a volume has beside the fields: by how much it has grown.
 const std::string volume_change = "volume change";
 
+/// What boundaries have beside the fields: the force of the body on them, by component.
+template <int dim>
+std::vector<FieldComponent> forces()
+{
+  const char *const names[] = {"force x", "force y", "force z"};
+  std::vector<FieldComponent> components;
+  for (unsigned int d = 0; d < dim; ++d)
+    components.push_back({names[d], "Pa"});
+  return components;
+}
+
+bool is_force(const std::string &field)
+{
+  return field == "force" || field.compare(0, 6, "force ") == 0;
+}
+
 /// Whether the region meets another one.
 template <int dim>
 bool has_interface(const dealii::Triangulation<dim> &coarse_mesh, const unsigned int region)
@@ -111,7 +127,13 @@ void Probes<dim>::read_entries(Probe &probe) const
               "components (displacement)");
   section.add("Point", probe.point, Dimensions::length,
               "Coordinates of the point in the undeformed body [m]");
-  section.add("Boundary", probe.boundary, "Instead of a point: name of a boundary");
+  section.add("Reference point", probe.reference_point, Dimensions::length,
+              "Of a Point: another one, whose values are taken off, such as for a pressure drop "
+              "[m]; empty: none");
+  section.add("Boundary", probe.boundaries,
+              "Instead of a point: names of boundaries. They have the further field 'force' with "
+              "its components: the force of the body on what holds them, by the balance of forces "
+              "at their nodes [N], in the plane of a metre of depth [N/m]");
   section.add(
       "Section", probe.position, Dimensions::length,
       "Instead of a point: the plane x = Section through the undeformed body, or its Region "
@@ -145,7 +167,7 @@ void Probes<dim>::check_entries(Probe &probe) const
   std::vector<Place> places;
   if (!probe.point.empty())
     places.push_back(Place::point);
-  if (!probe.boundary.empty())
+  if (!probe.boundaries.empty())
     places.push_back(Place::boundary);
   if (!std::isnan(probe.position))
     places.push_back(Place::section);
@@ -161,6 +183,22 @@ void Probes<dim>::check_entries(Probe &probe) const
   if (probe.place == Place::point && probe.point.size() != dim)
     section.refuse("Point", "the point has " + std::to_string(probe.point.size()) + " coordinates",
                    "Give " + std::to_string(dim) + " of them, separated by commas");
+  if (!probe.reference_point.empty() && probe.place != Place::point)
+    section.refuse("Reference point", "the entry belongs to a Point", "Leave it out");
+  if (!probe.reference_point.empty() && probe.reference_point.size() != dim)
+    section.refuse("Reference point",
+                   "the point has " + std::to_string(probe.reference_point.size()) + " coordinates",
+                   "Give " + std::to_string(dim) + " of them, separated by commas");
+  if (probe.place != Place::boundary &&
+      std::any_of(probe.fields.begin(), probe.fields.end(),
+                  [](const std::string &field) { return is_force(collapse_blanks(field)); }))
+    section.refuse("Fields", "a force is that on a boundary",
+                   "Give Boundary instead of " + word_of(place_words(), probe.place));
+  if (asks_for_forces(probe))
+    for (const char *key : {"Value", "Region"})
+      if (section.given(key))
+        section.refuse(key, "the force is that of the whole body on the whole boundary",
+                       "Leave the entry out, and give other fields a probe of their own");
   if ((probe.place == Place::point || probe.place == Place::stations) && section.given("Value"))
     section.refuse("Value",
                    probe.place == Place::point
@@ -201,11 +239,22 @@ void Probes<dim>::read(ParameterSection section,
     const bool mean = probe.value == Value::mean;
     if (probe.place == Place::point)
       for (unsigned int d = 0; d < dim; ++d)
+      {
         probe.request.point[d] = probe.point[d];
+        if (!probe.reference_point.empty())
+          probe.reference[d] = probe.reference_point[d];
+      }
     else if (probe.place == Place::boundary)
     {
       probe.request.kind = mean ? Kind::boundary_mean : Kind::boundary_integral;
-      probe.request.boundary_id = find_name(child, "Boundary", probe.boundary, boundaries);
+      for (const std::string &boundary : probe.boundaries)
+      {
+        const std::string name = collapse_blanks(boundary);
+        const unsigned int id = find_name(child, "Boundary", name, boundaries);
+        if (!probe.request.boundary_ids.insert(id).second)
+          child.refuse("Boundary", "'" + name + "' stands there twice", "Name it once");
+        probe.names_of_boundaries[id] = name;
+      }
     }
     else if (probe.place == Place::section)
     {
@@ -272,6 +321,12 @@ std::vector<FieldComponent> Probes<dim>::components(const Probe &probe,
   for (const std::string &word : probe.fields)
   {
     const std::string name = collapse_blanks(word);
+    if (probe.place == Place::boundary && is_force(name))
+    {
+      for (const FieldComponent &force : expand(probe.section, name, forces<dim>()))
+        result.push_back(force);
+      continue;
+    }
     if (probe.place == Place::volume && name == volume_change)
       result.push_back({volume_change, "1"});
     else
@@ -297,14 +352,20 @@ void Probes<dim>::attach_fields(const unsigned int p, const Model model)
     request.field = field.name;
     if (field.name == volume_change)
       request.kind = ProbeRequest<dim>::Kind::volume_change;
+    if (is_force(field.name))
+    {
+      request.kind = ProbeRequest<dim>::Kind::boundary_force;
+      request.component = field.name.back() - 'x';
+    }
     if (request.is_integral() || request.has_no_field())
       field.unit = unit_of_integral(field.unit, model, probe.place == Place::volume);
-    columns.push_back({p,
-                       probe.section.name(),
-                       field,
-                       recorded.size() == 1,
-                       {{add_to_solver(probe, request), 1.}},
-                       {}});
+    std::vector<std::pair<unsigned int, double>> terms = {{add_to_solver(probe, request), 1.}};
+    if (!probe.reference_point.empty())
+    {
+      request.point = probe.reference;
+      terms.emplace_back(add_to_solver(probe, request), -1.);
+    }
+    columns.push_back({p, probe.section.name(), field, recorded.size() == 1, terms, {}});
   }
 }
 
@@ -356,15 +417,72 @@ std::string extent(const dealii::Triangulation<dim> &coarse_mesh,
     text << names[d] << limits[d].first << " to " << limits[d].second << " m";
   return text.str();
 }
+
+/// High, since a coarse cell may stand for a large part of a circle.
+constexpr unsigned int degree_of_coarse_cells = 6;
 } // namespace
+
+template <int dim>
+bool Probes<dim>::asks_for_forces(const Probe &probe)
+{
+  return probe.place == Place::boundary &&
+         std::any_of(probe.fields.begin(), probe.fields.end(),
+                     [](const std::string &field) { return is_force(collapse_blanks(field)); });
+}
+
+template <int dim>
+void Probes<dim>::check_forces(const std::vector<BoundaryCondition> &conditions,
+                               const std::string &reason) const
+{
+  for (const Probe &probe : probes)
+  {
+    if (!asks_for_forces(probe))
+      continue;
+    if (!reason.empty())
+      probe.section.refuse("Fields", "there is no field 'force': " + reason,
+                           "Leave it out, or integrate the stress over the Boundary");
+    for (const auto &[id, name] : probe.names_of_boundaries)
+    {
+      bool is_held = false;
+      for (const BoundaryCondition &condition : conditions)
+        is_held = is_held || (condition.boundary_id == id &&
+                              (condition.normal.kind == BoundaryPart::Kind::velocity ||
+                               condition.tangential.kind == BoundaryPart::Kind::velocity));
+      if (!is_held)
+        probe.section.refuse("Fields",
+                             "nothing holds the boundary '" + name +
+                                 "': the force there is the load that is given",
+                             "Name boundaries with a prescribed velocity, such as 'fixed'");
+    }
+  }
+}
+
+template <int dim>
+void Probes<dim>::check_point(const Probe &probe,
+                              const std::string &entry,
+                              const dealii::Point<dim> &point,
+                              const dealii::Triangulation<dim> &coarse_mesh)
+{
+  const dealii::MappingQ<dim> mapping(degree_of_coarse_cells);
+  const std::set<unsigned int> &region_ids = probe.request.region_ids;
+  bool inside = false;
+  dealii::Point<dim> unit_point;
+  for (const auto &cell : coarse_mesh.cell_iterators_on_level(0))
+    inside = inside || ((region_ids.empty() || region_ids.count(cell->material_id()) > 0) &&
+                        cell_holds_point<dim>(mapping, cell, point, unit_point));
+  if (!inside)
+    probe.section.refuse(entry,
+                         "the point is not inside the mesh, which extends over " +
+                             extent(coarse_mesh, region_ids),
+                         "Give a point of the undeformed body, in the Region if there is one");
+}
 
 template <int dim>
 void Probes<dim>::check(const dealii::Triangulation<dim> &coarse_mesh,
                         const std::vector<FieldComponent> &fields,
                         const std::set<std::pair<unsigned int, unsigned int>> &boundary_regions)
 {
-  // Of a high degree, since a coarse cell may stand for a large part of a circle.
-  const dealii::MappingQ<dim> mapping(6);
+  const dealii::MappingQ<dim> mapping(degree_of_coarse_cells);
   for (Probe &probe : probes)
   {
     if (probe.place == Place::stations)
@@ -391,15 +509,14 @@ void Probes<dim>::check(const dealii::Triangulation<dim> &coarse_mesh,
     const std::set<unsigned int> &region_ids = probe.request.region_ids;
     if (probe.place == Place::boundary)
     {
-      if (std::none_of(boundary_regions.begin(), boundary_regions.end(),
-                       [&](const auto &pair)
-                       {
-                         return pair.first == probe.request.boundary_id &&
-                                (region_ids.empty() || region_ids.count(pair.second) > 0);
-                       }))
-        probe.section.refuse("Region",
-                             "the boundary '" + probe.boundary + "' has no face in this region",
-                             "Name a region that touches the boundary, or none");
+      for (const auto &[id, name] : probe.names_of_boundaries)
+        if (std::none_of(boundary_regions.begin(), boundary_regions.end(),
+                         [&, boundary_id = id](const auto &pair) {
+                           return pair.first == boundary_id &&
+                                  (region_ids.empty() || region_ids.count(pair.second) > 0);
+                         }))
+          probe.section.refuse("Region", "the boundary '" + name + "' has no face in this region",
+                               "Name a region that touches the boundary, or none");
     }
     else if (probe.place == Place::section)
     {
@@ -411,16 +528,9 @@ void Probes<dim>::check(const dealii::Triangulation<dim> &coarse_mesh,
     }
     else
     {
-      bool inside = false;
-      dealii::Point<dim> unit_point;
-      for (const auto &cell : coarse_mesh.cell_iterators_on_level(0))
-        inside = inside || ((region_ids.empty() || region_ids.count(cell->material_id()) > 0) &&
-                            cell_holds_point<dim>(mapping, cell, probe.request.point, unit_point));
-      if (!inside)
-        probe.section.refuse("Point",
-                             "the point is not inside the mesh, which extends over " +
-                                 extent(coarse_mesh, region_ids),
-                             "Give a point of the undeformed body, in the Region if there is one");
+      check_point(probe, "Point", probe.request.point, coarse_mesh);
+      if (!probe.reference_point.empty())
+        check_point(probe, "Reference point", probe.reference, coarse_mesh);
     }
   }
 }

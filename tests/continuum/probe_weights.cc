@@ -43,6 +43,8 @@ UNIT_TEST(probe_weights)
   history.displacement() *= 0.1;
   const State state{velocity, pressure, history};
 
+  DistributedVector forces(velocity);
+  forces *= 5.;
   const auto value =
       [&](const ProbeWeights::Source source, const unsigned int region, const double factor)
   {
@@ -58,7 +60,7 @@ UNIT_TEST(probe_weights)
     if (rank == n_ranks - 1)
       weights(last) += 1.;
     const ProbeWeights probe(collector, factor);
-    return Utilities::MPI::sum(probe.share(state, materials), MPI_COMM_WORLD);
+    return Utilities::MPI::sum(probe.share(state, &forces, materials), MPI_COMM_WORLD);
   };
   using Source = ProbeWeights::Source;
   check::absolute("velocity", value(Source::velocity, 0, 1.), 14., 1e-13);
@@ -66,6 +68,7 @@ UNIT_TEST(probe_weights)
   check::absolute("pressure", value(Source::pressure, 0, 1.), 100. + 2. * 103., 1e-12);
   check::absolute("mixture of the solid", value(Source::mixture, 0, 1.), 3. * 1.4, 1e-13);
   check::absolute("mixture of the fluid", value(Source::mixture, 1, 1.), 2. * 14., 1e-13);
+  check::absolute("force", value(Source::force, 0, -1.), -5. * 14., 1e-12);
   DistributedVector mixture(velocity);
   set_mixture(state, 0, materials[0], mixture);
   check::absolute("the mixture as a vector", mixture.linfty_norm(), 3. * 0.7, 1e-14);

@@ -79,7 +79,7 @@ struct Body
     request.field = field;
     request.kind =
         mean ? ProbeRequest<2>::Kind::boundary_mean : ProbeRequest<2>::Kind::boundary_integral;
-    request.boundary_id = boundary;
+    request.boundary_ids = {boundary};
     return value(request);
   }
   double on_section(const ProbeRequest<2>::Kind kind,
@@ -98,7 +98,7 @@ struct Body
   {
     const unsigned int number = evaluation.add(request);
     std::vector<double> values;
-    evaluation.evaluate(State{velocity, pressure, history}, values);
+    evaluation.evaluate(State{velocity, pressure, history}, nullptr, values);
     return values.at(number);
   }
 
@@ -144,7 +144,7 @@ void test_three_dimensions()
     request.normal = normal;
     const unsigned int number = evaluation.add(request);
     std::vector<double> values;
-    evaluation.evaluate(State{velocity, pressure, history}, values);
+    evaluation.evaluate(State{velocity, pressure, history}, nullptr, values);
     return values.at(number);
   };
   using Kind = ProbeRequest<3>::Kind;

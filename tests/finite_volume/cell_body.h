@@ -132,7 +132,7 @@ public:
   {
     const unsigned int number = evaluation.add(request);
     std::vector<double> values;
-    evaluation.evaluate(state(), values);
+    evaluation.evaluate(state(), nullptr, values);
     return values.at(number);
   }
 

@@ -143,7 +143,7 @@ on_boundary(const Kind<dim> kind, const std::string &field, const unsigned int b
   ProbeRequest<dim> result;
   result.kind = kind;
   result.field = field;
-  result.boundary_id = boundary;
+  result.boundary_ids = {boundary};
   return result;
 }
 

@@ -87,7 +87,7 @@ void test_requests()
   check::is_true("region", solver.requests[1].region_ids == std::set<unsigned int>{1} &&
                                solver.requests[4].region_ids.empty());
   check::is_true("boundary", solver.requests[4].kind == Kind::boundary_integral &&
-                                 solver.requests[4].boundary_id == 1);
+                                 solver.requests[4].boundary_ids == std::set<unsigned int>{1});
 
   probes.open("probes.csv");
   for (const double time : {0., 0.1, 0.2, 0.3})
@@ -305,6 +305,36 @@ void test_short_histories()
   none.finish(summary);
   check::is_true("no file without columns", !std::filesystem::exists("none.csv"));
 }
+
+/// A force is asked for by component, of all boundaries at once.
+void test_forces()
+{
+  const std::string entries = "subsection walls\nset Fields = pressure, force\n"
+                              "set Boundary = inlet, outlet\nend\n";
+  FakeSolver<2> solver;
+  const Probes<2> probes = make(entries, solver, Model::plane_strain);
+  const std::vector<std::string> names = probes.column_names();
+  check::equal("columns of forces", names.at(1) + ", " + names.at(2),
+               "walls: force x [N/m], walls: force y [N/m]");
+  const ProbeRequest<2> &request = solver.requests.at(2);
+  check::is_true("force", request.kind == Kind::boundary_force && request.component == 1 &&
+                              request.boundary_ids == std::set<unsigned int>{0, 1});
+  check::is_true("pressure beside a force", solver.requests.at(0).kind == Kind::boundary_mean);
+  FakeSolver<2> axisymmetric;
+  check::equal("force about an axis",
+               make(entries, axisymmetric, Model::axisymmetric).column_names().at(1),
+               "walls: force x [N]");
+}
+
+void test_reference_point()
+{
+  FakeSolver<2> solver;
+  Probes<2> probes = make("subsection drop\nset Fields = pressure\nset Point = 0.25 m, 0 m\n"
+                          "set Reference point = 1 m, 0 m\nend\n",
+                          solver, Model::plane_strain);
+  solver.value = [](const ProbeRequest<2> &request) { return 8. - 4. * request.point[0]; };
+  check::absolute("difference of two points", probes.present_values().at(0), 3., 1e-15);
+}
 } // namespace
 
 UNIT_TEST(probes)
@@ -318,6 +348,9 @@ UNIT_TEST(probes)
   test_stations();
   test_short_histories();
 
+  test_forces();
+  test_reference_point();
+
   const std::string point = "set Point = 0, 0\n";
   refuses(
       "unknown field", "set Fields = pressur\n" + point,
@@ -328,6 +361,8 @@ UNIT_TEST(probes)
   refuses("two places", "set Fields = pressure\nset Boundary = inlet\n" + point,
           "probes.prm:4: .*either Point or");
   refuses("coordinates", "set Fields = pressure\nset Point = 1 mm\n", "probes.prm:4: .*Give 2");
+  refuses("boundary twice", "set Fields = force\nset Boundary = inlet, outlet, inlet\n",
+          "probes.prm:4: 'Probes/tip/Boundary': 'inlet' stands there twice");
   refuses("outside", "set Fields = pressure\nset Point = 2 m, 0 m\n",
           "probes.prm:4: 'Probes/tip/Point': the point is outside the mesh");
   refuses("unknown boundary", "set Fields = pressure\nset Boundary = outlt\n",

@@ -52,7 +52,10 @@ struct ProbeRequest
     volume_integral,
     /// By how much the volume of the regions has grown by the motion of their surface with other
     /// regions; there is no field.
-    volume_change
+    volume_change,
+    /// The force of the body on what holds its boundaries, which Taylor-Hood elements have; there
+    /// is no field.
+    boundary_force
   };
   Kind kind = Kind::point;
   std::string field;        ///< one of the solver's fields(), but for the kinds that have none
@@ -62,7 +65,8 @@ struct ProbeRequest
   /// The axis of the vessel through `point` along `normal`, of which alone the section is; null for
   /// all that the plane cuts.
   std::shared_ptr<const VesselAxis<dim>> axis;
-  unsigned int boundary_id = 0; ///< for boundaries
+  std::set<unsigned int> boundary_ids; ///< for boundaries
+  unsigned int component = 0;          ///< of a force
   /// The regions whose side counts (a field may jump); empty: any that is there.
   std::set<unsigned int> region_ids;
 
@@ -77,7 +81,11 @@ struct ProbeRequest
     return kind == Kind::section_mean || kind == Kind::section_integral || kind == Kind::rim_mean;
   }
   /// Whether the kind itself is what is asked for.
-  bool has_no_field() const { return kind == Kind::section_flow || kind == Kind::volume_change; }
+  bool has_no_field() const
+  {
+    return kind == Kind::section_flow || kind == Kind::volume_change ||
+           kind == Kind::boundary_force;
+  }
 };
 
 /// What a step tells.

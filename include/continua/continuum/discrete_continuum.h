@@ -40,10 +40,7 @@ public:
     return stepping.data_jumps(begin, end);
   }
   std::vector<FieldComponent> fields() const override;
-  unsigned int add_probe(const ProbeRequest<dim> &request) override
-  {
-    return discretisation->probes().add(request);
-  }
+  unsigned int add_probe(const ProbeRequest<dim> &request) override;
   void evaluate_probes(std::vector<double> &values) override;
   PowerBalance power_balance(const bool relaxation) override
   {

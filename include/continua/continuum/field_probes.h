@@ -25,8 +25,12 @@ public:
   unsigned int add(const ProbeRequest<dim> &request);
   /// Sets the probes up again on a new mesh.
   void rebuild();
-  /// The values of all, in the order in which they were added, on every rank.
-  void evaluate(const State &state, std::vector<double> &values) const;
+  /// Whether any is a force.
+  bool asks_for_forces() const;
+  /// The values of all, in the order in which they were added, on every rank. `forces`: what the
+  /// equations leave at the nodes; null if no probe asks for them.
+  void
+  evaluate(const State &state, const DistributedVector *forces, std::vector<double> &values) const;
 
 protected:
   using Collector = ProbeWeights::Collector;
@@ -62,6 +66,8 @@ private:
   /// Of a field that has a direction: the displacement along the normal that points out of the
   /// regions, on their surface with other regions.
   virtual double add_interface(const ProbeRequest<dim> &request, Collector &collector) const = 0;
+  /// Of forces, which have no field: the nodes of the boundaries; returns their number.
+  virtual double add_force(const ProbeRequest<dim> &request, Collector &collector) const = 0;
   /// The flow rate; 0 if the plane misses the regions.
   virtual double add_flow(const ProbeRequest<dim> &request, Collector &collector) const = 0;
   void build(Probe &probe) const;

@@ -33,6 +33,16 @@ public:
   PowerBalance balance(const FinishedStep &step, bool relaxation);
   Energy energy(const State &state);
 
+  /// Makes balance() keep the forces at the nodes, too.
+  void want_forces() { forces_are_wanted = true; }
+  /// What the equations of a step leave at the nodes, inertia + inner forces + convection - loads
+  /// [N]: the forces that move the nodes of prescribed velocity, and 0 up to the accuracy of the
+  /// solution at free ones. Those of balance() if it has made them; zeros before the first step on
+  /// a mesh. Collective.
+  const DistributedVector &forces_at_nodes(const FinishedStep &step);
+  /// A step has been made, of which the forces are not known.
+  void forget_forces() { forces_are_current = false; }
+
 private:
   const Problem &problem;
   Operators &operators;
@@ -40,6 +50,7 @@ private:
   std::vector<std::unique_ptr<EquationTerm>> terms;
   TermContext context;
   DistributedVector forces;
+  bool forces_are_wanted = false, forces_are_current = false;
   std::vector<double> sums; ///< work space
 };
 } // namespace Continua

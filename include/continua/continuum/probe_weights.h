@@ -18,7 +18,8 @@ public:
     velocity,
     displacement,
     mixture, ///< of one region, eta U + sum_k mu_k D_k
-    pressure
+    pressure,
+    force ///< what the equations leave at the nodes
   };
 
   /// Weights of entries of any rank, while they are added up.
@@ -34,7 +35,7 @@ public:
 
   private:
     friend class ProbeWeights;
-    DistributedVector velocity, displacement, pressure;
+    DistributedVector velocity, displacement, pressure, force;
     std::vector<DistributedVector> mixtures;
   };
 
@@ -42,8 +43,11 @@ public:
   /// Takes what was collected, times a factor; collective.
   ProbeWeights(Collector &collector, double factor);
 
-  /// This rank's share of the number; the materials by region.
-  double share(const State &state, const std::vector<Material> &materials) const;
+  /// This rank's share of the number; the materials by region. `forces` at the nodes: not null if
+  /// there are weights of them.
+  double share(const State &state,
+               const DistributedVector *forces,
+               const std::vector<Material> &materials) const;
 
 private:
   /// Weights of one vector.

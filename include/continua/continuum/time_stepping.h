@@ -47,6 +47,13 @@ public:
 
   PowerBalance power_balance(bool relaxation);
   Energy energy();
+  /// Call before the first step if forces_at_nodes() will be asked for.
+  void want_forces_at_nodes() { ledger.want_forces(); }
+  /// Of the last step at the time at which it balances, or of the steady solution; see Ledger.
+  const DistributedVector &forces_at_nodes()
+  {
+    return ledger.forces_at_nodes({balanced, velocity_older, velocity});
+  }
 
   /// Call when cells are flagged and before the triangulation changes, and after.
   void prepare_refinement();

@@ -49,6 +49,7 @@ private:
                     const FieldDefinition<dim> &field,
                     Collector &collector) const override;
   double add_interface(const ProbeRequest<dim> &request, Collector &collector) const override;
+  double add_force(const ProbeRequest<dim> &request, Collector &collector) const override;
   double add_flow(const ProbeRequest<dim> &request, Collector &collector) const override;
   /// Adds the field at points of the unit cell, and at a quadrature point, times weights.
   void add_values(const FieldDefinition<dim> &field,

@@ -63,6 +63,7 @@ private:
                     const FieldDefinition<dim> &field,
                     Collector &collector) const override;
   double add_interface(const ProbeRequest<dim> &request, Collector &collector) const override;
+  double add_force(const ProbeRequest<dim> &request, Collector &collector) const override;
   double add_flow(const ProbeRequest<dim> &request, Collector &collector) const override;
   /// The faces with their own value, of a cell, that hold a point given in its unit cell.
   std::vector<CellPlace> faces_at(unsigned int cell,

@@ -4,6 +4,7 @@
 #include <continua/base/parameter_section.h>
 #include <continua/base/summary.h>
 #include <continua/base/words.h>
+#include <continua/boundary/boundary_condition.h>
 #include <continua/continuum/continuum_solver.h>
 #include <continua/materials/model.h>
 #include <continua/postprocess/run_table.h>
@@ -14,6 +15,7 @@
 #include <mpi.h>
 
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -38,7 +40,7 @@ struct StationsProbe
 };
 
 /**
- * The section Probes: a named family, each child a point of the undeformed body, a boundary, a
+ * The section Probes: a named family, each child a point of the undeformed body, boundaries, a
  * plane section, the volume of a region or the stations of a tube, where fields are recorded over
  * time in probes.csv (columns "NAME: FIELD [UNIT]", of stations "NAME 0.1 m: FIELD [UNIT]"), and
  * what these histories say of an oscillation. The order of calls: read() before there is a solver,
@@ -65,6 +67,10 @@ public:
   void check(const dealii::Triangulation<dim> &coarse_mesh,
              const std::vector<FieldComponent> &fields,
              const std::set<std::pair<unsigned int, unsigned int>> &boundary_regions);
+  /// Refuses forces where there are none: on boundaries of which each condition in `conditions`
+  /// leaves all motion free, and at all if `reason` says why. Throws InputError.
+  void check_forces(const std::vector<BoundaryCondition> &conditions,
+                    const std::string &reason) const;
   /// Asks the solver, which must live as long as this, for the values. Throws InputError for a
   /// field that it has not and a point outside the mesh. `model` gives integrals their unit: over
   /// a line (per metre of depth) or an area.
@@ -137,16 +143,18 @@ private:
 
     ParameterSection section;
     std::vector<std::string> fields; ///< as written
-    std::vector<double> point;
-    std::string boundary;
+    std::vector<double> point, reference_point;
+    std::vector<std::string> boundaries;
+    std::map<unsigned int, std::string> names_of_boundaries;    ///< by boundary id
     double position = std::numeric_limits<double>::quiet_NaN(); ///< of a section [m]
     std::string volume;                                         ///< name of its region
     Stations<dim> stations;
     Value value = Value::mean;
     std::string region;
     bool signal_analysis = true;
-    std::vector<double> modes; ///< start values [Hz]
-    ProbeRequest<dim> request; ///< all but the field
+    std::vector<double> modes;    ///< start values [Hz]
+    ProbeRequest<dim> request;    ///< all but the field
+    dealii::Point<dim> reference; ///< the reference point
     Place place = Place::point;
   };
   struct Column
@@ -167,6 +175,13 @@ private:
   /// What a probe without stations records, out of all `fields`. Throws InputError.
   static std::vector<FieldComponent> components(const Probe &probe,
                                                 const std::vector<FieldComponent> &fields);
+  /// Whether it has a field that is a force.
+  static bool asks_for_forces(const Probe &probe);
+  /// Refuses a point that no cell of the coarse mesh holds.
+  static void check_point(const Probe &probe,
+                          const std::string &entry,
+                          const dealii::Point<dim> &point,
+                          const dealii::Triangulation<dim> &coarse_mesh);
   void attach_fields(unsigned int probe, Model model);
   void attach_stations(unsigned int probe);
   /// Asks the solver; what it cannot tell is refused as the probe's place.
