@@ -35,8 +35,10 @@ void set_flow_profiles(std::vector<BoundaryCondition> &conditions,
         section.refuse("Profile", "a steady flow has no womersley profile",
                        "Use 'parabolic', which is what that becomes");
       const Material &liquid = materials[*condition.region_ids.begin()];
-      if (condition.region_ids.size() > 1 || liquid.is_solid() || liquid.shear.viscosity <= 0.)
-        section.refuse("Profile", "a womersley profile is for one viscous liquid",
+      if (condition.region_ids.size() > 1 || liquid.is_solid() || liquid.shear.viscosity <= 0. ||
+          liquid.shear.flow_curve)
+        section.refuse("Profile",
+                       "a womersley profile is for one viscous liquid of constant viscosity",
                        "Use 'flat' or 'parabolic', or name the liquid's 'Region'");
       history = {liquid.shear.viscosity / liquid.density, times.end_time, times.time_step};
     }

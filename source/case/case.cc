@@ -194,6 +194,12 @@ Case<dim>::Case(ParameterFile &file,
                                  problem.materials);
   absorbing_ends.add(*this, root, restart);
   probes.check(*triangulation, field_names<dim>(problem.model), pairs);
+  std::set<unsigned int> with_flow_curve;
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+    if (problem.materials[region].shear.flow_curve)
+      with_flow_curve.insert(region);
+  if (!with_flow_curve.empty())
+    probes.refuse_stresses_in(with_flow_curve, field_names<dim>(problem.model));
   probes.check_forces(problem.conditions,
                       discretisation.is_cell_wise()
                           ? "the cell-wise path has no forces at nodes"

@@ -159,6 +159,14 @@ void refuse_what_convection_uses(const Problem &problem, ParameterSection root)
   for (const char *const name : {"Flow", "Newton"})
     if (root.has_subsection(name))
       root.subsection(name).refuse("", "without convection nothing uses the section", remedy);
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+    if (problem.materials[region].shear.flow_curve)
+      root.subsection("Materials")
+          .subsection(problem.regions[region])
+          .refuse("Type",
+                  "a viscosity that depends on the rate of shear is not linear, and belongs to "
+                  "Newton's iteration",
+                  "Set Convection = navier stokes, or Type = newtonian");
   for (const std::string &region : problem.regions)
     for (const char *const key : {"Volume exponent", "Reference pressure"})
       if (ParameterSection material = root.subsection("Materials").subsection(region);

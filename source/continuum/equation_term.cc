@@ -102,13 +102,16 @@ public:
                TermContext &context,
                DistributedVector *const forces) const override
   {
-    const double viscosity = context.problem.materials[region].shear.viscosity;
-    if (viscosity == 0.)
+    const Shear &shear = context.problem.materials[region].shear;
+    if (shear.viscosity == 0.)
       return 0.;
     context.operators.multiply_stiffness(region, context.force, step.balanced.velocity);
+    context.force *= shear.viscosity;
+    if (shear.flow_curve)
+      context.force.add(1., context.nonlinear_forces.viscosity);
     if (forces != nullptr)
-      forces->add(viscosity, context.force);
-    return viscosity * local_product(context.force, step.balanced.velocity);
+      forces->add(1., context.force);
+    return local_product(context.force, step.balanced.velocity);
   }
 };
 

@@ -32,7 +32,8 @@ void Ledger::reinit()
   if (problem.convection.is_on)
     for (DistributedVector *vector :
          {&context.nonlinear_forces.inertia, &context.nonlinear_forces.convection,
-          &context.nonlinear_forces.stabilisation, &context.nonlinear_forces.inflow})
+          &context.nonlinear_forces.stabilisation, &context.nonlinear_forces.viscosity,
+          &context.nonlinear_forces.inflow})
       vector->reinit(forces);
   for (DistributedVector *vector : {&context.dilatation, &context.forgotten_rate})
     *vector = operators.pressure_vector();

@@ -1,5 +1,7 @@
 #include <continua/continuum/stress_and_strain.h>
 
+#include <cmath>
+
 namespace Continua
 {
 using namespace dealii;
@@ -23,6 +25,20 @@ stress(const Tensor<2, dim> &gradient, const double hoop, const double pressure,
     result[k] = gradient[stress_pairs[k][0]][stress_pairs[k][1]] +
                 gradient[stress_pairs[k][1]][stress_pairs[k][0]];
   return result;
+}
+
+template <int dim>
+double thinning(const FlowCurve &curve,
+                const Tensor<2, dim> &gradient,
+                const double hoop,
+                const Model model)
+{
+  // Twice the deviator of the strain rate, times eta_0.
+  const std::array<double, 6> twice = stress<dim>(gradient, hoop, 0., model);
+  double square = 0.;
+  for (unsigned int k = 0; k < 6; ++k)
+    square += (k < 3 ? 0.5 : 1.) * twice[k] * twice[k];
+  return curve.viscosity(std::sqrt(square) / curve.zero_rate_viscosity) / curve.zero_rate_viscosity;
 }
 
 template <int dim>
@@ -62,6 +78,8 @@ Tensor<1, dim> traction(const std::array<double, 6> &stress, const Tensor<1, dim
 
 template std::array<double, 6> stress(const Tensor<2, 2> &, double, double, Model);
 template std::array<double, 6> stress(const Tensor<2, 3> &, double, double, Model);
+template double thinning(const FlowCurve &, const Tensor<2, 2> &, double, Model);
+template double thinning(const FlowCurve &, const Tensor<2, 3> &, double, Model);
 template std::array<double, 6>
 strain(const Tensor<2, 2> &, double, Model, const PlaneStressFactors &);
 template std::array<double, 6>

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -60,8 +61,9 @@ ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space, const Problem &pr
     place[component.first][component.second] = i;
   }
   velocity_indices.resize(n_velocity);
-  for (Vector<double> *vector : {&cell_velocity, &cell_acceleration, &cell_inertia,
-                                 &cell_convection, &cell_stabilisation, &cell_inflow})
+  for (Vector<double> *vector :
+       {&cell_velocity, &cell_acceleration, &cell_inertia, &cell_convection, &cell_stabilisation,
+        &cell_viscosity, &cell_inflow})
     vector->reinit(n_velocity);
 }
 
@@ -167,7 +169,76 @@ typename ConvectiveTerms<dim>::Point ConvectiveTerms<dim>::point(const unsigned 
     point.pressure_rate += cell_pressure_rate[k] * pressure_values->shape_value(k, q);
     point.pressure_gradient += cell_pressure[k] * pressure_values->shape_grad(k, q);
   }
+  if (problem.materials[region].shear.flow_curve)
+    set_strain_rate(point, q);
   return point;
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::set_strain_rate(Point &point, const unsigned int q) const
+{
+  const double mean = point.divergence / 3.;
+  for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int d = 0; d < dim; ++d)
+      point.strain_rate[c][d] =
+          0.5 * (point.velocity_gradient[c][d] + point.velocity_gradient[d][c]) -
+          (c == d ? mean : 0.);
+  if (space.is_axisymmetric())
+    point.hoop = 1. / values.quadrature_point(q)[1];
+  if (dim == 2)
+    point.across = point.velocity[1] * point.hoop - mean;
+  point.shear_rate =
+      std::sqrt(2. * (point.strain_rate.norm_square() + point.across * point.across));
+}
+
+template <int dim>
+double ConvectiveTerms<dim>::shear(const Point &point,
+                                   const unsigned int component,
+                                   const unsigned int function,
+                                   const unsigned int q) const
+{
+  double sum = point.strain_rate[component] * values.shape_grad(function, q);
+  if (component == 1)
+    sum += point.across * point.hoop * values.shape_value(function, q);
+  return sum;
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::integrate_viscosity(const Point &here, const unsigned int q)
+{
+  const FlowCurve &curve = *problem.materials[region].shear.flow_curve;
+  const double factor =
+      2. * here.weight * (curve.viscosity(here.shear_rate) - curve.zero_rate_viscosity);
+  for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int a = 0; a < place[c].size(); ++a)
+      cell_viscosity[place[c][a]] += factor * shear(here, c, a, q);
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::add_derivative_of_viscosity(const Point &here,
+                                                       const unsigned int q,
+                                                       FullMatrix<double> &matrix)
+{
+  const FlowCurve &curve = *problem.materials[region].shear.flow_curve;
+  const double excess =
+      2. * here.weight * (curve.viscosity(here.shear_rate) - curve.zero_rate_viscosity);
+  const double slope = 4. * here.weight * curve.slope_over_rate(here.shear_rate);
+  for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int a = 0; a < place[c].size(); ++a)
+    {
+      const Tensor<1, dim> test = values.shape_grad(a, q);
+      const double sheared = slope * shear(here, c, a, q);
+      for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int b = 0; b < place[d].size(); ++b)
+        {
+          const Tensor<1, dim> trial = values.shape_grad(b, q);
+          double same = 0.5 * ((c == d ? test * trial : 0.) + test[d] * trial[c]) -
+                        trace(c, a, q) * trace(d, b, q) / 3.;
+          if (c == 1 && d == 1)
+            same += here.hoop * here.hoop * values.shape_value(a, q) * values.shape_value(b, q);
+          matrix(place[c][a], place[d][b]) += excess * same + sheared * shear(here, d, b, q);
+        }
+    }
 }
 
 template <int dim>
@@ -178,8 +249,8 @@ double ConvectiveTerms<dim>::integrate()
   const Convection &convection = problem.convection;
   const bool is_skew = convection.term == ConvectiveTerm::skew;
   double least_stiffening = 1.;
-  for (Vector<double> *vector :
-       {&cell_inertia, &cell_convection, &cell_stabilisation, &cell_inflow, &cell_volume})
+  for (Vector<double> *vector : {&cell_inertia, &cell_convection, &cell_stabilisation,
+                                 &cell_viscosity, &cell_inflow, &cell_volume})
     *vector = 0.;
   for (unsigned int q = 0; q < quadrature.size(); ++q)
   {
@@ -204,6 +275,8 @@ double ConvectiveTerms<dim>::integrate()
         cell_convection[i] += convective[c] * values.shape_value(a, q);
         cell_stabilisation[i] += second_pressure * trace(c, a, q);
       }
+    if (material.shear.flow_curve)
+      integrate_viscosity(here, q);
     const double rate = compression - law.inverse_bulk_modulus * here.pressure_rate;
     for (unsigned int k = 0; k < cell_volume.size(); ++k)
       cell_volume[k] += here.weight * rate * pressure_values->shape_value(k, q);
@@ -230,7 +303,8 @@ void ConvectiveTerms<dim>::add(const BalancedStep &state,
       least_stiffening = stiffening;
       softest = region;
     }
-    for (const Vector<double> *part : {&cell_convection, &cell_stabilisation, &cell_inflow})
+    for (const Vector<double> *part :
+         {&cell_convection, &cell_stabilisation, &cell_viscosity, &cell_inflow})
       cell_inertia += *part;
     space.velocity_hanging.distribute_local_to_global(cell_inertia, velocity_indices, momentum);
     space.pressure_hanging.distribute_local_to_global(cell_volume, pressure_indices, volume);
@@ -255,10 +329,11 @@ void ConvectiveTerms<dim>::set_forces_of(const unsigned int of_region,
                                          const BalancedStep &state,
                                          NonlinearForces &forces)
 {
-  const std::array<std::pair<const Vector<double> *, DistributedVector *>, 4> parts = {
+  const std::array<std::pair<const Vector<double> *, DistributedVector *>, 5> parts = {
       {{&cell_inertia, &forces.inertia},
        {&cell_convection, &forces.convection},
        {&cell_stabilisation, &forces.stabilisation},
+       {&cell_viscosity, &forces.viscosity},
        {&cell_inflow, &forces.inflow}}};
   for (const auto &part : parts)
     *part.second = 0.;
@@ -371,6 +446,8 @@ void ConvectiveTerms<dim>::integrate_derivative(const Step &step, FullMatrix<dou
           matrix(i, n_velocity + l) += by_density * densities[l] + by_source * pressure_sources[l];
       }
     }
+    if (material.shear.flow_curve)
+      add_derivative_of_viscosity(here, q, matrix);
     for (unsigned int k = 0; k < n_pressure; ++k)
     {
       const double test = -here.weight * pressure_values->shape_value(k, q);

@@ -94,8 +94,15 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
           gradient[c] = gradients[q][c];
         const double r = values.quadrature_point(q)[1];
         // On the axis the hoop strain is the radial one.
-        const double hoop =
+        double hoop =
             space.is_axisymmetric() ? (r > 0. ? mixture_values[q][1] / r : gradient[1][1]) : 0.;
+        if (material.shear.flow_curve)
+        {
+          const double factor =
+              thinning<dim>(*material.shear.flow_curve, gradient, hoop, problem.model);
+          gradient *= factor;
+          hoop *= factor;
+        }
         cell_fields[indices[i]] = stress<dim>(gradient, hoop, p, problem.model)[component - 1];
       }
     }

@@ -103,8 +103,13 @@ private:
       for (unsigned int c = 0; c < dim; ++c)
         gradient[c] = gradients[q][c];
       const double r = fe_values.quadrature_point(q)[1];
-      const double hoop =
-          space.is_axisymmetric() ? (r > 0. ? values[q][1] / r : gradient[1][1]) : 0.;
+      double hoop = space.is_axisymmetric() ? (r > 0. ? values[q][1] / r : gradient[1][1]) : 0.;
+      if (const auto &curve = problem.materials[region].shear.flow_curve; curve)
+      {
+        const double factor = thinning<dim>(*curve, gradient, hoop, problem.model);
+        gradient *= factor;
+        hoop *= factor;
+      }
       tractions[q] =
           traction<dim>(stress<dim>(gradient, hoop, pressures[q][space.pressure_component(region)],
                                     problem.model),

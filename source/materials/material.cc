@@ -126,6 +126,17 @@ void read_bulk_branches(ParameterSection &section, Material &material)
   material.compression = Compression::relaxing(branches);
 }
 
+/// What liquids have besides their viscosity.
+void read_liquid(ParameterSection &section, Material &material)
+{
+  material.compression = read_compression(section);
+  section.add("Volume exponent", material.volume_exponent, Dimensions::none,
+              "n of the bulk modulus K + n (p - p0), where convection is on: 0 - constant; 1 - the "
+              "equation of state of Giannopapa's thesis (2.28); 7.15 - water (Tait).");
+  section.add("Reference pressure", material.reference_pressure, Dimensions::pressure,
+              "p0, at which Density and Bulk modulus are given, where convection is on.");
+}
+
 Material newtonian(ParameterSection &section, const Model model)
 {
   refuse_plane_stress(section, model);
@@ -133,12 +144,36 @@ Material newtonian(ParameterSection &section, const Model model)
   material.density = read_density(section);
   material.shear.viscosity = required_entry(section, "Viscosity", Dimensions::viscosity,
                                             "Dynamic viscosity eta.", Range::not_negative());
-  material.compression = read_compression(section);
-  section.add("Volume exponent", material.volume_exponent, Dimensions::none,
-              "n of the bulk modulus K + n (p - p0), where convection is on: 0 - constant; 1 - the "
-              "equation of state of Giannopapa's thesis (2.28); 7.15 - water (Tait).");
-  section.add("Reference pressure", material.reference_pressure, Dimensions::pressure,
-              "p0, at which Density and Bulk modulus are given, where convection is on.");
+  read_liquid(section, material);
+  return material;
+}
+
+Material carreau_yasuda(ParameterSection &section, const Model model)
+{
+  refuse_plane_stress(section, model);
+  Material material;
+  material.density = read_density(section);
+  FlowCurve curve;
+  curve.zero_rate_viscosity = required_entry(section, "Zero-rate viscosity", Dimensions::viscosity,
+                                             "Viscosity at rest, eta_0.", Range::positive());
+  curve.infinite_rate_viscosity =
+      required_entry(section, "Infinite-rate viscosity", Dimensions::viscosity,
+                     "Viscosity at a very high rate of shear, eta_inf.", Range::not_negative());
+  curve.time = required_entry(section, "Time constant", Dimensions::time,
+                              "lambda; the viscosity begins to change at the rate 1/lambda.",
+                              Range::positive());
+  curve.index = required_entry(section, "Power-law index", Dimensions::none,
+                               "n of eta ~ rate^(n - 1) between both viscosities.",
+                               Range{0., 1., true, true});
+  section.add("Yasuda exponent", curve.yasuda_exponent, Dimensions::none,
+              "a, how sharp the bend at the rate 1/lambda is; 2 is Carreau's law.",
+              Range{0.1, 10., true, true});
+  if (curve.infinite_rate_viscosity > curve.zero_rate_viscosity)
+    section.refuse("Infinite-rate viscosity", "is larger than Zero-rate viscosity",
+                   "A liquid of this law becomes thinner: exchange the values");
+  material.shear.viscosity = curve.zero_rate_viscosity;
+  material.shear.flow_curve = curve;
+  read_liquid(section, material);
   return material;
 }
 
@@ -305,6 +340,9 @@ const std::vector<Row> &table()
   static const std::vector<Row> rows = {
       {"newtonian", "Viscous fluid, compressible by its bulk modulus or incompressible.",
        newtonian},
+      {"carreau-yasuda",
+       "Liquid whose viscosity falls with the rate of shear, such as blood; with convection.",
+       carreau_yasuda},
       {"hookean", "Linear elastic solid.", hookean},
       {"kelvin-voigt", "Elastic solid with a viscosity beside the spring.", kelvin_voigt},
       {"maxwell", "Elastic volume change, shear stress that relaxes to zero.", maxwell},

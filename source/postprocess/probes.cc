@@ -536,6 +536,31 @@ void Probes<dim>::check(const dealii::Triangulation<dim> &coarse_mesh,
 }
 
 template <int dim>
+void Probes<dim>::refuse_stresses_in(const std::set<unsigned int> &regions,
+                                     const std::vector<FieldComponent> &fields) const
+{
+  const auto is_stress = [](const std::string &field)
+  { return field.find("stress") != std::string::npos; };
+  for (const Probe &probe : probes)
+  {
+    const std::set<unsigned int> &of_probe = probe.request.region_ids;
+    const bool meets = of_probe.empty() || std::any_of(of_probe.begin(), of_probe.end(),
+                                                       [&](const unsigned int region)
+                                                       { return regions.count(region) > 0; });
+    bool has_stress = std::any_of(probe.fields.begin(), probe.fields.end(), is_stress);
+    if (probe.place != Place::stations)
+      for (const FieldComponent &field : components(probe, fields))
+        has_stress = has_stress || is_stress(field.name);
+    if (meets && has_stress)
+      probe.section.refuse("Fields",
+                           "a probe has no stress of a liquid whose viscosity depends on the rate "
+                           "of shear",
+                           "Ask for the velocity, or name a 'Region' of another material; the "
+                           "fields of the output have the stress");
+  }
+}
+
+template <int dim>
 std::vector<std::string> Probes<dim>::column_names() const
 {
   std::vector<std::string> names;

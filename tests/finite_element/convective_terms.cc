@@ -124,6 +124,8 @@ void check_derivative(const std::string &name,
   Problem problem = make_problem(
       space.is_axisymmetric() ? Model::axisymmetric : Model::plane_strain, 0.05, exponent);
   problem.convection.term = term;
+  problem.materials[0].shear.viscosity = 2.;
+  problem.materials[0].shear.flow_curve = FlowCurve{2., 0.3, 0.8, 0.4, 1.5};
   add_open_end(problem);
   ConvectiveTerms<dim> terms(space, problem);
   terms.reinit();
@@ -176,7 +178,7 @@ template <int dim>
 NonlinearForces make_forces(const Space<dim> &space)
 {
   const DistributedVector zero = space.velocity_vector();
-  return {zero, zero, zero, zero};
+  return {zero, zero, zero, zero, zero};
 }
 
 /// The power of convection in a flow that is zero at the boundary of the liquid.
@@ -309,6 +311,35 @@ UNIT_TEST(convective_terms)
     of_gas.add(moving, momentum, volume);
     check::relative("ring: volume", volume.mean_value() * volume.size(),
                     0.5 * 3. * 2. * numbers::PI * (15.625 - 0.125) / 3., 1e-12);
+  }
+
+  // Simple shear U = (3 y, 0) of the rate 3: the power is (eta(3) - eta(0)) 9 over the area 4; and
+  // U = (-2 x, r) of a ring, whose strain rate (-2, 1, 1) has the rate sqrt(12).
+  {
+    const FlowCurve curve{2., 0.3, 0.8, 0.4, 1.5};
+    const auto power_in =
+        [&](const Space<2> &of_space, const Model model, const Tensor<2, 2> &gradient)
+    {
+      Problem thinning = make_problem(model, 0., 0.);
+      thinning.materials[0].shear.viscosity = 2.;
+      thinning.materials[0].shear.flow_curve = curve;
+      BalancedStep moving = make_state(of_space);
+      moving.velocity = small_problem::interpolated<2>(of_space, [&](const Point<2> &x)
+                                                       { return gradient * Tensor<1, 2>(x); });
+      ConvectiveTerms<2> terms(of_space, thinning);
+      terms.reinit();
+      NonlinearForces forces = make_forces(of_space);
+      terms.set_forces_of(0, moving, forces);
+      return forces.viscosity * moving.velocity;
+    };
+    Tensor<2, 2> shear, stretch;
+    shear[0][1] = 3.;
+    stretch[0][0] = -2.;
+    stretch[1][1] = 1.;
+    check::relative("thinning: shear", power_in(square_space, Model::plane_strain, shear),
+                    (curve.viscosity(3.) - 2.) * 9. * 4., 1e-12);
+    check::relative("thinning: stretched ring", power_in(round_space, Model::axisymmetric, stretch),
+                    (curve.viscosity(std::sqrt(12.)) - 2.) * 12. * 6. * numbers::PI, 1e-12);
   }
 
   // U = (1 + x, 1) enters at x = 0 over the height 2: t = rho/2 (-1) U.

@@ -1,6 +1,7 @@
 #ifndef continua_continuum_stress_and_strain_h
 #define continua_continuum_stress_and_strain_h
 
+#include <continua/materials/flow_curve.h>
 #include <continua/materials/model.h>
 #include <continua/materials/plane_stress.h>
 
@@ -30,6 +31,14 @@ std::array<double, 6> stress(const dealii::Tensor<2, dim> &mixture_gradient,
                              double mixture_hoop,
                              double pressure,
                              Model model);
+
+/// Viscosity over that at rest, of a liquid with this flow curve, from the gradient of its mixture
+/// eta_0 U [1]: the factor of its shear stress.
+template <int dim>
+double thinning(const FlowCurve &curve,
+                const dealii::Tensor<2, dim> &mixture_gradient,
+                double mixture_hoop,
+                Model model);
 
 /// Strain of the displacement from its gradient, in the same order, xy the half of the shear angle.
 /// zz is the hoop strain in axisymmetry, 0 in plane strain, and in plane stress what keeps sigma_zz

@@ -25,11 +25,13 @@ namespace Continua
  *   int v . ( (rho - rho0) dU/dt + rho (U . grad) U ) + 1/2 rho m U . v + gamma m div v
  *   int q ( (c - 1/K) dp/dt + c U . grad p ),         m = c (dp/dt + U . grad p) + div U
  *
- * with rho(p), c(p) of the VolumeLaw, and InflowTerms at open ends; the term with 1/2 rho m is that
- * of the skew form, gamma that of grad-div. Temam (1968) has the skew form of an incompressible
- * liquid; with m in the place of div U it holds for any law of the density: the power of the
- * convective terms is d/dt int rho/2 U^2 + the flux of rho/2 U^2 through the boundary, less that of
- * rho0.
+ *   + int 2 (eta(g) - eta_0) dev sym grad U : grad v
+ *
+ * with rho(p), c(p) of the VolumeLaw, eta(g) of the FlowCurve, and InflowTerms at open ends; the
+ * term with 1/2 rho m is that of the skew form, gamma that of grad-div. Temam (1968) has the skew
+ * form of an incompressible liquid; with m in the place of div U it holds for any law of the
+ * density: the power of the convective terms is d/dt int rho/2 U^2 + the flux of rho/2 U^2 through
+ * the boundary, less that of rho0.
  */
 template <int dim>
 class ConvectiveTerms
@@ -69,6 +71,9 @@ private:
     double pressure = 0., pressure_rate = 0., divergence = 0.;
     dealii::Tensor<1, dim> velocity, acceleration, pressure_gradient;
     dealii::Tensor<2, dim> velocity_gradient; ///< [c][d]: of component c along d
+    dealii::Tensor<2, dim> strain_rate;       ///< deviatoric, in the plane or in space
+    double across = 0., hoop = 0.;            ///< of it, across the plane; 1/r in axisymmetry
+    double shear_rate = 0.;                   ///< of the FlowCurve
   };
 
   const Space<dim> &space;
@@ -90,7 +95,8 @@ private:
   std::vector<dealii::types::global_dof_index> velocity_indices, pressure_indices;
   dealii::Vector<double> cell_velocity, cell_acceleration, cell_pressure, cell_pressure_rate;
   dealii::Vector<double> cell_volume;
-  dealii::Vector<double> cell_inertia, cell_convection, cell_stabilisation, cell_inflow;
+  dealii::Vector<double> cell_inertia, cell_convection, cell_stabilisation, cell_viscosity,
+      cell_inflow;
 
   /// Whether 1 - phase is more than 0.
   bool has_terms(unsigned int region) const;
@@ -99,6 +105,16 @@ private:
   /// Makes shape functions, indices and the state's entries those of the cell.
   void visit(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell);
   Point point(unsigned int q) const;
+  /// Adds the strain rate to the point.
+  void set_strain_rate(Point &point, unsigned int q) const;
+  /// The strain rate times the gradient of a velocity's shape function.
+  double
+  shear(const Point &point, unsigned int component, unsigned int function, unsigned int q) const;
+  /// Adds the terms of a flow curve to cell_viscosity, or their derivative to the matrix.
+  void integrate_viscosity(const Point &point, unsigned int q);
+  void add_derivative_of_viscosity(const Point &point,
+                                   unsigned int q,
+                                   dealii::FullMatrix<double> &matrix);
   typename dealii::DoFHandler<dim>::active_cell_iterator present_pressure_cell() const;
   /// Trace of the strain of a velocity's shape function.
   double trace(unsigned int component, unsigned int function, unsigned int q) const;

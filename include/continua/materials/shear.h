@@ -1,6 +1,7 @@
 #ifndef continua_materials_shear_h
 #define continua_materials_shear_h
 
+#include <continua/materials/flow_curve.h>
 #include <continua/materials/prony_fit_parameters.h>
 
 #include <complex>
@@ -39,7 +40,9 @@ struct PowerLaw
 /// branch that never relaxes.
 struct Shear
 {
-  double viscosity = 0.; ///< eta [Pa s]
+  double viscosity = 0.; ///< eta; with a flow curve that at rest [Pa s]
+  /// Of a liquid whose viscosity depends on the rate of shear.
+  std::optional<FlowCurve> flow_curve;
   std::vector<Branch> branches;
   std::optional<PowerLaw> power_law;
   // A hyperelastic law becomes a further kind of shear here, beside `power_law`: a law at a point

@@ -71,6 +71,10 @@ public:
   /// leaves all motion free, and at all if `reason` says why. Throws InputError.
   void check_forces(const std::vector<BoundaryCondition> &conditions,
                     const std::string &reason) const;
+  /// Refuses stresses in these regions at points, over boundaries, sections, volumes and at
+  /// stations: their law is not linear. After check(), with the same `fields`. Throws InputError.
+  void refuse_stresses_in(const std::set<unsigned int> &regions,
+                          const std::vector<FieldComponent> &fields) const;
   /// Asks the solver, which must live as long as this, for the values. Throws InputError for a
   /// field that it has not and a point outside the mesh. `model` gives integrals their unit: over
   /// a line (per metre of depth) or an area.
