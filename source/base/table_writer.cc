@@ -112,8 +112,13 @@ TableWriter::TableWriter(const std::string &file,
                          const double restart_time)
     : file_name(file), n_columns(header.size()), last_flush(std::chrono::steady_clock::now())
 {
-  if (std::ifstream old_file(file, std::ios::binary); old_file)
+  std::error_code unknown;
+  const bool is_there = std::filesystem::exists(file, unknown);
+  if (is_there || unknown)
   {
+    std::ifstream old_file(file, std::ios::binary);
+    if (!old_file)
+      throw RunError("cannot continue '" + file + "': it cannot be read");
     contents = part_to_keep(old_file, file, header_line(header), restart_time);
     old_file.close();
     std::error_code error;

@@ -97,6 +97,12 @@ std::vector<std::pair<double, std::string>> read_list(const std::string &file,
 {
   std::vector<std::pair<double, std::string>> entries;
   std::ifstream stream(file);
+  const auto refuse_unread = [&]()
+  {
+    if (!stream.is_open() || stream.bad())
+      throw RunError("cannot continue '" + file + "': it cannot be read");
+  };
+  refuse_unread();
   std::string line;
   while (std::getline(stream, line))
   {
@@ -115,6 +121,7 @@ std::vector<std::pair<double, std::string>> read_list(const std::string &file,
     if (time <= last_time)
       entries.emplace_back(time, data_file);
   }
+  refuse_unread();
   return entries;
 }
 } // namespace
@@ -174,7 +181,8 @@ void FieldWriter<dim>::resume(const double restart_time)
                   [&]()
                   {
                     const std::string file = output_file(folder, "fields.pvd");
-                    if (!std::ifstream(file))
+                    std::error_code unknown;
+                    if (!std::filesystem::exists(file, unknown) && !unknown)
                       return;
                     entries = read_list(file, last_time);
                     write_list();

@@ -593,6 +593,8 @@ template <int dim>
 void Probes<dim>::read_history(const std::string &file)
 {
   std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+    throw RunError("cannot continue '" + file + "': it cannot be read");
   std::string line;
   std::getline(stream, line); // the header, which the table writer has checked
   while (std::getline(stream, line))
@@ -611,6 +613,8 @@ void Probes<dim>::read_history(const std::string &file)
       begin = result.ptr + 1;
     }
   }
+  if (stream.bad())
+    throw RunError("cannot continue '" + file + "': it cannot be read");
 }
 
 template <int dim>
