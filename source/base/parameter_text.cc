@@ -314,6 +314,13 @@ void ParameterText::read(const std::string &path,
       throw InputError(here, "",
                        "there are more than " + std::to_string(most_statements) + " statements",
                        "Leave out what is not needed");
+    // It would continue the next line wherever the text is written again.
+    if (line.back() == '\\')
+      throw InputError(here, "",
+                       (is_included ? "this line" : "the line " + shown(line, false)) +
+                           " ends with a backslash that no further line follows",
+                       "Write one backslash at the end of each line that goes on, and none at the "
+                       "end of the last");
     const std::size_t blank = line.find(' ');
     const std::string keyword = line.substr(0, blank);
     const std::string rest = blank == std::string::npos ? "" : line.substr(blank + 1);

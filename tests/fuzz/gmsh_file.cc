@@ -7,16 +7,16 @@
 #include "input_file.h"
 
 #include <cmath>
-#include <sstream>
+#include <string>
 
 using namespace Continua;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
 {
-  std::istringstream stream(std::string(reinterpret_cast<const char *>(data), size));
   try
   {
-    const GmshFile file = GmshFile::read(stream, "input.msh");
+    const GmshFile file =
+        GmshFile::read(std::string(reinterpret_cast<const char *>(data), size), "input.msh");
     for (const dealii::Point<3> &point : file.points)
       Fuzz::require(std::isfinite(point.norm_square()) || point.norm_square() > 0.,
                     "a point has no place");
