@@ -36,8 +36,31 @@ void NewtonParameters::read(ParameterSection section)
   section.add("Maximum iterations", maximum_iterations,
               "Iterations after which a step has failed [1].", 1);
   section.add("Slowest rate", slowest_rate, Dimensions::none,
-              "A new factor is made when the residual is more than this fraction of that of the "
+              "An iteration is slow when its residual is more than this fraction of that of the "
               "iteration before.",
               Range{0., 1., true, true});
+  add_choice(section, "Slow iteration", slow_iteration,
+             {{"krylov", SlowIteration::krylov}, {"new factor", SlowIteration::new_factor}},
+             "What follows a slow iteration: krylov - GMRES solves with the tangent at that state, "
+             "preconditioned with the kept factor; new factor - that tangent is factored. With "
+             "outlets always a new factor.");
+  add_choice(
+      section, "Tangent products", tangent_products,
+      {{"assembled", TangentProducts::assembled}, {"differences", TangentProducts::differences}},
+      "Products with the tangent for GMRES: assembled - from integrals of the derivative, "
+      "which are kept for the step; differences - from differences of the terms that are "
+      "not linear, which needs no memory.");
+  section.add("Krylov tolerance", krylov_tolerance, Dimensions::none,
+              "GMRES ends when the residual is below this fraction of that at its start.",
+              Range{0., 1., true, true});
+  section.add("Most Krylov iterations", most_krylov_iterations,
+              "When GMRES needs more iterations than this, the next slow iteration makes a new "
+              "factor [1].",
+              1);
+  if (slow_iteration != SlowIteration::krylov)
+    for (const char *const key : {"Tangent products", "Krylov tolerance", "Most Krylov iterations"})
+      if (section.given(key))
+        section.refuse(key, "Slow iteration = new factor makes no use of it",
+                       "Remove it, or set Slow iteration = krylov");
 }
 } // namespace Continua

@@ -12,6 +12,9 @@ namespace
 {
 /// Of the terms that cancel, which a solve leaves.
 constexpr double round_off = 1e-13;
+/// Share of the state by which differences shift it. They are central: the error of terms of the
+/// third degree is its square.
+constexpr double difference = 1e-6;
 } // namespace
 
 Newton::Newton(const Problem &problem, Operators &operators, OutletCoupling &outlets)
@@ -28,6 +31,11 @@ void Newton::reinit()
   mass = operators.pressure_vector();
   for (DistributedVector *vector : {&mass_work, &pressure_change})
     vector->reinit(mass);
+  krylov.reinit(zero_velocity, mass);
+  for (DistributedVector *vector : {&shifted.velocity, &shifted.acceleration})
+    vector->reinit(zero_velocity);
+  for (DistributedVector *vector : {&shifted.pressure, &shifted.pressure_rate})
+    vector->reinit(mass);
   has_factor = false;
 }
 
@@ -40,43 +48,56 @@ void Newton::set_rates(const NewtonInput &input, BalancedStep &balanced) const
   balanced.pressure_rate.add(-factor, input.predicted_pressure);
 }
 
-Newton::Norms Newton::set_residuals(const NewtonInput &input, const BalancedStep &balanced)
+void Newton::subtract_linear_terms(const SystemCoefficients &coefficients,
+                                   const DistributedVector &velocity,
+                                   const DistributedVector &pressure,
+                                   DistributedVector &momentum_rows,
+                                   DistributedVector &mass_rows,
+                                   ResidualScales &scales)
 {
-  double momentum_scale = input.momentum.linfty_norm(), mass_scale = input.mass.linfty_norm();
-  const auto add = [](const DistributedVector &term, DistributedVector &residual, double &scale)
+  const auto subtract = [](const DistributedVector &term, DistributedVector &rows, double &scale)
   {
     scale = std::max(scale, term.linfty_norm());
-    residual.add(-1., term);
+    rows.add(-1., term);
   };
-  momentum.equ(1., input.momentum);
-  mass.equ(1., input.mass);
   momentum_work = 0.;
-  operators.add_velocity_product(balanced.velocity, momentum_work);
-  add(momentum_work, momentum, momentum_scale);
+  operators.add_velocity_product(velocity, momentum_work);
+  subtract(momentum_work, momentum_rows, scales.momentum);
   mass_work = 0.;
-  operators.add_divergence(balanced.velocity, mass_work);
-  add(mass_work, mass, mass_scale);
+  operators.add_divergence(velocity, mass_work);
+  subtract(mass_work, mass_rows, scales.mass);
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
-    operators.multiply_gradient(region, momentum_work, balanced.pressure);
-    add(momentum_work, momentum, momentum_scale);
-    const double compressibility = input.coefficients.compressibility[region];
+    operators.multiply_gradient(region, momentum_work, pressure);
+    subtract(momentum_work, momentum_rows, scales.momentum);
+    const double compressibility = coefficients.compressibility[region];
     if (compressibility == 0.)
       continue;
-    operators.multiply_pressure_mass(region, mass_work, balanced.pressure);
+    operators.multiply_pressure_mass(region, mass_work, pressure);
     mass_work *= compressibility;
-    add(mass_work, mass, mass_scale);
+    subtract(mass_work, mass_rows, scales.mass);
   }
+}
+
+Newton::Norms Newton::set_residuals(const NewtonInput &input, const BalancedStep &balanced)
+{
+  ResidualScales largest{input.momentum.linfty_norm(), input.mass.linfty_norm()};
+  momentum.equ(1., input.momentum);
+  mass.equ(1., input.mass);
+  subtract_linear_terms(input.coefficients, balanced.velocity, balanced.pressure, momentum, mass,
+                        largest);
   momentum_work = 0.;
   mass_work = 0.;
   operators.add_nonlinear_terms(balanced, momentum_work, mass_work);
-  add(momentum_work, momentum, momentum_scale);
-  add(mass_work, mass, mass_scale);
+  largest.momentum = std::max(largest.momentum, momentum_work.linfty_norm());
+  momentum.add(-1., momentum_work);
+  largest.mass = std::max(largest.mass, mass_work.linfty_norm());
+  mass.add(-1., mass_work);
 
   Norms norms;
   const ResidualScales scales = operators.residual_scales(balanced.velocity, balanced.pressure);
-  norms.momentum_round_off = round_off * std::max(momentum_scale, scales.momentum);
-  norms.mass_round_off = round_off * std::max(mass_scale, scales.mass);
+  norms.momentum_round_off = round_off * std::max(largest.momentum, scales.momentum);
+  norms.mass_round_off = round_off * std::max(largest.mass, scales.mass);
   momentum_work.equ(1., momentum);
   outlets.add_forces(1., momentum_work);
   mass_work.equ(1., mass);
@@ -86,6 +107,92 @@ Newton::Norms Newton::set_residuals(const NewtonInput &input, const BalancedStep
   return norms;
 }
 
+void Newton::add_differences(const BalancedStep &balanced,
+                             const DistributedVector &of_velocity,
+                             const DistributedVector &of_pressure,
+                             DistributedVector &momentum_rows,
+                             DistributedVector &mass_rows)
+{
+  // Velocity and pressure each change by no more than a small part of what they are.
+  const auto share = [](const DistributedVector &change, const DistributedVector &value)
+  {
+    const double size = value.linfty_norm(), of_change = change.linfty_norm();
+    return size > 0. ? of_change / size : of_change > 0. ? 1. : 0.;
+  };
+  const double largest =
+      std::max(share(of_velocity, balanced.velocity), share(of_pressure, balanced.pressure));
+  if (largest == 0.)
+    return;
+  const double distance = difference / largest;
+  shifted.step = balanced.step;
+  for (const double sign : {1., -1.})
+  {
+    const auto shift = [&](DistributedVector &target, const DistributedVector &value,
+                           const double factor, const DistributedVector &change)
+    {
+      target.equ(1., value);
+      target.add(sign * distance * factor, change);
+    };
+    shift(shifted.velocity, balanced.velocity, 1., of_velocity);
+    shift(shifted.acceleration, balanced.acceleration, balanced.step.a0, of_velocity);
+    shift(shifted.pressure, balanced.pressure, 1., of_pressure);
+    shift(shifted.pressure_rate, balanced.pressure_rate, 1. / balanced.step.pressure_time,
+          of_pressure);
+    momentum_work = 0.;
+    mass_work = 0.;
+    operators.add_nonlinear_terms(shifted, momentum_work, mass_work);
+    momentum_rows.add(0.5 * sign / distance, momentum_work);
+    mass_rows.add(0.5 * sign / distance, mass_work);
+  }
+}
+
+void Newton::set_derivative_product(const NewtonInput &input,
+                                    const BalancedStep &balanced,
+                                    const DistributedVector &of_velocity,
+                                    const DistributedVector &of_pressure,
+                                    DistributedVector &momentum_rows,
+                                    DistributedVector &mass_rows)
+{
+  momentum_rows = 0.;
+  mass_rows = 0.;
+  ResidualScales unused;
+  subtract_linear_terms(input.coefficients, of_velocity, of_pressure, momentum_rows, mass_rows,
+                        unused);
+  momentum_rows *= -1.;
+  mass_rows *= -1.;
+  if (problem.newton.tangent_products == TangentProducts::differences)
+    add_differences(balanced, of_velocity, of_pressure, momentum_rows, mass_rows);
+  else
+  {
+    momentum_work = 0.;
+    mass_work = 0.;
+    operators.add_derivative_product(of_velocity, of_pressure, momentum_work, mass_work);
+    momentum_rows.add(1., momentum_work);
+    mass_rows.add(1., mass_work);
+  }
+  operators.restrict_residuals(momentum_rows, mass_rows);
+}
+
+void Newton::correct_by_krylov(const NewtonInput &input,
+                               const BalancedStep &balanced,
+                               const ResidualScales &scales,
+                               StepReport &report)
+{
+  // Where a residual is zero and stays so, any size does.
+  const auto size_of = [](const double scale) { return scale > 0. ? scale : 1.; };
+  operators.restrict_residuals(momentum, mass);
+  const unsigned int most = problem.newton.most_krylov_iterations;
+  const unsigned int n_iterations = krylov.solve(
+      [&](const DistributedVector &velocity, const DistributedVector &pressure,
+          DistributedVector &momentum_rows, DistributedVector &mass_rows)
+      { set_derivative_product(input, balanced, velocity, pressure, momentum_rows, mass_rows); },
+      {momentum, mass, size_of(scales.momentum), size_of(scales.mass)},
+      problem.newton.krylov_tolerance, 3 * most, velocity_change, pressure_change);
+  report.linear_iterations += n_iterations;
+  if (n_iterations > most)
+    factor_is_poor = true;
+}
+
 void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport &report)
 {
   if (input.system_is_new)
@@ -93,6 +200,7 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
   outlets.predict(input.step, input.velocity_old);
   past_acceleration.equ(1., balanced.acceleration);
   double largest_momentum = 0., largest_mass = 0., previous = 0.;
+  bool takes_krylov = false;
   for (unsigned int iteration = 0;; ++iteration)
   {
     set_rates(input, balanced);
@@ -100,9 +208,10 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
     largest_momentum = std::max(largest_momentum, norms.momentum);
     largest_mass = std::max(largest_mass, norms.mass);
     const double tolerance = problem.newton.tolerance;
-    const bool is_solved =
-        norms.momentum <= std::max(tolerance * largest_momentum, norms.momentum_round_off) &&
-        norms.mass <= std::max(tolerance * largest_mass, norms.mass_round_off);
+    const double accepted_momentum =
+        std::max(tolerance * largest_momentum, norms.momentum_round_off);
+    const double accepted_mass = std::max(tolerance * largest_mass, norms.mass_round_off);
+    const bool is_solved = norms.momentum <= accepted_momentum && norms.mass <= accepted_mass;
     // What is round-off says nothing of the iteration.
     const double of_momentum =
         norms.momentum <= norms.momentum_round_off ? 0. : norms.momentum / largest_momentum;
@@ -134,14 +243,29 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
     }
     const bool is_slow = iteration > 0 && report.residual > problem.newton.slowest_rate * previous;
     previous = report.residual;
-    if (!has_factor || is_slow)
+    const bool can_take_krylov = has_factor && !factor_is_poor && outlets.is_empty() &&
+                                 problem.newton.slow_iteration == SlowIteration::krylov;
+    if (is_slow && can_take_krylov)
+    {
+      takes_krylov = true;
+      if (problem.newton.tangent_products == TangentProducts::assembled)
+        operators.keep_derivative(balanced);
+    }
+    else if (is_slow || !has_factor)
     {
       operators.linearise(balanced);
       has_factor = true;
+      factor_is_poor = takes_krylov = false;
       report.factored = true;
       outlets.respond(report);
     }
-    operators.solve(zero_velocity, momentum, mass, velocity_change, pressure_change, report);
+    if (takes_krylov)
+      correct_by_krylov(
+          input, balanced,
+          {std::max(norms.momentum, accepted_momentum), std::max(norms.mass, accepted_mass)},
+          report);
+    else
+      operators.solve(zero_velocity, momentum, mass, velocity_change, pressure_change, report);
     balanced.velocity.add(1., velocity_change);
     balanced.pressure.add(1., pressure_change);
     outlets.couple(input.step, input.velocity_old, balanced.velocity, balanced.pressure);

@@ -76,6 +76,7 @@ void ConvectiveTerms<dim>::reinit()
     vector->reinit(space.pressure_owned, space.pressure_relevant, space.communicator);
   velocity_work = space.velocity_vector();
   pressure_work = space.pressure_vector();
+  cell_derivatives.clear();
   cells.clear();
   for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
     if (cell->is_locally_owned() && has_terms(cell->material_id()))
@@ -105,20 +106,26 @@ void ConvectiveTerms<dim>::take(const BalancedStep &state)
 }
 
 template <int dim>
-void ConvectiveTerms<dim>::visit(const typename DoFHandler<dim>::active_cell_iterator &cell)
+void ConvectiveTerms<dim>::visit_indices(const typename DoFHandler<dim>::active_cell_iterator &cell)
 {
   present_cell = cell;
-  const typename DoFHandler<dim>::active_cell_iterator pressure_cell = present_pressure_cell();
-  values.reinit(static_cast<typename Triangulation<dim>::active_cell_iterator>(cell));
-  hp_pressure_values.reinit(pressure_cell);
-  pressure_values = &hp_pressure_values.get_present_fe_values();
   region = cell->material_id();
-  const unsigned int n_pressure = pressure_cell->get_fe().n_dofs_per_cell();
-  pressure_indices.resize(n_pressure);
-  for (Vector<double> *vector : {&cell_pressure, &cell_pressure_rate, &cell_volume})
-    vector->reinit(n_pressure);
+  const typename DoFHandler<dim>::active_cell_iterator pressure_cell = present_pressure_cell();
+  pressure_indices.resize(pressure_cell->get_fe().n_dofs_per_cell());
   cell->get_dof_indices(velocity_indices);
   pressure_cell->get_dof_indices(pressure_indices);
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::visit(const typename DoFHandler<dim>::active_cell_iterator &cell)
+{
+  visit_indices(cell);
+  values.reinit(static_cast<typename Triangulation<dim>::active_cell_iterator>(cell));
+  hp_pressure_values.reinit(present_pressure_cell());
+  pressure_values = &hp_pressure_values.get_present_fe_values();
+  const unsigned int n_pressure = pressure_indices.size();
+  for (Vector<double> *vector : {&cell_pressure, &cell_pressure_rate, &cell_volume})
+    vector->reinit(n_pressure);
   for (unsigned int i = 0; i < velocity_indices.size(); ++i)
   {
     cell_velocity[i] = velocity(velocity_indices[i]);
@@ -470,10 +477,7 @@ void ConvectiveTerms<dim>::add_derivative(const BalancedStep &state,
   std::vector<Masters> masters;
   for (const auto &cell : cells)
   {
-    visit(cell);
-    integrate_derivative(state.step, local);
-    if (const auto pressure_cell = present_pressure_cell(); inflow_terms.has_face(pressure_cell))
-      inflow_terms.add_derivative(pressure_cell, cell_state(), local);
+    set_derivative(cell, state.step, local);
     masters.resize(local.m());
     for (unsigned int i = 0; i < velocity_indices.size(); ++i)
       set_masters(constraints, velocity_indices[i], 0, masters[i]);
@@ -491,6 +495,58 @@ void ConvectiveTerms<dim>::add_derivative(const BalancedStep &state,
               matrix.values.push_back(row_weight * column_weight * local(i, j));
             }
   }
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::set_derivative(
+    const typename DoFHandler<dim>::active_cell_iterator &cell,
+    const Step &step,
+    FullMatrix<double> &matrix)
+{
+  visit(cell);
+  integrate_derivative(step, matrix);
+  if (const auto pressure_cell = present_pressure_cell(); inflow_terms.has_face(pressure_cell))
+    inflow_terms.add_derivative(pressure_cell, cell_state(), matrix);
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::keep_derivative(const BalancedStep &state)
+{
+  take(state);
+  cell_derivatives.resize(cells.size());
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    set_derivative(cells[k], state.step, cell_derivatives[k]);
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::add_derivative_product(const DistributedVector &of_velocity,
+                                                  const DistributedVector &of_pressure,
+                                                  DistributedVector &momentum,
+                                                  DistributedVector &volume)
+{
+  take(of_velocity, of_pressure);
+  const unsigned int n_velocity = velocity_indices.size();
+  for (std::size_t k = 0; k < cells.size(); ++k)
+  {
+    visit_indices(cells[k]);
+    const unsigned int n_pressure = pressure_indices.size();
+    cell_change.reinit(n_velocity + n_pressure, true);
+    cell_product.reinit(n_velocity + n_pressure, true);
+    for (unsigned int i = 0; i < n_velocity; ++i)
+      cell_change[i] = velocity(velocity_indices[i]);
+    for (unsigned int i = 0; i < n_pressure; ++i)
+      cell_change[n_velocity + i] = pressure(pressure_indices[i]);
+    cell_derivatives[k].vmult(cell_product, cell_change);
+    cell_volume.reinit(n_pressure, true);
+    for (unsigned int i = 0; i < n_velocity; ++i)
+      cell_inertia[i] = cell_product[i];
+    for (unsigned int i = 0; i < n_pressure; ++i)
+      cell_volume[i] = -cell_product[n_velocity + i];
+    space.velocity_hanging.distribute_local_to_global(cell_inertia, velocity_indices, momentum);
+    space.pressure_hanging.distribute_local_to_global(cell_volume, pressure_indices, volume);
+  }
+  momentum.compress(VectorOperation::add);
+  volume.compress(VectorOperation::add);
 }
 
 template class ConvectiveTerms<2>;

@@ -347,6 +347,21 @@ void TaylorHood<dim>::linearise(const BalancedStep &state)
 }
 
 template <int dim>
+void TaylorHood<dim>::keep_derivative(const BalancedStep &state)
+{
+  convective_terms.keep_derivative(state);
+}
+
+template <int dim>
+void TaylorHood<dim>::add_derivative_product(const DistributedVector &velocity,
+                                             const DistributedVector &pressure,
+                                             DistributedVector &momentum,
+                                             DistributedVector &mass)
+{
+  convective_terms.add_derivative_product(velocity, pressure, momentum, mass);
+}
+
+template <int dim>
 void TaylorHood<dim>::restrict_residuals(DistributedVector &momentum, DistributedVector &mass) const
 {
   constraints.restrict_to_free(momentum);

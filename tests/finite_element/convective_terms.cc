@@ -147,14 +147,23 @@ void check_derivative(const std::string &name,
   std::vector<double> product(change.size(), 0.);
   for (std::size_t k = 0; k < matrix.values.size(); ++k)
     product[matrix.rows[k]] += matrix.values[k] * change[matrix.columns[k]];
-  double largest = 0., difference = 0.;
+  // The same product with the matrices of the cells.
+  DistributedVector momentum = space.velocity_vector(), volume = space.pressure_vector();
+  terms.keep_derivative(state);
+  terms.add_derivative_product(velocity, pressure, momentum, volume);
+  std::vector<double> kept(momentum.begin(), momentum.end());
+  for (unsigned int k = 0; k < volume.locally_owned_size(); ++k)
+    kept.push_back(-volume.begin()[k]);
+  double largest = 0., difference = 0., between = 0.;
   for (std::size_t i = 0; i < product.size(); ++i)
   {
     largest = std::max(largest, std::abs(product[i]));
+    between = std::max(between, std::abs(product[i] - kept[i]));
     difference = std::max(difference, std::abs(product[i] - (above[i] - below[i]) / (2. * h)));
   }
   check::is_true(name + ": there is a derivative", largest > 0.1);
   check::absolute(name + ": derivative", difference / largest, 0., 1e-8);
+  check::absolute(name + ": kept derivative", between / largest, 0., 1e-13);
 }
 
 /// A flow that is zero at the boundary of the square of side 2.

@@ -31,7 +31,22 @@ struct Convection
   void read(ParameterSection section);
 };
 
-/// When Newton's iteration of a step ends, and when it gives up. The section Newton.
+/// What Newton's iteration does when the kept factor leaves too much of the residual.
+enum class SlowIteration
+{
+  new_factor, ///< factors the tangent at the present iterate
+  krylov      ///< takes GMRES with that tangent, preconditioned with the kept factor
+};
+
+/// Where GMRES takes products with the tangent from.
+enum class TangentProducts
+{
+  assembled,  ///< the integrals of the derivative, made once and kept for the step
+  differences ///< differences of the terms that are not linear
+};
+
+/// How Newton's iteration of a step goes on, when it ends, and when it gives up. The section
+/// Newton.
 struct NewtonParameters
 {
   /// Of the residual over the largest one met in the step, of momentum and of volume each [1].
@@ -39,6 +54,11 @@ struct NewtonParameters
   unsigned int maximum_iterations = 25;
   /// Residual over that of the iteration before above which a new factor is made [1].
   double slowest_rate = 0.2;
+  SlowIteration slow_iteration = SlowIteration::krylov;
+  TangentProducts tangent_products = TangentProducts::assembled;
+  double krylov_tolerance = 1e-2; ///< of the residual after GMRES over that before [1]
+  /// Of a solve by GMRES above which the factor is no longer kept.
+  unsigned int most_krylov_iterations = 10;
 
   void read(ParameterSection section);
 };

@@ -6,6 +6,7 @@
 #include <continua/continuum/outlet_coupling.h>
 #include <continua/continuum/problem.h>
 #include <continua/continuum/system_coefficients.h>
+#include <continua/linear_algebra/krylov_correction.h>
 
 namespace Continua
 {
@@ -26,8 +27,10 @@ struct NewtonInput
  *
  *   f - A U - G p - N_u(U, p) = 0,     g - B U - C p - N_p(U, p) = 0,
  *
- * with the tangent's factor kept over iterations and steps: a new one is made when the residual
- * falls too slowly, and is then the exact derivative at that iterate. The iteration ends when the
+ * with the tangent's factor kept over iterations and steps. When the residual falls too slowly, a
+ * new one is made, which is then the exact derivative at that iterate; or the step goes on with
+ * GMRES and the exact derivative, preconditioned with the kept factor, which is made anew when
+ * GMRES needs too many iterations. The iteration ends when the
  * residuals of momentum and of volume are small against the largest ones met in the step, or at the
  * round-off of the terms that cancel in them: a body at rest starts there.
  *
@@ -62,12 +65,41 @@ private:
   const Problem &problem;
   Operators &operators;
   OutletCoupling &outlets;
+  KrylovCorrection krylov;
   bool has_factor = false;
+  bool factor_is_poor = false; ///< GMRES needed too many iterations with it
+  BalancedStep shifted;        ///< for differences
   DistributedVector past_acceleration, momentum, momentum_work, velocity_change, zero_velocity;
   DistributedVector mass, mass_work, pressure_change;
 
   /// dU/dt and dp/dt of the iterate.
   void set_rates(const NewtonInput &input, BalancedStep &balanced) const;
+  /// Takes A U + G p and B U + C p from the rows; raises the scales to the largest entries.
+  void subtract_linear_terms(const SystemCoefficients &coefficients,
+                             const DistributedVector &velocity,
+                             const DistributedVector &pressure,
+                             DistributedVector &momentum_rows,
+                             DistributedVector &mass_rows,
+                             ResidualScales &scales);
+  /// The rows' derivative in the direction of changes of velocity and pressure, restricted.
+  void set_derivative_product(const NewtonInput &input,
+                              const BalancedStep &balanced,
+                              const DistributedVector &of_velocity,
+                              const DistributedVector &of_pressure,
+                              DistributedVector &momentum_rows,
+                              DistributedVector &mass_rows);
+  /// The part of the terms that are not linear, by differences.
+  void add_differences(const BalancedStep &balanced,
+                       const DistributedVector &of_velocity,
+                       const DistributedVector &of_pressure,
+                       DistributedVector &momentum_rows,
+                       DistributedVector &mass_rows);
+  /// Sets the changes of velocity and pressure by GMRES. `scales`: sizes in which it measures the
+  /// residuals.
+  void correct_by_krylov(const NewtonInput &input,
+                         const BalancedStep &balanced,
+                         const ResidualScales &scales,
+                         StepReport &report);
   /// Sets `momentum` and `mass` to the residuals without the forces of the ports, and returns those
   /// with them.
   Norms set_residuals(const NewtonInput &input, const BalancedStep &balanced);

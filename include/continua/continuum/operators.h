@@ -162,6 +162,17 @@ public:
   }
   /// Makes the system of solve() the tangent at this state. Throws RunError.
   virtual void linearise(const BalancedStep &) {}
+  /// Keeps the derivative of the terms at this state, beside the system of solve().
+  virtual void keep_derivative(const BalancedStep &) {}
+  /// Adds the kept derivative's product with changes of velocity [m/s] and pressure [Pa] to rows of
+  /// momentum [N] and of volume [m^3/s]; the rates follow as the step has them. The velocity is 0
+  /// where it is prescribed.
+  virtual void add_derivative_product(const DistributedVector & /*velocity*/,
+                                      const DistributedVector & /*pressure*/,
+                                      DistributedVector & /*momentum*/,
+                                      DistributedVector & /*mass*/)
+  {
+  }
   /// Sets rows of residuals that are no equations to zero: prescribed velocities, hanging nodes.
   virtual void restrict_residuals(DistributedVector &, DistributedVector &) const {}
   /// Where the largest entry of restricted residuals is, or the first one that is no number, for a

@@ -62,6 +62,15 @@ public:
   void add_derivative(const BalancedStep &state,
                       const dealii::AffineConstraints<double> &constraints,
                       Triplets &matrix);
+  /// Keeps the same derivative as one matrix a cell, without constraints.
+  void keep_derivative(const BalancedStep &state);
+  /// Adds its product with changes of velocity [m/s] and pressure [Pa], which obey their
+  /// constraints, to the rows of momentum [N] and of volume [m^3/s], with the hanging nodes
+  /// condensed. Collective.
+  void add_derivative_product(const DistributedVector &of_velocity,
+                              const DistributedVector &of_pressure,
+                              DistributedVector &momentum,
+                              DistributedVector &volume);
 
 private:
   /// Shape functions and the state at a quadrature point of a cell.
@@ -88,6 +97,9 @@ private:
   InflowTerms<dim> inflow_terms;
   /// The owned cells that have terms, in the order of the tree.
   std::vector<typename dealii::DoFHandler<dim>::active_cell_iterator> cells;
+  /// The kept derivative of each of these cells, and work space for its product.
+  std::vector<dealii::FullMatrix<double>> cell_derivatives;
+  dealii::Vector<double> cell_change, cell_product;
   // The state with ghost entries, and work space for it.
   DistributedVector velocity, acceleration, pressure, pressure_rate;
   DistributedVector velocity_work, pressure_work;
@@ -102,6 +114,12 @@ private:
   bool has_terms(unsigned int region) const;
   void take(const DistributedVector &of_velocity, const DistributedVector &of_pressure);
   void take(const BalancedStep &state);
+  /// The derivative of the rows of the cell at the state that was taken.
+  void set_derivative(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
+                      const Step &step,
+                      dealii::FullMatrix<double> &matrix);
+  /// Makes indices those of the cell.
+  void visit_indices(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell);
   /// Makes shape functions, indices and the state's entries those of the cell.
   void visit(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell);
   Point point(unsigned int q) const;

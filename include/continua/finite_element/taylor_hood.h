@@ -109,6 +109,11 @@ public:
                                const DistributedVector &mass,
                                bool of_momentum) const override;
   void linearise(const BalancedStep &state) override;
+  void keep_derivative(const BalancedStep &state) override;
+  void add_derivative_product(const DistributedVector &velocity,
+                              const DistributedVector &pressure,
+                              DistributedVector &momentum,
+                              DistributedVector &mass) override;
   void restrict_residuals(DistributedVector &momentum, DistributedVector &mass) const override;
   ResidualScales residual_scales(const DistributedVector &velocity,
                                  const DistributedVector &pressure) const override;
