@@ -216,7 +216,7 @@ void Probes<dim>::check_entries(Probe &probe) const
   if (probe.place == Place::volume && section.given("Region"))
     section.refuse("Region", "the volume is that of a region already", "Leave the entry out");
   if (probe.place != Place::stations)
-    for (const char *key : {"Branch", "Fluid", "Pair distance", "Pair"})
+    for (const char *key : {"Branch", "Fluid", "Pair distance", "Pair", "Pulse direction"})
       if (section.given(key))
         section.refuse(key, "the entry belongs to Stations", "Leave it out");
   if (!probe.signal_analysis && !probe.modes.empty())
@@ -280,7 +280,7 @@ void Probes<dim>::read(ParameterSection section,
       probe.stations.set(child, probe.fields, regions, branches);
       stations_probes.push_back(
           {child, name, stations.positions(), stations.fields(), stations.branch(),
-           stations.pair_distance(), stations.pair_offset(),
+           stations.pair_distance(), stations.pair_offset(), stations.direction(),
            std::vector<std::vector<unsigned int>>(stations.positions().size())});
     }
     if (!probe.region.empty())

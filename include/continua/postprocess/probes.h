@@ -35,6 +35,7 @@ struct StationsProbe
   unsigned int branch;             ///< of the geometry's, along which they stand
   double pair_distance;            ///< [m], of the pressure gradients
   double pair_offset;              ///< from a station to the first section of its pair [m]
+  int direction;                   ///< of the first pulse: +1, -1, or 0 for that of the loads
   /// The column in Probes of a station and a field.
   std::vector<std::vector<unsigned int>> columns;
 };
