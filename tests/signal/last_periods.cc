@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <stdexcept>
+#include <string>
 
 using namespace Continua;
 
@@ -59,15 +60,21 @@ void test_two_frequencies()
   check::relative("two frequencies, frequency", last.frequency, 2., 1e-6);
 }
 
-void test_growing()
+void test_change()
 {
-  // Over n periods exp(d t) grows by exp(n d T): the two halves of four differ by exp(2 d T).
-  const double rate = 0.1, period = 0.5;
-  const LastPeriods last = analyse_last(
-      1e-3, 10., 4, [=](const double t) { return std::exp(rate * t) * std::sin(4. * M_PI * t); });
-  check::relative("growing, change of amplitude", last.change_of_amplitude,
-                  1. - std::exp(-2. * rate * period), 0.02);
-  check::relative("growing, frequency", last.frequency, 2., 1e-3);
+  // Over n periods exp(d t) grows by exp(n d T): the two halves of four differ by exp(2 d T), and
+  // the amplitude of all four is the larger one.
+  const double period = 0.5;
+  for (const double rate : {0.1, -0.1})
+  {
+    const std::string name = rate > 0. ? "growing" : "decaying";
+    const LastPeriods last = analyse_last(
+        1e-3, 10., 4, [=](const double t) { return std::exp(rate * t) * std::sin(4. * M_PI * t); });
+    const double ratio = std::exp(-2. * std::abs(rate) * period);
+    check::relative(name + ", change of amplitude", last.change_of_amplitude,
+                    rate > 0. ? 1. - ratio : ratio - 1., 0.02);
+    check::relative(name + ", frequency", last.frequency, 2., 1e-3);
+  }
 }
 
 void test_without_periods()
@@ -110,6 +117,6 @@ UNIT_TEST(last_periods)
 {
   test_settled();
   test_two_frequencies();
-  test_growing();
+  test_change();
   test_without_periods();
 }
