@@ -1,6 +1,7 @@
 #include <continua/analysis/linear_wave_theory.h>
 
 #include <continua/analysis/dispersion_table.h>
+#include <continua/analysis/stream_report.h>
 #include <continua/analysis/wave_report.h>
 #include <continua/base/interruption.h>
 #include <continua/case/measured_waves.h>
@@ -160,6 +161,7 @@ void LinearWaveTheory<dim>::check(const Case<dim> &input, ParameterSection root)
     root.subsection("Time").refuse(
         "Time step control", "linear wave theory makes no steps in time",
         "Remove the entry: Time step is the interval of the theory's table");
+  StreamReport<dim>::check(input, root);
 }
 
 template <int dim>
@@ -181,6 +183,7 @@ template <int dim>
 void LinearWaveTheory<dim>::name_quantities(const Case<dim> &input, QuantityNames &names)
 {
   name_all(input, false, names);
+  StreamReport<dim>::name_quantities(input, names);
 }
 
 template <int dim>
@@ -227,6 +230,11 @@ void LinearWaveTheory<dim>::perform()
   for (unsigned int i = 0; i * step < end * (1. + 1e-9); ++i)
     times.push_back(std::min(i * step, end));
   report(times, false);
+  if (run.input.wave_theory.stream.mean_velocity > 0.)
+    run.log.warning(
+        "the histories and the dispersion are those of a liquid at rest; with Mean flow "
+        "only the speeds on the stream are reported");
+  StreamReport<dim>::add(run);
   run.finish(0, end);
 }
 
@@ -304,7 +312,9 @@ void LinearWaveTheory<dim>::report(const std::vector<double> &times, const bool 
         probe.name, probe.positions, probe.fields, {}, impedances_of(input, probe, frequency)};
     for (const std::string &field : probe.fields)
       stations.units.push_back(dimension_of_station_field(field).unit());
-    if (!input.geometry->branches().empty())
+    if (probe.direction != 0)
+      stations.direction = probe.direction;
+    else if (!input.geometry->branches().empty())
       stations.direction = direction_of_pulse(input, probe.branch);
     WaveReport report(stations, times);
     if (simulated)

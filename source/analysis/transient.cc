@@ -1,6 +1,7 @@
 #include <continua/analysis/transient.h>
 
 #include <continua/analysis/linear_wave_theory.h>
+#include <continua/analysis/stream_report.h>
 #include <continua/base/atomic_file.h>
 #include <continua/base/collective.h>
 #include <continua/base/input_error.h>
@@ -36,6 +37,7 @@ template <int dim>
 void Transient<dim>::check(const Case<dim> &input, ParameterSection root)
 {
   LinearWaveTheory<dim>::check_overlay(input, root);
+  StreamReport<dim>::check(input, root);
 }
 
 template <int dim>
@@ -44,6 +46,7 @@ void Transient<dim>::name_quantities(const Case<dim> &input, QuantityNames &name
   Run<dim>::name_quantities(input, names);
   name_quantities_of_records(input, names);
   LinearWaveTheory<dim>::name_quantities_of_comparison(input, names);
+  StreamReport<dim>::name_quantities(input, names);
   names.add("weak divergence at the end");
   if (input.problem.convection.is_on)
     names.add("steps halved");
@@ -83,6 +86,8 @@ void Transient<dim>::perform()
   for (const ScheduledRecord<dim> &entry : records)
     entry.record->finish({*run.solver, time_control, run.summary, run.log});
   LinearWaveTheory<dim>(run).compare();
+  StreamReport<dim>::add(run);
+  StreamReport<dim>::add_difference(run);
   run.summary.add({"weak divergence at the end", run.solver->divergence(), "1/s", ""});
   if (run.input.problem.convection.is_on)
     run.summary.add({"steps halved", static_cast<double>(n_halved), "1", ""});

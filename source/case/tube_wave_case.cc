@@ -186,10 +186,12 @@ bool is_loaded(const Case<dim> &input, const std::string &boundary)
   return condition != nullptr && is_loaded(*condition);
 }
 
-/// Why the vessel as a whole is not one of the theory; or nothing.
+} // namespace
+
 template <int dim>
-std::string why_not_covered(const Case<dim> &input, const std::vector<VesselBranch<dim>> &branches)
+std::string why_no_tube_of_liquid(const Case<dim> &input)
 {
+  const std::vector<VesselBranch<dim>> branches = input.geometry->branches();
   if (branches.empty())
     return "the geometry is no 'tube'";
   for (const VesselBranch<dim> &branch : branches)
@@ -197,17 +199,11 @@ std::string why_not_covered(const Case<dim> &input, const std::vector<VesselBran
       return "the tube has painted regions";
   if (input.problem.materials[0].is_solid())
     return "the tube is not full of liquid";
-  const InteriorData &interior = input.problem.interior;
-  if (!interior.acceleration.empty() || !interior.body_force.empty())
-    return "there is a body force";
-  if (!interior.initial_velocity.empty() || !interior.initial_displacement.empty() ||
-      !interior.initial_pressure.empty())
-    return "the initial state is not rest";
-  const BoundaryCondition *outside =
-      find_condition(input, "outside", input.problem.regions.size() - 1);
   for (std::size_t layer = 1; layer < input.problem.materials.size(); ++layer)
     if (!input.problem.materials[layer].is_solid())
       return "a layer of the wall is a liquid";
+  const BoundaryCondition *outside =
+      find_condition(input, "outside", input.problem.regions.size() - 1);
   if (branches.front().law.is_rigid())
   {
     if (input.problem.materials[0].inverse_bulk_modulus() == 0.)
@@ -218,9 +214,28 @@ std::string why_not_covered(const Case<dim> &input, const std::vector<VesselBran
   else if (outside == nullptr || !outside->normal.is_free() ||
            !(outside->tangential.is_free() || outside->tangential.is_fixed()))
     return "the outside is neither free nor only held axially";
+  return "";
+}
+
+namespace
+{
+/// Why the vessel as a whole is not one of the theory; or nothing.
+template <int dim>
+std::string why_not_covered(const Case<dim> &input, const std::vector<VesselBranch<dim>> &branches)
+{
+  if (std::string why_not = why_no_tube_of_liquid(input); !why_not.empty())
+    return why_not;
+  const InteriorData &interior = input.problem.interior;
+  if (!interior.acceleration.empty() || !interior.body_force.empty())
+    return "there is a body force";
+  if (!interior.initial_velocity.empty() || !interior.initial_displacement.empty() ||
+      !interior.initial_pressure.empty())
+    return "the initial state is not rest";
   if (branches.size() > 1)
   {
     // How a wall's axial motion goes on into the branches depends on the junction.
+    const BoundaryCondition *outside =
+        find_condition(input, "outside", input.problem.regions.size() - 1);
     if (!outside->tangential.is_fixed())
       return "the vessel divides, and its wall is not held axially (outside: Tangential = fixed)";
     if (input.wave_theory.far_end == FarEnd::branches)
@@ -308,6 +323,8 @@ template double direction_of_pulse(const Case<2> &, unsigned int);
 template double direction_of_pulse(const Case<3> &, unsigned int);
 template TubeSection tube_section_at(const Case<2> &, const TubeLaw &, double);
 template TubeSection tube_section_at(const Case<3> &, const TubeLaw &, double);
+template std::string why_no_tube_of_liquid(const Case<2> &);
+template std::string why_no_tube_of_liquid(const Case<3> &);
 template std::string make_tube_wave_case(const Case<2> &, TubeWaveCase &);
 template std::string make_tube_wave_case(const Case<3> &, TubeWaveCase &);
 } // namespace Continua

@@ -1,5 +1,6 @@
 #include <continua/case/wave_theory_parameters.h>
 
+#include <limits>
 #include <utility>
 
 namespace Continua
@@ -58,5 +59,32 @@ void WaveTheoryParameters::read(ParameterSection section)
   section.add("Highest frequency", highest_frequency, Dimensions::frequency,
               "Of the dispersion table [Hz]; 0: the highest one kept of the inlet's spectrum.",
               Range::not_negative());
+  section.add(
+      "Mean flow", stream.mean_velocity, Dimensions::velocity,
+      "Mean velocity over the section of a stream in the tube: the speeds of waves with and "
+      "against it are reported [m/s]; 0: none.",
+      Range::not_negative());
+  add_choice(
+      section, "Mean flow profile", stream.profile,
+      {{"plug", StreamProfile::plug}, {"power law", StreamProfile::power_law}},
+      "How the stream's velocity depends on the radius: plug - not at all, the liquid slips; "
+      "power law - 1 - (r/R)^m, without slip.");
+  section.add("Mean flow exponent", stream.exponent, Dimensions::none,
+              "m of the power law; 2 is the flow of Poiseuille [1].",
+              Range{2., std::numeric_limits<double>::infinity(), false, false});
+  section.add("Mean flow frequency", stream_frequency, Dimensions::frequency,
+              "Of the waves on the stream, whose liquid is viscous and sticks to the wall [Hz]; 0: "
+              "long waves without viscosity only.",
+              Range::not_negative());
+  if (stream.mean_velocity == 0.)
+    for (const char *key : {"Mean flow profile", "Mean flow exponent", "Mean flow frequency"})
+      if (section.given(key))
+        section.refuse(key, "there is no stream: Mean flow is 0",
+                       "Set Mean flow, or leave the entry out");
+  if (stream.profile == StreamProfile::plug)
+    for (const char *key : {"Mean flow exponent", "Mean flow frequency"})
+      if (section.given(key))
+        section.refuse(key, "the plug has neither an exponent nor viscosity: its liquid slips",
+                       "Leave the entry out, or set Mean flow profile = power law");
 }
 } // namespace Continua

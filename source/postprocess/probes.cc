@@ -7,6 +7,7 @@
 #include <continua/postprocess/probes.h>
 
 #include <continua/postprocess/writing_rank.h>
+#include <continua/signal/last_periods.h>
 #include <continua/signal/signal_analysis.h>
 #include <deal.II/fe/mapping_q.h>
 
@@ -156,6 +157,10 @@ void Probes<dim>::read_entries(Probe &probe) const
               "Frequencies near those of a sum of damped sines that is fitted to the histories "
               "[Hz]; empty: no such fit",
               Range::positive());
+  section.add("Last periods", probe.last_periods,
+              "How many periods at the end of the histories are analysed by themselves: mean, "
+              "middle, amplitude and frequency of an oscillation that has settled [1]; 0: none",
+              0);
 }
 
 template <int dim>
@@ -211,11 +216,14 @@ void Probes<dim>::check_entries(Probe &probe) const
   if (probe.place == Place::volume && section.given("Region"))
     section.refuse("Region", "the volume is that of a region already", "Leave the entry out");
   if (probe.place != Place::stations)
-    for (const char *key : {"Branch", "Fluid", "Pair distance", "Pair"})
+    for (const char *key : {"Branch", "Fluid", "Pair distance", "Pair", "Pulse direction"})
       if (section.given(key))
         section.refuse(key, "the entry belongs to Stations", "Leave it out");
   if (!probe.signal_analysis && !probe.modes.empty())
     section.refuse("Modes", "frequencies are fitted only in the signal analysis",
+                   "Leave the entry out, or set Signal analysis = true");
+  if (!probe.signal_analysis && probe.last_periods > 0)
+    section.refuse("Last periods", "periods are looked for only in the signal analysis",
                    "Leave the entry out, or set Signal analysis = true");
 }
 
@@ -272,7 +280,7 @@ void Probes<dim>::read(ParameterSection section,
       probe.stations.set(child, probe.fields, regions, branches);
       stations_probes.push_back(
           {child, name, stations.positions(), stations.fields(), stations.branch(),
-           stations.pair_distance(), stations.pair_offset(),
+           stations.pair_distance(), stations.pair_offset(), stations.direction(),
            std::vector<std::vector<unsigned int>>(stations.positions().size())});
     }
     if (!probe.region.empty())
@@ -680,6 +688,21 @@ void Probes<dim>::add_quantities(const Column &column,
   }
   add("final " + field, column.values.back(), unit);
 
+  if (probe.last_periods > 0)
+  {
+    const LastPeriods periods =
+        analyse_last_periods(record_times, column.values, probe.last_periods);
+    const std::string of_periods = " of the last periods";
+    add("mean " + field + of_periods, periods.mean, unit);
+    add("middle " + field + of_periods, periods.middle, unit);
+    add("amplitude " + field + of_periods, periods.amplitude, unit);
+    add("frequency" + of_periods, periods.frequency, "Hz");
+    add("change of amplitude" + of_periods, periods.change_of_amplitude, "1");
+    if (std::isnan(periods.frequency))
+      warnings.push_back("the history of " + field + " of the probe '" + column.name +
+                         "' does not end with " + std::to_string(probe.last_periods) +
+                         (probe.last_periods == 1 ? " period" : " periods of about one length"));
+  }
   if (probe.modes.empty())
     return;
   // An offset, and four numbers a mode.
@@ -770,6 +793,14 @@ void Probes<dim>::name_quantities(const std::vector<FieldComponent> &fields,
       for (std::size_t m = 1; m <= probe.modes.size(); ++m)
         for (const char *const what : {" frequency", " decay per oscillation", " amplitude"})
           names.add("mode " + std::to_string(m) + what, label);
+      if (probe.last_periods > 0)
+      {
+        for (const char *const what : {"mean ", "middle ", "amplitude "})
+          names.add(what + field + " of the last periods", label);
+        names.add("frequency of the last periods", label);
+        if (probe.last_periods > 1)
+          names.add("change of amplitude of the last periods", label);
+      }
       if (!probe.modes.empty())
       {
         names.add("modes offset", label);

@@ -56,6 +56,11 @@ void Stations<dim>::add_entries(ParameterSection section)
              "Pair distance before and behind the station, the value belongs to the station; "
              "downstream - at the station and one Pair distance behind it, as two catheters that "
              "measure pressure and gradient at one time");
+  add_choice(section, "Pulse direction", pulse_direction,
+             {{"automatic", 0}, {"downstream", 1}, {"upstream", -1}},
+             "With Stations: in which direction the first pulse passes them: automatic - away from "
+             "the end that is loaded; downstream - from the inlet to the outlet; upstream - the "
+             "other way, such as one half of a pulse from the middle of the tube");
 }
 
 template <int dim>

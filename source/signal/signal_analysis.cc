@@ -1,6 +1,7 @@
 #include <continua/signal/signal_analysis.h>
 
 #include <continua/base/undefined.h>
+#include <continua/signal/up_crossings.h>
 
 #include <algorithm>
 #include <cmath>
@@ -70,84 +71,26 @@ Extremum find_first_maximum(const Record &record, const double range)
   return {undefined, undefined};
 }
 
-/// The times at which the signal goes up through `level`. Where it crosses several times on its
-/// way, the middle of the first and the last of them.
-std::vector<double> find_up_crossings(const Record &record, const double level, const double range)
-{
-  std::vector<double> crossings;
-  const double margin = significant * range;
-  bool below = false;
-  double first = undefined;
-  double last = undefined;
-  for (std::size_t i = 0; i < record.size(); ++i)
-  {
-    const double value = record.values[i] - level;
-    if (below && i > 0 && value >= 0. && record.values[i - 1] < level)
-    {
-      const double previous = record.values[i - 1] - level;
-      last = record.times[i - 1] -
-             previous * (record.times[i] - record.times[i - 1]) / (value - previous);
-      if (std::isnan(first))
-        first = last;
-    }
-    if (value < -margin)
-    {
-      // A way up that did not reach the margin was none.
-      below = true;
-      first = undefined;
-    }
-    else if (value > margin && below)
-    {
-      crossings.push_back(0.5 * (first + last));
-      below = false;
-      first = undefined;
-    }
-  }
-  return crossings;
-}
-
-/// The averages of the signal and of its square between two times of the record, by the trapezoidal
-/// rule.
-void average(
-    const Record &record, const double start, const double end, double &mean, double &mean_square)
-{
-  double integral = 0.;
-  double square_integral = 0.;
-  for (std::size_t i = 1; i < record.size(); ++i)
-  {
-    const double left = std::max(start, record.times[i - 1]);
-    const double right = std::min(end, record.times[i]);
-    if (right <= left)
-      continue;
-    const double slope =
-        (record.values[i] - record.values[i - 1]) / (record.times[i] - record.times[i - 1]);
-    const double a = record.values[i - 1] + slope * (left - record.times[i - 1]);
-    const double b = record.values[i] - slope * (record.times[i] - right);
-    integral += 0.5 * (right - left) * (a + b);
-    square_integral += 0.5 * (right - left) * (a * a + b * b);
-  }
-  mean = integral / (end - start);
-  mean_square = square_integral / (end - start);
-}
-
 void analyse_periods(const Record &record, const double range, SignalAnalysis &result)
 {
-  double mean_square = 0.;
-  average(record, record.times.front(), record.times.back(), result.mean, mean_square);
+  SignalAverages averages =
+      average_signal(record.times, record.values, record.times.front(), record.times.back());
   // The mean defines the crossings and they the span of the mean: a few rounds suffice.
   for (unsigned int round = 0; range > 0. && round < 20; ++round)
   {
-    const std::vector<double> crossings = find_up_crossings(record, result.mean, range);
+    const std::vector<double> crossings =
+        find_up_crossings(record.times, record.values, averages.mean, significant * range);
     if (crossings.size() < 2)
       break;
-    const double previous = result.mean;
-    average(record, crossings.front(), crossings.back(), result.mean, mean_square);
+    const double previous = averages.mean;
+    averages = average_signal(record.times, record.values, crossings.front(), crossings.back());
     result.frequency_zero_crossings =
         (crossings.size() - 1) / (crossings.back() - crossings.front());
-    if (std::abs(result.mean - previous) < 1e-12 * range)
+    if (std::abs(averages.mean - previous) < 1e-12 * range)
       break;
   }
-  result.root_mean_square = std::sqrt(mean_square);
+  result.mean = averages.mean;
+  result.root_mean_square = std::sqrt(averages.mean_square);
 }
 
 void analyse_fit(const Record &record, SignalAnalysis &result)

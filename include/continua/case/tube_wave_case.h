@@ -23,6 +23,11 @@ struct TubeWaveCase
   double direction() const { return from_outlet ? -1. : 1.; }
 };
 
+/// Why the case is no tube full of liquid, uniform around, with a wall of solids that is free
+/// outside or held axially, or rigid; or nothing. A vessel that divides is one.
+template <int dim>
+std::string why_no_tube_of_liquid(const Case<dim> &input);
+
 /// Translates the case; returns why wave theory does not cover it, or nothing.
 template <int dim>
 std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case);

@@ -3,6 +3,7 @@
 
 #include <continua/base/words.h>
 #include <continua/theory/closed_form_waves.h>
+#include <continua/theory/stream.h>
 
 #include <vector>
 
@@ -30,6 +31,8 @@ struct WaveTheoryParameters
   unsigned int computed_sections = 0;          ///< of its segments; 0: by the tube's law
   double spectral_tolerance = 1e-5;            ///< of the inlet's spectrum
   double highest_frequency = 0.; ///< [Hz] of the dispersion table; 0: that of the inlet
+  Stream stream;                 ///< a mean velocity of zero: there is none
+  double stream_frequency = 0.;  ///< [Hz] of the waves in the viscous stream; 0: none
 
   /// Declares and reads; throws InputError.
   void read(ParameterSection section);

@@ -35,6 +35,7 @@ struct StationsProbe
   unsigned int branch;             ///< of the geometry's, along which they stand
   double pair_distance;            ///< [m], of the pressure gradients
   double pair_offset;              ///< from a station to the first section of its pair [m]
+  int direction;                   ///< of the first pulse: +1, -1, or 0 for that of the loads
   /// The column in Probes of a station and a field.
   std::vector<std::vector<unsigned int>> columns;
 };
@@ -97,7 +98,9 @@ public:
    * `first maximum FIELD`, `time of first maximum FIELD`, `mean FIELD`, `frequency` (zero
    * crossings), `frequency of the fit`, `decay per oscillation` (ratio of successive maxima), `fit
    * residual` (relative), for each start value in Modes `mode N frequency`, `mode N decay per
-   * oscillation`, `mode N amplitude` (at t = 0) and with them `modes residual`, and `final FIELD`;
+   * oscillation`, `mode N amplitude` (at t = 0) and with them `modes residual`, with Last periods
+   * `mean FIELD of the last periods`, `middle ...` and `amplitude FIELD of the last periods`,
+   * `frequency of the last periods`, `change of amplitude of the last periods`, and `final FIELD`;
    * after a single record, `final FIELD` only. Their probe is NAME, or "NAME: FIELD" if it has
    * several fields, and of stations "NAME 0.1 m" in place of NAME. Returns what the user should be
    * warned of. Throws RunError on all ranks.
@@ -156,7 +159,8 @@ private:
     Value value = Value::mean;
     std::string region;
     bool signal_analysis = true;
-    std::vector<double> modes;    ///< start values [Hz]
+    std::vector<double> modes; ///< start values [Hz]
+    unsigned int last_periods = 0;
     ProbeRequest<dim> request;    ///< all but the field
     dealii::Point<dim> reference; ///< the reference point
     Place place = Place::point;

@@ -67,6 +67,8 @@ public:
   double pair_distance() const { return distance; }    ///< [m]
   /// From a station to the first section of its pair [m]: 0 or less.
   double pair_offset() const { return pair == Pair::centred ? -0.5 * distance : 0.; }
+  /// In which the first pulse passes: +1 downstream, -1 upstream, 0 by the loads.
+  int direction() const { return pulse_direction; }
   /// All columns, by station and field. Integrals are of the part of the circumference that check()
   /// found; of the whole before.
   std::vector<Column> columns() const;
@@ -87,6 +89,7 @@ private:
     downstream
   };
   Pair pair = Pair::centred;
+  int pulse_direction = 0;
   std::set<unsigned int> fluid_ids, wall_ids;
   double n_copies = 1.; ///< of the modelled part in the whole circumference
 
