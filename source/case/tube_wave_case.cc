@@ -10,6 +10,7 @@ namespace Continua
 namespace
 {
 constexpr double middle_of_inlet[3] = {0., 0., 0.};
+const std::string outside_is_held = "the outside is neither free nor only held axially";
 
 template <int dim>
 const BoundaryCondition *
@@ -211,9 +212,10 @@ std::string why_no_tube_of_liquid(const Case<dim> &input)
     if (outside == nullptr || !outside->normal.is_fixed() || !outside->tangential.is_fixed())
       return "the tube has no wall, and its outside is not fixed";
   }
-  else if (outside == nullptr || !outside->normal.is_free() ||
+  else if (outside == nullptr || outside->outlet ||
+           outside->normal.kind != BoundaryPart::Kind::traction ||
            !(outside->tangential.is_free() || outside->tangential.is_fixed()))
-    return "the outside is neither free nor only held axially";
+    return outside_is_held;
   return "";
 }
 
@@ -225,6 +227,10 @@ std::string why_not_covered(const Case<dim> &input, const std::vector<VesselBran
 {
   if (std::string why_not = why_no_tube_of_liquid(input); !why_not.empty())
     return why_not;
+  const BoundaryCondition *outside =
+      find_condition(input, "outside", input.problem.regions.size() - 1);
+  if (!branches.front().law.is_rigid() && !outside->normal.is_free())
+    return outside_is_held;
   const InteriorData &interior = input.problem.interior;
   if (!interior.acceleration.empty() || !interior.body_force.empty())
     return "there is a body force";
@@ -234,8 +240,6 @@ std::string why_not_covered(const Case<dim> &input, const std::vector<VesselBran
   if (branches.size() > 1)
   {
     // How a wall's axial motion goes on into the branches depends on the junction.
-    const BoundaryCondition *outside =
-        find_condition(input, "outside", input.problem.regions.size() - 1);
     if (!outside->tangential.is_fixed())
       return "the vessel divides, and its wall is not held axially (outside: Tangential = fixed)";
     if (input.wave_theory.far_end == FarEnd::branches)

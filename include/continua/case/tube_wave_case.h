@@ -23,8 +23,8 @@ struct TubeWaveCase
   double direction() const { return from_outlet ? -1. : 1.; }
 };
 
-/// Why the case is no tube full of liquid, uniform around, with a wall of solids that is free
-/// outside or held axially, or rigid; or nothing. A vessel that divides is one.
+/// Why the case is no tube full of liquid with a wall of solids, or a rigid one; or nothing. The
+/// outside may be loaded and held axially. A vessel that divides is a tube, too.
 template <int dim>
 std::string why_no_tube_of_liquid(const Case<dim> &input);
 
