@@ -133,4 +133,10 @@ std::vector<std::vector<unsigned int>> all_gather(const MPI_Comm communicator,
 {
   return all_gather_container(communicator, value);
 }
+
+std::vector<std::vector<double>> all_gather(const MPI_Comm communicator,
+                                            const std::vector<double> &value)
+{
+  return all_gather_container(communicator, value);
+}
 } // namespace Continua

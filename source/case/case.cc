@@ -88,6 +88,37 @@ void read_measured_waves(const Probes<dim> &probes,
 }
 } // namespace
 
+namespace
+{
+/// What is asked for beside the fields that are always there.
+template <int dim>
+void set_further_fields(Case<dim> &input, const ParameterSection &output, const bool in_time)
+{
+  Problem &problem = input.problem;
+  problem.further_fields = input.output.further_fields;
+  const bool has_averages = problem.further_fields.wall_shear_averages;
+  if (output.given("Further fields") && input.discretisation.is_cell_wise())
+    output.refuse("Further fields", "the cell-wise path has none of these fields",
+                  "Leave the entry out, or set Discretisation = taylor hood");
+  if (has_averages && !in_time)
+    output.refuse("Further fields", "a state without time has no averages",
+                  "Leave them out, or set Analysis = transient");
+  problem.wall_shear_window = input.output.wall_shear_window;
+  problem.wall_shear_window.is_kept =
+      has_averages || input.probes.asks_for_averages(field_names<dim>(problem.model));
+  if (!problem.wall_shear_window.is_kept)
+    for (const char *key : {"Averages from", "Averages to"})
+      if (output.given(key))
+        output.refuse(key, "nothing asks for an average",
+                      "Add 'averages of wall shear stress' to Further fields, or a probe with "
+                      "'oscillatory shear index'");
+  if (problem.wall_shear_window.is_kept && in_time &&
+      problem.wall_shear_window.begin >= input.time.end_time)
+    output.refuse("Averages from", "the run ends before its averages begin",
+                  "Give a time before Time/End time");
+}
+} // namespace
+
 template <int dim>
 Case<dim>::Case(ParameterFile &file,
                 const GeneralParameters &general_parameters,
@@ -163,10 +194,10 @@ Case<dim>::Case(ParameterFile &file,
     error_norms.read(root.subsection("Exact solution"));
   expected = read_expected(root.subsection("Expected"));
 
-  std::vector<bool> is_solid;
+  std::vector<bool> are_solid;
   for (const Material &material : problem.materials)
-    is_solid.push_back(material.is_solid());
-  triangulation = make_triangulation<dim>(communicator, mesh.partition, std::move(is_solid));
+    are_solid.push_back(material.is_solid());
+  triangulation = make_triangulation<dim>(communicator, mesh.partition, are_solid);
   extent = geometry->extent();
   check_memory(*this, root.subsection("Mesh"));
   if (use == CaseUse::check && extent.n_cells > most_cells_of_check)
@@ -194,16 +225,10 @@ Case<dim>::Case(ParameterFile &file,
                                  problem.materials);
   absorbing_ends.add(*this, root, restart);
   probes.check(*triangulation, field_names<dim>(problem.model), pairs);
-  std::set<unsigned int> with_flow_curve;
-  for (unsigned int region = 0; region < problem.materials.size(); ++region)
-    if (problem.materials[region].shear.flow_curve)
-      with_flow_curve.insert(region);
-  if (!with_flow_curve.empty())
-    probes.refuse_stresses_in(with_flow_curve, field_names<dim>(problem.model));
-  probes.check_forces(problem.conditions,
-                      discretisation.is_cell_wise()
-                          ? "the cell-wise path has no forces at nodes"
-                          : (analysis.is_modal() ? "a shape of vibration has no step" : ""));
+  probes.check_limits(problem.conditions,
+                      {discretisation.is_cell_wise(), analysis.is_modal(), in_time, are_solid},
+                      field_names<dim>(problem.model));
+  set_further_fields(*this, root.subsection("Output"), in_time);
   power_laws.name_quantities(quantities);
   analysis.name_quantities(*this, quantities);
   if (analysis.name_others != nullptr)

@@ -32,7 +32,7 @@ unsigned int DiscreteContinuum<dim>::add_probe(const ProbeRequest<dim> &request)
 {
   const unsigned int number = discretisation->probes().add(request);
   if (discretisation->probes().asks_for_forces())
-    stepping.want_forces_at_nodes();
+    stepping.want_forces_at_nodes(discretisation->probes().regions_of_forces());
   return number;
 }
 
@@ -40,8 +40,11 @@ template <int dim>
 void DiscreteContinuum<dim>::evaluate_probes(std::vector<double> &values)
 {
   FieldProbes<dim> &probes = discretisation->probes();
-  probes.evaluate(stepping.state(),
-                  probes.asks_for_forces() ? &stepping.forces_at_nodes() : nullptr, values);
+  probes.evaluate(
+      stepping.state(),
+      [this](const std::optional<unsigned int> region) -> const DistributedVector &
+      { return stepping.forces_at_nodes(region); },
+      values);
 }
 
 template <int dim>

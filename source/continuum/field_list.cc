@@ -90,6 +90,20 @@ std::array<double, 6> FieldDefinition<dim>::factors(const dealii::Point<dim> &po
 }
 
 template <int dim>
+bool FieldDefinition<dim>::is_of_walls() const
+{
+  return quantity == Quantity::wall_shear_stress ||
+         quantity == Quantity::wall_shear_stress_magnitude || is_average();
+}
+
+template <int dim>
+bool FieldDefinition<dim>::is_average() const
+{
+  return quantity == Quantity::average_wall_shear_stress ||
+         quantity == Quantity::oscillatory_shear_index;
+}
+
+template <int dim>
 FieldDefinition<dim> field_along(const typename FieldDefinition<dim>::Quantity quantity,
                                  const dealii::Tensor<1, dim> &direction)
 {
@@ -140,7 +154,43 @@ std::vector<FieldDefinition<dim>> field_list(const Model model)
     add("hoop stress", "Pa", Quantity::stress, Combination::hoop);
     add("wall shear stress", "Pa", Quantity::stress, Combination::drag);
   }
+  // In two dimensions the curl has one component, in axisymmetry that round the axis.
+  for (unsigned int c = dim == 2 ? 2 : 0; c < 3; ++c)
+    add(std::string("vorticity ") + axes[c], "1/s", Quantity::vorticity, none, c);
+  add("Q criterion", "1/s^2", Quantity::q_criterion, none);
   return list;
+}
+
+template <int dim>
+std::vector<FieldDefinition<dim>> wall_field_list()
+{
+  using Field = FieldDefinition<dim>;
+  using Quantity = typename Field::Quantity;
+  std::vector<Field> list;
+  const auto add = [&list](const std::string &name, const std::string &unit,
+                           const Quantity quantity, const unsigned int component = 0)
+  {
+    Field field;
+    field.name = {name, unit};
+    field.quantity = quantity;
+    field.component = component;
+    list.push_back(field);
+  };
+  for (unsigned int c = 0; c < dim; ++c)
+    add(std::string("wall shear stress ") + axes[c], "Pa", Quantity::wall_shear_stress, c);
+  add("magnitude of wall shear stress", "Pa", Quantity::wall_shear_stress_magnitude);
+  add("time-averaged wall shear stress", "Pa", Quantity::average_wall_shear_stress);
+  add("oscillatory shear index", "1", Quantity::oscillatory_shear_index);
+  return list;
+}
+
+template <int dim>
+std::vector<FieldComponent> wall_field_names()
+{
+  std::vector<FieldComponent> names;
+  for (const FieldDefinition<dim> &field : wall_field_list<dim>())
+    names.push_back(field.name);
+  return names;
 }
 
 template <int dim>
@@ -158,6 +208,10 @@ template FieldDefinition<2> field_along(FieldDefinition<2>::Quantity, const deal
 template FieldDefinition<3> field_along(FieldDefinition<3>::Quantity, const dealii::Tensor<1, 3> &);
 template std::vector<FieldDefinition<2>> field_list(Model);
 template std::vector<FieldDefinition<3>> field_list(Model);
+template std::vector<FieldDefinition<2>> wall_field_list();
+template std::vector<FieldDefinition<3>> wall_field_list();
+template std::vector<FieldComponent> wall_field_names<2>();
+template std::vector<FieldComponent> wall_field_names<3>();
 template std::vector<FieldComponent> field_names<2>(Model);
 template std::vector<FieldComponent> field_names<3>(Model);
 } // namespace Continua

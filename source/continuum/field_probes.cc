@@ -1,13 +1,44 @@
 #include <continua/continuum/field_probes.h>
 
+#include <continua/base/collective.h>
+#include <continua/signal/sign_change.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace Continua
 {
 using namespace dealii;
+
+namespace
+{
+/// Why a request has no point.
+template <typename Kind>
+std::string what_is_missing(const Kind kind)
+{
+  switch (kind)
+  {
+  case Kind::point:
+    return "the point is not inside the mesh";
+  case Kind::boundary_mean:
+  case Kind::boundary_integral:
+  case Kind::boundary_force:
+  case Kind::sign_change:
+    return "the boundary has no faces there";
+  case Kind::volume_mean:
+  case Kind::volume_integral:
+    return "the region has no cells";
+  case Kind::volume_change:
+    return "the region has no surface with another one";
+  default:
+    return "a section without area";
+  }
+}
+} // namespace
 
 template <int dim>
 FieldProbes<dim>::FieldProbes(const Problem &problem)
@@ -21,25 +52,38 @@ unsigned int FieldProbes<dim>::add(const ProbeRequest<dim> &request)
   Probe probe{request, {}, {}};
   if (!request.has_no_field())
   {
-    const auto field = std::find_if(definitions.begin(), definitions.end(),
+    std::vector<FieldDefinition<dim>> all = definitions;
+    if (!request.boundary_ids.empty() || !request.neighbour_ids.empty())
+      for (const FieldDefinition<dim> &field : wall_field_list<dim>())
+        all.push_back(field);
+    const auto field = std::find_if(all.begin(), all.end(),
                                     [&](const FieldDefinition<dim> &candidate)
                                     { return candidate.name.name == request.field; });
-    if (field == definitions.end())
+    if (field == all.end())
       throw std::invalid_argument("there is no field '" + request.field + "'");
     probe.field = *field;
     if (request.is_section())
       probe.field.axis = {request.point, request.normal / request.normal.norm()};
+    probe.is_sampled = needs_samples(request, probe.field);
   }
-  build(probe);
   probes.push_back(probe);
+  try
+  {
+    build(probes.size() - 1);
+  }
+  catch (...)
+  {
+    probes.pop_back();
+    throw;
+  }
   return probes.size() - 1;
 }
 
 template <int dim>
 void FieldProbes<dim>::rebuild()
 {
-  for (Probe &probe : probes)
-    build(probe);
+  for (unsigned int number = 0; number < probes.size(); ++number)
+    build(number);
 }
 
 template <int dim>
@@ -49,55 +93,49 @@ bool FieldProbes<dim>::counts(const ProbeRequest<dim> &request, const unsigned i
 }
 
 template <int dim>
-void FieldProbes<dim>::build(Probe &probe) const
+void FieldProbes<dim>::build(const unsigned int number)
+{
+  Probe &probe = probes[number];
+  Collector weights = collector();
+  if (probe.is_sampled)
+    begin_samples(number);
+  const double measure = add_points(probe, weights);
+  if (probe.is_sampled)
+    end_samples();
+  if (measure == 0.)
+    throw std::invalid_argument(what_is_missing(probe.request.kind));
+  const bool is_whole = probe.request.is_integral() || probe.request.has_no_field();
+  probe.factor = is_whole ? 1. : 1. / measure;
+  probe.weights = ProbeWeights(weights, probe.factor);
+}
+
+template <int dim>
+double FieldProbes<dim>::add_points(const Probe &probe, Collector &collector) const
 {
   using Kind = typename ProbeRequest<dim>::Kind;
-  Collector weights = collector();
-  double measure = 0.;
   switch (probe.request.kind)
   {
   case Kind::point:
-    measure = add_point(probe.request, probe.field, weights);
-    if (measure == 0.)
-      throw std::invalid_argument("the point is not inside the mesh");
-    break;
+    return add_point(probe.request, probe.field, collector);
   case Kind::boundary_mean:
   case Kind::boundary_integral:
-    measure = add_boundary(probe.request, probe.field, weights);
-    if (measure == 0.)
-      throw std::invalid_argument("the boundary has no faces there");
-    break;
+  case Kind::sign_change:
+    return add_boundary(probe.request, probe.field, collector);
   case Kind::section_mean:
   case Kind::section_integral:
   case Kind::rim_mean:
-    measure = add_section(probe.request, probe.field, weights);
-    if (measure == 0.)
-      throw std::invalid_argument("a section without area");
-    break;
+    return add_section(probe.request, probe.field, collector);
   case Kind::section_flow:
-    measure = add_flow(probe.request, weights);
-    if (measure == 0.)
-      throw std::invalid_argument("a section without area");
-    break;
+    return add_flow(probe.request, collector);
   case Kind::volume_mean:
   case Kind::volume_integral:
-    measure = add_volume(probe.request, probe.field, weights);
-    if (measure == 0.)
-      throw std::invalid_argument("the region has no cells");
-    break;
+    return add_volume(probe.request, probe.field, collector);
   case Kind::volume_change:
-    measure = add_interface(probe.request, weights);
-    if (measure == 0.)
-      throw std::invalid_argument("the region has no surface with another one");
-    break;
+    return add_interface(probe.request, collector);
   case Kind::boundary_force:
-    measure = add_force(probe.request, weights);
-    if (measure == 0.)
-      throw std::invalid_argument("the boundary has no faces there");
-    break;
+    return add_force(probe.request, collector);
   }
-  const bool is_whole = probe.request.is_integral() || probe.request.has_no_field();
-  probe.weights = ProbeWeights(weights, is_whole ? 1. : 1. / measure);
+  return 0.;
 }
 
 template <int dim>
@@ -109,15 +147,72 @@ bool FieldProbes<dim>::asks_for_forces() const
 }
 
 template <int dim>
-void FieldProbes<dim>::evaluate(const State &state,
-                                const DistributedVector *const forces,
-                                std::vector<double> &values) const
+std::set<unsigned int> FieldProbes<dim>::regions_of_forces() const
 {
-  sums.clear();
+  std::set<unsigned int> regions;
   for (const Probe &probe : probes)
-    sums.push_back(probe.weights.share(state, forces, problem.materials));
+    if (probe.request.kind == ProbeRequest<dim>::Kind::boundary_force &&
+        !probe.request.neighbour_ids.empty())
+      regions.insert(probe.request.region_ids.begin(), probe.request.region_ids.end());
+  return regions;
+}
+
+template <int dim>
+void FieldProbes<dim>::evaluate(
+    const State &state,
+    const std::function<const DistributedVector &(std::optional<unsigned int>)> &forces,
+    std::vector<double> &values) const
+{
+  const bool some_are_sampled = std::any_of(probes.begin(), probes.end(),
+                                            [](const Probe &probe) { return probe.is_sampled; });
+  if (some_are_sampled)
+    take_state(state);
+  const bool is_first = Utilities::MPI::this_mpi_process(problem.communicator) == 0;
+  sums.clear();
+  for (unsigned int number = 0; number < probes.size(); ++number)
+  {
+    const Probe &probe = probes[number];
+    const ProbeRequest<dim> &request = probe.request;
+    if (!probe.is_sampled)
+    {
+      const DistributedVector *of_nodes = nullptr;
+      if (request.kind == ProbeRequest<dim>::Kind::boundary_force)
+        of_nodes = &forces(request.neighbour_ids.empty()
+                               ? std::optional<unsigned int>()
+                               : std::optional<unsigned int>(*request.region_ids.begin()));
+      sums.push_back(probe.weights.share(state, of_nodes, problem.materials));
+      continue;
+    }
+    samples.clear();
+    sample(number, samples);
+    if (request.kind == ProbeRequest<dim>::Kind::sign_change)
+    {
+      const double coordinate = sign_change(request, samples);
+      sums.push_back(is_first ? coordinate : 0.);
+      continue;
+    }
+    double sum = 0.;
+    for (const Sample &point : samples)
+      sum += point.weight * point.value;
+    sums.push_back(probe.factor * sum);
+  }
   values.resize(probes.size());
   Utilities::MPI::sum(sums, problem.communicator, values);
+}
+
+template <int dim>
+double FieldProbes<dim>::sign_change(const ProbeRequest<dim> &request,
+                                     const std::vector<Sample> &of_rank) const
+{
+  std::vector<double> numbers;
+  for (const Sample &point : of_rank)
+    if (point.coordinate >= request.range.first && point.coordinate <= request.range.second)
+      numbers.insert(numbers.end(), {point.coordinate, point.value});
+  std::vector<std::pair<double, double>> points;
+  for (const std::vector<double> &of_one : all_gather(problem.communicator, numbers))
+    for (std::size_t i = 0; i < of_one.size(); i += 2)
+      points.emplace_back(of_one[i], of_one[i + 1]);
+  return find_sign_change(points, request.number);
 }
 
 template class FieldProbes<2>;

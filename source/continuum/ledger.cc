@@ -24,9 +24,19 @@ Ledger::Ledger(const Problem &problem,
     terms.push_back(type.make());
 }
 
+void Ledger::want_forces(const std::set<unsigned int> &regions)
+{
+  forces_are_wanted = true;
+  for (const unsigned int region : regions)
+    if (forces_of_regions.count(region) == 0)
+      forces_of_regions[region] = operators.velocity_vector();
+}
+
 void Ledger::reinit()
 {
   forces = operators.velocity_vector();
+  for (auto &of_region : forces_of_regions)
+    of_region.second = operators.velocity_vector();
   for (DistributedVector *vector : {&context.force, &context.mixture, &context.forgotten})
     vector->reinit(forces);
   if (problem.convection.is_on)
@@ -40,12 +50,13 @@ void Ledger::reinit()
   forces_are_current = true;
 }
 
-const DistributedVector &Ledger::forces_at_nodes(const FinishedStep &step)
+const DistributedVector &Ledger::forces_at_nodes(const FinishedStep &step,
+                                                 const std::optional<unsigned int> region)
 {
   Assert(forces_are_wanted, ExcInternalError());
   if (!forces_are_current)
     balance(step, false);
-  return forces;
+  return region ? forces_of_regions.at(*region) : forces;
 }
 
 PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
@@ -73,8 +84,22 @@ PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
   {
     if (operators.is_nonlinear_in(region))
       operators.set_nonlinear_forces(region, balanced, context.nonlinear_forces);
+    // The forces of a region that are wanted by themselves are added to those of the body later.
+    const auto found = forces_of_regions.find(region);
+    const bool is_wanted = found != forces_of_regions.end();
+    if (is_wanted)
+      found->second = 0.;
+    DistributedVector *const target = is_wanted ? &found->second : &forces;
     for (const auto &term : terms)
-      sums.push_back(term->power(region, step, context, reactions ? &forces : nullptr));
+      sums.push_back(term->power(region, step, context, reactions ? target : nullptr));
+    if (is_wanted)
+    {
+      forces.add(1., found->second);
+      found->second *= -1.;
+      operators.loads_of(region).add(balance.time, found->second);
+      outlets.add_forces_of(region, 1., found->second);
+      found->second *= -1.;
+    }
     double relaxed = 0.;
     if (relaxation)
       for (const auto &term : terms)

@@ -50,6 +50,7 @@ void OutletCoupling::build()
       ports.emplace_back();
       Port &port = ports.back();
       port.outlet = o;
+      port.condition = c;
       const DistributedVector flow = operators.flow_of_velocities(c);
       port.flow = sparse(flow);
       port.holds_flow = problem.conditions[c].normal.flow != nullptr;
@@ -263,6 +264,16 @@ void OutletCoupling::add_forces(const double factor, DistributedVector &forces) 
 {
   for (unsigned int i = 0; i < ports.size(); ++i)
     if (!ports[i].holds_flow)
+      for (const auto &[index, value] : ports[i].flow)
+        forces.begin()[index] -= factor * pressures[i] * value;
+}
+
+void OutletCoupling::add_forces_of(const unsigned int region,
+                                   const double factor,
+                                   DistributedVector &forces) const
+{
+  for (unsigned int i = 0; i < ports.size(); ++i)
+    if (!ports[i].holds_flow && problem.conditions[ports[i].condition].region_ids.count(region) > 0)
       for (const auto &[index, value] : ports[i].flow)
         forces.begin()[index] -= factor * pressures[i] * value;
 }

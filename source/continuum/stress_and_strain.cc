@@ -61,6 +61,29 @@ std::array<double, 6> strain(const Tensor<2, dim> &gradient,
 }
 
 template <int dim>
+std::array<double, 6> vorticity(const Tensor<2, dim> &gradient)
+{
+  std::array<double, 6> result = {{0., 0., 0., 0., 0., 0.}};
+  if constexpr (dim == 3)
+  {
+    result[0] = gradient[2][1] - gradient[1][2];
+    result[1] = gradient[0][2] - gradient[2][0];
+  }
+  result[2] = gradient[1][0] - gradient[0][1];
+  return result;
+}
+
+template <int dim>
+double q_criterion(const Tensor<2, dim> &gradient, const double hoop, const Model model)
+{
+  double sum = model == Model::axisymmetric ? hoop * hoop : 0.;
+  for (unsigned int i = 0; i < dim; ++i)
+    for (unsigned int j = 0; j < dim; ++j)
+      sum += gradient[i][j] * gradient[j][i];
+  return -0.5 * sum;
+}
+
+template <int dim>
 Tensor<1, dim> traction(const std::array<double, 6> &stress, const Tensor<1, dim> &normal)
 {
   Tensor<1, dim> result;
@@ -84,6 +107,10 @@ template std::array<double, 6>
 strain(const Tensor<2, 2> &, double, Model, const PlaneStressFactors &);
 template std::array<double, 6>
 strain(const Tensor<2, 3> &, double, Model, const PlaneStressFactors &);
+template std::array<double, 6> vorticity(const Tensor<2, 2> &);
+template std::array<double, 6> vorticity(const Tensor<2, 3> &);
+template double q_criterion(const Tensor<2, 2> &, double, Model);
+template double q_criterion(const Tensor<2, 3> &, double, Model);
 template Tensor<1, 2> traction(const std::array<double, 6> &, const Tensor<1, 2> &);
 template Tensor<1, 3> traction(const std::array<double, 6> &, const Tensor<1, 3> &);
 } // namespace Continua

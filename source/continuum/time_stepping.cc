@@ -31,6 +31,7 @@ TimeStepping::TimeStepping(const Problem &problem, Operators &operators, Log &lo
       history(problem.materials),
       bulk_history(problem.materials),
       outlets(problem, operators),
+      wall_shear(problem, operators),
       newton(problem, operators, outlets),
       ledger(problem, operators, outlets, history, bulk_history),
       kept([this](StateVisitor &visitor) { visit(visitor); })
@@ -49,6 +50,7 @@ void TimeStepping::initialise()
   pressure_older.equ(1., pressure);
   pressure_known.equ(1., pressure);
   operators.start_from(present());
+  wall_shear.start(present());
 }
 
 void TimeStepping::setup()
@@ -60,6 +62,7 @@ void TimeStepping::setup()
   history.reinit(zero_velocity, operators.velocity_nodes());
   bulk_history.reinit(zero_pressure, operators.pressure_nodes());
   outlets.build();
+  wall_shear.reinit();
   ledger.reinit();
   if (operators.is_nonlinear())
     newton.reinit();
@@ -87,6 +90,7 @@ void TimeStepping::visit(StateVisitor &visitor)
   bulk_history.visit(visitor);
   outlets.visit(visitor);
   operators.visit(visitor);
+  wall_shear.visit(visitor);
   visitor.vector("known pressure", StateKind::pressure, pressure_known);
   visitor.value("time of the known pressure", pressure_known_time);
   visitor.value("present time", present_time);
@@ -301,6 +305,7 @@ void TimeStepping::finish(const Step &step)
   balanced.step = step;
   ledger.forget_forces();
   operators.finish_step(step, present());
+  wall_shear.advance(step, present());
   kept.advance(step);
 }
 
@@ -482,6 +487,7 @@ void TimeStepping::transfer()
   for ([[maybe_unused]] const DistributedVector *vector : vectors.pressures)
     Assert(have_same_layout(*vector, pressure_work), ExcInternalError());
   deform_by_imbalance(present_time);
+  wall_shear.follow_mesh(present());
 }
 
 void TimeStepping::save(ArchiveWriter &archive) const

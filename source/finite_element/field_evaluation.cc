@@ -21,10 +21,81 @@ namespace Continua
 {
 using namespace dealii;
 
+namespace
+{
+/// Of the components of the stress: minus a component of the tangential part of n.sigma.
+template <int dim>
+std::array<double, 6> wall_shear_factors(const Tensor<1, dim> &normal, const unsigned int component)
+{
+  std::array<double, 6> factors;
+  for (unsigned int k = 0; k < factors.size(); ++k)
+  {
+    std::array<double, 6> unit = {{0., 0., 0., 0., 0., 0.}};
+    unit[k] = 1.;
+    const Tensor<1, dim> whole = traction<dim>(unit, normal);
+    factors[k] = (whole * normal) * normal[component] - whole[component];
+  }
+  return factors;
+}
+} // namespace
+
 template <int dim>
 FieldEvaluation<dim>::FieldEvaluation(const Space<dim> &space, const Problem &problem)
-    : FieldProbes<dim>(problem), space(space)
+    : FieldProbes<dim>(problem), space(space), sampled_state(space, problem)
 {
+}
+
+template <int dim>
+bool FieldEvaluation<dim>::needs_samples(const ProbeRequest<dim> &request,
+                                         const FieldDefinition<dim> &field) const
+{
+  using Quantity = typename FieldDefinition<dim>::Quantity;
+  if (request.kind == ProbeRequest<dim>::Kind::sign_change)
+    return true;
+  if (field.quantity == Quantity::stress || field.quantity == Quantity::wall_shear_stress)
+  {
+    // A viscosity that follows the rate of shear.
+    for (unsigned int region = 0; region < problem.materials.size(); ++region)
+      if (this->counts(request, region) && problem.materials[region].shear.flow_curve)
+        return true;
+    return false;
+  }
+  return field.quantity == Quantity::q_criterion || field.is_average() ||
+         field.quantity == Quantity::wall_shear_stress_magnitude;
+}
+
+template <int dim>
+void FieldEvaluation<dim>::begin_samples(const unsigned int probe)
+{
+  // Of a probe that is set up anew the mesh is another one.
+  sampled_state.reinit();
+  const auto &[request, field] = this->definition(probe);
+  samples_of_probes.erase(probe);
+  samples_to_fill =
+      &samples_of_probes
+           .emplace(probe, Samples{field, request.component, FieldSamples<dim>(space, problem)})
+           .first->second.points;
+}
+
+template <int dim>
+void FieldEvaluation<dim>::sample(const unsigned int probe, std::vector<Sample> &samples) const
+{
+  const Samples &of_probe = samples_of_probes.at(probe);
+  for (unsigned int i = 0; i < of_probe.points.size(); ++i)
+    samples.push_back({of_probe.points.weight(i), of_probe.points.place(i)[of_probe.coordinate],
+                       of_probe.points.value(of_probe.field, sampled_state, i)});
+}
+
+template <int dim>
+bool FieldEvaluation<dim>::has_face(const ProbeRequest<dim> &request,
+                                    const CellIterator &cell,
+                                    const unsigned int face) const
+{
+  if (request.neighbour_ids.empty())
+    return cell->face(face)->at_boundary() &&
+           request.boundary_ids.count(cell->face(face)->boundary_id()) > 0;
+  return !cell->face(face)->at_boundary() &&
+         request.neighbour_ids.count(cell->neighbor(face)->material_id()) > 0;
 }
 
 template <int dim>
@@ -76,15 +147,14 @@ double FieldEvaluation<dim>::add_boundary(const ProbeRequest<dim> &request,
   const QGauss<dim - 1> quadrature(space.n_quadrature_points());
   FEFaceValues<dim> values(space.mapping, space.velocity_element, quadrature,
                            update_values | update_gradients | update_quadrature_points |
-                               update_JxW_values);
+                               update_JxW_values | update_normal_vectors);
   hp::FEFaceValues<dim> pressure_values(space.mappings, space.pressure_elements,
                                         hp::QCollection<dim - 1>(quadrature), update_values);
   double area = 0.;
   for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
     if (cell->is_locally_owned() && this->counts(request, cell->material_id()))
       for (const unsigned int f : cell->face_indices())
-        if (cell->face(f)->at_boundary() &&
-            request.boundary_ids.count(cell->face(f)->boundary_id()) > 0)
+        if (has_face(request, cell, f))
         {
           values.reinit(cell, f);
           pressure_values.reinit(
@@ -96,7 +166,7 @@ double FieldEvaluation<dim>::add_boundary(const ProbeRequest<dim> &request,
             const double weight = values.JxW(q) * space.measure(values.quadrature_point(q));
             area += weight;
             add_value(field, cell, values, pressure_values.get_present_fe_values(), q, weight,
-                      collector);
+                      collector, values.normal_vector(q));
           }
         }
   return Utilities::MPI::sum(area, space.communicator);
@@ -199,11 +269,10 @@ double FieldEvaluation<dim>::add_force(const ProbeRequest<dim> &request, Collect
   std::vector<types::global_dof_index> indices(space.velocity_element.n_dofs_per_face());
   double n_nodes = 0.;
   for (const auto &cell : space.velocity_dofs.active_cell_iterators())
-    if (!cell->is_artificial() && cell->at_boundary())
+    if (!cell->is_artificial() && this->counts(request, cell->material_id()))
       for (const unsigned int f : cell->face_indices())
       {
-        if (!cell->face(f)->at_boundary() ||
-            request.boundary_ids.count(cell->face(f)->boundary_id()) == 0)
+        if (!has_face(request, cell, f))
           continue;
         cell->face(f)->get_dof_indices(indices, cell->active_fe_index());
         for (unsigned int i = 0; i < indices.size(); ++i)
@@ -256,11 +325,20 @@ void FieldEvaluation<dim>::add_value(const FieldDefinition<dim> &field,
                                      const FEValuesBase<dim> &pressure_values,
                                      const unsigned int q,
                                      const double weight,
-                                     Collector &collector) const
+                                     Collector &collector,
+                                     const Tensor<1, dim> &normal) const
 {
   using Quantity = typename FieldDefinition<dim>::Quantity;
   const unsigned int region = cell->material_id();
-  const std::array<double, 6> factors = field.factors(values.quadrature_point(q));
+  const bool is_wall_shear = field.quantity == Quantity::wall_shear_stress;
+  const std::array<double, 6> factors = is_wall_shear
+                                            ? wall_shear_factors<dim>(normal, field.component)
+                                            : field.factors(values.quadrature_point(q));
+  if (samples_to_fill != nullptr)
+  {
+    samples_to_fill->add(cell, values, pressure_values, q, normal, factors, weight);
+    return;
+  }
   const auto combine = [&factors](const std::array<double, 6> &components)
   { return std::inner_product(factors.begin(), factors.end(), components.begin(), 0.); };
 
@@ -284,11 +362,13 @@ void FieldEvaluation<dim>::add_value(const FieldDefinition<dim> &field,
   double pressure_weight = problem.plane_stress(region).pressure_factor;
   if (field.quantity != Quantity::pressure)
   {
-    // The stress is linear in the mixture and the pressure, the strain in the displacement, so
-    // the weights are the stresses or strains of unit entries.
-    const bool is_strain = field.quantity == Quantity::strain;
-    DistributedVector &target = is_strain ? collector.weights(Source::displacement)
-                                          : collector.weights(Source::mixture, region);
+    // The stress is linear in the mixture and the pressure, the strain in the displacement, the
+    // vorticity in the velocity, so the weights are those of unit entries.
+    const bool is_strain = field.quantity == Quantity::strain,
+               is_vorticity = field.quantity == Quantity::vorticity;
+    DistributedVector &target = is_strain      ? collector.weights(Source::displacement)
+                                : is_vorticity ? collector.weights(Source::velocity)
+                                               : collector.weights(Source::mixture, region);
     const double r = space.is_axisymmetric() ? values.quadrature_point(q)[1] : 1.;
     for (unsigned int i = 0; i < indices.size(); ++i)
     {
@@ -299,12 +379,14 @@ void FieldEvaluation<dim>::add_value(const FieldDefinition<dim> &field,
       if (space.is_axisymmetric() && c == 1)
         hoop = r > 0. ? values.shape_value(i, q) / r : gradient[1][1];
       const double unit = combine(
-          is_strain ? strain<dim>(gradient, hoop, problem.model, problem.plane_stress(region))
-                    : stress<dim>(gradient, hoop, 0., problem.model));
+          is_strain      ? strain<dim>(gradient, hoop, problem.model, problem.plane_stress(region))
+          : is_vorticity ? vorticity<dim>(gradient)
+                         : stress<dim>(gradient, hoop, 0., problem.model));
       if (unit != 0.)
         space.velocity_hanging.distribute_local_to_global(indices[i], weight * unit, target);
     }
-    if (is_strain)
+    // The pressure has no tangential part.
+    if (is_strain || is_vorticity || is_wall_shear)
       return;
     pressure_weight = combine(stress<dim>(Tensor<2, dim>(), 0., 1., problem.model));
   }

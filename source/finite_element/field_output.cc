@@ -2,9 +2,12 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature.h>
+#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/hp/fe_values.h>
+
+#include <utility>
 
 namespace Continua
 {
@@ -21,18 +24,42 @@ std::vector<std::string> cell_field_names()
     return {"pressure",  "stress_xx", "stress_yy", "stress_zz",
             "stress_xy", "stress_xz", "stress_yz"};
 }
+
+/// Names and units of the fields that are asked for beside these; a vector has its name `dim`
+/// times.
+template <int dim>
+std::vector<std::pair<std::string, std::string>> further_cell_fields(const FurtherFields &further)
+{
+  std::vector<std::pair<std::string, std::string>> fields;
+  if (further.vorticity)
+    fields.resize(dim == 2 ? 1 : 3, {"vorticity", "1/s"});
+  if (further.q_criterion)
+    fields.emplace_back("Q_criterion", "1/s^2");
+  return fields;
+}
 } // namespace
 
 template <int dim>
 FieldOutput<dim>::FieldOutput(const Space<dim> &space,
                               const Problem &problem,
-                              const FieldEvaluation<dim> &evaluation)
+                              const FieldEvaluation<dim> &evaluation,
+                              WallShearStress<dim> &wall_shear)
     : space(space),
       problem(problem),
       evaluation(evaluation),
-      cell_element(FE_DGQ<dim>(space.degree() - 1), cell_field_names<dim>().size()),
-      cell_dofs(space.triangulation)
+      wall_shear(wall_shear),
+      names(cell_field_names<dim>()),
+      units(names.size(), "Pa"),
+      cell_element(FE_DGQ<dim>(space.degree() - 1),
+                   names.size() + further_cell_fields<dim>(problem.further_fields).size()),
+      cell_dofs(space.triangulation),
+      node_dofs(space.triangulation)
 {
+  for (const auto &[name, unit] : further_cell_fields<dim>(problem.further_fields))
+  {
+    names.push_back(name);
+    units.push_back(unit);
+  }
 }
 
 template <int dim>
@@ -55,6 +82,12 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
   std::vector<Vector<double>> mixture_values(nodes.size(), Vector<double>(dim));
   std::vector<std::vector<Tensor<1, dim>>> gradients(nodes.size(),
                                                      std::vector<Tensor<1, dim>>(dim));
+  // Gradients of the velocity, for fields that are asked for.
+  const unsigned int n_always = cell_field_names<dim>().size();
+  const bool has_further = names.size() > n_always;
+  std::vector<Vector<double>> velocity_values(has_further ? nodes.size() : 0, Vector<double>(dim));
+  std::vector<std::vector<Tensor<1, dim>>> velocity_gradients(velocity_values.size(),
+                                                              std::vector<Tensor<1, dim>>(dim));
   std::vector<Vector<double>> pressures(nodes.size(),
                                         Vector<double>(space.pressure_elements.n_components()));
   std::vector<types::global_dof_index> indices(cell_element.n_dofs_per_cell());
@@ -74,6 +107,11 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
       values.reinit(cell);
       values.get_function_values(mixtures[region], mixture_values);
       values.get_function_gradients(mixtures[region], gradients);
+      if (has_further)
+      {
+        values.get_function_values(velocity, velocity_values);
+        values.get_function_gradients(velocity, velocity_gradients);
+      }
       hp_pressure_values.reinit(typename DoFHandler<dim>::active_cell_iterator(
           &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs));
       hp_pressure_values.get_present_fe_values().get_function_values(pressure, pressures);
@@ -89,13 +127,24 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
           cell_fields[indices[i]] = problem.plane_stress(region).pressure_factor * p;
           continue;
         }
+        const bool is_further = component >= n_always;
         Tensor<2, dim> gradient;
         for (unsigned int c = 0; c < dim; ++c)
-          gradient[c] = gradients[q][c];
+          gradient[c] = (is_further ? velocity_gradients : gradients)[q][c];
         const double r = values.quadrature_point(q)[1];
         // On the axis the hoop strain is the radial one.
-        double hoop =
-            space.is_axisymmetric() ? (r > 0. ? mixture_values[q][1] / r : gradient[1][1]) : 0.;
+        double hoop = 0.;
+        if (space.is_axisymmetric())
+          hoop =
+              r > 0. ? (is_further ? velocity_values : mixture_values)[q][1] / r : gradient[1][1];
+        if (is_further)
+        {
+          const bool is_vorticity = names[component] == "vorticity";
+          cell_fields[indices[i]] =
+              is_vorticity ? vorticity<dim>(gradient)[dim == 2 ? 2 : component - n_always]
+                           : q_criterion<dim>(gradient, hoop, problem.model);
+          continue;
+        }
         if (material.shear.flow_curve)
         {
           const double factor =
@@ -114,19 +163,90 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
                            vector_components);
   data_out.add_data_vector(space.velocity_dofs, displacement,
                            std::vector<std::string>(dim, "displacement"), vector_components);
-  data_out.add_data_vector(cell_dofs, cell_fields, cell_field_names<dim>());
+  std::vector<DataComponentInterpretation::DataComponentInterpretation> cell_components;
+  for (const std::string &name : names)
+    cell_components.push_back(dim == 3 && name == "vorticity"
+                                  ? DataComponentInterpretation::component_is_part_of_vector
+                                  : DataComponentInterpretation::component_is_scalar);
+  data_out.add_data_vector(cell_dofs, cell_fields, names, cell_components);
   data_out.add_data_vector(phase, "phase");
   data_out.add_data_vector(material_id, "material_id");
   data_out.add_data_vector(rank, "rank");
 
-  std::map<std::string, std::string> units = {{"velocity", "m/s"},
-                                              {"displacement", "m"},
-                                              {"phase", "1"},
-                                              {"material_id", "1"},
-                                              {"rank", "1"}};
-  for (const std::string &name : cell_field_names<dim>())
-    units[name] = "Pa";
-  return units;
+  std::map<std::string, std::string> units_of_fields = {{"velocity", "m/s"},
+                                                        {"displacement", "m"},
+                                                        {"phase", "1"},
+                                                        {"material_id", "1"},
+                                                        {"rank", "1"}};
+  for (unsigned int i = 0; i < names.size(); ++i)
+    units_of_fields[names[i]] = units[i];
+  add_wall_fields(state, data_out, units_of_fields);
+  return units_of_fields;
+}
+
+template <int dim>
+void FieldOutput<dim>::add_wall_fields(const State &state,
+                                       DataOut<dim> &data_out,
+                                       std::map<std::string, std::string> &units_of_fields)
+{
+  const std::vector<DataComponentInterpretation::DataComponentInterpretation> vector_components(
+      dim, DataComponentInterpretation::component_is_part_of_vector);
+  DistributedVector owned = space.velocity_vector();
+  if (problem.further_fields.wall_shear_stress)
+  {
+    wall_shear.set(state, owned);
+    shear = space.ghosted_velocity(owned);
+    data_out.add_data_vector(space.velocity_dofs, shear,
+                             std::vector<std::string>(dim, "wall_shear_stress"), vector_components);
+    units_of_fields["wall_shear_stress"] = "Pa";
+  }
+  if (!problem.further_fields.wall_shear_averages || state.wall_shear == nullptr)
+    return;
+  // The vectors have a number in each component of a node.
+  const WallShearAverage &average = *state.wall_shear;
+  const DistributedVector &magnitude = average.integral_of_magnitude();
+  node_dofs.distribute_dofs(space.velocity_element.base_element(0));
+  owned.equ(average.duration() > 0. ? 1. / average.duration() : 0., magnitude);
+  set_numbers(owned, average_shear);
+  wall_shear.set_magnitudes(average.integral(), owned);
+  for (unsigned int i = 0; i < owned.locally_owned_size(); ++i)
+    owned.begin()[i] =
+        magnitude.begin()[i] > 0. ? 0.5 * (1. - owned.begin()[i] / magnitude.begin()[i]) : 0.;
+  set_numbers(owned, oscillation);
+  data_out.add_data_vector(node_dofs, average_shear, "time_averaged_wall_shear_stress");
+  data_out.add_data_vector(node_dofs, oscillation, "oscillatory_shear_index");
+  units_of_fields["time_averaged_wall_shear_stress"] = "Pa";
+  units_of_fields["oscillatory_shear_index"] = "1";
+}
+
+template <int dim>
+void FieldOutput<dim>::set_numbers(const DistributedVector &vectors, DistributedVector &numbers)
+{
+  const DistributedVector ghosted = space.ghosted_velocity(vectors);
+  const IndexSet &owned = node_dofs.locally_owned_dofs();
+  IndexSet relevant;
+  DoFTools::extract_locally_relevant_dofs(node_dofs, relevant);
+  DistributedVector values(owned, space.communicator);
+  std::vector<types::global_dof_index> nodes(node_dofs.get_fe().n_dofs_per_cell()),
+      indices(space.velocity_element.n_dofs_per_cell());
+  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+  {
+    if (cell->is_artificial())
+      continue;
+    cell->get_dof_indices(indices);
+    typename DoFHandler<dim>::active_cell_iterator(&space.triangulation, cell->level(),
+                                                   cell->index(), &node_dofs)
+        ->get_dof_indices(nodes);
+    for (unsigned int i = 0; i < indices.size(); ++i)
+    {
+      const auto [component, node] = space.velocity_element.system_to_component_index(i);
+      if (component == 0 && owned.is_element(nodes[node]))
+        values[nodes[node]] = ghosted(indices[i]);
+    }
+  }
+  values.compress(VectorOperation::insert);
+  numbers.reinit(owned, relevant, space.communicator);
+  numbers = values;
 }
 
 template class FieldOutput<2>;

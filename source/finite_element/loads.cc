@@ -68,7 +68,7 @@ void Loads<dim>::integrate(const Item &item,
     }
   };
   for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
-    if (cell->is_locally_owned())
+    if (cell->is_locally_owned() && acts_on(cell->material_id()))
     {
       bool touched = false;
       if (item.condition < 0)
@@ -113,7 +113,7 @@ std::vector<std::array<double, 3>> Loads<dim>::places(const Item &item) const
 {
   std::vector<std::array<double, 3>> points;
   for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
-    if (cell->is_locally_owned())
+    if (cell->is_locally_owned() && acts_on(cell->material_id()))
     {
       if (item.condition < 0)
         points.push_back(coordinates(cell->center()));

@@ -43,7 +43,8 @@ TaylorHood<dim>::TaylorHood(parallel::TriangulationBase<dim> &triangulation,
       tangent(space, operators, constraints, parameters.linear_solver.direct_solver),
       mesh_transfer(space),
       evaluation(space, problem),
-      output(space, problem, evaluation)
+      wall_shear(space, problem),
+      output(space, problem, evaluation, wall_shear)
 {
   system.announce = [&log](const double n_unknowns, const double bytes)
   {
@@ -67,10 +68,12 @@ void TaylorHood<dim>::setup()
   for (const std::string &conflict : constraints.conflicts())
     log.warning(conflict);
   load_list.build();
+  loads_of_regions.clear();
   system.reinit();
   convective_terms.reinit();
   tangent.reinit();
   evaluation.rebuild();
+  wall_shear.reinit();
   for (DistributedVector *vector : {&zero_velocity, &velocity_work})
     *vector = space.velocity_vector();
   pressure_work = space.pressure_vector();
@@ -200,6 +203,15 @@ double TaylorHood<dim>::divergence(const DistributedVector &velocity)
     if (one.begin()[i] > 0.)
       largest = std::max(largest, std::abs(rate.begin()[i] / volume.begin()[i]));
   return Utilities::MPI::max(largest, space.communicator);
+}
+
+template <int dim>
+const LoadList &TaylorHood<dim>::loads_of(const unsigned int region)
+{
+  const auto [entry, is_new] = loads_of_regions.try_emplace(region, space, problem, region);
+  if (is_new)
+    entry->second.build();
+  return entry->second;
 }
 
 template <int dim>

@@ -241,15 +241,19 @@ void CellEvaluation<dim>::add_value(const FieldDefinition<dim> &field,
   double of_pressure = plane_stress.pressure_factor;
   if (field.quantity != Quantity::pressure)
   {
-    // Stress and strain are linear in the gradient, so the weights are those of unit entries.
-    const bool is_strain = field.quantity == Quantity::strain;
+    // Stress, strain and vorticity are linear in the gradient, so the weights are those of unit
+    // entries.
+    const bool is_strain = field.quantity == Quantity::strain,
+               is_vorticity = field.quantity == Quantity::vorticity;
     const auto unit = [&](const Tensor<2, dim> &gradient, const double hoop)
     {
-      return combine(is_strain ? strain<dim>(gradient, hoop, problem.model, plane_stress)
-                               : stress<dim>(gradient, hoop, 0., problem.model));
+      return combine(is_vorticity ? vorticity<dim>(gradient)
+                     : is_strain  ? strain<dim>(gradient, hoop, problem.model, plane_stress)
+                                  : stress<dim>(gradient, hoop, 0., problem.model));
     };
-    DistributedVector &target = is_strain ? collector.weights(Source::displacement)
-                                          : collector.weights(Source::mixture, region);
+    DistributedVector &target = is_strain      ? collector.weights(Source::displacement)
+                                : is_vorticity ? collector.weights(Source::velocity)
+                                               : collector.weights(Source::mixture, region);
     for (const auto &entry : linear.velocity_gradient(place))
       for (unsigned int c = 0; c < dim; ++c)
       {
@@ -259,7 +263,7 @@ void CellEvaluation<dim>::add_value(const FieldDefinition<dim> &field,
       }
     for (const auto &entry : linear.hoop(place))
       add(target, dim * entry.first + 1, weight * unit(Tensor<2, dim>(), entry.second));
-    if (is_strain)
+    if (is_strain || is_vorticity)
       return;
     of_pressure = combine(stress<dim>(Tensor<2, dim>(), 0., 1., problem.model));
   }

@@ -62,8 +62,8 @@ unsigned int KrylovCorrection::solve(const Derivative &derivative,
   right_hand_side.block(1).equ(1. / residuals.mass_scale, residuals.mass);
   solution = 0.;
   IterationNumberControl control(maximum_iterations, tolerance * right_hand_side.l2_norm());
-  SolverGMRES<BlockVector> gmres(
-      control, memory, SolverGMRES<BlockVector>::AdditionalData(maximum_iterations + 2));
+  SolverGMRES<BlockVector> gmres(control, memory,
+                                 SolverGMRES<BlockVector>::AdditionalData(maximum_iterations + 2));
   gmres.solve(ProductAsMatrix<decltype(multiply)>{multiply}, solution, right_hand_side,
               PreconditionIdentity());
   apply_inverse(solution, velocity_change, pressure_change);

@@ -17,11 +17,12 @@ std::string choices(const std::string &name, const std::vector<std::string> &can
 unsigned int find_name(const ParameterSection &section,
                        const std::string &key,
                        const std::string &name,
-                       const std::vector<std::string> &names)
+                       const std::vector<std::string> &names,
+                       const std::string &problem)
 {
   const auto place = std::find(names.begin(), names.end(), name);
   if (place == names.end())
-    section.refuse(key, "the mesh has no '" + name + "'", choices(name, names));
+    section.refuse(key, problem + name + "'", choices(name, names));
   return static_cast<unsigned int>(place - names.begin());
 }
 } // namespace Continua

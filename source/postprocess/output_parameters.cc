@@ -1,7 +1,40 @@
 #include <continua/postprocess/output_parameters.h>
 
+#include <continua/base/parameter_text.h>
+#include <continua/postprocess/name_choice.h>
+
+#include <utility>
+
 namespace Continua
 {
+namespace
+{
+/// The fields that can be asked for.
+const std::vector<std::pair<std::string, bool FurtherFields::*>> further_field_words = {
+    {"vorticity", &FurtherFields::vorticity},
+    {"Q criterion", &FurtherFields::q_criterion},
+    {"wall shear stress", &FurtherFields::wall_shear_stress},
+    {"averages of wall shear stress", &FurtherFields::wall_shear_averages}};
+
+FurtherFields read_further_fields(ParameterSection section)
+{
+  std::vector<std::string> words, known;
+  section.add(
+      "Further fields", words,
+      "Fields in fields.pvd beside those that are always there: vorticity; Q criterion; wall "
+      "shear stress - what liquids exert on their walls, at the nodes there; averages of "
+      "wall shear stress - its mean magnitude over time and the oscillatory shear index");
+  for (const auto &row : further_field_words)
+    known.push_back(row.first);
+  FurtherFields fields;
+  for (const std::string &word : words)
+    fields.*further_field_words[find_name(section, "Further fields", collapse_blanks(word), known,
+                                          "there is no field '")]
+                .second = true;
+  return fields;
+}
+} // namespace
+
 void OutputParameters::read(ParameterSection section)
 {
   const Dimension &time = Dimensions::time;
@@ -34,6 +67,17 @@ void OutputParameters::read(ParameterSection section)
       "Whether the parts of a cell are written as one curved cell (ParaView 5.5 and later)");
   section.add("Files per state", files_per_state,
               "Files into which the ranks write a state of the fields together; 0: one a rank", 0);
+  further_fields = read_further_fields(section);
+  section.add(
+      "Averages from", wall_shear_window.begin, time,
+      "Start of the time over which the wall shear stress is averaged, for fields and probes "
+      "[s]",
+      range);
+  section.add("Averages to", wall_shear_window.end, time,
+              "End of this time [s]; infinite: the end of the run", Range::positive());
+  if (wall_shear_window.end <= wall_shear_window.begin)
+    section.refuse("Averages to", "the averages end before they begin",
+                   "Give a time after Averages from");
 }
 
 unsigned int OutputParameters::subdivisions_for(const unsigned int element_degree) const

@@ -53,4 +53,21 @@ UNIT_TEST(stress_and_strain)
   check::absolute("yz of three", solid[5], 1., 1e-15);
   const Tensor<1, 3> on_z = traction(solid, Tensor<1, 3>({0., 0., 1.}));
   check::absolute("traction on a plane z", (on_z - Tensor<1, 3>({1., 1., 0.})).norm(), 0., 1e-15);
+
+  // The same as a velocity: curl = (1, 1, 2), and no product of two opposite components.
+  const auto curl = vorticity(shear);
+  check::is_true("curl", curl[0] == 1. && curl[1] == 1. && curl[2] == 2.);
+  check::absolute("pure shear has no Q", q_criterion(shear, 0., Model::three_dimensional), 0., 0.);
+  // A rigid rotation by w = 3 about z, |W|^2 = 2 w^2; and a stretching by 3, -3, |E|^2 = 18.
+  Tensor<2, 2> rotation, stretching;
+  rotation[1][0] = 3.;
+  rotation[0][1] = -3.;
+  stretching[0][0] = 3.;
+  stretching[1][1] = -3.;
+  check::absolute("curl of a rotation", vorticity(rotation)[2], 6., 1e-15);
+  check::absolute("Q of a rotation", q_criterion(rotation, 0., Model::plane_strain), 9., 1e-15);
+  check::absolute("Q of a stretching", q_criterion(stretching, 0., Model::plane_strain), -9.,
+                  1e-15);
+  check::absolute("Q with a hoop strain rate", q_criterion(stretching, 2., Model::axisymmetric),
+                  -11., 1e-15);
 }

@@ -110,6 +110,98 @@ struct Body
   DistributedVector velocity, pressure;
 };
 
+/// The liquid right of x = 2 on its boundaries and on the solid, of which every face has a quarter
+/// of it finer: grad U = (2, 3; 0, 5) and eta = 2, so that n.sigma has the tangential part 6.
+void test_walls()
+{
+  Body body(Model::plane_strain);
+  const auto on_wall = [&body](const std::string &field, const unsigned int boundary)
+  {
+    ProbeRequest<2> request;
+    request.kind = ProbeRequest<2>::Kind::boundary_mean;
+    request.field = field;
+    request.boundary_ids = {boundary};
+    request.region_ids = {1};
+    return body.value(request);
+  };
+  const auto on_interface =
+      [&body](const ProbeRequest<2>::Kind kind, const std::string &field, const unsigned int region)
+  {
+    ProbeRequest<2> request;
+    request.kind = kind;
+    request.field = field;
+    request.region_ids = {region};
+    request.neighbour_ids = {1 - region};
+    return body.value(request);
+  };
+  using Kind = ProbeRequest<2>::Kind;
+  check::relative("vorticity", body.probe("vorticity z", {1.3, 0.7}), -3., 1e-12);
+  check::relative("Q criterion", body.probe("Q criterion", {1.3, 0.7}), -14.5, 1e-12);
+  check::relative("mean Q criterion", body.on_boundary("Q criterion", 3, true), -14.5, 1e-12);
+  check::relative("shear on the top", on_wall("wall shear stress x", 3), -6., 1e-12);
+  check::relative("shear on the bottom", on_wall("wall shear stress x", 2), 6., 1e-12);
+  check::relative("shear on the right", on_wall("wall shear stress y", 1), -6., 1e-12);
+  check::absolute("none along the normal", on_wall("wall shear stress x", 1), 0., 1e-12);
+  check::relative("its magnitude", on_wall("magnitude of wall shear stress", 2), 6., 1e-12);
+  check::relative("shear on the solid", on_interface(Kind::boundary_mean, "wall shear stress y", 1),
+                  6., 1e-12);
+  check::relative("its integral", on_interface(Kind::boundary_integral, "wall shear stress y", 1),
+                  12., 1e-12);
+  check::relative("pressure on the solid's side", on_interface(Kind::boundary_mean, "pressure", 0),
+                  2., 1e-12);
+  check::relative("pressure on the liquid's side", on_interface(Kind::boundary_mean, "pressure", 1),
+                  102., 1e-12);
+  // Of the velocity x - 1.3 - y/10 on the bottom and on the top; 0.4 m and more along the right.
+  body.velocity =
+      small_problem::interpolated<2>(body.space,
+                                     [](const Point<2> &x) {
+                                       return Tensor<1, 2>({x[0] - 1.3 - 0.1 * x[1], x[1] - 0.4});
+                                     });
+  const auto sign_change =
+      [&body](const unsigned int boundary, const std::string &field, const unsigned int coordinate)
+  {
+    ProbeRequest<2> request;
+    request.kind = Kind::sign_change;
+    request.field = field;
+    request.boundary_ids = {boundary};
+    request.component = coordinate;
+    request.range.second = 3.5;
+    return body.value(request);
+  };
+  check::relative("change of sign on the bottom", sign_change(2, "velocity x", 0), 1.3, 1e-12);
+  check::relative("change of sign on the top", sign_change(3, "velocity x", 0), 1.5, 1e-12);
+  check::relative("change of sign on the right", sign_change(1, "velocity y", 1), 0.4, 1e-12);
+  check::is_true("no change of sign", std::isnan(sign_change(2, "velocity y", 0)));
+}
+
+/// A liquid in simple shear whose viscosity follows the rate of shear.
+void test_flow_curve()
+{
+  Body body(Model::plane_strain);
+  FlowCurve curve;
+  curve.zero_rate_viscosity = 2.;
+  curve.infinite_rate_viscosity = 0.5;
+  curve.time = 1.;
+  curve.yasuda_exponent = 2.;
+  curve.index = 0.;
+  body.problem.materials[1].shear.flow_curve = curve;
+  body.velocity = small_problem::interpolated<2>(body.space,
+                                                 [](const Point<2> &x) {
+                                                   return Tensor<1, 2>({3. * x[1], 0.});
+                                                 });
+  // The rate of shear is 3, and eta = 0.5 + 1.5/sqrt(1 + 9).
+  const double shear_stress = 3. * (0.5 + 1.5 / std::sqrt(10.));
+  check::relative("stress of a flow curve", body.probe("stress xy", {3.1, 0.3}), shear_stress,
+                  1e-12);
+  check::relative("its pressure", body.probe("stress xx", {3.1, 0.3}), -103.1, 1e-12);
+  ProbeRequest<2> request;
+  request.kind = ProbeRequest<2>::Kind::boundary_mean;
+  request.boundary_ids = {2};
+  request.region_ids = {1};
+  request.field = "wall shear stress x";
+  check::relative("its shear on a wall", body.value(request), shear_stress, 1e-12);
+}
+
 /// About the x axis in three dimensions: a box with the corner (0, 1, 1), v = (y, y, z), so that
 /// the radial velocity is r; fluid with eta = 2.
 void test_three_dimensions()
@@ -174,6 +266,8 @@ UNIT_TEST(field_evaluation)
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   small_problem::quiet_other_ranks();
   test_three_dimensions();
+  test_walls();
+  test_flow_curve();
   {
     Body body(Model::plane_strain);
     check::relative("velocity x", body.probe("velocity x", {1.3, 0.7}), 5.7, 1e-13);
@@ -247,9 +341,9 @@ UNIT_TEST(field_evaluation)
     check::throws<std::invalid_argument>(
         "no such field",
         [&] {
-          body.probe("vorticity", {1., 1.});
+          body.probe("helicity", {1., 1.});
         },
-        "vorticity");
+        "helicity");
     Body error_body(Model::plane_strain);
     const State state{error_body.velocity, error_body.pressure, error_body.history};
     const std::vector<Expression> exact = {Expression("1+2*x+3*y", Dimensions::none),

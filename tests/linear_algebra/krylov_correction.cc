@@ -61,8 +61,7 @@ struct System
     std::copy(second.begin(), second.end(), std::copy(first.begin(), first.end(), result.begin()));
     return result;
   }
-  static void
-  put(const Vector<double> &values, DistributedVector &first, DistributedVector &second)
+  static void put(const Vector<double> &values, DistributedVector &first, DistributedVector &second)
   {
     std::copy(values.begin(), values.begin() + n_velocity, first.begin());
     std::copy(values.begin() + n_velocity, values.end(), second.begin());

@@ -335,6 +335,63 @@ void test_reference_point()
   solver.value = [](const ProbeRequest<2> &request) { return 8. - 4. * request.point[0]; };
   check::absolute("difference of two points", probes.present_values().at(0), 3., 1e-15);
 }
+/// Interfaces, fields of walls, positions and differences, as the solver is asked for them.
+void test_walls()
+{
+  FakeSolver<2> solver;
+  solver.value = [](const ProbeRequest<2> &request)
+  {
+    if (request.kind == Kind::sign_change)
+      return request.number == 0 ? 3. : std::nan("");
+    return request.boundary_ids.count(1) > 0 ? 2. : 7.;
+  };
+  Probes<2> probes =
+      make("subsection wall\nset Interface = fluid, wall\n"
+           "set Fields = force x\nend\n"
+           "subsection shear\nset Interface = fluid, wall\n"
+           "set Fields = wall shear stress y\nset Value = integral\nend\n"
+           "subsection turn\nset Boundary = inlet\nset Fields = wall shear stress x\n"
+           "set Sign changes = 2\nset Sign changes along = y\n"
+           "set Sign changes between = 1 m, 2 m\nend\n"
+           "subsection drop\nset Boundary = inlet\nset Reference boundary = outlet\n"
+           "set Fields = pressure\nend\n",
+           solver, Model::plane_strain);
+  const ProbeRequest<2> &force = solver.requests.at(0), &shear = solver.requests.at(1),
+                        &second = solver.requests.at(3);
+  const std::set<unsigned int> fluid = {0}, wall = {1};
+  check::is_true("force on an interface", force.kind == Kind::boundary_force &&
+                                              force.region_ids == fluid &&
+                                              force.neighbour_ids == wall && force.component == 0);
+  check::is_true("shear on an interface", shear.kind == Kind::boundary_integral &&
+                                              shear.field == "wall shear stress y" &&
+                                              shear.neighbour_ids == wall);
+  check::is_true("a second change of sign", second.kind == Kind::sign_change &&
+                                                second.number == 1 && second.component == 1 &&
+                                                second.range == std::pair<double, double>(1., 2.));
+  std::string names;
+  for (const std::string &name : probes.column_names())
+    names += name + "; ";
+  check::equal("columns on walls", names,
+               "wall: force x [N/m]; shear: wall shear stress y [N/m]; "
+               "turn: sign change 1 of wall shear stress x [m]; "
+               "turn: sign change 2 of wall shear stress x [m]; drop: pressure [Pa]; ");
+  check::absolute("a difference", probes.present_values().at(4), 5., 0.);
+
+  // A position that is not there has no quantity.
+  probes.open("walls.csv");
+  probes.record(0.);
+  probes.record(1.);
+  Summary summary;
+  probes.finish(summary);
+  check::absolute("a position",
+                  quantity(summary, "final sign change 1 of wall shear stress x",
+                           "turn: sign change 1 of wall shear stress x"),
+                  3., 0.);
+  bool is_there = false;
+  for (const Quantity &entry : summary.quantities())
+    is_there = is_there || entry.name.find("sign change 2") != std::string::npos;
+  check::is_true("no position", !is_there);
+}
 } // namespace
 
 UNIT_TEST(probes)
@@ -375,4 +432,5 @@ UNIT_TEST(probes)
           "set Fields = pressure\nset Signal analysis = false\nset Modes = 2 Hz\n" + point,
           "probes.prm:5: 'Probes/tip/Modes'");
   refuses("unknown entry", "set Fields = pressure\nset Pont = 0, 0\n" + point, "Point");
+  test_walls();
 }

@@ -24,6 +24,8 @@ std::vector<unsigned long> all_gather(MPI_Comm communicator, unsigned long value
 std::vector<std::string> all_gather(MPI_Comm communicator, const std::string &value);
 std::vector<std::vector<unsigned int>> all_gather(MPI_Comm communicator,
                                                   const std::vector<unsigned int> &value);
+std::vector<std::vector<double>> all_gather(MPI_Comm communicator,
+                                            const std::vector<double> &value);
 } // namespace Continua
 
 #endif

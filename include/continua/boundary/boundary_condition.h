@@ -84,6 +84,11 @@ struct BoundaryCondition
   AbsorbingEndParameters absorbing; ///< of that type
   InflowPressure inflow_pressure = InflowPressure::static_pressure;
 
+  /// Whether the velocity is prescribed in full, and 0 along the normal.
+  bool is_wall() const
+  {
+    return normal.is_fixed() && tangential.kind == BoundaryPart::Kind::velocity;
+  }
   /// A sentence for the log where the prescribed value at t = 0 is not zero at `point` (three
   /// coordinates [m]), so that a body at rest meets a jump; else empty.
   std::string initial_jump(const double *point) const;

@@ -15,10 +15,12 @@
 #include <deal.II/numerics/data_out.h>
 
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Continua
@@ -30,8 +32,9 @@ struct FieldComponent
   std::string unit; ///< "m"
 };
 
-/// A number that is a linear function of the state: a field's value at a point, or its mean or
-/// integral over a boundary or over the section of the undeformed body by a plane. Of a body that
+/// A number that follows from the state: a field's value at a point, or its mean or integral over a
+/// boundary, over the interface of two regions or over the section of the undeformed body by a
+/// plane. Of a body that
 /// is modelled in part (a quarter of a tube) integrals are over that part; in axisymmetry they are
 /// over the whole circumference.
 template <int dim>
@@ -53,9 +56,12 @@ struct ProbeRequest
     /// By how much the volume of the regions has grown by the motion of their surface with other
     /// regions; there is no field.
     volume_change,
-    /// The force of the body on what holds its boundaries, which Taylor-Hood elements have; there
-    /// is no field.
-    boundary_force
+    /// The force of the body on what holds its boundaries, or of the regions on those across an
+    /// interface, which Taylor-Hood elements have; there is no field.
+    boundary_force,
+    /// A coordinate at which the field changes its sign along a boundary or an interface [m]; NaN
+    /// where there is none.
+    sign_change
   };
   Kind kind = Kind::point;
   std::string field;        ///< one of the solver's fields(), but for the kinds that have none
@@ -66,7 +72,15 @@ struct ProbeRequest
   /// all that the plane cuts.
   std::shared_ptr<const VesselAxis<dim>> axis;
   std::set<unsigned int> boundary_ids; ///< for boundaries
-  unsigned int component = 0;          ///< of a force
+  /// For an interface in the place of a boundary: the regions on its other side. The values and the
+  /// force are those of the side of `region_ids`, and the normal points out of them.
+  std::set<unsigned int> neighbour_ids;
+  unsigned int component = 0; ///< of a force, and of the coordinate of a change of sign
+  /// Of a change of sign: which one in the order of the coordinate, from 0, and between which
+  /// coordinates [m].
+  unsigned int number = 0;
+  std::pair<double, double> range = {-std::numeric_limits<double>::infinity(),
+                                     std::numeric_limits<double>::infinity()};
   /// The regions whose side counts (a field may jump); empty: any that is there.
   std::set<unsigned int> region_ids;
 

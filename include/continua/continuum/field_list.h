@@ -25,7 +25,13 @@ struct FieldDefinition
     displacement,
     pressure,
     stress,
-    strain
+    strain,
+    vorticity,         ///< curl of the velocity; a component of x, y, z
+    q_criterion,       ///< no linear function of the state
+    wall_shear_stress, ///< tangential part of the traction on a wall: a component of x, y, z
+    wall_shear_stress_magnitude,
+    average_wall_shear_stress, ///< the mean of the magnitude over time
+    oscillatory_shear_index
   };
   /// Of the components; e_r points away from the axis and e_theta round it.
   enum class Combination
@@ -51,6 +57,10 @@ struct FieldDefinition
   std::array<double, 3> direction = {{0., 0., 0.}};
   Axis axis;
 
+  /// Whether the field is one of walls, and has no meaning but on a boundary or an interface.
+  bool is_of_walls() const;
+  /// Whether the field is kept over the steps of a run.
+  bool is_average() const;
   /// The factors of the components (of a vector x, y, z; of a stress those of stress_pairs) at a
   /// point of the undeformed body. On the axis, where there is no e_r, it is any across it.
   std::array<double, 6> factors(const dealii::Point<dim> &point) const;
@@ -66,6 +76,13 @@ FieldDefinition<dim> field_along(typename FieldDefinition<dim>::Quantity quantit
 /// three dimensions.
 template <int dim>
 std::vector<FieldDefinition<dim>> field_list(Model model);
+/// The fields that exist on boundaries and interfaces alone, in the order in which they are
+/// offered: wall shear stress x, ..., magnitude of wall shear stress, time-averaged wall shear
+/// stress, oscillatory shear index.
+template <int dim>
+std::vector<FieldDefinition<dim>> wall_field_list();
+template <int dim>
+std::vector<FieldComponent> wall_field_names();
 /// Their names and units: what there is to probe, whatever the discretisation.
 template <int dim>
 std::vector<FieldComponent> field_names(Model model);

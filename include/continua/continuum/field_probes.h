@@ -6,13 +6,18 @@
 #include <continua/continuum/probe_weights.h>
 #include <continua/continuum/problem.h>
 
+#include <functional>
+#include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace Continua
 {
 /**
- * The probes of a discretisation. Each is linear in the state, so it is set up once on a mesh, by
- * what the discretisation says of its fields at points, and read by a short sum.
+ * The probes of a discretisation. Most are linear in the state: such a one is set up once on a
+ * mesh, by what the discretisation says of its fields at points, and read by a short sum. Others
+ * have samples: the discretisation keeps their points, and evaluates the field there each time.
  */
 template <int dim>
 class FieldProbes
@@ -27,16 +32,34 @@ public:
   void rebuild();
   /// Whether any is a force.
   bool asks_for_forces() const;
+  /// The regions of which forces on an interface are asked for.
+  std::set<unsigned int> regions_of_forces() const;
   /// The values of all, in the order in which they were added, on every rank. `forces`: what the
-  /// equations leave at the nodes; null if no probe asks for them.
-  void
-  evaluate(const State &state, const DistributedVector *forces, std::vector<double> &values) const;
+  /// equations leave at the nodes, of the body, or of a region.
+  void evaluate(
+      const State &state,
+      const std::function<const DistributedVector &(std::optional<unsigned int> region)> &forces,
+      std::vector<double> &values) const;
 
 protected:
   using Collector = ProbeWeights::Collector;
 
   const Problem &problem;
 
+  /// A field at one of this rank's points of a probe.
+  struct Sample
+  {
+    double weight;
+    double coordinate; ///< where changes of sign are looked for [m]
+    double value;
+  };
+
+  /// What a probe is asked for, and its field.
+  std::pair<const ProbeRequest<dim> &, const FieldDefinition<dim> &>
+  definition(const unsigned int probe) const
+  {
+    return {probes[probe].request, probes[probe].field};
+  }
   /// Whether the request counts that region's side.
   static bool counts(const ProbeRequest<dim> &request, unsigned int region);
 
@@ -46,6 +69,8 @@ private:
     ProbeRequest<dim> request;
     FieldDefinition<dim> field;
     ProbeWeights weights;
+    bool is_sampled = false;
+    double factor = 1.; ///< of the sum over the samples
   };
 
   virtual Collector collector() const = 0;
@@ -70,11 +95,31 @@ private:
   virtual double add_force(const ProbeRequest<dim> &request, Collector &collector) const = 0;
   /// The flow rate; 0 if the plane misses the regions.
   virtual double add_flow(const ProbeRequest<dim> &request, Collector &collector) const = 0;
-  void build(Probe &probe) const;
+
+  // Samples; for discretisations that have them.
+  /// Whether the number is no linear function of the state.
+  virtual bool needs_samples(const ProbeRequest<dim> &, const FieldDefinition<dim> &) const
+  {
+    return false;
+  }
+  /// The functions above keep the points of this probe as samples, until end_samples().
+  virtual void begin_samples(unsigned int /*probe*/) {}
+  virtual void end_samples() {}
+  /// A new state is to be sampled. Collective.
+  virtual void take_state(const State &) const {}
+  /// This rank's samples of a probe in that state.
+  virtual void sample(unsigned int /*probe*/, std::vector<Sample> & /*samples*/) const {}
+
+  void build(unsigned int number);
+  /// Sets the weights or the samples up; returns what the weights of the points add up to.
+  double add_points(const Probe &probe, Collector &collector) const;
+  /// The coordinate that is asked for, on all ranks.
+  double sign_change(const ProbeRequest<dim> &request, const std::vector<Sample> &samples) const;
 
   const std::vector<FieldDefinition<dim>> definitions;
   std::vector<Probe> probes;
   mutable std::vector<double> sums; ///< work space
+  mutable std::vector<Sample> samples;
 };
 } // namespace Continua
 

@@ -5,7 +5,10 @@
 #include <continua/continuum/outlet_coupling.h>
 #include <continua/continuum/power_balance.h>
 
+#include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <vector>
 
 namespace Continua
@@ -33,13 +36,15 @@ public:
   PowerBalance balance(const FinishedStep &step, bool relaxation);
   Energy energy(const State &state);
 
-  /// Makes balance() keep the forces at the nodes, too.
-  void want_forces() { forces_are_wanted = true; }
+  /// Makes balance() keep the forces at the nodes, too, and those of each of these regions.
+  void want_forces(const std::set<unsigned int> &regions);
   /// What the equations of a step leave at the nodes, inertia + inner forces + convection - loads
   /// [N]: the forces that move the nodes of prescribed velocity, and 0 up to the accuracy of the
   /// solution at free ones. Those of balance() if it has made them; zeros before the first step on
-  /// a mesh. Collective.
-  const DistributedVector &forces_at_nodes(const FinishedStep &step);
+  /// a mesh. Of a region: what the equations of its cells alone leave, which at a free node is the
+  /// force that the cells of other regions exert there. Collective.
+  const DistributedVector &forces_at_nodes(const FinishedStep &step,
+                                           std::optional<unsigned int> region);
   /// A step has been made, of which the forces are not known.
   void forget_forces() { forces_are_current = false; }
 
@@ -50,6 +55,7 @@ private:
   std::vector<std::unique_ptr<EquationTerm>> terms;
   TermContext context;
   DistributedVector forces;
+  std::map<unsigned int, DistributedVector> forces_of_regions; ///< that are wanted
   bool forces_are_wanted = false, forces_are_current = false;
   std::vector<double> sums; ///< work space
 };

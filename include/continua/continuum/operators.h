@@ -101,6 +101,9 @@ public:
 
   // Loads and prescribed velocities.
   virtual const LoadList &loads() const = 0;
+  /// Those on the cells of one region and on their faces; for discretisations that have forces at
+  /// nodes. Made when they are first asked for on a mesh. Collective.
+  virtual const LoadList &loads_of(unsigned int /*region*/) { return loads(); }
   /// Whether a prescribed velocity jumps between the two times [s].
   virtual bool prescribed_velocity_jumps(double begin, double end) const = 0;
   /// Whether every prescribed velocity is zero for ever.
@@ -191,6 +194,15 @@ public:
   virtual void set_prescribed(const DistributedVector & /*prescribed*/, DistributedVector &) const
   {
   }
+
+  // The wall shear stress; for discretisations that have it. Vectors as the velocities.
+  /// Sets the tangential part of the traction of the liquids on their walls at the nodes there, 0
+  /// at others [Pa].
+  virtual void set_wall_shear_stress(const State &, DistributedVector &) {}
+  /// Sets each component of a wall's node to the magnitude of the vector there, others to 0.
+  virtual void set_magnitudes_at_walls(const DistributedVector &, DistributedVector &) {}
+  /// Sets all but the nodes of walls to 0.
+  virtual void keep_walls_alone(DistributedVector &) {}
 
   // Outlets; for discretisations that have them.
   /// int v . n over the faces of a boundary condition: the flow rate out of the body that each

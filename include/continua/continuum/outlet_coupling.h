@@ -68,6 +68,8 @@ public:
   /// Adds factor times the forces that the ports that hold pressures exert at the balanced level,
   /// -q p [N].
   void add_forces(double factor, DistributedVector &forces) const;
+  /// The same of the ports of one region.
+  void add_forces_of(unsigned int region, double factor, DistributedVector &forces) const;
   /// Of each outlet, at the balanced level.
   void power(std::vector<OutletPower> &of_outlets) const;
   /// Stored by those outlets whose terms are stores [J].
@@ -96,6 +98,7 @@ private:
   struct Port
   {
     unsigned int outlet;
+    unsigned int condition;
     bool holds_flow;
     Sparse flow;     ///< q [m^2]
     Sparse velocity; ///< phi [1/m^2]; of a port that holds the flow rate

@@ -13,6 +13,7 @@
 
 #include <mpi.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,23 @@ struct InteriorData
   std::vector<std::string> table_warnings(double end_time) const;
 };
 
+/// Fields of the output beside those that are always there.
+struct FurtherFields
+{
+  bool vorticity = false;
+  bool q_criterion = false;
+  bool wall_shear_stress = false;
+  bool wall_shear_averages = false; ///< the mean over time and the oscillatory shear index
+};
+
+/// Of the mean of the wall shear stress over time.
+struct WallShearWindow
+{
+  bool is_kept = false; ///< whether anybody asks for it
+  double begin = 0.;    ///< [s]
+  double end = std::numeric_limits<double>::infinity();
+};
+
 /// The physical problem on one mesh, the same for every discretisation. Regions are numbered by
 /// material id.
 struct Problem
@@ -52,6 +70,8 @@ struct Problem
   InteriorData interior;
   Convection convection;
   NewtonParameters newton;
+  FurtherFields further_fields;
+  WallShearWindow wall_shear_window;
 
   /// Of a region in any model.
   PlaneStressFactors plane_stress(const unsigned int region) const

@@ -7,12 +7,15 @@
 
 namespace Continua
 {
+class WallShearAverage;
+
 /// The vectors that a field is computed from, at the present time; owned entries.
 struct State
 {
   const DistributedVector &velocity; ///< [m/s]
   const DistributedVector &pressure; ///< [Pa]
   const BranchHistory &history;
+  const WallShearAverage *wall_shear = nullptr; ///< null unless the run keeps it
 };
 
 /// Sets `mixture` to w = eta U + sum_k mu_k D_k of a region's material [Pa m], of whose gradient

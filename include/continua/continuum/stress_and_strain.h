@@ -49,6 +49,18 @@ std::array<double, 6> strain(const dealii::Tensor<2, dim> &displacement_gradient
                              Model model,
                              const PlaneStressFactors &plane_stress);
 
+/// curl v by x, y, z from the gradient of a velocity, gradient[i][j] = dv_i/dx_j; in two dimensions
+/// z alone, which in axisymmetry goes round the axis. [1/s]
+template <int dim>
+std::array<double, 6> vorticity(const dealii::Tensor<2, dim> &velocity_gradient);
+
+/// Half of |W|^2 - |E|^2, with the antisymmetric and the symmetric part of the gradient: positive
+/// where rotation prevails over strain (J. C. R. Hunt, A. A. Wray, P. Moin, Eddies, streams, and
+/// convergence zones in turbulent flows, Center for Turbulence Research report CTR-S88 (1988)
+/// 193-208). [1/s^2]
+template <int dim>
+double q_criterion(const dealii::Tensor<2, dim> &velocity_gradient, double hoop, Model model);
+
 /// n.sigma from the stress [Pa].
 template <int dim>
 dealii::Tensor<1, dim> traction(const std::array<double, 6> &stress,

@@ -11,7 +11,9 @@
 #include <continua/continuum/operators.h>
 #include <continua/continuum/outlet_coupling.h>
 #include <continua/continuum/problem.h>
+#include <continua/continuum/wall_shear_average.h>
 
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -47,12 +49,13 @@ public:
 
   PowerBalance power_balance(bool relaxation);
   Energy energy();
-  /// Call before the first step if forces_at_nodes() will be asked for.
-  void want_forces_at_nodes() { ledger.want_forces(); }
+  /// Call before the first step if forces_at_nodes() will be asked for, of the body and of these
+  /// regions.
+  void want_forces_at_nodes(const std::set<unsigned int> &regions) { ledger.want_forces(regions); }
   /// Of the last step at the time at which it balances, or of the steady solution; see Ledger.
-  const DistributedVector &forces_at_nodes()
+  const DistributedVector &forces_at_nodes(const std::optional<unsigned int> region)
   {
-    return ledger.forces_at_nodes({balanced, velocity_older, velocity});
+    return ledger.forces_at_nodes({balanced, velocity_older, velocity}, region);
   }
 
   /// Call when cells are flagged and before the triangulation changes, and after.
@@ -81,6 +84,7 @@ private:
   BranchHistory history;
   BulkHistory bulk_history;
   OutletCoupling outlets;
+  WallShearAverage wall_shear;
   /// Its factor is no part of the state: a checkpoint makes it forgotten.
   mutable Newton newton;
   Ledger ledger;
@@ -107,7 +111,10 @@ private:
   void setup();
   /// The list of the state: what is added here is saved, kept, given back and carried over.
   void visit(StateVisitor &visitor);
-  State present() const { return State{velocity, pressure, history}; }
+  State present() const
+  {
+    return State{velocity, pressure, history, wall_shear.is_on() ? &wall_shear : nullptr};
+  }
   void report_exponential_branches(const Step &step);
   /// Solves the equations of a step at its balanced level.
   void balance(const Step &step, StepReport &report);

@@ -5,10 +5,12 @@
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state.h>
 #include <continua/continuum/stress_and_strain.h>
+#include <continua/finite_element/field_samples.h>
 #include <continua/finite_element/space.h>
 
 #include <deal.II/fe/fe_values.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,7 @@ private:
   using Collector = ProbeWeights::Collector;
   using Source = ProbeWeights::Source;
   using CellIterator = typename dealii::Triangulation<dim>::cell_iterator;
+  using Sample = typename FieldProbes<dim>::Sample;
 
   Collector collector() const override;
   double add_point(const ProbeRequest<dim> &request,
@@ -51,7 +54,17 @@ private:
   double add_interface(const ProbeRequest<dim> &request, Collector &collector) const override;
   double add_force(const ProbeRequest<dim> &request, Collector &collector) const override;
   double add_flow(const ProbeRequest<dim> &request, Collector &collector) const override;
-  /// Adds the field at points of the unit cell, and at a quadrature point, times weights.
+  bool needs_samples(const ProbeRequest<dim> &request,
+                     const FieldDefinition<dim> &field) const override;
+  void begin_samples(unsigned int probe) override;
+  void end_samples() override { samples_to_fill = nullptr; }
+  void take_state(const State &state) const override { sampled_state.take(state); }
+  void sample(unsigned int probe, std::vector<Sample> &samples) const override;
+  /// Whether the face of the cell is one of the boundaries or of the interface.
+  bool
+  has_face(const ProbeRequest<dim> &request, const CellIterator &cell, unsigned int face) const;
+  /// Adds the field at points of the unit cell, and at a quadrature point, times weights; `normal`:
+  /// out of the cell, for fields of walls.
   void add_values(const FieldDefinition<dim> &field,
                   const CellIterator &cell,
                   const dealii::Quadrature<dim> &points,
@@ -63,10 +76,22 @@ private:
                  const dealii::FEValuesBase<dim> &pressure_values,
                  unsigned int q,
                  double weight,
-                 Collector &collector) const;
+                 Collector &collector,
+                 const dealii::Tensor<1, dim> &normal = dealii::Tensor<1, dim>()) const;
+
+  /// The samples of a probe.
+  struct Samples
+  {
+    FieldDefinition<dim> field;
+    unsigned int coordinate;
+    FieldSamples<dim> points;
+  };
 
   using FieldProbes<dim>::problem;
   const Space<dim> &space;
+  mutable SampledState<dim> sampled_state;
+  std::map<unsigned int, Samples> samples_of_probes;
+  FieldSamples<dim> *samples_to_fill = nullptr; ///< while a probe with samples is set up
 };
 } // namespace Continua
 

@@ -5,6 +5,7 @@
 #include <continua/finite_element/space.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace Continua
@@ -15,7 +16,13 @@ template <int dim>
 class Loads : public LoadList
 {
 public:
-  Loads(const Space<dim> &space, const Problem &problem) : LoadList(problem), space(space) {}
+  /// `region`: those on its cells and their faces alone; none: all.
+  Loads(const Space<dim> &space,
+        const Problem &problem,
+        const std::optional<unsigned int> region = {})
+      : LoadList(problem), space(space), region(region)
+  {
+  }
 
   /// int v . n over the faces of a condition: the flow rate out of the body that each velocity
   /// stands for (hanging nodes condensed) [m^2].
@@ -31,7 +38,9 @@ private:
   using Item = LoadList::Item;
   using LoadList::problem;
   const Space<dim> &space;
+  const std::optional<unsigned int> region;
 
+  bool acts_on(const unsigned int material_id) const { return !region || *region == material_id; }
   DistributedVector zero_forces() const override { return space.velocity_vector(); }
   void integrate(const Item &item,
                  const Waveform *waveform,

@@ -14,7 +14,9 @@
 #include <continua/finite_element/space.h>
 #include <continua/finite_element/step_system.h>
 #include <continua/finite_element/tangent_system.h>
+#include <continua/finite_element/wall_shear_stress.h>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -75,6 +77,7 @@ public:
   double divergence(const DistributedVector &velocity) override;
 
   const LoadList &loads() const override { return load_list; }
+  const LoadList &loads_of(unsigned int region) override;
   bool prescribed_velocity_jumps(double begin, double end) const override;
   bool is_homogeneous() const override { return constraints.is_homogeneous(); }
   void evaluate_prescribed(double time, DistributedVector &values) const override;
@@ -120,6 +123,17 @@ public:
   void set_prescribed(const DistributedVector &prescribed,
                       DistributedVector &velocity) const override;
 
+  void set_wall_shear_stress(const State &state, DistributedVector &shear) override
+  {
+    wall_shear.set(state, shear);
+  }
+  void set_magnitudes_at_walls(const DistributedVector &vectors,
+                               DistributedVector &magnitudes) override
+  {
+    wall_shear.set_magnitudes(vectors, magnitudes);
+  }
+  void keep_walls_alone(DistributedVector &vector) override { wall_shear.keep_walls_alone(vector); }
+
   DistributedVector flow_of_velocities(unsigned int condition) const override;
   DistributedVector flow_profile(unsigned int condition) const override;
   void add_velocity_product(const DistributedVector &velocity, DistributedVector &result) override;
@@ -153,11 +167,13 @@ private:
   std::vector<RegionOperators> operators;
   BoundaryConstraints<dim> constraints;
   Loads<dim> load_list;
+  std::map<unsigned int, Loads<dim>> loads_of_regions; ///< that were asked for on this mesh
   StepSystem<dim> system;
   ConvectiveTerms<dim> convective_terms;
   TangentSystem<dim> tangent; ///< in the system's place where convection is on
   MeshTransfer<dim> mesh_transfer;
   FieldEvaluation<dim> evaluation;
+  WallShearStress<dim> wall_shear;
   FieldOutput<dim> output;
   std::string linear_solver_reported;
   DistributedVector zero_velocity, velocity_work, pressure_work;

@@ -2,6 +2,7 @@
 #define continua_postprocess_output_parameters_h
 
 #include <continua/base/parameter_section.h>
+#include <continua/continuum/problem.h>
 #include <continua/postprocess/schedule.h>
 
 namespace Continua
@@ -20,6 +21,9 @@ struct OutputParameters
   unsigned int subdivisions = 0; ///< of a cell in each direction in the fields; 0: as below
   bool higher_order_cells = false;
   unsigned int files_per_state = 0; ///< in the fields; 0: one a rank
+  FurtherFields further_fields;
+  /// Of the means over time; whether they are kept is not known here.
+  WallShearWindow wall_shear_window;
 
   /// Declares and reads; throws InputError.
   void read(ParameterSection section);

@@ -3,10 +3,10 @@
 
 #include <continua/base/parameter_section.h>
 #include <continua/base/summary.h>
-#include <continua/base/words.h>
 #include <continua/boundary/boundary_condition.h>
 #include <continua/continuum/continuum_solver.h>
 #include <continua/materials/model.h>
+#include <continua/postprocess/probe_entries.h>
 #include <continua/postprocess/run_table.h>
 #include <continua/postprocess/stations.h>
 
@@ -14,9 +14,6 @@
 
 #include <mpi.h>
 
-#include <limits>
-#include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -42,11 +39,11 @@ struct StationsProbe
 
 /**
  * The section Probes: a named family, each child a point of the undeformed body, boundaries, a
- * plane section, the volume of a region or the stations of a tube, where fields are recorded over
- * time in probes.csv (columns "NAME: FIELD [UNIT]", of stations "NAME 0.1 m: FIELD [UNIT]"), and
- * what these histories say of an oscillation. The order of calls: read() before there is a solver,
- * attach() when it is initialised, open(), record() as often as wanted, finish(). All are
- * collective; the histories are kept on every rank, the file is written by rank 0.
+ * plane section, an interface, the volume of a region or the stations of a tube, where fields are
+ * recorded over time in probes.csv (columns "NAME: FIELD [UNIT]", of stations "NAME 0.1 m: FIELD
+ * [UNIT]"), and what these histories say of an oscillation. The order of calls: read() before there
+ * is a solver, attach() when it is initialised, open(), record() as often as wanted, finish(). All
+ * are collective; the histories are kept on every rank, the file is written by rank 0.
  */
 template <int dim>
 class Probes
@@ -68,14 +65,13 @@ public:
   void check(const dealii::Triangulation<dim> &coarse_mesh,
              const std::vector<FieldComponent> &fields,
              const std::set<std::pair<unsigned int, unsigned int>> &boundary_regions);
-  /// Refuses forces where there are none: on boundaries of which each condition in `conditions`
-  /// leaves all motion free, and at all if `reason` says why. Throws InputError.
-  void check_forces(const std::vector<BoundaryCondition> &conditions,
-                    const std::string &reason) const;
-  /// Refuses stresses in these regions at points, over boundaries, sections, volumes and at
-  /// stations: their law is not linear. After check(), with the same `fields`. Throws InputError.
-  void refuse_stresses_in(const std::set<unsigned int> &regions,
-                          const std::vector<FieldComponent> &fields) const;
+  /// Refuses what the run has not, and forces on boundaries of which each condition in `conditions`
+  /// leaves all motion free. After check(), with the same `fields`. Throws InputError.
+  void check_limits(const std::vector<BoundaryCondition> &conditions,
+                    const ProbeLimits &limits,
+                    const std::vector<FieldComponent> &fields) const;
+  /// Whether any has a mean over time. After check(), with the same `fields`.
+  bool asks_for_averages(const std::vector<FieldComponent> &fields) const;
   /// Asks the solver, which must live as long as this, for the values. Throws InputError for a
   /// field that it has not and a point outside the mesh. `model` gives integrals their unit: over
   /// a line (per metre of depth) or an area.
@@ -128,43 +124,6 @@ public:
   const std::vector<StationsProbe> &stations() const { return stations_probes; }
 
 private:
-  enum class Place
-  {
-    point,
-    boundary,
-    section,
-    volume,
-    stations
-  };
-  /// Each place by the entry that gives it.
-  static const Words<Place> &place_words();
-  enum class Value
-  {
-    mean,
-    integral
-  };
-  /// One child of the section.
-  struct Probe
-  {
-    explicit Probe(const ParameterSection &section) : section(section) {}
-
-    ParameterSection section;
-    std::vector<std::string> fields; ///< as written
-    std::vector<double> point, reference_point;
-    std::vector<std::string> boundaries;
-    std::map<unsigned int, std::string> names_of_boundaries;    ///< by boundary id
-    double position = std::numeric_limits<double>::quiet_NaN(); ///< of a section [m]
-    std::string volume;                                         ///< name of its region
-    Stations<dim> stations;
-    Value value = Value::mean;
-    std::string region;
-    bool signal_analysis = true;
-    std::vector<double> modes; ///< start values [Hz]
-    unsigned int last_periods = 0;
-    ProbeRequest<dim> request;    ///< all but the field
-    dealii::Point<dim> reference; ///< the reference point
-    Place place = Place::point;
-  };
   struct Column
   {
     unsigned int probe;   ///< its place in `probes`
@@ -176,24 +135,10 @@ private:
     std::vector<double> values;
   };
 
-  /// Declares and reads the entries of one child.
-  void read_entries(Probe &probe) const;
-  /// Refuses entries that do not go together.
-  void check_entries(Probe &probe) const;
-  /// What a probe without stations records, out of all `fields`. Throws InputError.
-  static std::vector<FieldComponent> components(const Probe &probe,
-                                                const std::vector<FieldComponent> &fields);
-  /// Whether it has a field that is a force.
-  static bool asks_for_forces(const Probe &probe);
-  /// Refuses a point that no cell of the coarse mesh holds.
-  static void check_point(const Probe &probe,
-                          const std::string &entry,
-                          const dealii::Point<dim> &point,
-                          const dealii::Triangulation<dim> &coarse_mesh);
   void attach_fields(unsigned int probe, Model model);
   void attach_stations(unsigned int probe);
   /// Asks the solver; what it cannot tell is refused as the probe's place.
-  unsigned int add_to_solver(const Probe &probe, const ProbeRequest<dim> &request);
+  unsigned int add_to_solver(const ProbeEntries<dim> &probe, const ProbeRequest<dim> &request);
   /// Fills the histories from a file.
   void read_history(const std::string &file);
   void
@@ -201,7 +146,7 @@ private:
 
   MPI_Comm communicator;
   ContinuumSolver<dim> *solver = nullptr;
-  std::vector<Probe> probes;
+  std::vector<ProbeEntries<dim>> probes;
   std::vector<Column> columns;
   std::vector<StationsProbe> stations_probes;
   std::vector<double> record_times;

@@ -1,0 +1,105 @@
+#ifndef continua_finite_element_field_samples_h
+#define continua_finite_element_field_samples_h
+
+#include <continua/continuum/field_list.h>
+#include <continua/continuum/problem.h>
+#include <continua/continuum/state.h>
+#include <continua/continuum/wall_shear_average.h>
+#include <continua/finite_element/space.h>
+
+#include <deal.II/fe/fe_values.h>
+
+#include <array>
+#include <vector>
+
+namespace Continua
+{
+/// The vectors of a state with ghosts, for fields at points. The vectors are made once on a mesh.
+template <int dim>
+class SampledState
+{
+public:
+  /// Both must outlive it.
+  SampledState(const Space<dim> &space, const Problem &problem) : space(space), problem(problem) {}
+
+  /// The mesh is another one.
+  void reinit();
+  /// Collective.
+  void take(const State &state);
+
+  DistributedVector velocity, pressure;
+  std::vector<DistributedVector> mixtures; ///< by region, see set_mixture()
+  /// Of the WallShearAverage, if the run keeps it.
+  DistributedVector shear_integral, magnitude_integral;
+  double averaged_time = 0.; ///< [s]
+
+private:
+  const Space<dim> &space;
+  const Problem &problem;
+  DistributedVector velocity_work, pressure_work, mixture;
+};
+
+/// Points at which fields are evaluated that are no linear functions of the state. What does not
+/// depend on the state is computed when a point is added.
+template <int dim>
+class FieldSamples
+{
+public:
+  /// All must outlive it.
+  FieldSamples(const Space<dim> &space, const Problem &problem) : space(space), problem(problem) {}
+
+  void clear() { points.clear(); }
+  unsigned int size() const { return points.size(); }
+  /// The fields that value() knows: all but displacements and strains.
+  static bool can_tell(const FieldDefinition<dim> &field);
+  /// Adds a point of a cell of this rank or of a ghost. `normal`: out of the cell, for fields of
+  /// walls; `factors`: of the components of a stress.
+  void add(const typename dealii::Triangulation<dim>::cell_iterator &cell,
+           const dealii::FEValuesBase<dim> &values,
+           const dealii::FEValuesBase<dim> &pressure_values,
+           unsigned int q,
+           const dealii::Tensor<1, dim> &normal,
+           const std::array<double, 6> &factors,
+           double weight);
+
+  double weight(const unsigned int point) const { return points[point].weight; }
+  const dealii::Point<dim> &place(const unsigned int point) const { return points[point].place; }
+  double value(const FieldDefinition<dim> &field,
+               const SampledState<dim> &state,
+               unsigned int point) const;
+  /// What the material exerts on a wall at the point: minus the tangential part of n.sigma [Pa].
+  dealii::Tensor<1, dim> shear_on_wall(const SampledState<dim> &state, unsigned int point) const;
+
+private:
+  struct SamplePoint
+  {
+    unsigned int region;
+    double weight;
+    dealii::Point<dim> place;
+    dealii::Tensor<1, dim> normal;
+    std::array<double, 6> factors;
+    /// Of the shape functions of a component at the nodes of the cell.
+    std::vector<std::array<dealii::types::global_dof_index, dim>> nodes;
+    std::vector<double> values;
+    std::vector<dealii::Tensor<1, dim>> gradients;
+    std::vector<dealii::types::global_dof_index> pressure_indices;
+    std::vector<double> pressure_values;
+  };
+
+  const Space<dim> &space;
+  const Problem &problem;
+  std::vector<SamplePoint> points;
+
+  dealii::Tensor<2, dim> gradient(const SamplePoint &point, const DistributedVector &vector) const;
+  /// v_r/r, in axisymmetry.
+  double hoop(const SamplePoint &point,
+              const DistributedVector &vector,
+              const dealii::Tensor<2, dim> &gradient) const;
+  dealii::Tensor<1, dim> vector_value(const SamplePoint &point,
+                                      const DistributedVector &vector) const;
+  double pressure_at(const SamplePoint &point, const SampledState<dim> &state) const;
+  std::array<double, 6> stress_at(const SamplePoint &point, const SampledState<dim> &state) const;
+};
+} // namespace Continua
+
+#endif

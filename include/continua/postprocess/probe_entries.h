@@ -1,0 +1,146 @@
+#ifndef continua_postprocess_probe_entries_h
+#define continua_postprocess_probe_entries_h
+
+#include <continua/base/parameter_section.h>
+#include <continua/base/words.h>
+#include <continua/boundary/boundary_condition.h>
+#include <continua/continuum/continuum_solver.h>
+#include <continua/materials/model.h>
+#include <continua/postprocess/stations.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Continua
+{
+/// What a run has not, and probes can ask for.
+struct ProbeLimits
+{
+  bool is_cell_wise = false;       ///< no forces at nodes, no samples of fields
+  bool is_modal = false;           ///< no step
+  bool is_in_time = true;          ///< else no mean over time
+  std::vector<bool> is_solid = {}; ///< by material id: a mean is that of liquids on their walls
+};
+
+/**
+ * One child of the section Probes: its entries, read and checked, and what they ask of a solver.
+ * The order of calls: the constructor before there is a mesh, check() and check_limits() on the
+ * coarse mesh, then recorded().
+ */
+template <int dim>
+class ProbeEntries
+{
+public:
+  enum class Place
+  {
+    point,
+    boundary,
+    interface,
+    section,
+    volume,
+    stations
+  };
+  /// Each place by the entry that gives it.
+  static const Words<Place> &place_words();
+
+  /// Declares and reads the entries; `boundaries` and `regions` are the names by boundary and
+  /// material id, `branches` those of the geometry. Throws InputError.
+  ProbeEntries(const ParameterSection &section,
+               const std::vector<std::string> &boundaries,
+               const std::vector<std::string> &regions,
+               const std::vector<VesselBranch<dim>> &branches);
+
+  /// A number that is recorded: its field, with the unit of the number, and the solver's numbers of
+  /// which it is the sum, with their factors.
+  struct Recorded
+  {
+    FieldComponent field;
+    std::vector<std::pair<ProbeRequest<dim>, double>> terms;
+  };
+  /// What a probe without stations records, out of the solver's `fields`. Throws InputError.
+  std::vector<Recorded> recorded(const std::vector<FieldComponent> &fields, Model model) const;
+
+  /// See Probes::check(). Throws InputError.
+  void check(const dealii::Triangulation<dim> &coarse_mesh,
+             const std::vector<FieldComponent> &fields,
+             const std::set<std::pair<unsigned int, unsigned int>> &boundary_regions);
+  /// Refuses what the run has not, and forces on boundaries of which each condition leaves all
+  /// motion free. Throws InputError.
+  void check_limits(const std::vector<BoundaryCondition> &conditions,
+                    const ProbeLimits &limits,
+                    const std::vector<FieldComponent> &fields) const;
+  /// Whether it has a mean over time.
+  bool asks_for_averages(const std::vector<FieldComponent> &fields) const;
+
+  ParameterSection section;
+  std::vector<std::string> fields; ///< as written
+  Stations<dim> stations;
+  bool signal_analysis = true;
+  std::vector<double> modes; ///< start values [Hz]
+  unsigned int last_periods = 0;
+  Place place = Place::point;
+
+private:
+  enum class Value
+  {
+    mean,
+    integral
+  };
+
+  std::vector<double> point, reference_point;
+  std::vector<std::string> boundaries, reference_boundaries, interface;
+  std::map<unsigned int, std::string> names_of_boundaries; ///< by boundary id
+  double position = std::numeric_limits<double>::quiet_NaN(),
+         reference_position = std::numeric_limits<double>::quiet_NaN(); ///< of sections [m]
+  std::string volume;                                                   ///< name of its region
+  Value value = Value::mean;
+  std::string region;
+  unsigned int n_sign_changes = 0;
+  unsigned int sign_change_coordinate = 0;
+  std::vector<double> sign_change_range; ///< [m]
+  ProbeRequest<dim> request;             ///< all but the field
+  ProbeRequest<dim> reference;           ///< where values are taken off
+  bool has_reference = false;
+
+  void read_entries();
+  /// Refuses entries that do not go together.
+  void check_entries();
+  void check_reference() const;
+  void check_sign_changes() const;
+  void set_place();
+  void set_requests(const std::vector<std::string> &known_boundaries,
+                    const std::vector<std::string> &known_regions,
+                    const std::vector<VesselBranch<dim>> &branches);
+  void set_boundaries(const std::string &key,
+                      const std::vector<std::string> &names,
+                      const std::vector<std::string> &known,
+                      ProbeRequest<dim> &of_place);
+  /// Whether the place is a boundary or an interface.
+  bool is_on_wall() const { return place == Place::boundary || place == Place::interface; }
+  /// The fields by component.
+  std::vector<FieldComponent> components(const std::vector<FieldComponent> &fields) const;
+  bool asks_for_forces() const;
+  /// Refuses a mean over time where no liquid has a wall.
+  void check_walls(const std::vector<BoundaryCondition> &conditions,
+                   const ProbeLimits &limits) const;
+  /// Refuses a point that no cell of the coarse mesh holds, a boundary that the region does not
+  /// touch, a section without area and regions that do not meet.
+  void check_point(const std::string &entry,
+                   const dealii::Point<dim> &point,
+                   const dealii::Triangulation<dim> &coarse_mesh) const;
+  void
+  check_boundaries(const std::set<std::pair<unsigned int, unsigned int>> &boundary_regions) const;
+  void check_section(const std::string &entry,
+                     const ProbeRequest<dim> &of_section,
+                     const dealii::Triangulation<dim> &coarse_mesh) const;
+  void check_interface(const dealii::Triangulation<dim> &coarse_mesh) const;
+};
+} // namespace Continua
+
+#endif

@@ -1,0 +1,219 @@
+#include <continua/finite_element/field_samples.h>
+
+#include <continua/continuum/stress_and_strain.h>
+
+#include <numeric>
+#include <utility>
+
+namespace Continua
+{
+using namespace dealii;
+
+template <int dim>
+void SampledState<dim>::reinit()
+{
+  velocity_work = space.velocity_vector();
+  mixture = space.velocity_vector();
+  pressure_work = space.pressure_vector();
+  velocity = space.ghosted_velocity(velocity_work);
+  pressure = space.ghosted_pressure(pressure_work);
+  mixtures.assign(problem.regions.size(), velocity);
+  if (problem.wall_shear_window.is_kept)
+    for (DistributedVector *vector : {&shear_integral, &magnitude_integral})
+      *vector = space.ghosted_velocity(velocity_work);
+}
+
+template <int dim>
+void SampledState<dim>::take(const State &state)
+{
+  space.copy_velocity(state.velocity, velocity_work, velocity);
+  space.copy_pressure(state.pressure, pressure_work, pressure);
+  for (unsigned int region = 0; region < mixtures.size(); ++region)
+  {
+    set_mixture(state, region, problem.materials[region], mixture);
+    space.copy_velocity(mixture, velocity_work, mixtures[region]);
+  }
+  averaged_time = 0.;
+  if (state.wall_shear == nullptr)
+    return;
+  space.copy_velocity(state.wall_shear->integral(), velocity_work, shear_integral);
+  space.copy_velocity(state.wall_shear->integral_of_magnitude(), velocity_work, magnitude_integral);
+  averaged_time = state.wall_shear->duration();
+}
+
+template <int dim>
+bool FieldSamples<dim>::can_tell(const FieldDefinition<dim> &field)
+{
+  using Quantity = typename FieldDefinition<dim>::Quantity;
+  return field.quantity != Quantity::displacement && field.quantity != Quantity::strain;
+}
+
+template <int dim>
+void FieldSamples<dim>::add(const typename Triangulation<dim>::cell_iterator &cell,
+                            const FEValuesBase<dim> &values,
+                            const FEValuesBase<dim> &of_pressure,
+                            const unsigned int q,
+                            const Tensor<1, dim> &normal,
+                            const std::array<double, 6> &factors,
+                            const double weight)
+{
+  SamplePoint point;
+  point.region = cell->material_id();
+  point.weight = weight;
+  point.place = values.quadrature_point(q);
+  point.normal = normal;
+  point.factors = factors;
+
+  const typename DoFHandler<dim>::active_cell_iterator velocity_cell(
+      &space.triangulation, cell->level(), cell->index(), &space.velocity_dofs);
+  const FiniteElement<dim> &element = space.velocity_element;
+  std::vector<types::global_dof_index> indices(element.n_dofs_per_cell());
+  velocity_cell->get_dof_indices(indices);
+  const unsigned int n_nodes = element.n_dofs_per_cell() / dim;
+  point.nodes.resize(n_nodes);
+  point.values.resize(n_nodes);
+  point.gradients.resize(n_nodes);
+  for (unsigned int i = 0; i < indices.size(); ++i)
+  {
+    const auto [component, node] = element.system_to_component_index(i);
+    point.nodes[node][component] = indices[i];
+    if (component == 0)
+    {
+      point.values[node] = values.shape_value(i, q);
+      point.gradients[node] = values.shape_grad(i, q);
+    }
+  }
+  const typename DoFHandler<dim>::active_cell_iterator pressure_cell(
+      &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs);
+  point.pressure_indices.resize(pressure_cell->get_fe().n_dofs_per_cell());
+  pressure_cell->get_dof_indices(point.pressure_indices);
+  for (unsigned int i = 0; i < point.pressure_indices.size(); ++i)
+    point.pressure_values.push_back(of_pressure.shape_value(i, q));
+  points.push_back(std::move(point));
+}
+
+template <int dim>
+Tensor<2, dim> FieldSamples<dim>::gradient(const SamplePoint &point,
+                                           const DistributedVector &vector) const
+{
+  Tensor<2, dim> result;
+  for (unsigned int node = 0; node < point.nodes.size(); ++node)
+    for (unsigned int c = 0; c < dim; ++c)
+      result[c] += vector(point.nodes[node][c]) * point.gradients[node];
+  return result;
+}
+
+template <int dim>
+Tensor<1, dim> FieldSamples<dim>::vector_value(const SamplePoint &point,
+                                               const DistributedVector &vector) const
+{
+  Tensor<1, dim> result;
+  for (unsigned int node = 0; node < point.nodes.size(); ++node)
+    for (unsigned int c = 0; c < dim; ++c)
+      result[c] += vector(point.nodes[node][c]) * point.values[node];
+  return result;
+}
+
+template <int dim>
+double FieldSamples<dim>::hoop(const SamplePoint &point,
+                               const DistributedVector &vector,
+                               const Tensor<2, dim> &gradient) const
+{
+  if (!space.is_axisymmetric())
+    return 0.;
+  // On the axis the hoop strain is the radial one.
+  const double r = point.place[1];
+  return r > 0. ? vector_value(point, vector)[1] / r : gradient[1][1];
+}
+
+template <int dim>
+std::array<double, 6> FieldSamples<dim>::stress_at(const SamplePoint &point,
+                                                   const SampledState<dim> &state) const
+{
+  const DistributedVector &mixture = state.mixtures[point.region];
+  Tensor<2, dim> of_mixture = gradient(point, mixture);
+  double of_hoop = hoop(point, mixture, of_mixture);
+  const Shear &shear = problem.materials[point.region].shear;
+  if (shear.flow_curve)
+  {
+    const double factor = thinning<dim>(*shear.flow_curve, of_mixture, of_hoop, problem.model);
+    of_mixture *= factor;
+    of_hoop *= factor;
+  }
+  return stress<dim>(of_mixture, of_hoop, pressure_at(point, state), problem.model);
+}
+
+template <int dim>
+double FieldSamples<dim>::pressure_at(const SamplePoint &point,
+                                      const SampledState<dim> &state) const
+{
+  double p = 0.;
+  for (unsigned int i = 0; i < point.pressure_indices.size(); ++i)
+    p += point.pressure_values[i] * state.pressure(point.pressure_indices[i]);
+  return p;
+}
+
+template <int dim>
+Tensor<1, dim> FieldSamples<dim>::shear_on_wall(const SampledState<dim> &state,
+                                                const unsigned int number) const
+{
+  const SamplePoint &point = points[number];
+  const Tensor<1, dim> whole = traction<dim>(stress_at(point, state), point.normal);
+  return (whole * point.normal) * point.normal - whole;
+}
+
+template <int dim>
+double FieldSamples<dim>::value(const FieldDefinition<dim> &field,
+                                const SampledState<dim> &state,
+                                const unsigned int number) const
+{
+  using Quantity = typename FieldDefinition<dim>::Quantity;
+  const SamplePoint &point = points[number];
+  const auto product = [&point](const Tensor<1, dim> &vector)
+  {
+    double sum = 0.;
+    for (unsigned int c = 0; c < dim; ++c)
+      sum += point.factors[c] * vector[c];
+    return sum;
+  };
+  switch (field.quantity)
+  {
+  case Quantity::velocity:
+    return product(vector_value(point, state.velocity));
+  case Quantity::pressure:
+    return problem.plane_stress(point.region).pressure_factor * pressure_at(point, state);
+  case Quantity::vorticity:
+    return vorticity<dim>(gradient(point, state.velocity))[field.component];
+  case Quantity::q_criterion:
+  {
+    const Tensor<2, dim> of_velocity = gradient(point, state.velocity);
+    return q_criterion<dim>(of_velocity, hoop(point, state.velocity, of_velocity), problem.model);
+  }
+  case Quantity::wall_shear_stress:
+    return shear_on_wall(state, number)[field.component];
+  case Quantity::wall_shear_stress_magnitude:
+    return shear_on_wall(state, number).norm();
+  case Quantity::average_wall_shear_stress:
+    return state.averaged_time > 0.
+               ? vector_value(point, state.magnitude_integral)[0] / state.averaged_time
+               : 0.;
+  case Quantity::oscillatory_shear_index:
+  {
+    const double magnitude = vector_value(point, state.magnitude_integral)[0];
+    return magnitude > 0.
+               ? 0.5 * (1. - vector_value(point, state.shear_integral).norm() / magnitude)
+               : 0.;
+  }
+  default:
+  {
+    const std::array<double, 6> components = stress_at(point, state);
+    return std::inner_product(components.begin(), components.end(), point.factors.begin(), 0.);
+  }
+  }
+}
+
+template class SampledState<2>;
+template class SampledState<3>;
+template class FieldSamples<2>;
+template class FieldSamples<3>;
+} // namespace Continua
