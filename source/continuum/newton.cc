@@ -1,6 +1,7 @@
 #include <continua/continuum/newton.h>
 
 #include <continua/base/input_error.h>
+#include <continua/continuum/step_extremes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,12 @@ namespace
 {
 /// Of the terms that cancel, which a solve leaves.
 constexpr double round_off = 1e-13;
+
+/// Its largest entry; no number if one of them is none, over which a maximum may pass.
+double largest_of(const DistributedVector &residual)
+{
+  return residual.linfty_norm() + 0. * residual.l1_norm();
+}
 } // namespace
 
 Newton::Newton(const Problem &problem, Operators &operators, OutletCoupling &outlets)
@@ -81,8 +88,8 @@ Newton::Norms Newton::set_residuals(const NewtonInput &input, const BalancedStep
   outlets.add_forces(1., momentum_work);
   mass_work.equ(1., mass);
   operators.restrict_residuals(momentum_work, mass_work);
-  norms.momentum = momentum_work.linfty_norm();
-  norms.mass = mass_work.linfty_norm();
+  norms.momentum = largest_of(momentum_work);
+  norms.mass = largest_of(mass_work);
   return norms;
 }
 
@@ -116,6 +123,10 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
     const bool is_finite = norms.momentum < HUGE_VAL && norms.mass < HUGE_VAL;
     if (!is_finite || iteration == problem.newton.maximum_iterations)
     {
+      // What the input cannot say at a time no shorter step can either.
+      if (const std::string reason = reason_not_finite(problem.communicator);
+          !is_finite && !reason.empty())
+        throw RunError("Newton's iteration met a residual that is no number" + reason);
       const bool is_of_momentum = is_finite ? of_momentum >= of_mass : !(norms.momentum < HUGE_VAL);
       std::ostringstream text;
       text << "Newton's iteration ";
@@ -136,7 +147,18 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
     previous = report.residual;
     if (!has_factor || is_slow)
     {
-      operators.linearise(balanced);
+      try
+      {
+        operators.linearise(balanced);
+      }
+      catch (const RunError &error)
+      {
+        // The first iterate is the state itself, which no shorter step changes.
+        if (iteration == 0)
+          throw;
+        throw StepFailure(std::string("Newton's iteration has no tangent after ") +
+                          std::to_string(iteration) + " iterations: " + error.what());
+      }
       has_factor = true;
       report.factored = true;
       outlets.respond(report);
