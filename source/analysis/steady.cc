@@ -144,11 +144,13 @@ void Steady<dim>::step_to_rest()
 {
   const RestParameters &rest = run.input.rest;
   const unsigned int few_corrections = run.input.problem.newton.maximum_iterations / 2;
-  double largest_velocity = 0., size = rest.time_step, smallest = size, largest = size, passed = 0.;
+  double largest_velocity = 0., size = rest.time_step, last_size = size, smallest = size,
+         largest = size, passed = 0.;
   unsigned int n_halved = 0, n_corrections = 0;
   for (unsigned int step = 0; step < rest.maximum_steps; ++step)
   {
-    const StepReport report = step_of(size, n_halved);
+    const StepReport report = step_of(last_size, size, n_halved);
+    last_size = size;
     passed += size;
     loop.take(report, passed, run.log);
     ++n_steps;
@@ -156,7 +158,10 @@ void Steady<dim>::step_to_rest()
     smallest = std::min(smallest, size);
     largest = std::max(largest, size);
     largest_velocity = std::max(largest_velocity, report.largest_velocity);
-    if (report.largest_change <= rest.tolerance * largest_velocity)
+    // A step that Newton's iteration has made shorter than the one asked for changes less, however
+    // far it is from rest.
+    const double change = report.largest_change * std::max(1., rest.time_step / size);
+    if (change <= rest.tolerance * largest_velocity)
     {
       std::ostringstream text;
       text << "At rest after " << step + 1 << " steps";
@@ -188,9 +193,11 @@ void Steady<dim>::step_to_rest()
 }
 
 template <int dim>
-StepReport Steady<dim>::step_of(double &size, unsigned int &n_halved)
+StepReport Steady<dim>::step_of(const double last_size, double &size, unsigned int &n_halved)
 {
-  for (int halvings = 0;; ++halvings)
+  // However much the step has grown, it may become a 64th of the last one that had a solution.
+  const double shortest = std::ldexp(std::min(size, last_size), -most_halvings);
+  for (unsigned int halvings = 0;; ++halvings)
   {
     Step euler = euler_step(0., size, Update::implicit);
     // Loads and pictures are those of t = 0, however long it takes.
@@ -205,9 +212,9 @@ StepReport Steady<dim>::step_of(double &size, unsigned int &n_halved)
       std::ostringstream text;
       text << "on the way to rest, step " << n_steps + 1 << " of " << size
            << " s: " << failure.what();
-      if (halvings == most_halvings)
+      if (size < 1.5 * shortest)
       {
-        text << "; the step was halved " << most_halvings
+        text << "; the step was halved " << halvings
              << " times (Steady/Time step, Steady/Time step growth)";
         throw RunError(text.str());
       }

@@ -53,7 +53,8 @@ void RestParameters::read(ParameterSection section, const bool with_convection)
               Range::positive());
   section.add("Tolerance", tolerance, Dimensions::none,
               "At rest when the velocity changes in a step by less than this fraction of the "
-              "largest velocity so far.",
+              "largest velocity so far. The change of a step that was halved counts as that of "
+              "Time step.",
               Range::positive());
   section.add("Maximum steps", maximum_steps, "Steps after which the run gives up [1].", 1);
   if (with_convection)

@@ -190,6 +190,18 @@ void refuse_what_only_linear_runs_use(const Case<dim> &input, ParameterSection r
           problem.materials[region].is_incompressible() && material.given(key))
         material.refuse(key, "an incompressible liquid has no such law",
                         "Remove it, or give a Bulk modulus");
+  // A body without an initial pressure starts with 0.
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+    if (const Material &material = problem.materials[region];
+        !material.is_solid() && problem.interior.initial_pressure.empty() &&
+        material.volume_law().stiffening(0.) <= 0.)
+      root.subsection("Materials")
+          .subsection(problem.regions[region])
+          .refuse("Reference pressure",
+                  "the bulk modulus K + n (p - p0) is not positive at p = 0, with which the liquid "
+                  "starts",
+                  "Give the pressure as the body has it at rest, mostly 0, or set Initial "
+                  "state/Pressure");
   ParameterSection solver = root.subsection("Linear solver");
   for (const char *const key : {"Refinement steps", "Kept factors"})
     if (solver.given(key))

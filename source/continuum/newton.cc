@@ -1,6 +1,7 @@
 #include <continua/continuum/newton.h>
 
 #include <continua/base/input_error.h>
+#include <continua/continuum/step_extremes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,12 @@ constexpr double round_off = 1e-13;
 /// Share of the state by which differences shift it. They are central: the error of terms of the
 /// third degree is its square.
 constexpr double difference = 1e-6;
+
+/// Its largest entry; no number if one of them is none, over which a maximum may pass.
+double largest_of(const DistributedVector &residual)
+{
+  return residual.linfty_norm() + 0. * residual.l1_norm();
+}
 } // namespace
 
 Newton::Newton(const Problem &problem, Operators &operators, OutletCoupling &outlets)
@@ -102,8 +109,8 @@ Newton::Norms Newton::set_residuals(const NewtonInput &input, const BalancedStep
   outlets.add_forces(1., momentum_work);
   mass_work.equ(1., mass);
   operators.restrict_residuals(momentum_work, mass_work);
-  norms.momentum = momentum_work.linfty_norm();
-  norms.mass = mass_work.linfty_norm();
+  norms.momentum = largest_of(momentum_work);
+  norms.mass = largest_of(mass_work);
   return norms;
 }
 
@@ -225,6 +232,10 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
     const bool is_finite = norms.momentum < HUGE_VAL && norms.mass < HUGE_VAL;
     if (!is_finite || iteration == problem.newton.maximum_iterations)
     {
+      // What the input cannot say at a time no shorter step can either.
+      if (const std::string reason = reason_not_finite(problem.communicator);
+          !is_finite && !reason.empty())
+        throw RunError("Newton's iteration met a residual that is no number" + reason);
       const bool is_of_momentum = is_finite ? of_momentum >= of_mass : !(norms.momentum < HUGE_VAL);
       std::ostringstream text;
       text << "Newton's iteration ";
@@ -253,7 +264,18 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
     }
     else if (is_slow || !has_factor)
     {
-      operators.linearise(balanced);
+      try
+      {
+        operators.linearise(balanced);
+      }
+      catch (const RunError &error)
+      {
+        // The first iterate is the state itself, which no shorter step changes.
+        if (iteration == 0)
+          throw;
+        throw StepFailure(std::string("Newton's iteration has no tangent after ") +
+                          std::to_string(iteration) + " iterations: " + error.what());
+      }
       has_factor = true;
       factor_is_poor = takes_krylov = false;
       report.factored = true;

@@ -4,6 +4,8 @@
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
 
+#include <limits>
+
 namespace Continua
 {
 using namespace dealii;
@@ -64,8 +66,16 @@ unsigned int KrylovCorrection::solve(const Derivative &derivative,
   IterationNumberControl control(maximum_iterations, tolerance * right_hand_side.l2_norm());
   SolverGMRES<BlockVector> gmres(control, memory,
                                  SolverGMRES<BlockVector>::AdditionalData(maximum_iterations + 2));
-  gmres.solve(ProductAsMatrix<decltype(multiply)>{multiply}, solution, right_hand_side,
-              PreconditionIdentity());
+  try
+  {
+    gmres.solve(ProductAsMatrix<decltype(multiply)>{multiply}, solution, right_hand_side,
+                PreconditionIdentity());
+  }
+  catch (const SolverControl::NoConvergence &)
+  {
+    // A product is no number. Nor is the correction then, which the next residual shows.
+    solution = std::numeric_limits<double>::quiet_NaN();
+  }
   apply_inverse(solution, velocity_change, pressure_change);
   return control.last_step();
 }

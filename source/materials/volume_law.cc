@@ -41,6 +41,8 @@ double VolumeLaw::density_ratio(const double pressure) const
 {
   if (exponent == 0.)
     return std::exp((pressure - reference_pressure) * inverse_bulk_modulus);
-  return std::pow(stiffening(pressure), 1. / exponent);
+  // A power of a sum next to 1 would lose the digits of a small exponent.
+  return std::exp(std::log1p(exponent * (pressure - reference_pressure) * inverse_bulk_modulus) /
+                  exponent);
 }
 } // namespace Continua

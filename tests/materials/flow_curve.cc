@@ -27,5 +27,11 @@ UNIT_TEST(flow_curve)
                     (curve.viscosity(rate + h) - curve.viscosity(rate - h)) / (2. * h * rate),
                     1e-8);
   }
+  // Far from what moves, rates are so small that their squares are 0: n - 1 times
+  // (time/rate)^a/rate^(2-a).
+  const FlowCurve far{0.056, 0.00345, 3.313, 0.3568, 0.7};
+  const double rate = 1e-170;
+  check::relative("logarithm of the slope at a tiny rate", std::log(-far.slope_over_rate(rate)),
+                  std::log(0.05255 * 0.6432) + 0.7 * std::log(3.313) - 1.3 * std::log(rate), 1e-12);
   check::absolute("slope at rest", blood.slope_over_rate(0.), 0., 0.);
 }

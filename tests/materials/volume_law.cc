@@ -31,6 +31,11 @@ UNIT_TEST(volume_law)
                   1. - 1.5 / 20., 1e-15);
   check::relative("exponent 0", VolumeLaw{1. / 20., 0., 2.}.density_ratio(3.5), std::exp(1.5 / 20.),
                   1e-15);
+  // The law of a small exponent is next to that of exponent 0: (1 + n x)^(1/n) = exp(x (1 - n
+  // x/2)).
+  for (const double exponent : {1e-6, 1e-12, 1e-17, -1e-17})
+    check::relative("a small exponent", VolumeLaw{1. / 20., exponent, 2.}.density_ratio(3.5),
+                    std::exp(1.5 / 20. * (1. - 0.5 * exponent * 1.5 / 20.)), 1e-14);
   // Energy: the power of the pressure against a change of volume, d(e/rho) = p c/rho dp; closed
   // forms where they have digits; and half of p^2/K where pressures are small.
   for (const double exponent : {0., 1., 7.15, -1.})

@@ -30,8 +30,9 @@ private:
 
   void solve();
   void step_to_rest();
-  /// Makes a step towards rest, of a smaller size where there is no solution. Throws RunError.
-  StepReport step_of(double &size, unsigned int &n_halved);
+  /// Makes a step towards rest after one of `last_size` [s], of a smaller size where there is no
+  /// solution. Throws RunError.
+  StepReport step_of(double last_size, double &size, unsigned int &n_halved);
 };
 } // namespace Continua
 
