@@ -193,6 +193,9 @@ void Newton::correct_by_krylov(const NewtonInput &input,
       [&](const DistributedVector &velocity, const DistributedVector &pressure,
           DistributedVector &momentum_rows, DistributedVector &mass_rows)
       { set_derivative_product(input, balanced, velocity, pressure, momentum_rows, mass_rows); },
+      [&](DistributedVector &momentum_rows, DistributedVector &mass_rows,
+          DistributedVector &velocity, DistributedVector &pressure)
+      { operators.solve(zero_velocity, momentum_rows, mass_rows, velocity, pressure, report); },
       {momentum, mass, size_of(scales.momentum), size_of(scales.mass)},
       problem.newton.krylov_tolerance, 3 * most, velocity_change, pressure_change);
   report.linear_iterations += n_iterations;
