@@ -120,9 +120,9 @@ bool is_average(const std::string &field)
 /// Whether the field has a sign, and is evaluated point by point.
 bool can_change_sign(const std::string &field)
 {
-  for (const char *const family : {"velocity ", "radial velocity", "axial velocity", "pressure",
-                                   "stress ", "hoop stress", "wall shear stress", "vorticity ",
-                                   "Q criterion"})
+  for (const char *const family :
+       {"velocity ", "radial velocity", "axial velocity", "pressure", "stress ", "hoop stress",
+        "wall shear stress", "vorticity ", "Q criterion"})
     if (field.compare(0, std::string(family).size(), family) == 0)
       return true;
   return false;
@@ -132,12 +132,9 @@ bool can_change_sign(const std::string &field)
 template <int dim>
 const Words<typename ProbeEntries<dim>::Place> &ProbeEntries<dim>::place_words()
 {
-  static const Words<Place> words = {{"Point", Place::point},
-                                     {"Boundary", Place::boundary},
-                                     {"Interface", Place::interface},
-                                     {"Section", Place::section},
-                                     {"Volume", Place::volume},
-                                     {"Stations", Place::stations}};
+  static const Words<Place> words = {
+      {"Point", Place::point},     {"Boundary", Place::boundary}, {"Interface", Place::interface},
+      {"Section", Place::section}, {"Volume", Place::volume},     {"Stations", Place::stations}};
   return words;
 }
 
@@ -159,13 +156,15 @@ void ProbeEntries<dim>::read_entries()
               "and other components (tangential part of the traction of the body on the wall), "
               "'magnitude of wall shear stress', 'time-averaged wall shear stress' and "
               "'oscillatory shear index' (of the window in Output)");
-  section.add("Reference boundary", reference_boundaries,
-              "Of a Boundary: names of other ones, whose mean or integral is taken off, such as for "
-              "a pressure drop; empty: none");
-  section.add("Interface", interface,
-              "Instead of a point: the names of two regions that meet. Values are those of the side "
-              "of the first region, which has the further fields of a Boundary there; its force is "
-              "that of the first region on the second");
+  section.add(
+      "Reference boundary", reference_boundaries,
+      "Of a Boundary: names of other ones, whose mean or integral is taken off, such as for "
+      "a pressure drop; empty: none");
+  section.add(
+      "Interface", interface,
+      "Instead of a point: the names of two regions that meet. Values are those of the side "
+      "of the first region, which has the further fields of a Boundary there; its force is "
+      "that of the first region on the second");
   section.add(
       "Section", position, Dimensions::length,
       "Instead of a point: the plane x = Section through the undeformed body, or its Region "
@@ -182,10 +181,11 @@ void ProbeEntries<dim>::read_entries()
   add_choice(section, "Value", value, {{"mean", Value::mean}, {"integral", Value::integral}},
              "What to record of the fields on the boundary, interface, section or volume, of which "
              "the integral is over the part that is modelled");
-  section.add("Sign changes", n_sign_changes,
-              "Of a Boundary or an Interface in two dimensions: how many positions to record at "
-              "which the field changes its sign, in the place of its mean, such as those of "
-              "separation and reattachment by 'wall shear stress x' [1]; nan where there are fewer");
+  section.add(
+      "Sign changes", n_sign_changes,
+      "Of a Boundary or an Interface in two dimensions: how many positions to record at "
+      "which the field changes its sign, in the place of its mean, such as those of "
+      "separation and reattachment by 'wall shear stress x' [1]; nan where there are fewer");
   add_choice(section, "Sign changes along", sign_change_coordinate, {{"x", 0u}, {"y", 1u}},
              "The coordinate of these positions, in the order of which they are counted");
   section.add("Sign changes between", sign_change_range, Dimensions::length,
@@ -223,9 +223,8 @@ void ProbeEntries<dim>::check_entries()
                        "Leave the entry out, and give other fields a probe of their own");
   if ((place == Place::point || place == Place::stations) && section.given("Value"))
     section.refuse("Value",
-                   place == Place::point
-                       ? "a point has neither a mean nor an integral"
-                       : "what is recorded at stations is said by the fields",
+                   place == Place::point ? "a point has neither a mean nor an integral"
+                                         : "what is recorded at stations is said by the fields",
                    "Leave the entry out, or give Boundary, Section or Volume instead of " +
                        word_of(place_words(), place));
   if (place == Place::stations && section.given("Region"))
@@ -405,7 +404,8 @@ void ProbeEntries<dim>::set_requests(const std::vector<std::string> &known_bound
 }
 
 template <int dim>
-std::vector<FieldComponent> ProbeEntries<dim>::components(const std::vector<FieldComponent> &known_fields) const
+std::vector<FieldComponent>
+ProbeEntries<dim>::components(const std::vector<FieldComponent> &known_fields) const
 {
   std::vector<FieldComponent> result, all = known_fields;
   if (is_on_wall())
@@ -430,7 +430,7 @@ std::vector<FieldComponent> ProbeEntries<dim>::components(const std::vector<Fiel
     for (std::size_t j = 0; j < i; ++j)
       if (result[j].name == result[i].name)
         section.refuse("Fields", "'" + result[i].name + "' is recorded twice",
-                             "Name every field once");
+                       "Name every field once");
   return result;
 }
 
@@ -449,9 +449,9 @@ ProbeEntries<dim>::recorded(const std::vector<FieldComponent> &known_fields,
     {
       of_field.kind = Kind::sign_change;
       for (of_field.number = 0; of_field.number < n_sign_changes; ++of_field.number)
-        result.push_back({{"sign change " + std::to_string(of_field.number + 1) + " of " + field.name,
-                           "m"},
-                          {{of_field, 1.}}});
+        result.push_back(
+            {{"sign change " + std::to_string(of_field.number + 1) + " of " + field.name, "m"},
+             {{of_field, 1.}}});
       continue;
     }
     if (field.name == volume_change)
@@ -477,9 +477,9 @@ ProbeEntries<dim>::recorded(const std::vector<FieldComponent> &known_fields,
 template <int dim>
 bool ProbeEntries<dim>::asks_for_forces() const
 {
-  return is_on_wall() && std::any_of(fields.begin(), fields.end(),
-                                     [](const std::string &field)
-                                     { return is_force(collapse_blanks(field)); });
+  return is_on_wall() &&
+         std::any_of(fields.begin(), fields.end(),
+                     [](const std::string &field) { return is_force(collapse_blanks(field)); });
 }
 
 template <int dim>
@@ -571,8 +571,8 @@ void ProbeEntries<dim>::check_walls(const std::vector<BoundaryCondition> &condit
 
 template <int dim>
 void ProbeEntries<dim>::check_point(const std::string &entry,
-                              const dealii::Point<dim> &point,
-                              const dealii::Triangulation<dim> &coarse_mesh) const
+                                    const dealii::Point<dim> &point,
+                                    const dealii::Triangulation<dim> &coarse_mesh) const
 {
   const dealii::MappingQ<dim> mapping(degree_of_coarse_cells);
   const std::set<unsigned int> &region_ids = request.region_ids;
@@ -583,9 +583,9 @@ void ProbeEntries<dim>::check_point(const std::string &entry,
                         cell_holds_point<dim>(mapping, cell, point, unit_point));
   if (!inside)
     section.refuse(entry,
-                         "the point is not inside the mesh, which extends over " +
-                             extent(coarse_mesh, region_ids),
-                         "Give a point of the undeformed body, in the Region if there is one");
+                   "the point is not inside the mesh, which extends over " +
+                       extent(coarse_mesh, region_ids),
+                   "Give a point of the undeformed body, in the Region if there is one");
 }
 
 template <int dim>
@@ -653,9 +653,10 @@ void ProbeEntries<dim>::check(
                      "Leave 'volume change' out; the integral of 'dilatation' is the change "
                      "of volume by strain");
     if (n_sign_changes > 0 && !can_change_sign(field.name))
-      section.refuse("Sign changes", "there are none of '" + field.name + "'",
-                     "Ask for a component of the wall shear stress, the velocity, the stress or the "
-                     "vorticity, or for the pressure");
+      section.refuse(
+          "Sign changes", "there are none of '" + field.name + "'",
+          "Ask for a component of the wall shear stress, the velocity, the stress or the "
+          "vorticity, or for the pressure");
   }
   if (place == Place::boundary)
     check_boundaries(boundary_regions);

@@ -1,4 +1,5 @@
-// The wall shear stress at the nodes of a liquid's walls: boundaries and a solid, with hanging nodes.
+// The wall shear stress at the nodes of a liquid's walls: boundaries and a solid, with hanging
+// nodes.
 
 #include <continua/finite_element/region_operators.h>
 #include <continua/finite_element/wall_shear_stress.h>
@@ -13,8 +14,8 @@ using namespace dealii;
 
 namespace
 {
-/// Right of x = 2 is a liquid, left of it a solid; all around the velocity is prescribed, but on the
-/// boundary `open` only its normal part.
+/// Right of x = 2 is a liquid, left of it a solid; all around the velocity is prescribed, but on
+/// the boundary `open` only its normal part.
 Problem make_solid_and_liquid(const unsigned int open)
 {
   Problem problem;
@@ -47,8 +48,8 @@ double difference(const DistributedVector &a, const DistributedVector &b)
   return result.linfty_norm();
 }
 
-/// grad U = (2, 3; 0, 5) and eta = 2: the tangential part of n.sigma is 6 everywhere. The finer cells
-/// are the solid's or the liquid's.
+/// grad U = (2, 3; 0, 5) and eta = 2: the tangential part of n.sigma is 6 everywhere. The finer
+/// cells are the solid's or the liquid's.
 void test_nodes(const std::string &name, const bool liquid_is_finer)
 {
   small_problem::Mesh<2> mesh(MPI_COMM_WORLD);
@@ -62,11 +63,11 @@ void test_nodes(const std::string &name, const bool liquid_is_finer)
   assemble_region_operators(space, operators);
   BranchHistory history(problem.materials);
   history.reinit(space.velocity_vector(), velocity_nodes(operators));
-  const DistributedVector velocity = small_problem::interpolated<2>(
-      space,
-      [](const Point<2> &x) {
-        return Tensor<1, 2>({1. + 2. * x[0] + 3. * x[1], 5. * x[1]});
-      });
+  const DistributedVector velocity =
+      small_problem::interpolated<2>(space,
+                                     [](const Point<2> &x) {
+                                       return Tensor<1, 2>({1. + 2. * x[0] + 3. * x[1], 5. * x[1]});
+                                     });
   const DistributedVector pressure = space.pressure_vector();
 
   WallShearStress<2> wall_shear(space, problem);
@@ -78,7 +79,7 @@ void test_nodes(const std::string &name, const bool liquid_is_finer)
       space,
       [](const Point<2> &x)
       {
-        const bool bottom = x[0] > 2. - 1e-9 && x[1] < 1e-9, right = x[0] > 4. - 1e-9,
+        const bool bottom = x[0] > 2. - 1e-9 && x[1]<1e-9, right = x[0]> 4. - 1e-9,
                    solid = std::abs(x[0] - 2.) < 1e-9;
         Tensor<1, 2> sum;
         if (bottom)
@@ -96,7 +97,7 @@ void test_nodes(const std::string &name, const bool liquid_is_finer)
       space,
       [](const Point<2> &x)
       {
-        const bool bottom = x[0] > 2. - 1e-9 && x[1] < 1e-9, right = x[0] > 4. - 1e-9,
+        const bool bottom = x[0] > 2. - 1e-9 && x[1]<1e-9, right = x[0]> 4. - 1e-9,
                    solid = std::abs(x[0] - 2.) < 1e-9;
         const double size = bottom && (right || solid) ? std::sqrt(18.)
                             : bottom || right || solid ? 6.
@@ -105,17 +106,20 @@ void test_nodes(const std::string &name, const bool liquid_is_finer)
       });
   check::absolute(name + ": magnitudes", difference(magnitudes, exact_magnitudes), 0., 1e-12);
 
-  DistributedVector everywhere = small_problem::interpolated<2>(
-      space, [](const Point<2> &) { return Tensor<1, 2>({1., 1.}); });
+  DistributedVector everywhere = small_problem::interpolated<2>(space,
+                                                                [](const Point<2> &) {
+                                                                  return Tensor<1, 2>({1., 1.});
+                                                                });
   wall_shear.keep_walls_alone(everywhere);
-  const DistributedVector exact_walls = small_problem::interpolated<2>(
-      space,
-      [](const Point<2> &x)
-      {
-        const bool is_wall = (x[0] > 2. - 1e-9 && x[1] < 1e-9) || x[0] > 4. - 1e-9 ||
-                             std::abs(x[0] - 2.) < 1e-9;
-        return is_wall ? Tensor<1, 2>({1., 1.}) : Tensor<1, 2>();
-      });
+  const DistributedVector exact_walls =
+      small_problem::interpolated<2>(space,
+                                     [](const Point<2> &x)
+                                     {
+                                       const bool is_wall = (x[0] > 2. - 1e-9 && x[1] < 1e-9) ||
+                                                            x[0] > 4. - 1e-9 ||
+                                                            std::abs(x[0] - 2.) < 1e-9;
+                                       return is_wall ? Tensor<1, 2>({1., 1.}) : Tensor<1, 2>();
+                                     });
   check::absolute(name + ": walls alone", difference(everywhere, exact_walls), 0., 0.);
 }
 } // namespace

@@ -11,8 +11,8 @@ using namespace Continua;
 UNIT_TEST(sign_change)
 {
   // Positive to 2, negative to 5, positive again; with a value of 0 on the way.
-  const std::vector<std::pair<double, double>> points = {
-      {4., -2.}, {1., 3.}, {3., -3.}, {6., 1.}, {0., 1.}, {4.5, 0.}};
+  const std::vector<std::pair<double, double>> points = {{4., -2.}, {1., 3.}, {3., -3.},
+                                                         {6., 1.},  {0., 1.}, {4.5, 0.}};
   check::relative("the first", find_sign_change(points, 0), 2., 1e-15);
   check::relative("the second, across a zero", find_sign_change(points, 1), 4. + 4. / 3., 1e-15);
   check::is_true("there is no third", std::isnan(find_sign_change(points, 2)));

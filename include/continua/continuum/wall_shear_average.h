@@ -10,11 +10,12 @@ namespace Continua
 /**
  * The wall shear stress tau over time, at the nodes of the walls: the integrals of tau and of |tau|
  * over a window of the run. From them follow the time-averaged wall shear stress, int |tau| dt/T,
- * and the oscillatory shear index, (1 - |int tau dt|/int |tau| dt)/2 (D. N. Ku, D. P. Giddens, C. K.
- * Zarins, S. Glagov, Pulsatile flow and atherosclerosis in the human carotid bifurcation,
+ * and the oscillatory shear index, (1 - |int tau dt|/int |tau| dt)/2 (D. N. Ku, D. P. Giddens, C.
+ * K. Zarins, S. Glagov, Pulsatile flow and atherosclerosis in the human carotid bifurcation,
  * Arteriosclerosis 5 (1985) 293-302; X. He, D. N. Ku, Pulsatile flow in the human left coronary
- * artery bifurcation, J. Biomech. Eng. 118 (1996) 74-82). Both integrals are made by the trapezoidal
- * rule over the steps, and over the part of a step that is in the window. A part of the state.
+ * artery bifurcation, J. Biomech. Eng. 118 (1996) 74-82). Both integrals are made by the
+ * trapezoidal rule over the steps, and over the part of a step that is in the window. A part of the
+ * state.
  */
 class WallShearAverage
 {

@@ -64,8 +64,9 @@ public:
 
   double weight(const unsigned int point) const { return points[point].weight; }
   const dealii::Point<dim> &place(const unsigned int point) const { return points[point].place; }
-  double
-  value(const FieldDefinition<dim> &field, const SampledState<dim> &state, unsigned int point) const;
+  double value(const FieldDefinition<dim> &field,
+               const SampledState<dim> &state,
+               unsigned int point) const;
   /// What the material exerts on a wall at the point: minus the tangential part of n.sigma [Pa].
   dealii::Tensor<1, dim> shear_on_wall(const SampledState<dim> &state, unsigned int point) const;
 

@@ -10,10 +10,10 @@
 namespace Continua
 {
 /**
- * The wall shear stress at the nodes of the walls: minus the tangential part of n.sigma in the liquid,
- * with the normal n out of it, which is what the liquid exerts on the wall. Walls are the boundaries
- * of liquids whose velocity is prescribed in full and is zero along the normal, and the interfaces of
- * liquids with solids. At a node that several faces share it is their mean.
+ * The wall shear stress at the nodes of the walls: minus the tangential part of n.sigma in the
+ * liquid, with the normal n out of it, which is what the liquid exerts on the wall. Walls are the
+ * boundaries of liquids whose velocity is prescribed in full and is zero along the normal, and the
+ * interfaces of liquids with solids. At a node that several faces share it is their mean.
  */
 template <int dim>
 class WallShearStress

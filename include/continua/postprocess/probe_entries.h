@@ -22,16 +22,16 @@ namespace Continua
 /// What a run has not, and probes can ask for.
 struct ProbeLimits
 {
-  bool is_cell_wise = false; ///< no forces at nodes, no samples of fields
-  bool is_modal = false;     ///< no step
-  bool is_in_time = true;    ///< else no mean over time
+  bool is_cell_wise = false;       ///< no forces at nodes, no samples of fields
+  bool is_modal = false;           ///< no step
+  bool is_in_time = true;          ///< else no mean over time
   std::vector<bool> is_solid = {}; ///< by material id: a mean is that of liquids on their walls
 };
 
 /**
- * One child of the section Probes: its entries, read and checked, and what they ask of a solver. The
- * order of calls: the constructor before there is a mesh, check() and check_limits() on the coarse
- * mesh, then recorded().
+ * One child of the section Probes: its entries, read and checked, and what they ask of a solver.
+ * The order of calls: the constructor before there is a mesh, check() and check_limits() on the
+ * coarse mesh, then recorded().
  */
 template <int dim>
 class ProbeEntries
@@ -126,7 +126,8 @@ private:
   std::vector<FieldComponent> components(const std::vector<FieldComponent> &fields) const;
   bool asks_for_forces() const;
   /// Refuses a mean over time where no liquid has a wall.
-  void check_walls(const std::vector<BoundaryCondition> &conditions, const ProbeLimits &limits) const;
+  void check_walls(const std::vector<BoundaryCondition> &conditions,
+                   const ProbeLimits &limits) const;
   /// Refuses a point that no cell of the coarse mesh holds, a boundary that the region does not
   /// touch, a section without area and regions that do not meet.
   void check_point(const std::string &entry,
