@@ -258,6 +258,24 @@ void test_three_dimensions()
       "over an oblique plane",
       value(Kind::section_integral, "pressure", Point<3>(1., 1.5, 1.5), Tensor<1, 3>({1., 1., 0.})),
       1.5 * std::sqrt(2.), 1e-8);
+  // On the face y = 2 with n = e_y: eta dv_x/dy = 2 along x.
+  const auto on_boundary = [&](const std::string &field)
+  {
+    ProbeRequest<3> request;
+    request.kind = ProbeRequest<3>::Kind::boundary_mean;
+    request.field = field;
+    request.boundary_ids = {3};
+    const unsigned int number = evaluation.add(request);
+    std::vector<double> values;
+    evaluation.evaluate(State{velocity, pressure, history}, nullptr, values);
+    return values.at(number);
+  };
+  check::relative("shear on a wall in three dimensions", on_boundary("wall shear stress x"), -2.,
+                  1e-12);
+  check::absolute("none across it", on_boundary("wall shear stress z"), 0., 1e-12);
+  check::relative("its magnitude", on_boundary("magnitude of wall shear stress"), 2., 1e-12);
+  check::relative("vorticity", value(Kind::point, "vorticity z", point, axial), -1., 1e-12);
+  check::relative("Q criterion", value(Kind::point, "Q criterion", point, axial), -1., 1e-12);
 }
 } // namespace
 
