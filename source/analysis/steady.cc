@@ -65,12 +65,14 @@ void Steady<dim>::name_quantities(const Case<dim> &input, QuantityNames &names)
 {
   Run<dim>::name_quantities(input, names);
   LoopRecord<dim>::name_quantities(names);
+  FlowReport<dim>::name_quantities(input, names);
 }
 
 template <int dim>
 void Steady<dim>::perform()
 {
   run.initialise();
+  flow.start(0., 0.);
   Case<dim> &input = run.input;
   input.probes.open(run.directory.file("probes.csv"));
 
@@ -127,6 +129,7 @@ void Steady<dim>::perform()
     writer.finish(run.summary);
   }
   loop.finish(run.summary);
+  flow.finish();
   run.finish(n_steps, 0.);
 }
 
@@ -151,6 +154,7 @@ void Steady<dim>::step_to_rest()
     const StepReport report = step_of(size, n_halved);
     passed += size;
     loop.take(report, passed, run.log);
+    flow.take(report, 0.);
     ++n_steps;
     n_corrections += report.corrections;
     smallest = std::min(smallest, size);

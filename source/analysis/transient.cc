@@ -26,6 +26,7 @@ Transient<dim>::Transient(Run<dim> &run)
     : run(run),
       time_control(run.input.time),
       records(make_records(run.input, run.directory.path())),
+      flow(run),
       checkpoint(run.input.communicator, run.directory, run.file),
       probe_schedule(run.input.output.probe_schedule(run.input.time.end_time)),
       checkpoint_schedule(run.input.output.checkpoint_schedule(run.input.time.end_time))
@@ -45,6 +46,7 @@ void Transient<dim>::name_quantities(const Case<dim> &input, QuantityNames &name
   name_quantities_of_records(input, names);
   LinearWaveTheory<dim>::name_quantities_of_comparison(input, names);
   names.add("weak divergence at the end");
+  FlowReport<dim>::name_quantities(input, names);
   if (input.problem.convection.is_on)
     names.add("steps halved");
 }
@@ -84,6 +86,7 @@ void Transient<dim>::perform()
     entry.record->finish({*run.solver, time_control, run.summary, run.log});
   LinearWaveTheory<dim>(run).compare();
   run.summary.add({"weak divergence at the end", run.solver->divergence(), "1/s", ""});
+  flow.finish();
   if (run.input.problem.convection.is_on)
     run.summary.add({"steps halved", static_cast<double>(n_halved), "1", ""});
   if (run.input.time.scheme == Scheme::crank_nicolson && run.input.time.smooth_start)
@@ -161,18 +164,28 @@ void Transient<dim>::report_initial_jumps()
 template <int dim>
 void Transient<dim>::report_preflight()
 {
-  if (!has_fluid_and_solid(run.input))
+  const bool has_waves = has_fluid_and_solid(run.input);
+  if (!has_waves && !run.input.problem.convection.is_on)
     return;
-  const PreflightReport report(preflight_input(run.input));
-  run.log.line(report.headline());
-  for (const std::string &line : preflight_text(report))
-    run.log.detail(line);
-  for (const std::string &warning : report.warnings())
-    run.log.warning(warning);
-  std::map<std::string, double> values;
-  for (const PreflightReport::Entry &entry : report.entries())
-    values[entry.name + " [" + entry.unit + "]"] = entry.value;
-  run.summary.set("pre-flight report", values);
+  const PreflightInput input = preflight_input(run.input);
+  double tube_speed = 0.;
+  if (has_waves)
+  {
+    const PreflightReport report(input);
+    run.log.line(report.headline());
+    for (const std::string &line :
+         preflight_text("Pre-flight report (doc/preflight.md)", report.entries()))
+      run.log.detail(line);
+    for (const std::string &warning : report.warnings())
+      run.log.warning(warning);
+    std::map<std::string, double> values;
+    for (const PreflightReport::Entry &entry : report.entries())
+      values[entry.name + " [" + entry.unit + "]"] = entry.value;
+    run.summary.set("pre-flight report", values);
+    if (input.is_tube)
+      tube_speed = input.length / report.value("transit time");
+  }
+  flow.start(input.frequency, tube_speed);
 }
 
 template <int dim>
@@ -219,6 +232,7 @@ void Transient<dim>::restart()
         largest_energy = archive.value("largest energy");
         n_restarts = archive.integer("restarts") + 1;
         n_halved = archive.integer("steps halved");
+        flow.load(archive);
         earlier_wall_time = archive.value("wall time");
         std::istringstream lines(archive.text("warnings"));
         for (std::string line; std::getline(lines, line);)
@@ -393,6 +407,7 @@ void Transient<dim>::step()
     if (!is_first)
       report = make_next_part(parts, false);
     const Step part = last_part;
+    flow.take(report, part.size());
     for (const ScheduledRecord<dim> &entry : records)
       entry.record->take(report, part.time, run.log);
     if (report.largest_velocity > run.input.time.velocity_limit)
@@ -518,6 +533,7 @@ void Transient<dim>::write_checkpoint()
                     static_cast<unsigned long>(run.input.probes.times().size()));
         archive.add("restarts", n_restarts);
         archive.add("steps halved", n_halved);
+        flow.save(archive);
         archive.add("wall time", earlier_wall_time + run.log.wall_times().at("total"));
         std::string warnings;
         for (const std::string &warning : run.log.warnings())
