@@ -1,6 +1,7 @@
 #include <continua/analysis/transient.h>
 
 #include <continua/analysis/linear_wave_theory.h>
+#include <continua/analysis/rest_search.h>
 #include <continua/base/atomic_file.h>
 #include <continua/base/collective.h>
 #include <continua/base/input_error.h>
@@ -37,6 +38,17 @@ template <int dim>
 void Transient<dim>::check(const Case<dim> &input, ParameterSection root)
 {
   LinearWaveTheory<dim>::check_overlay(input, root);
+  if (!input.problem.interior.starts_at_rest_under_loads)
+    return;
+  const std::string remedy = "set Initial state/Type = given";
+  RestSearch<dim>::check(input, root, remedy);
+  for (const BoundaryCondition &condition : input.problem.conditions)
+    if (condition.profile == FlowProfile::Shape::womersley && condition.past == FlowPast::at_rest)
+      root.subsection("Boundaries")
+          .subsection(condition.name)
+          .refuse("Profile",
+                  "the liquid of this profile is at rest before t = 0, and the flow steady",
+                  "Set Flow before the start = steady or periodic, or " + remedy);
 }
 
 template <int dim>
@@ -99,7 +111,10 @@ void Transient<dim>::start()
 {
   run.initialise();
   adapt_before_start();
-  report_initial_jumps();
+  if (run.input.problem.interior.starts_at_rest_under_loads)
+    start_from_rest_under_loads();
+  else
+    report_initial_jumps();
   run.input.probes.open(run.directory.file("probes.csv"));
   if (probe_schedule.due(0., 0.))
     run.input.probes.record(0.);
@@ -107,6 +122,16 @@ void Transient<dim>::start()
     largest_energy = run.solver->energy().sum();
   for (const ScheduledRecord<dim> &entry : records)
     entry.record->open(*run.solver, run.directory.path(), entry.schedule.due(0., 0.));
+}
+
+template <int dim>
+void Transient<dim>::start_from_rest_under_loads()
+{
+  run.log.line("Before the start: the steady state under the loads at t = 0");
+  RestSearch<dim>(
+      run, [](const StepReport &, double, double) {}, "begin anew with --overwrite")
+      .perform();
+  run.solver->start_from_present_state();
 }
 
 template <int dim>

@@ -31,9 +31,6 @@ private:
   FlowReport<dim> flow;
 
   void solve();
-  void step_to_rest();
-  /// Makes a step towards rest, of a smaller size where there is no solution. Throws RunError.
-  StepReport step_of(double &size, unsigned int &n_halved);
 };
 } // namespace Continua
 

@@ -45,6 +45,8 @@ private:
   std::chrono::steady_clock::time_point last_checkpoint = std::chrono::steady_clock::now();
 
   void start();
+  /// Finds the steady state that the file asks for at t = 0.
+  void start_from_rest_under_loads();
   /// Changes the mesh before the first step, as often as the file asks.
   void adapt_before_start();
   /// Which boundaries begin with a value that a body at rest meets as a jump.
