@@ -1,6 +1,7 @@
 #include <continua/analysis/transient.h>
 
 #include <continua/analysis/linear_wave_theory.h>
+#include <continua/analysis/rest_search.h>
 #include <continua/analysis/stream_report.h>
 #include <continua/base/atomic_file.h>
 #include <continua/base/collective.h>
@@ -27,6 +28,7 @@ Transient<dim>::Transient(Run<dim> &run)
     : run(run),
       time_control(run.input.time),
       records(make_records(run.input, run.directory.path())),
+      flow(run),
       checkpoint(run.input.communicator, run.directory, run.file),
       probe_schedule(run.input.output.probe_schedule(run.input.time.end_time)),
       checkpoint_schedule(run.input.output.checkpoint_schedule(run.input.time.end_time))
@@ -38,6 +40,17 @@ void Transient<dim>::check(const Case<dim> &input, ParameterSection root)
 {
   LinearWaveTheory<dim>::check_overlay(input, root);
   StreamReport<dim>::check(input, root);
+  if (!input.problem.interior.starts_at_rest_under_loads)
+    return;
+  const std::string remedy = "set Initial state/Type = given";
+  RestSearch<dim>::check(input, root, remedy);
+  for (const BoundaryCondition &condition : input.problem.conditions)
+    if (condition.profile == FlowProfile::Shape::womersley && condition.past == FlowPast::at_rest)
+      root.subsection("Boundaries")
+          .subsection(condition.name)
+          .refuse("Profile",
+                  "the liquid of this profile is at rest before t = 0, and the flow steady",
+                  "Set Flow before the start = steady or periodic, or " + remedy);
 }
 
 template <int dim>
@@ -48,6 +61,7 @@ void Transient<dim>::name_quantities(const Case<dim> &input, QuantityNames &name
   LinearWaveTheory<dim>::name_quantities_of_comparison(input, names);
   StreamReport<dim>::name_quantities(input, names);
   names.add("weak divergence at the end");
+  FlowReport<dim>::name_quantities(input, names);
   if (input.problem.convection.is_on)
     names.add("steps halved");
 }
@@ -89,6 +103,7 @@ void Transient<dim>::perform()
   StreamReport<dim>::add(run);
   StreamReport<dim>::add_difference(run);
   run.summary.add({"weak divergence at the end", run.solver->divergence(), "1/s", ""});
+  flow.finish();
   if (run.input.problem.convection.is_on)
     run.summary.add({"steps halved", static_cast<double>(n_halved), "1", ""});
   if (run.input.time.scheme == Scheme::crank_nicolson && run.input.time.smooth_start)
@@ -101,7 +116,10 @@ void Transient<dim>::start()
 {
   run.initialise();
   adapt_before_start();
-  report_initial_jumps();
+  if (run.input.problem.interior.starts_at_rest_under_loads)
+    start_from_rest_under_loads();
+  else
+    report_initial_jumps();
   run.input.probes.open(run.directory.file("probes.csv"));
   if (probe_schedule.due(0., 0.))
     run.input.probes.record(0.);
@@ -109,6 +127,16 @@ void Transient<dim>::start()
     largest_energy = run.solver->energy().sum();
   for (const ScheduledRecord<dim> &entry : records)
     entry.record->open(*run.solver, run.directory.path(), entry.schedule.due(0., 0.));
+}
+
+template <int dim>
+void Transient<dim>::start_from_rest_under_loads()
+{
+  run.log.line("Before the start: the steady state under the loads at t = 0");
+  RestSearch<dim>(
+      run, [](const StepReport &, double, double) {}, "begin anew with --overwrite")
+      .perform();
+  run.solver->start_from_present_state();
 }
 
 template <int dim>
@@ -166,18 +194,28 @@ void Transient<dim>::report_initial_jumps()
 template <int dim>
 void Transient<dim>::report_preflight()
 {
-  if (!has_fluid_and_solid(run.input))
+  const bool has_waves = has_fluid_and_solid(run.input);
+  if (!has_waves && !run.input.problem.convection.is_on)
     return;
-  const PreflightReport report(preflight_input(run.input));
-  run.log.line(report.headline());
-  for (const std::string &line : preflight_text(report))
-    run.log.detail(line);
-  for (const std::string &warning : report.warnings())
-    run.log.warning(warning);
-  std::map<std::string, double> values;
-  for (const PreflightReport::Entry &entry : report.entries())
-    values[entry.name + " [" + entry.unit + "]"] = entry.value;
-  run.summary.set("pre-flight report", values);
+  const PreflightInput input = preflight_input(run.input);
+  double tube_speed = 0.;
+  if (has_waves)
+  {
+    const PreflightReport report(input);
+    run.log.line(report.headline());
+    for (const std::string &line :
+         preflight_text("Pre-flight report (doc/preflight.md)", report.entries()))
+      run.log.detail(line);
+    for (const std::string &warning : report.warnings())
+      run.log.warning(warning);
+    std::map<std::string, double> values;
+    for (const PreflightReport::Entry &entry : report.entries())
+      values[entry.name + " [" + entry.unit + "]"] = entry.value;
+    run.summary.set("pre-flight report", values);
+    if (input.is_tube)
+      tube_speed = input.length / report.value("transit time");
+  }
+  flow.start(input.frequency, tube_speed);
 }
 
 template <int dim>
@@ -224,6 +262,7 @@ void Transient<dim>::restart()
         largest_energy = archive.value("largest energy");
         n_restarts = archive.integer("restarts") + 1;
         n_halved = archive.integer("steps halved");
+        flow.load(archive);
         earlier_wall_time = archive.value("wall time");
         std::istringstream lines(archive.text("warnings"));
         for (std::string line; std::getline(lines, line);)
@@ -398,6 +437,7 @@ void Transient<dim>::step()
     if (!is_first)
       report = make_next_part(parts, false);
     const Step part = last_part;
+    flow.take(report, part.size());
     for (const ScheduledRecord<dim> &entry : records)
       entry.record->take(report, part.time, run.log);
     if (report.largest_velocity > run.input.time.velocity_limit)
@@ -523,6 +563,7 @@ void Transient<dim>::write_checkpoint()
                     static_cast<unsigned long>(run.input.probes.times().size()));
         archive.add("restarts", n_restarts);
         archive.add("steps halved", n_halved);
+        flow.save(archive);
         archive.add("wall time", earlier_wall_time + run.log.wall_times().at("total"));
         std::string warnings;
         for (const std::string &warning : run.log.warnings())

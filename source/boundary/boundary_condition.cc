@@ -17,6 +17,9 @@ namespace
 {
 using Kind = BoundaryPart::Kind;
 
+/// Through a plane channel.
+constexpr Dimension flow_rate_of_depth{0, 2, -1};
+
 void read_fixed(ParameterSection &, BoundaryCondition &condition, unsigned int)
 {
   condition.normal.kind = condition.tangential.kind = Kind::velocity;
@@ -65,25 +68,92 @@ void read_pressure(ParameterSection &section, BoundaryCondition &condition, unsi
   read_inflow_pressure(section, condition, InflowPressure::static_pressure);
 }
 
+/// Entries of some profiles alone.
+void refuse_other_profile(const ParameterSection &section,
+                          const FlowProfile::Shape profile,
+                          const FlowProfile::Shape user,
+                          const std::string &word,
+                          const std::vector<std::string> &keys)
+{
+  for (const std::string &key : keys)
+    if (profile != user && section.given(key))
+      section.refuse(key, "is of use with Profile = " + word + " only",
+                     "Set that, or remove the entry");
+}
+
+void read_profile_table(ParameterSection &section, BoundaryCondition &condition)
+{
+  std::string file, column;
+  Interpolant::Kind kind = Interpolant::Kind::linear;
+  section.add_input_file("Profile table", file,
+                         "A csv file of the velocity over the distance from the centre, with a "
+                         "header such as 'r [mm], U [m/s]'. It must cover the section.");
+  section.require("Profile table");
+  section.add("Profile column", column,
+              "The column of the velocity; may be left out if there is but one.");
+  add_choice(section, "Profile interpolation", kind,
+             {{"linear", Interpolant::Kind::linear}, {"cubic", Interpolant::Kind::cubic}},
+             "Between the rows; cubic is smooth and does not overshoot.");
+  // Without a file the documentation of the entries is made.
+  if (!file.empty())
+    condition.profile_table = std::make_shared<const ProfileTable>(file, kind, column);
+}
+
+void read_flow_past(ParameterSection &section, BoundaryCondition &condition)
+{
+  add_choice(section, "Flow before the start", condition.past, flow_past_words(),
+             "What the liquid of a womersley profile did before t = 0: at rest - nothing; steady - "
+             "it carried the flow rate of t = 0; periodic - it carried the flow rate of 'Period' "
+             "again and again, so that the flow is periodic from the start.");
+  const bool is_periodic = condition.past == FlowPast::periodic;
+  if (!is_periodic && section.given("Period"))
+    section.refuse("Period", "is of use with Flow before the start = periodic only",
+                   "Set that, or remove the entry");
+  if (!is_periodic)
+    return;
+  double period = std::numeric_limits<double>::infinity();
+  section.add("Period", period, Dimensions::time, "After which the flow rate repeats itself.",
+              Range::positive());
+  section.require("Period");
+  condition.period = period;
+}
+
 void read_flow_rate(ParameterSection &section, BoundaryCondition &condition, unsigned int)
 {
+  using Shape = FlowProfile::Shape;
   condition.normal.kind = condition.tangential.kind = Kind::velocity;
   condition.normal.along_normal =
-      Waveform::read(section, "Flow rate", Dimensions::flow_rate,
-                     "Flow rate of the whole tube, into the body; a function of time alone.", true);
+      condition.is_in_plane
+          ? Waveform::read(section, "Flow rate", flow_rate_of_depth,
+                           "Flow rate of the whole channel and of a unit of its depth, into the "
+                           "body; a function of time alone.",
+                           true)
+          : Waveform::read(section, "Flow rate", Dimensions::flow_rate,
+                           "Flow rate of the whole tube, into the body; a function of time alone.",
+                           true);
   if (condition.normal.along_normal.depends_on_space())
     section.refuse(
         "Flow rate", "depends on x, y or z",
         "Write it as a function of t; 'Profile' gives the distribution over the section");
-  FlowProfile::Shape profile = FlowProfile::Shape::parabolic;
+  Shape profile = Shape::parabolic;
   add_choice(section, "Profile", profile,
-             {{"flat", FlowProfile::Shape::flat},
-              {"parabolic", FlowProfile::Shape::parabolic},
-              {"womersley", FlowProfile::Shape::womersley}},
+             {{"flat", Shape::flat},
+              {"parabolic", Shape::parabolic},
+              {"womersley", Shape::womersley},
+              {"table", Shape::table}},
              "How the velocity is distributed over the section: flat (zero at the rim), "
-             "parabolic, or womersley: that of a viscous liquid in a rigid tube that was at "
-             "rest before t = 0.");
+             "parabolic (the developed flow), womersley: that of a viscous liquid in a rigid tube "
+             "or channel with this flow rate and 'Flow before the start', or table: as "
+             "'Profile table' has it, scaled to the flow rate and zero at the rim.");
   condition.profile = profile;
+  refuse_other_profile(section, profile, Shape::table, "table",
+                       {"Profile table", "Profile column", "Profile interpolation"});
+  refuse_other_profile(section, profile, Shape::womersley, "womersley",
+                       {"Flow before the start", "Period"});
+  if (profile == Shape::table)
+    read_profile_table(section, condition);
+  if (profile == Shape::womersley)
+    read_flow_past(section, condition);
 }
 
 /// What a resistance and a windkessel have in common.
@@ -249,8 +319,9 @@ const std::vector<Row> &table()
       {BoundaryType::pressure, "pressure",
        "Outside pressure along the normal; along the boundary free or fixed.", read_pressure},
       {BoundaryType::flow_rate, "flow rate",
-       "Flow rate into a round section around the x axis, axisymmetric or three-dimensional; no "
-       "velocity along the boundary.",
+       "Flow rate into a round section, axisymmetric or three-dimensional, or into a plane "
+       "channel; "
+       "no velocity along the boundary.",
        read_flow_rate},
       {BoundaryType::resistance, "resistance",
        "An outlet of a liquid whose pressure follows its flow rate, p = R Q + pressure behind.",
@@ -348,7 +419,7 @@ std::string BoundaryCondition::initial_jump(const double *point) const
         is_velocity ? velocity : traction);
     const double along = part->along_normal.initial_value(point);
     if (profile)
-      add("a flow rate", along, "m^3/s");
+      add("a flow rate", along, is_in_plane ? "m^2/s" : "m^3/s");
     else if (part->negative)
       add("a pressure", along, traction);
     else
@@ -452,9 +523,7 @@ read_boundary_conditions(ParameterSection section,
     if (condition.type == BoundaryType::axis && !axisymmetric)
       child.refuse("Type", "there is no axis in this model",
                    "Use 'roller', or Model = axisymmetric");
-    if (condition.type == BoundaryType::flow_rate && n_dimensions == 2 && !axisymmetric)
-      child.refuse("Type", "a plane model has no round section that a flow rate could pass",
-                   "Use 'velocity', or Model = axisymmetric or three-dimensional");
+    condition.is_in_plane = n_dimensions == 2 && !axisymmetric;
     for (const Row &row : table())
       if (condition.type == row.type)
         row.read(child, condition, n_dimensions);

@@ -178,6 +178,13 @@ Case<dim>::Case(ParameterFile &file,
     modal.read(root.subsection("Modal"));
   else
     rest.read(root.subsection("Steady"), problem.convection.is_on);
+  if (analysis.is_transient() && problem.interior.starts_at_rest_under_loads)
+    // The steps of a search before the start grow: what comes after it has another matrix anyway.
+    rest.read(root.subsection("Steady"), true);
+  else if (analysis.is_transient() && root.has_subsection("Steady"))
+    root.subsection("Steady").refuse(
+        "", "Analysis = transient reads this section for a start from a steady state only",
+        "Remove it, or set Initial state/Type = steady, or Analysis = steady");
   if (!analysis.is_modal())
   {
     ParameterSection section = root.subsection("Adaptivity");

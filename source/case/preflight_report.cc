@@ -16,30 +16,6 @@ namespace Continua
 {
 namespace
 {
-std::string text_of(const double value, const std::string &unit)
-{
-  static const std::vector<std::pair<double, std::string>> prefixes = {
-      {1., ""}, {1e-3, "m"}, {1e-6, "u"}};
-  double shown = value;
-  std::string shown_unit = unit;
-  if ((unit == "m" && value < 0.1) || (unit == "s" && value < 1.))
-    for (const auto &[factor, prefix] : prefixes)
-      if (value != 0. && std::isfinite(value))
-      {
-        shown = value / factor;
-        shown_unit = prefix + unit;
-        if (shown >= 1. || factor == 1e-6)
-          break;
-      }
-  std::ostringstream text;
-  text.precision(4);
-  if (std::isinf(shown))
-    text << "infinite";
-  else
-    text << shown << (unit == "1" ? "" : " " + shown_unit);
-  return text.str();
-}
-
 /// Closed formulas for the pressure wave of a section at a real frequency.
 struct SectionWaves
 {
@@ -205,7 +181,7 @@ void PreflightReport::report_tube_mesh(const double wavelength)
   const Material &fluid = input.ends[0].section.fluid;
   add("wavelength", wavelength, "m", "at the frequency");
   add("cells per wavelength", wavelength / input.axial_cell, "1",
-      "the longest axial cells of the fluid, " + text_of(input.axial_cell, "m"));
+      "the longest axial cells of the fluid, " + quantity_text(input.axial_cell, "m"));
   const double nodes = input.velocities_per_cell * wavelength / input.axial_cell;
   if (nodes < least_nodes_per_wavelength)
   {
@@ -223,11 +199,11 @@ void PreflightReport::report_tube_mesh(const double wavelength)
           .layer_thickness(reference_angular_frequency());
   add("Stokes layer", layer, "m", "sqrt(2 nu / omega)");
   add("fluid cells in the Stokes layer", layer / input.normal_cell, "1",
-      "the thickest cells at the wall, " + text_of(input.normal_cell, "m"));
+      "the thickest cells at the wall, " + quantity_text(input.normal_cell, "m"));
   if (input.normal_cell > largest_layer_cell * layer)
     warning_list.push_back("pre-flight: the fluid's cells at the wall, " +
-                           text_of(input.normal_cell, "m") +
-                           ", are thicker than the Stokes layer of " + text_of(layer, "m") +
+                           quantity_text(input.normal_cell, "m") +
+                           ", are thicker than the Stokes layer of " + quantity_text(layer, "m") +
                            ": the wave's friction is wrong; grade the mesh towards the wall");
 }
 
@@ -248,7 +224,7 @@ void PreflightReport::report_outlet(const PreflightInput::End &end, const std::s
   const Complex of_outlet = end.outlet->impedance.value(Complex(0., omega))(0, 0);
   add("reflection, " + which, std::abs((of_outlet - of_tube) / (of_outlet + of_tube)), "1",
       "'" + end.boundary + "': an outlet; the magnitude at the frequency, of a tube of " +
-          text_of(of_tube, "Pa s/m^3"));
+          quantity_text(of_tube, "Pa s/m^3"));
 }
 
 void PreflightReport::report_ends(const double speed)
@@ -269,7 +245,7 @@ void PreflightReport::report_ends(const double speed)
     const double nu = end.section.poisson_ratio(reference_angular_frequency()).real();
     const double bend = std::sqrt(end.section.inner_radius * end.section.wall_thickness());
     add("wall cell at the clamped " + which, end.wall_cell, "m",
-        "sqrt(R h)/2 is " + text_of(0.5 * bend, "m"));
+        "sqrt(R h)/2 is " + quantity_text(0.5 * bend, "m"));
     add("early reflection by the clamped " + which,
         2. * bend / std::pow(3. * (1. - nu * nu), 0.25) / speed, "s");
     if (end.wall_cell > largest_clamped_cell * bend)
@@ -277,8 +253,8 @@ void PreflightReport::report_ends(const double speed)
       std::ostringstream text;
       text.precision(3);
       text << "pre-flight: the wall's cells at its clamped " << which << ", "
-           << text_of(end.wall_cell, "m") << " long, do not resolve its bending over "
-           << text_of(bend, "m")
+           << quantity_text(end.wall_cell, "m") << " long, do not resolve its bending over "
+           << quantity_text(bend, "m")
            << " = sqrt(R h): reflections there come too early; grade the mesh towards the ends";
       warning_list.push_back(text.str());
     }
@@ -380,32 +356,12 @@ std::string PreflightReport::headline() const
   std::string text = "Pre-flight:";
   const double transit = value("transit time");
   if (input.frequency > 0.)
-    text += " load of " + text_of(input.frequency, "Hz") + ",";
+    text += " load of " + quantity_text(input.frequency, "Hz") + ",";
   if (std::isfinite(transit))
-    text += " tube wave " + text_of(input.length / transit, "m/s") + ", " + text_of(transit, "s") +
-            " to the far end";
+    text += " tube wave " + quantity_text(input.length / transit, "m/s") + ", " +
+            quantity_text(transit, "s") + " to the far end";
   else
-    text += " largest Courant number " + text_of(value("largest Courant number"), "1");
+    text += " largest Courant number " + quantity_text(value("largest Courant number"), "1");
   return text + "; more in log.txt";
-}
-
-std::vector<std::string> preflight_text(const PreflightReport &report)
-{
-  std::size_t name_width = 0, value_width = 0;
-  for (const PreflightReport::Entry &entry : report.entries())
-  {
-    name_width = std::max(name_width, entry.name.size());
-    value_width = std::max(value_width, text_of(entry.value, entry.unit).size());
-  }
-  std::vector<std::string> lines = {"Pre-flight report (doc/preflight.md)"};
-  for (const PreflightReport::Entry &entry : report.entries())
-  {
-    std::string line = "  " + entry.name + std::string(name_width + 2 - entry.name.size(), ' ') +
-                       text_of(entry.value, entry.unit);
-    if (!entry.remark.empty())
-      line += std::string(name_width + value_width + 6 - line.size(), ' ') + entry.remark;
-    lines.push_back(line);
-  }
-  return lines;
 }
 } // namespace Continua

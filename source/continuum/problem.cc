@@ -1,5 +1,7 @@
 #include <continua/continuum/problem.h>
 
+#include <continua/base/words.h>
+
 #include <algorithm>
 
 namespace Continua
@@ -24,6 +26,18 @@ void InteriorData::read(ParameterSection body_force_section,
   acceleration = read_force("Acceleration", Dimensions::acceleration,
                             "Cartesian components of the force per mass b, such as gravity; each "
                             "region's density times it.");
+
+  enum class Start
+  {
+    given,
+    steady
+  };
+  Start start = Start::given;
+  add_choice(initial_state, "Type", start, {{"given", Start::given}, {"steady", Start::steady}},
+             "Where a run in time starts: given - from rest, or from the fields of this section; "
+             "steady - from the steady flow, with all solids at rest, under the loads at t = 0, "
+             "which is found first, as the section Steady says.");
+  starts_at_rest_under_loads = start == Start::steady;
 
   const auto read_vector =
       [&](const std::string &key, const Dimension &dimension, const std::string &text)
@@ -54,6 +68,16 @@ void InteriorData::read(ParameterSection body_force_section,
       initial_pressure.resize(regions.size(), pressure);
       initial_pressure[region] = value;
     }
+  }
+  if (starts_at_rest_under_loads)
+  {
+    for (const char *const key : {"Velocity", "Displacement", "Pressure"})
+      if (initial_state.given(key))
+        initial_state.refuse(key, "with Type = steady the state at t = 0 is found from the loads",
+                             "Remove the entry, or set Type = given");
+    if (!initial_pressure.empty())
+      by_region.refuse("", "with Type = steady the pressure at t = 0 is found from the loads",
+                       "Remove the subsection, or set Type = given");
   }
   for (const auto *components : {&initial_velocity, &initial_displacement, &initial_pressure})
     for (const Expression &component : *components)

@@ -53,6 +53,29 @@ void TimeStepping::initialise()
   wall_shear.start(present());
 }
 
+void TimeStepping::start_from_present_state()
+{
+  present_time = pressure_known_time = 0.;
+  // What flowed on the way here is no displacement of the run.
+  std::vector<bool> has_branches(velocity.locally_owned_size(), false);
+  const std::vector<std::vector<unsigned int>> nodes = operators.velocity_nodes();
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+    if (!problem.materials[region].shear.branches.empty())
+      for (const unsigned int i : nodes[region])
+        has_branches[i] = true;
+  DistributedVector &displacement = history.displacement();
+  for (unsigned int i = 0; i < has_branches.size(); ++i)
+    if (!has_branches[i])
+      displacement.begin()[i] = 0.;
+  velocity_older.equ(1., velocity);
+  pressure_older.equ(1., pressure);
+  pressure_known.equ(1., pressure);
+  kept.forget();
+  newton.forget_factor();
+  ledger.forget_forces();
+  operators.start_from(present());
+}
+
 void TimeStepping::setup()
 {
   TimerOutput::Scope scope(log.timer(), "setup");

@@ -61,7 +61,7 @@ const AnalysisTable &analyses()
   // The flags of a case: whether it has fields, and checkpoints.
   static const AnalysisTable table(
       {row_of_case<Transient>("transient", "Steps through time.",
-                              {"Time", "Adaptivity", "Wave theory", "Exact solution"},
+                              {"Time", "Steady", "Adaptivity", "Wave theory", "Exact solution"},
                               Motion::in_time, true, true),
        row_of_case<Steady>(
            "steady",

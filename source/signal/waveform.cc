@@ -141,8 +141,8 @@ const std::vector<std::string> kinds = {formula, "table", sine_squared_pulse, ga
 const std::vector<std::pair<std::string, std::vector<std::string>>> entries_of_kinds = {
     {"table",
      {"Table", "Column", "Columns", "Interpolation", "Offset", "After the table", "Direction"}},
-    {sine_squared_pulse, {"Amplitude", "Duration", "Start", "Direction"}},
-    {gaussian_pulse, {"Amplitude", "Time of the peak", "Width", "Direction"}}};
+    {sine_squared_pulse, {"Amplitude", "Duration", "Start", "Offset", "Direction"}},
+    {gaussian_pulse, {"Amplitude", "Time of the peak", "Width", "Offset", "Direction"}}};
 
 /// Refuses what belongs to another kind of waveform than the one chosen.
 void refuse_other_entries(const ParameterSection &section,
@@ -203,9 +203,14 @@ std::shared_ptr<const Waveform::TimeFunction> Waveform::read_pulse(ParameterSect
                                                                    const Dimension &dimension,
                                                                    const std::string &kind)
 {
+  const std::function<double(double)> pulse =
+      kind == sine_squared_pulse ? read_sine_squared(section, prefix, key, dimension)
+                                 : read_gaussian(section, prefix, key, dimension);
+  double offset = 0.;
+  section.add(named(prefix, "Offset"), offset, dimension,
+              "Added to the pulse: the mean value that it stands on.");
   TimeFunction function;
-  function.value = kind == sine_squared_pulse ? read_sine_squared(section, prefix, key, dimension)
-                                              : read_gaussian(section, prefix, key, dimension);
+  function.value = [pulse, offset](const double time) { return offset + pulse(time); };
   return std::make_shared<const TimeFunction>(function);
 }
 

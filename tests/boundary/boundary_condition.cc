@@ -71,6 +71,15 @@ UNIT_TEST(boundary_condition)
                                   flow.tangential.is_zero() &&
                                   flow.profile == FlowProfile::Shape::parabolic);
   check::relative("flow rate: value", flow.normal.along_normal(place, 0.), 5e-5, 1e-12);
+  const BoundaryCondition in_plane = inlet("set Type = flow rate\nset Flow rate = 3 cm^2/s");
+  check::is_true("flow rate of a channel", in_plane.is_in_plane && !flow.is_in_plane);
+  check::relative("flow rate of a channel: value", in_plane.normal.along_normal(place, 0.), 3e-4,
+                  1e-12);
+  const BoundaryCondition pulsed =
+      inlet("set Type = flow rate\nset Flow rate = 1\nset Profile = womersley\n"
+            "set Flow before the start = periodic\nset Period = 0.8 s",
+            true);
+  check::is_true("periodic flow", pulsed.past == FlowPast::periodic && pulsed.period == 0.8);
   check::is_true("other types have no profile", !fixed.profile && !pressure.profile);
   const std::string windkessel_entries =
       "set Type = windkessel\nset Proximal resistance = 2 MPa s/m^3\n"
@@ -177,9 +186,20 @@ UNIT_TEST(boundary_condition)
   refused("unknown type", child("inlet", "set Type = open") + end, ":2: 'inlet/Type'.*fixed");
   refused("axis without axisymmetry", child("inlet", "set Type = axis") + end,
           ":2: 'inlet/Type'.*roller");
-  refused("flow rate in a plane model",
-          child("inlet", "set Type = flow rate\nset Flow rate = 1") + end,
-          ":2: 'inlet/Type'.*plane.*axisymmetric");
+  refused("flow rate of a plane model",
+          child("inlet", "set Type = flow rate\nset Flow rate = 1 ml/s") + end,
+          ":3: 'inlet/Flow rate'");
+  refused("profile of another kind",
+          child("inlet", "set Type = flow rate\nset Flow rate = 1\nset Period = 1 s") + end,
+          ":4: 'inlet/Period'.*Profile = womersley only");
+  refused("period of no periodic flow",
+          child("inlet", "set Type = flow rate\nset Flow rate = 1\nset Profile = womersley\n"
+                         "set Period = 1 s") +
+              end,
+          ":5: 'inlet/Period'.*Flow before the start = periodic only");
+  refused("no table",
+          child("inlet", "set Type = flow rate\nset Flow rate = 1\nset Profile = table") + end,
+          "'Profile table' is missing");
   refused("negative resistance", child("inlet", "set Type = resistance\nset Resistance = -1") + end,
           ":3: 'inlet/Resistance'");
   refused("no resistance", child("inlet", "set Type = resistance") + end,

@@ -5,6 +5,9 @@
 
 #include <continua/boundary/flow_profile.h>
 
+#include <fstream>
+#include <memory>
+
 using namespace Continua;
 
 namespace
@@ -42,6 +45,83 @@ double largest_error_of_means(const FlowProfile &profile)
 Waveform formula(const std::string &text)
 {
   return Waveform(Expression(text, Dimensions::none));
+}
+/// Velocity over Q0/A of a profile of a channel whose gap is 4.
+double channel_velocity(const FlowProfile &profile, const double place, const double time)
+{
+  return relative_velocity(profile, place, time) / M_PI;
+}
+
+const FlowProfile::Section gap = {2., 0.5, {{0., 1., 0.}}, true, {{0., 1., 0.}}};
+
+/// Womersley numbers 2 and 10 of half the gap at y/h = 0, 0.5, 0.9, in phase and a quarter of a
+/// period behind: mpmath of (cosh L - cosh(L y/h))/(cosh L - sinh(L)/L), L = i^(1/2) alpha.
+constexpr double channel_numbers[2] = {2., 10.};
+constexpr double channel_places[3] = {0., 0.5, 0.9};
+constexpr double channel_references[2][3][2] = {
+    {{1.479865979, 0.0959087179}, {1.130889483, -0.01743010915}, {0.2929527914, -0.05651846041}},
+    {{1.068712855, 0.08002373563}, {1.097786164, 0.09559352271}, {0.6949184871, -0.2918127}}};
+
+/// A flow that is periodic from t = 0 on, with three times a mean flow.
+void channels()
+{
+  const FlowProfile parabolic(FlowProfile::Shape::parabolic, 3., gap);
+  check::relative("channel: middle", channel_velocity(parabolic, 0., 5.), 4.5, 1e-14);
+  check::relative("channel: half-way", channel_velocity(parabolic, -0.5, 5.), 3.375, 1e-14);
+  check::relative("channel: half of its section", parabolic.area(), 2., 1e-14);
+  check::relative("channel: place", parabolic.shapes_at({{7., 2., 0.}})[0], 1.125, 1e-14);
+  for (unsigned int a = 0; a < 2; ++a)
+  {
+    const double omega = channel_numbers[a] * channel_numbers[a], period = 2. * M_PI / omega;
+    const FlowProfile profile(FlowProfile::Shape::womersley,
+                              formula("3 + cos(" + std::to_string(omega) + "*t)"), gap,
+                              {4., period, period / 1000., FlowPast::periodic, period});
+    double error = 0.;
+    for (unsigned int place = 0; place < 3; ++place)
+      for (const unsigned int quarter : {0, 1})
+      {
+        const double eta = channel_places[place];
+        error = std::max(error,
+                         std::abs(channel_velocity(profile, eta, 0.25 * quarter * period) -
+                                  4.5 * (1. - eta * eta) - channel_references[a][place][quarter]));
+      }
+    check::absolute("channel: number " + std::to_string(static_cast<int>(channel_numbers[a])),
+                    error, 0., 1e-4);
+    // The mean over one side of the gap is that over both.
+    double mean = 0.;
+    constexpr unsigned int n = 4000;
+    for (unsigned int i = 0; i < n; ++i)
+      mean += channel_velocity(profile, (i + 0.5) / n, 0.3 * period) / n;
+    check::relative("channel: mean", mean, 3. + std::cos(0.6 * M_PI), 1e-5);
+  }
+}
+
+void pasts()
+{
+  // What a tube does that was at rest is forgotten after a while; what is periodic is there at
+  // once.
+  const double omega = 25., period = 2. * M_PI / omega;
+  const Waveform flow = formula("2 + sin(25*t)");
+  const FlowProfile at_rest(FlowProfile::Shape::womersley, flow, {2., 1.},
+                            {4., 9. * period, period / 1000.});
+  const FlowProfile periodic(FlowProfile::Shape::womersley, flow, {2., 1.},
+                             {4., 9. * period, period / 1000., FlowPast::periodic, period});
+  double error = 0., first = 0.;
+  for (const double radius : {0., 0.4, 0.8, 0.97})
+    for (const double phase : {0., 0.3, 0.7})
+    {
+      const double late = relative_velocity(at_rest, radius, (8. + phase) * period);
+      error = std::max(error, std::abs(relative_velocity(periodic, radius, phase * period) - late));
+      first = std::max(first, std::abs(relative_velocity(at_rest, radius, phase * period) - late));
+    }
+  check::absolute("periodic from the start", error, 0., 1e-8);
+  check::is_true("which a start from rest is not", first > 0.5);
+  const FlowProfile steady(FlowProfile::Shape::womersley, flow, {2., 1.},
+                           {4., 1., 1e-3, FlowPast::steady, 0.});
+  check::relative("steady before the start", relative_velocity(steady, 0.5, 0.), 3., 1e-14);
+  const FlowProfile constant(FlowProfile::Shape::womersley, 2., {2., 1.},
+                             {4., 1., 1e-3, FlowPast::steady, 0.});
+  check::relative("steady for ever", relative_velocity(constant, 0.5, 0.7), 3., 1e-14);
 }
 } // namespace
 
@@ -115,4 +195,15 @@ UNIT_TEST(flow_profile)
       "between rows", between,
       0.5 * (relative_velocity(started, 0.3, 0.0503) + relative_velocity(started, 0.3, 0.0504)),
       1e-5);
+  channels();
+  pasts();
+
+  // Of a table: a cone.
+  std::ofstream("flow-profile-test.csv") << "r [m], U [m/s]\n0, 1\n2, 0\n";
+  const auto cone =
+      std::make_shared<const ProfileTable>("flow-profile-test.csv", Interpolant::Kind::linear, "");
+  const FlowProfile measured(FlowProfile::Shape::table, 3., {2., 1.}, FlowHistory(), cone);
+  check::relative("table", relative_velocity(measured, 0.5, 0.), 4.5, 1e-14);
+  check::absolute("table: rim", relative_velocity(measured, 1., 0.), 0., 0.);
+  check::absolute("table: mean", largest_error_of_means(measured), 0., 1e-6);
 }

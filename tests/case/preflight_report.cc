@@ -182,7 +182,8 @@ void others()
   check::equal("headline", PreflightReport(tube()).headline(),
                "Pre-flight: load of 20 Hz, tube wave 2.615 m/s, 170.5 ms to the far end; more in "
                "log.txt");
-  const std::vector<std::string> lines = preflight_text(PreflightReport(tube()));
+  const std::vector<std::string> lines =
+      preflight_text("Pre-flight report", PreflightReport(tube()).entries());
   check::is_true("text", std::any_of(lines.begin(), lines.end(),
                                      [](const std::string &line) {
                                        return check::matches(line, "Stokes layer +126.3 um +sqrt");

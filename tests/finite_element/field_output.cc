@@ -1,5 +1,5 @@
-// The fields of a picture that are drawn where they are asked for: vorticity, Q criterion and the wall
-// shear stress.
+// The fields of a picture that are drawn where they are asked for: vorticity, Q criterion and the
+// wall shear stress.
 
 #include <continua/finite_element/field_output.h>
 #include <continua/finite_element/region_operators.h>
@@ -24,8 +24,8 @@ public:
   using DataOut<dim>::get_dataset_names;
 };
 
-/// A liquid of viscosity 2 in a box, held on the bottom: U = (3 y, 5 x), of which the curl is 2, Q is -15
-/// and eta (3 + 5) the shear stress.
+/// A liquid of viscosity 2 in a box, held on the bottom: U = (3 y, 5 x), of which the curl is 2, Q
+/// is -15 and eta (3 + 5) the shear stress.
 template <int dim>
 void test_drawing(const std::string &name)
 {

@@ -81,6 +81,7 @@ public:
   Continua::StepError step_error() override { return {}; }
   void keep_state() override {}
   void return_to_kept_state() override {}
+  void start_from_present_state() override {}
   void prepare_refinement() override {}
   void transfer() override {}
   void save(Continua::ArchiveWriter &) const override {}

@@ -75,6 +75,12 @@ void test_vectors()
                     "kPa\nset Tangential duration = 2 s\nset Tangential direction = 0, 1\n",
                     "Tangential");
   check::relative("a pulse with a prefix", traction[1](point, 1.), 2000., 1e-12);
+  traction = vector("set Tangential waveform = sine squared pulse\nset Tangential amplitude = 2 "
+                    "kPa\nset Tangential duration = 2 s\nset Tangential direction = 0, 1\n"
+                    "set Tangential offset = 300 Pa\n",
+                    "Tangential");
+  check::relative("a pulse on a mean value", traction[1](point, 1.), 2300., 1e-12);
+  check::relative("the mean value after it", traction[1](point, 3.), 300., 1e-12);
   check::is_true("not required", vector("", "Tangential", false)[0].is_zero());
 
   refused("required", "", "", "Traction");

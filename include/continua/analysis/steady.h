@@ -1,6 +1,7 @@
 #ifndef continua_analysis_steady_h
 #define continua_analysis_steady_h
 
+#include <continua/analysis/flow_report.h>
 #include <continua/analysis/run.h>
 #include <continua/postprocess/loop_record.h>
 
@@ -15,7 +16,7 @@ template <int dim>
 class Steady
 {
 public:
-  explicit Steady(Run<dim> &run) : run(run) {}
+  explicit Steady(Run<dim> &run) : run(run), flow(run) {}
   void perform();
 
   /// A state at rest needs something that holds the body, and has no use for what moves it. Throws
@@ -27,12 +28,9 @@ private:
   Run<dim> &run;
   unsigned int n_steps = 0;
   LoopRecord<dim> loop;
+  FlowReport<dim> flow;
 
   void solve();
-  void step_to_rest();
-  /// Makes a step towards rest after one of `last_size` [s], of a smaller size where there is no
-  /// solution. Throws RunError.
-  StepReport step_of(double last_size, double &size, unsigned int &n_halved);
 };
 } // namespace Continua
 

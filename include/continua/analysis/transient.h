@@ -2,6 +2,7 @@
 #define continua_analysis_transient_h
 
 #include <continua/analysis/checkpoint.h>
+#include <continua/analysis/flow_report.h>
 #include <continua/analysis/record_table.h>
 #include <continua/analysis/run.h>
 #include <continua/time_integration/time_control.h>
@@ -28,6 +29,7 @@ private:
   Run<dim> &run;
   TimeControl time_control;
   std::vector<ScheduledRecord<dim>> records;
+  FlowReport<dim> flow;
   Checkpoint checkpoint;
   Schedule probe_schedule, checkpoint_schedule;
   bool mesh_has_changed = false;
@@ -43,11 +45,13 @@ private:
   std::chrono::steady_clock::time_point last_checkpoint = std::chrono::steady_clock::now();
 
   void start();
+  /// Finds the steady state that the file asks for at t = 0.
+  void start_from_rest_under_loads();
   /// Changes the mesh before the first step, as often as the file asks.
   void adapt_before_start();
   /// Which boundaries begin with a value that a body at rest meets as a jump.
   void report_initial_jumps();
-  /// What linear theory says of a run with fluid and solid.
+  /// What linear theory says of a run with fluid and solid, and the numbers of a flow.
   void report_preflight();
   void restart();
   void step();

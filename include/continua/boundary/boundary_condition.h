@@ -76,8 +76,13 @@ struct BoundaryCondition
   std::set<unsigned int> region_ids; ///< regions whose faces it holds for
   BoundaryPart normal;
   BoundaryPart tangential;
+  /// Of a plane model, whose flow rates [m^2/s] are those of a unit of depth.
+  bool is_in_plane = false;
   /// Of a flow rate, given or an outlet's.
   std::optional<FlowProfile::Shape> profile;
+  std::shared_ptr<const ProfileTable> profile_table; ///< of that profile, else null
+  FlowPast past = FlowPast::at_rest;                 ///< of a womersley profile
+  double period = 0.;                                ///< [s] of a periodic past
   /// Of an outlet, else null: what was read, for the whole tube. Without a port where the tube
   /// itself has to tell the impedance (absorbing). Its pressure is no part of `normal`.
   std::shared_ptr<const Outlet> outlet;

@@ -20,8 +20,9 @@ struct FlowRateTimes
 
 /**
  * Gives every condition of type `flow rate` the profile over its section, which is found on the
- * coarse mesh. `boundaries` is the section that the conditions were read from. Throws InputError if
- * a section is not round, or if a womersley profile has no liquid, or no time, that it is for.
+ * coarse mesh: a disc, or in a plane model the gap of a channel. `boundaries` is the section that
+ * the conditions were read from. Throws InputError if a section is neither, if a womersley profile
+ * has no liquid, no time or no period that it is for, or if a table does not cover the section.
  */
 template <int dim>
 void set_flow_profiles(std::vector<BoundaryCondition> &conditions,

@@ -1,6 +1,7 @@
 #ifndef continua_case_preflight_report_h
 #define continua_case_preflight_report_h
 
+#include <continua/case/preflight_entry.h>
 #include <continua/case/preflight_input.h>
 
 #include <string>
@@ -16,13 +17,7 @@ namespace Continua
 class PreflightReport
 {
 public:
-  struct Entry
-  {
-    std::string name;
-    double value = 0.;
-    std::string unit; ///< SI, "1" if none
-    std::string remark;
-  };
+  using Entry = PreflightEntry;
 
   /// @name Limits at which a warning is given
   /// @{
@@ -63,9 +58,6 @@ private:
   void report_time();
   void report_stiffest_mode();
 };
-
-/// The entries as lines of text, aligned, with units that suit their size.
-std::vector<std::string> preflight_text(const PreflightReport &report);
 } // namespace Continua
 
 #endif

@@ -176,6 +176,9 @@ public:
   virtual void initialise() = 0;
   /// One step; throws RunError if the result is not finite or the solve failed.
   virtual StepReport advance(const Step &step) = 0;
+  /// Takes the present state, which is at rest or steady, for that of t = 0, with nothing before
+  /// it.
+  virtual void start_from_present_state() = 0;
   /// `sink` gets each correction of a solver that makes some, on all ranks, as soon as it is made;
   /// also those of a step that is undone or fails.
   virtual void report_corrections(const std::function<void(const LoopCorrection &)> & /*sink*/) {}

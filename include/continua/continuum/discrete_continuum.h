@@ -24,6 +24,7 @@ public:
                     Log &log);
 
   void initialise() override { stepping.initialise(); }
+  void start_from_present_state() override { stepping.start_from_present_state(); }
   StepReport advance(const Step &step) override { return stepping.advance(step); }
   void report_corrections(const std::function<void(const LoopCorrection &)> &sink) override
   {

@@ -33,6 +33,8 @@ public:
 
   /// Sets everything up on the present mesh, with the state of t = 0.
   void initialise();
+  /// See ContinuumSolver. Materials without branches have no displacement then.
+  void start_from_present_state();
   /// One step; throws RunError if the result is not finite or the solve failed.
   StepReport advance(const Step &step);
   /// Whether solve_steady() applies: the body is all solid or all fluid.

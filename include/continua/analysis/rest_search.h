@@ -1,0 +1,45 @@
+#ifndef continua_analysis_rest_search_h
+#define continua_analysis_rest_search_h
+
+#include <continua/analysis/run.h>
+
+#include <functional>
+#include <string>
+
+namespace Continua
+{
+/**
+ * Brings a body to rest, or a flow to its steady state, under the loads at t = 0: steps of backward
+ * Euler that grow until nothing changes, as the section Steady says.
+ */
+template <int dim>
+class RestSearch
+{
+public:
+  /// What to do with each step that stands: its report, the time [s] that has passed since the
+  /// start of the search, and its size [s].
+  using Sink = std::function<void(const StepReport &report, double passed, double size)>;
+
+  /// `interrupted`: what a message says after a signal that ends the run.
+  RestSearch(Run<dim> &run, const Sink &sink, const std::string &interrupted);
+
+  /// Throws RunError if the body does not come to rest.
+  void perform();
+
+  /// Whether the body of a case has a state at rest, and something that holds it. Throws
+  /// InputError; `remedy` is what the user can do instead.
+  static void check(const Case<dim> &input, ParameterSection root, const std::string &remedy);
+
+private:
+  Run<dim> &run;
+  const Sink sink;
+  const std::string interrupted;
+  unsigned int n_steps = 0;
+
+  /// Makes a step towards rest after one of `last_size` [s], of a smaller size where there is no
+  /// solution. Throws RunError.
+  StepReport step_of(double last_size, double &size, unsigned int &n_halved);
+};
+} // namespace Continua
+
+#endif
