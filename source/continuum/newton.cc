@@ -69,6 +69,7 @@ Newton::Norms Newton::set_residuals(const NewtonInput &input, const BalancedStep
   }
   momentum_work = 0.;
   mass_work = 0.;
+  operators.add_flux_correction(balanced.pressure, mass_work);
   operators.add_nonlinear_terms(balanced, momentum_work, mass_work);
   add(momentum_work, momentum, momentum_scale);
   add(mass_work, mass, mass_scale);
