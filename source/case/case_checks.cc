@@ -231,9 +231,6 @@ void check_convection(const Case<dim> &input, ParameterSection root)
   if (problem.model == Model::plane_stress)
     root.refuse("Convection", "plane stress is for solids, which are not convected",
                 "Set Convection = none, or another Model");
-  if (input.discretisation.is_cell_wise())
-    root.refuse("Convection", "the cell-wise path has no convection so far",
-                "Set Convection = none, or Discretisation = taylor hood");
   if (input.analysis.is_modal())
     root.refuse("Convection", "vibrations are linear", "Set Convection = none");
   bool has_liquid = false;

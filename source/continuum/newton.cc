@@ -95,6 +95,7 @@ Newton::Norms Newton::set_residuals(const NewtonInput &input, const BalancedStep
                         largest);
   momentum_work = 0.;
   mass_work = 0.;
+  operators.add_flux_correction(balanced.pressure, mass_work);
   operators.add_nonlinear_terms(balanced, momentum_work, mass_work);
   largest.momentum = std::max(largest.momentum, momentum_work.linfty_norm());
   momentum.add(-1., momentum_work);
@@ -258,6 +259,7 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
     const bool is_slow = iteration > 0 && report.residual > problem.newton.slowest_rate * previous;
     previous = report.residual;
     const bool can_take_krylov = has_factor && !factor_is_poor && outlets.is_empty() &&
+                                 operators.has_derivative_products() &&
                                  problem.newton.slow_iteration == SlowIteration::krylov;
     if (is_slow && can_take_krylov)
     {

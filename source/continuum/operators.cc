@@ -23,4 +23,14 @@ void Operators::add_divergence(const DistributedVector &, DistributedVector &)
 {
   AssertThrow(false, dealii::ExcNotImplemented());
 }
+
+void Operators::set_reaction(const DistributedVector &profile,
+                             DistributedVector &of_velocity,
+                             DistributedVector &of_pressure)
+{
+  of_velocity = 0.;
+  add_velocity_product(profile, of_velocity);
+  of_pressure = 0.;
+  add_divergence(profile, of_pressure);
+}
 } // namespace Continua

@@ -101,9 +101,8 @@ void OutletCoupling::respond(StepReport &report)
     {
       for (const auto &[index, value] : port.velocity)
         prescribed.begin()[index] = value;
-      operators.add_velocity_product(prescribed, momentum);
+      operators.set_reaction(prescribed, momentum, mass);
       port.momentum_of_velocity = sparse(momentum);
-      operators.add_divergence(prescribed, mass);
       port.mass_of_velocity = sparse(mass);
       momentum = 0.;
       mass = 0.;
@@ -309,6 +308,23 @@ std::vector<double> OutletCoupling::present_pressures(const double time,
       of_conditions[problem.outlets[o].conditions[i]] += of_ports[i];
   }
   return of_conditions;
+}
+
+void OutletCoupling::add_present_forces(const double time,
+                                        const DistributedVector &velocity,
+                                        DistributedVector &forces) const
+{
+  if (is_empty())
+    return;
+  const std::vector<double> of_conditions = present_pressures(time, velocity);
+  for (const Port &port : ports)
+  {
+    const unsigned int in_outlet = &port - &ports[first_port[port.outlet]];
+    const double pressure = of_conditions[problem.outlets[port.outlet].conditions[in_outlet]];
+    if (!port.holds_flow)
+      for (const auto &[index, value] : port.flow)
+        forces.begin()[index] -= pressure * value;
+  }
 }
 
 bool OutletCoupling::jumps(const double begin, const double end) const

@@ -327,7 +327,7 @@ void TimeStepping::finish(const Step &step)
   present_time = step.time;
   balanced.step = step;
   ledger.forget_forces();
-  operators.finish_step(step, present());
+  operators.finish_step(balanced, present());
   wall_shear.advance(step, present());
   kept.advance(step);
 }
@@ -348,6 +348,7 @@ void TimeStepping::deform_by_imbalance(const double time)
     return;
   momentum = 0.;
   operators.loads().add(time, momentum);
+  outlets.add_present_forces(time, velocity, momentum);
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
     set_mixture(present(), region, problem.materials[region], mixture);

@@ -46,6 +46,14 @@ void CellLoads<dim>::integrate(const Item &item,
 }
 
 template <int dim>
+DistributedVector CellLoads<dim>::flow_of_velocities(const unsigned int condition) const
+{
+  DistributedVector flow = space.velocity_vector();
+  integrate(LoadList::along_normal(condition), nullptr, 0., flow);
+  return flow;
+}
+
+template <int dim>
 std::vector<std::array<double, 3>> CellLoads<dim>::places(const Item &item) const
 {
   std::vector<std::array<double, 3>> points;

@@ -94,14 +94,15 @@ void CellSystem<dim>::assemble_corrections()
   has_correction = has_increment_correction = false;
   const CellMesh<dim> &mesh = space.mesh;
   diagonal.resize(mesh.cells().size());
+  viscous_diagonal.resize(mesh.cells().size());
   std::vector<double> ratios;
   for (const Material &material : problem.materials)
     ratios.push_back(traction_coefficients(material, parameters).stencil_ratio);
   for (unsigned int cell = 0; cell < diagonal.size(); ++cell)
   {
     const unsigned int region = mesh.cells()[cell].material_id;
-    diagonal[cell] =
-        present.mass[region] + present.stiffness[region] * ratios[region] * diffusion[cell];
+    viscous_diagonal[cell] = present.stiffness[region] * ratios[region] * diffusion[cell];
+    diagonal[cell] = present.mass[region] + viscous_diagonal[cell];
   }
   if (!present.with_pressure || !present.correct_fluxes)
     return;
@@ -118,14 +119,8 @@ void CellSystem<dim>::assemble_corrections()
     const unsigned int region = mesh.cells()[surface.owner].material_id;
     const double mobility = present.increment_mobility[region];
     const double way = surface.distance * surface.normal;
-    const double tau = mobility > 0.
-                           ? 0.25 * way * way * mobility
-                           : surface.owner_weight / diagonal[surface.owner] +
-                                 (1. - surface.owner_weight) / diagonal[surface.neighbour];
-    // Compact minus wide normal gradient.
-    Stencil<double> difference = space.pressure_normal_gradient(face, 0);
-    for (const auto &[value, g] : space.pressure_gradient.on_face(face, 0))
-      difference.add(value, -(g * surface.normal));
+    const double tau = mobility > 0. ? 0.25 * way * way * mobility : flux_mobility(face);
+    const Stencil<double> difference = pressure_difference(face);
     SparseRows &target = mobility > 0. ? of_increment : of_pressure;
     for (unsigned int side = 0; side < 2; ++side)
       if (mesh.cells()[surface.cell(side)].is_owned)
@@ -137,6 +132,42 @@ void CellSystem<dim>::assemble_corrections()
     of_pressure.move_to(correction);
   if (has_increment_correction)
     of_increment.move_to(increment);
+}
+
+template <int dim>
+double CellSystem<dim>::flux_mobility(const unsigned int face) const
+{
+  const VolumeFace<dim> &surface = space.mesh.faces()[face];
+  const unsigned int region = space.mesh.cells()[surface.owner].material_id;
+  if (!has_correction || present.increment_mobility[region] > 0.)
+    return 0.;
+  const auto mean_of_inverse = [&](const std::vector<double> &numbers)
+  {
+    return surface.owner_weight / numbers[surface.owner] +
+           (1. - surface.owner_weight) / numbers[surface.neighbour];
+  };
+  if (!has_excess_velocity(region))
+    return mean_of_inverse(diagonal);
+  // The mean must not depend on the time step.
+  return 1. / (present.mass[region] + 1. / mean_of_inverse(viscous_diagonal));
+}
+
+template <int dim>
+Stencil<double> CellSystem<dim>::pressure_difference(const unsigned int face) const
+{
+  Stencil<double> difference = space.pressure_normal_gradient(face, 0);
+  for (const auto &[value, g] : space.pressure_gradient.on_face(face, 0))
+    difference.add(value, -(g * space.mesh.faces()[face].normal));
+  return difference;
+}
+
+template <int dim>
+bool CellSystem<dim>::has_excess_velocity(const unsigned int region) const
+{
+  return parameters.formulation == Formulation::velocity_pressure &&
+         parameters.rhie_chow != RhieChow::none &&
+         parameters.rhie_chow_in_time == RhieChowInTime::momentum_of_faces &&
+         problem.materials[region].shear.branches.empty();
 }
 
 template <int dim>
@@ -162,6 +193,34 @@ void CellSystem<dim>::add_increment_correction(const double factor,
 }
 
 template <int dim>
+void CellSystem<dim>::add_velocity_product(const DistributedVector &velocity,
+                                           DistributedVector &target) const
+{
+  for (unsigned int region = 0; region < operators.size(); ++region)
+  {
+    Continua::multiply(operators[region].stiffness, velocity_work, velocity);
+    target.add(present.stiffness[region], velocity_work);
+    velocity_work.equ(present.mass[region], velocity);
+    velocity_work.scale(operators[region].volume);
+    target.add(1., velocity_work);
+  }
+}
+
+template <int dim>
+void CellSystem<dim>::add_transposed_velocity_product(const DistributedVector &velocity,
+                                                      DistributedVector &target) const
+{
+  for (unsigned int region = 0; region < operators.size(); ++region)
+  {
+    multiply_transposed(operators[region].stiffness, velocity_work, velocity);
+    target.add(present.stiffness[region], velocity_work);
+    velocity_work.equ(present.mass[region], velocity);
+    velocity_work.scale(operators[region].volume);
+    target.add(1., velocity_work);
+  }
+}
+
+template <int dim>
 void CellSystem<dim>::multiply(const DistributedVector &velocity,
                                const DistributedVector &pressure,
                                DistributedVector &momentum,
@@ -169,16 +228,10 @@ void CellSystem<dim>::multiply(const DistributedVector &velocity,
 {
   momentum = 0.;
   mass = 0.;
-  for (unsigned int region = 0; region < operators.size(); ++region)
+  add_velocity_product(velocity, momentum);
+  for (unsigned int region = 0; region < operators.size() && present.with_pressure; ++region)
   {
     const CellOperators &of_region = operators[region];
-    Continua::multiply(of_region.stiffness, velocity_work, velocity);
-    momentum.add(present.stiffness[region], velocity_work);
-    velocity_work.equ(present.mass[region], velocity);
-    velocity_work.scale(of_region.volume);
-    momentum.add(1., velocity_work);
-    if (!present.with_pressure)
-      continue;
     Continua::multiply(of_region.gradient, velocity_work, pressure);
     momentum.add(1., velocity_work);
     Continua::multiply(of_region.divergence, pressure_work, velocity);
@@ -187,8 +240,14 @@ void CellSystem<dim>::multiply(const DistributedVector &velocity,
     pressure_work.scale(of_region.pressure_volume);
     mass.add(1., pressure_work);
   }
-  if (!present.with_pressure)
-    return;
+  if (present.with_pressure)
+    add_flux_correction(pressure, mass);
+}
+
+template <int dim>
+void CellSystem<dim>::add_flux_correction(const DistributedVector &pressure,
+                                          DistributedVector &mass) const
+{
   add_pressure_correction(-1., pressure, mass);
   add_increment_correction(-1., pressure, mass);
   Continua::multiply(closure.matrix, pressure_work, pressure);
@@ -297,6 +356,9 @@ void CellSystem<dim>::for_entries(const std::function<void(int, int, double)> &f
                 [&](const int column, const double value)
                 { function(first_pressure + row, n_velocities() + column, -value); });
   }
+  if (tangent)
+    tangent(add, [&](const unsigned int row, const int column, const double value)
+            { function(first_pressure + row, column, value); });
 }
 
 template class CellSystem<2>;

@@ -15,6 +15,7 @@ void traction_jump_indicators(const CellSpace<dim> &space,
                               const CellEvaluation<dim> &evaluation,
                               const FaceConditions<dim> &conditions,
                               const State &state,
+                              const std::vector<double> &outlet_pressures,
                               const double time,
                               Vector<float> &per_cell)
 {
@@ -44,8 +45,9 @@ void traction_jump_indicators(const CellSpace<dim> &space,
       const auto &condition = conditions.of_face(number);
       const Tensor<1, dim> present = of_cell(0);
       // Only the directions in which it is given can be missed.
-      const Tensor<1, dim> difference =
-          present - condition.prescribed * present - conditions.traction(condition, time);
+      const Tensor<1, dim> given = conditions.traction(condition, time) -
+                                   outlet_pressures[condition.condition] * face.normal;
+      const Tensor<1, dim> difference = present - given - condition.prescribed * (present - given);
       squares[face.owner] += extent * face.area * difference.norm_square();
       continue;
     }
@@ -63,6 +65,7 @@ template void traction_jump_indicators(const CellSpace<2> &,
                                        const CellEvaluation<2> &,
                                        const FaceConditions<2> &,
                                        const State &,
+                                       const std::vector<double> &,
                                        double,
                                        Vector<float> &);
 template void traction_jump_indicators(const CellSpace<3> &,
@@ -70,6 +73,7 @@ template void traction_jump_indicators(const CellSpace<3> &,
                                        const CellEvaluation<3> &,
                                        const FaceConditions<3> &,
                                        const State &,
+                                       const std::vector<double> &,
                                        double,
                                        Vector<float> &);
 } // namespace Continua

@@ -7,6 +7,7 @@
 #include <continua/finite_volume/cell_traction_jump.h>
 #include <continua/finite_volume/cell_vibration.h>
 #include <continua/finite_volume/coupled_solve.h>
+#include <continua/finite_volume/place_of_row.h>
 #include <continua/finite_volume/segregated_solve.h>
 #include <continua/linear_algebra/matrix_product.h>
 
@@ -82,7 +83,9 @@ CellWise<dim>::CellWise(parallel::TriangulationBase<dim> &triangulation,
       displacement_step(system, load_list),
       evaluation(space, problem),
       output(space, problem, evaluation),
-      cell_transfer(space, conditions, problem.conditions, evaluation.reconstruction())
+      cell_transfer(space, conditions, problem.conditions, evaluation.reconstruction()),
+      excess_velocity(system, evaluation.reconstruction()),
+      convection(system, excess_velocity, evaluation.reconstruction())
 {
 }
 
@@ -108,6 +111,26 @@ void CellWise<dim>::setup()
     smallest_distance = std::min(smallest_distance, surface.distance * surface.normal);
   smallest_distance = Utilities::MPI::min(smallest_distance, space.communicator);
   evaluation.build();
+  excess_velocity.reinit();
+  if (!is_nonlinear())
+    return;
+  convection.reinit();
+  divergence_norm = gradient_norm = 0.;
+  face_resistance = std::numeric_limits<double>::max();
+  for (const auto &face : conditions.faces())
+  {
+    const VolumeFace<dim> &surface = space.mesh.faces()[face.face];
+    const Material &material = problem.materials[space.mesh.cells()[surface.owner].material_id];
+    if (!face.normal_is_prescribed && material.shear.viscosity > 0.)
+      face_resistance =
+          std::min(face_resistance, material.shear.viscosity / (surface.distance * surface.normal));
+  }
+  face_resistance = Utilities::MPI::min(face_resistance, space.communicator);
+  for (const CellOperators &of_region : operators)
+  {
+    divergence_norm += of_region.divergence.linfty_norm();
+    gradient_norm += of_region.gradient.linfty_norm();
+  }
 }
 
 template <int dim>
@@ -315,6 +338,8 @@ SystemChange CellWise<dim>::prepare_cells(const CellCoefficients &coefficients)
 {
   if (!system.prepare(coefficients))
     return SystemChange::none;
+  if (is_nonlinear())
+    return SystemChange::coefficients;
   cell_solve->reinit();
   return SystemChange::factor;
 }
@@ -329,6 +354,92 @@ void CellWise<dim>::solve(const DistributedVector &prescribed,
 {
   system.set_prescribed(prescribed, momentum);
   cell_solve->solve(momentum, mass, velocity, pressure, report);
+}
+
+template <int dim>
+bool CellWise<dim>::is_nonlinear_in(const unsigned int region) const
+{
+  return is_nonlinear() && problem.materials[region].phase() < 1.;
+}
+
+template <int dim>
+void CellWise<dim>::linearise(const BalancedStep &state)
+{
+  using AddEntry = typename CellSystem<dim>::AddEntry;
+  system.set_tangent([&](const AddEntry &momentum_row, const AddEntry &mass_row)
+                     { convection.add_derivative(state, momentum_row, mass_row); });
+  cell_solve->reinit();
+  system.set_tangent({});
+}
+
+template <int dim>
+void CellWise<dim>::restrict_residuals(DistributedVector &momentum, DistributedVector &mass) const
+{
+  conditions.clear_prescribed(momentum);
+  for (const unsigned int row : closure.rows)
+    mass.begin()[row] = 0.;
+}
+
+template <int dim>
+ResidualScales CellWise<dim>::residual_scales(const DistributedVector &velocity,
+                                              const DistributedVector &pressure) const
+{
+  // A face's balance of tractions makes round-off of the pressure one of the face's velocity.
+  const double pressure_size = pressure.linfty_norm();
+  return {gradient_norm * pressure_size,
+          divergence_norm * (velocity.linfty_norm() + pressure_size / face_resistance)};
+}
+
+template <int dim>
+void CellWise<dim>::set_prescribed(const DistributedVector &prescribed,
+                                   DistributedVector &velocity) const
+{
+  conditions.set_prescribed(prescribed, velocity);
+}
+
+template <int dim>
+std::string CellWise<dim>::place_of_largest(const DistributedVector &momentum,
+                                            const DistributedVector &mass,
+                                            const bool of_momentum) const
+{
+  return place_of_largest_row(space, of_momentum ? momentum : mass, of_momentum, problem.regions);
+}
+
+template <int dim>
+DistributedVector CellWise<dim>::flow_profile(const unsigned int condition) const
+{
+  DistributedVector profile = space.velocity_vector();
+  for (const auto &face : conditions.faces())
+    if (face.condition == condition)
+      for (unsigned int c = 0; c < dim; ++c)
+        profile.begin()[face.index + c] =
+            face.flow_shapes.front() * space.mesh.faces()[face.face].normal[c];
+  return profile;
+}
+
+template <int dim>
+void CellWise<dim>::add_divergence(const DistributedVector &velocity, DistributedVector &result)
+{
+  for (const CellOperators &of_region : operators)
+  {
+    multiply(of_region.divergence, pressure_work, velocity);
+    result.add(1., pressure_work);
+  }
+}
+
+template <int dim>
+void CellWise<dim>::set_reaction(const DistributedVector &profile,
+                                 DistributedVector &of_velocity,
+                                 DistributedVector &of_pressure)
+{
+  of_velocity = 0.;
+  system.add_transposed_velocity_product(profile, of_velocity);
+  of_pressure = 0.;
+  for (unsigned int region = 0; region < operators.size() && parameters.has_pressure(); ++region)
+  {
+    multiply_transposed(operators[region].gradient, pressure_work, profile);
+    of_pressure.add(-1., pressure_work);
+  }
 }
 
 template <int dim>
@@ -369,12 +480,15 @@ void CellWise<dim>::visit(StateVisitor &visitor)
     displacement_levels.visit(visitor);
   visitor.vector("rate of dilatation", StateKind::pressure, dilatation_rate);
   visitor.value("rate of dilatation is current", dilatation_rate_is_current);
+  if (excess_velocity.exists())
+    excess_velocity.visit(visitor);
 }
 
 template <int dim>
 Step CellWise<dim>::own_step(const Step &step)
 {
   end_of_step = step.time;
+  present_step = step;
   if (solves_for_displacement())
     return step;
   if (step.extrapolate && !undamped_is_reported)
@@ -393,9 +507,11 @@ Step CellWise<dim>::own_step(const Step &step)
 }
 
 template <int dim>
-void CellWise<dim>::finish_step(const Step &step, const State &state)
+void CellWise<dim>::finish_step(const BalancedStep &balanced, const State &state)
 {
-  if (step.divergence_old && !solves_for_displacement())
+  if (excess_velocity.exists())
+    excess_velocity.advance(balanced.step, balanced.pressure);
+  if (balanced.step.divergence_old && !solves_for_displacement())
     set_dilatation_rate(state);
 }
 
@@ -410,6 +526,8 @@ void CellWise<dim>::set_dilatation_rate(const State &state)
   }
   // What Rhie and Chow's correction of a pressure lets through a face has flowed.
   system.add_pressure_correction(-1., state.pressure, dilatation_rate);
+  if (excess_velocity.exists())
+    excess_velocity.add_outflow(state.pressure, dilatation_rate);
   dilatation_rate_is_current = true;
 }
 
@@ -441,6 +559,8 @@ void CellWise<dim>::add_past_flux_correction(const DistributedVector &pressure,
                                              DistributedVector &mass)
 {
   system.add_increment_correction(-1., pressure, mass);
+  if (excess_velocity.exists())
+    excess_velocity.add_past(present_step, mass);
 }
 
 template <int dim>
@@ -558,13 +678,14 @@ std::map<std::string, std::string> CellWise<dim>::add_output(const State &state,
 template <int dim>
 void CellWise<dim>::indicators(const IndicatorRequest &request,
                                const State &state,
-                               const std::vector<double> &,
+                               const std::vector<double> &port_pressures,
                                const double time,
                                Vector<float> &per_cell)
 {
   const LinearReconstruction<dim> &reconstruction = evaluation.reconstruction();
   if (request.kind == IndicatorRequest::Kind::traction_jump)
-    traction_jump_indicators(space, problem, evaluation, conditions, state, time, per_cell);
+    traction_jump_indicators(space, problem, evaluation, conditions, state, port_pressures, time,
+                             per_cell);
   else if (request.field == IndicatorField::pressure)
     kelly_indicators_of_pressure(space, reconstruction, state.pressure, per_cell);
   else

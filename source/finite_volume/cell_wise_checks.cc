@@ -59,8 +59,9 @@ void check_entries(const CellWiseParameters &parameters,
     refuse_given({"Rhie-Chow", "Pressure update", "Pressure at boundaries"},
                  "this Formulation has no pressure among its unknowns");
   if (parameters.formulation != Formulation::velocity_pressure)
-    refuse_given({"Rhie-Chow", "Pressure corrections", "Pressure at boundaries as"},
-                 "only the formulation velocity-pressure has an equation for the pressure");
+    refuse_given(
+        {"Rhie-Chow", "Rhie-Chow in time", "Pressure corrections", "Pressure at boundaries as"},
+        "only the formulation velocity-pressure has an equation for the pressure");
   if (!parameters.is_segregated())
     refuse_given({"Tolerance", "Maximum corrections", "Pressure corrections", "At the cap",
                   "Residual history", "Pressure at boundaries as", "Velocity at boundaries as"},
@@ -68,6 +69,54 @@ void check_entries(const CellWiseParameters &parameters,
   if (steady)
     refuse_given({"Accumulated term", "Pressure update", "Power operator"},
                  "there are no steps in time in which it would play a part");
+}
+/// What the cell-wise path has of convection.
+void check_cell_wise_convection(const Problem &problem,
+                                const CellWiseParameters &parameters,
+                                ParameterSection root)
+{
+  ParameterSection section = root.subsection("Cell-wise");
+  if (!problem.convection.is_on)
+  {
+    if (section.given("Convective interpolation"))
+      section.refuse("Convective interpolation", "without convection no flux carries anything",
+                     "Remove it, or set Convection = navier stokes");
+    return;
+  }
+  if (parameters.formulation != Formulation::velocity_pressure)
+    section.refuse("Formulation",
+                   "convection needs the fluxes of the equation for the pressure, which only the "
+                   "formulation velocity-pressure has",
+                   "Set Formulation = velocity-pressure, or Convection = none");
+  if (parameters.pressure_update == PressureUpdate::trapezoidal)
+    section.refuse("Pressure update",
+                   "convection needs the rate of the pressure at the end of the step, which the "
+                   "trapezoidal update does not have (Variant = thesis sets it by itself)",
+                   "Set Variant = continua, or Pressure update = as the displacement");
+  if (parameters.power_operator != PowerOperator::scheme)
+    section.refuse("Power operator", "with convection the ledger has the scheme's own forces",
+                   "Set Power operator = scheme");
+  ParameterSection flow = root.subsection("Flow");
+  for (const char *const key : {"Convective term", "Convection stabilisation"})
+    if (flow.given(key))
+      flow.refuse(key,
+                  "the fluxes of the cell-wise path satisfy continuity themselves: skew and "
+                  "advective are the same there, and grad-div has nothing to do",
+                  "Remove the entry, or set Discretisation = taylor hood");
+  ParameterSection newton = root.subsection("Newton");
+  for (const char *const key :
+       {"Slow iteration", "Tangent products", "Krylov tolerance", "Most Krylov iterations"})
+    if (newton.given(key))
+      newton.refuse(key,
+                    "a slow iteration of the cell-wise path always makes a new factor, without "
+                    "GMRES",
+                    "Remove the entry, or set Discretisation = taylor hood");
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+    if (problem.materials[region].shear.flow_curve)
+      root.subsection("Materials")
+          .subsection(problem.regions[region])
+          .refuse("Type", "the cell-wise path has no viscosity that depends on the rate of shear",
+                  "Set Type = newtonian, or Discretisation = taylor hood");
 }
 } // namespace
 
@@ -79,18 +128,22 @@ void check_cell_wise(const Problem &problem,
   ParameterSection section = root.subsection("Cell-wise");
   check_materials(problem, parameters, root);
   check_entries(parameters, steady, section);
-  for (const BoundaryCondition &condition : problem.conditions)
-    if (condition.outlet)
-      root.subsection("Boundaries")
-          .subsection(condition.name)
-          .refuse("Type", "the cell-wise path has no outlets",
-                  "Give the boundary a pressure, or set Discretisation = taylor hood");
-
+  check_cell_wise_convection(problem, parameters, root);
   const Formulation formulation = parameters.formulation;
   if (formulation == Formulation::displacement &&
       parameters.accumulated_term == AccumulatedTerm::inconsistent)
     section.refuse("Accumulated term", "the displacement form accumulates no stress",
                    "Remove the entry, or choose another Formulation");
+  if (section.given("Rhie-Chow in time"))
+  {
+    bool some_fluid = false;
+    for (const Material &material : problem.materials)
+      some_fluid = some_fluid || material.shear.branches.empty();
+    if (!some_fluid || parameters.rhie_chow == RhieChow::none || steady)
+      section.refuse("Rhie-Chow in time",
+                     "there is no correction by the pressure of a fluid that could go on in time",
+                     "Remove the entry");
+  }
   const bool force_balance = parameters.boundary_pressure == BoundaryPressure::force_balance;
   if (force_balance && formulation == Formulation::velocity_pressure)
     section.refuse("Pressure at boundaries",

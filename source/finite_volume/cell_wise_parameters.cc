@@ -20,6 +20,7 @@ void CellWiseParameters::read(ParameterSection section)
   if (variant == CellWiseVariant::thesis)
   {
     rhie_chow = RhieChow::pressure;
+    rhie_chow_in_time = RhieChowInTime::made_anew;
     stencil_coefficient = StencilCoefficient::longitudinal;
     pressure_update = PressureUpdate::trapezoidal;
     boundary_pressure = BoundaryPressure::momentum;
@@ -49,6 +50,29 @@ void CellWiseParameters::read(ParameterSection section)
              "What the face fluxes are corrected by: the pressure's increment in solids and "
              "the pressure in fluids; the pressure everywhere, which makes a solid creep; "
              "nothing.");
+  add_choice(section, "Rhie-Chow in time", rhie_chow_in_time,
+             {{"momentum of faces", RhieChowInTime::momentum_of_faces},
+              {"made anew", RhieChowInTime::made_anew}},
+             "How the correction by the pressure goes on in time in a fluid: momentum of faces, "
+             "what the correction adds to the velocity of a face has a momentum of its own, and "
+             "the result has a limit as the time step falls; made anew in each step with the "
+             "inverse of the momentum diagonal, the thesis's way, which fades away with the time "
+             "step.");
+  add_choice(section, "Convective interpolation", convective_interpolation,
+             {{"central", ConvectiveInterpolation::central},
+              {"upwind", ConvectiveInterpolation::upwind},
+              {"blended", ConvectiveInterpolation::blended}},
+             "What a flux through a face carries, of a run with convection: central, the mean of "
+             "both cells; upwind, what the cell has that the flux comes from, which is of first "
+             "order; blended, Blending factor times central and the rest upwind.");
+  section.add("Blending factor", blending_factor, Dimensions::none,
+              "Share of central in Convective interpolation = blended.",
+              Range{0., 1., false, false});
+  if (convective_interpolation == ConvectiveInterpolation::blended)
+    section.require("Blending factor");
+  else if (section.given("Blending factor"))
+    section.refuse("Blending factor", "only Convective interpolation = blended makes use of it",
+                   "Remove it, or set Convective interpolation = blended");
   add_choice(section, "Stencil coefficient", stencil_coefficient,
              {{"automatic", StencilCoefficient::automatic},
               {"longitudinal", StencilCoefficient::longitudinal},

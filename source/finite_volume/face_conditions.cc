@@ -171,6 +171,17 @@ void FaceConditions<dim>::clear_prescribed(DistributedVector &vector) const
 }
 
 template <int dim>
+void FaceConditions<dim>::set_prescribed(const DistributedVector &prescribed,
+                                         DistributedVector &velocity) const
+{
+  clear_prescribed(velocity);
+  for (const Face &face : boundary_faces)
+    if (face.prescribed.norm_square() > 0.)
+      for (unsigned int c = 0; c < dim; ++c)
+        velocity.begin()[face.index + c] += prescribed.begin()[face.index + c];
+}
+
+template <int dim>
 void FaceConditions<dim>::prescribed_part(const DistributedVector &velocity,
                                           DistributedVector &part) const
 {

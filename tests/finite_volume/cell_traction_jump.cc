@@ -31,7 +31,7 @@ void test()
   {
     dealii::Vector<float> per_cell;
     traction_jump_indicators(body.space, body.problem, body.evaluation, conditions, body.state(),
-                             0., per_cell);
+                             std::vector<double>(body.problem.conditions.size(), 0.), 0., per_cell);
     return per_cell;
   };
 

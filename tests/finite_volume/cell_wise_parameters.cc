@@ -25,8 +25,8 @@ CellWiseParameters read(const std::string &entries)
 /// The entries that the variants differ by.
 auto scheme(const CellWiseParameters &p)
 {
-  return std::make_tuple(p.rhie_chow, p.stencil_coefficient, p.pressure_update, p.boundary_pressure,
-                         p.boundary_velocity_as);
+  return std::make_tuple(p.rhie_chow, p.rhie_chow_in_time, p.stencil_coefficient, p.pressure_update,
+                         p.boundary_pressure, p.boundary_velocity_as);
 }
 } // namespace
 
@@ -35,13 +35,13 @@ UNIT_TEST(cell_wise_parameters)
   const CellWiseParameters right = read("");
   check::is_true("by default",
                  scheme(right) ==
-                     std::make_tuple(RhieChow::increment, StencilCoefficient::automatic,
-                                     PressureUpdate::as_displacement, BoundaryPressure::definition,
-                                     BoundaryVelocityAs::automatic));
+                     std::make_tuple(RhieChow::increment, RhieChowInTime::momentum_of_faces,
+                                     StencilCoefficient::automatic, PressureUpdate::as_displacement,
+                                     BoundaryPressure::definition, BoundaryVelocityAs::automatic));
   check::is_true("coupled", !right.is_segregated());
-  auto thesis = std::make_tuple(RhieChow::pressure, StencilCoefficient::longitudinal,
-                                PressureUpdate::trapezoidal, BoundaryPressure::momentum,
-                                BoundaryVelocityAs::gradient);
+  auto thesis = std::make_tuple(RhieChow::pressure, RhieChowInTime::made_anew,
+                                StencilCoefficient::longitudinal, PressureUpdate::trapezoidal,
+                                BoundaryPressure::momentum, BoundaryVelocityAs::gradient);
   check::is_true("thesis", scheme(read("set Variant = thesis\n")) == thesis);
   std::get<RhieChow>(thesis) = RhieChow::none;
   check::is_true("thesis but for one",

@@ -163,8 +163,16 @@ public:
   {
     return {};
   }
+  /// Adds what the left side of the mass equation has of the pressure besides C p, whose rows may
+  /// be others than those of a volume [m^3/s].
+  virtual void add_flux_correction(const DistributedVector & /*pressure*/,
+                                   DistributedVector & /*mass*/)
+  {
+  }
   /// Makes the system of solve() the tangent at this state. Throws RunError.
   virtual void linearise(const BalancedStep &) {}
+  /// Whether there are products with the derivative of the terms, for GMRES.
+  virtual bool has_derivative_products() const { return false; }
   /// Keeps the derivative of the terms at this state, beside the system of solve().
   virtual void keep_derivative(const BalancedStep &) {}
   /// Adds the kept derivative's product with changes of velocity [m/s] and pressure [Pa] to rows of
@@ -176,7 +184,8 @@ public:
                                       DistributedVector & /*mass*/)
   {
   }
-  /// Sets rows of residuals that are no equations to zero: prescribed velocities, hanging nodes.
+  /// Sets rows of residuals that are no equations of momentum or volume to zero: prescribed
+  /// velocities, hanging nodes, what each solve meets exactly.
   virtual void restrict_residuals(DistributedVector &, DistributedVector &) const {}
   /// Where the largest entry of restricted residuals is, or the first one that is no number, for a
   /// message: "in the region 'liquid' near (0.1, 0.2) m".
@@ -213,6 +222,12 @@ public:
   /// result += A U and result += B U of the present system, whatever is prescribed.
   virtual void add_velocity_product(const DistributedVector &velocity, DistributedVector &result);
   virtual void add_divergence(const DistributedVector &velocity, DistributedVector &result);
+  /// What the motion `profile` of prescribed velocities feels of the body: its power with A U + G p
+  /// is of_velocity . U - of_pressure . p, whatever is prescribed. By itself A profile and B
+  /// profile, as in a symmetric system.
+  virtual void set_reaction(const DistributedVector &profile,
+                            DistributedVector &of_velocity,
+                            DistributedVector &of_pressure);
 
   // Change of the mesh, and sizes.
   /// Call when cells are flagged and before the triangulation changes.
@@ -228,8 +243,8 @@ public:
   virtual void visit(StateVisitor &) {}
   /// The step as the discretisation makes it; called before each step.
   virtual Step own_step(const Step &step) { return step; }
-  /// A step has ended.
-  virtual void finish_step(const Step &, const State &) {}
+  /// A step has ended, whose equations held for what is balanced.
+  virtual void finish_step(const BalancedStep &, const State &) {}
   /// The state of t = 0 was set. (Not after a checkpoint is loaded or the mesh has changed: what is
   /// needed then is part of the state.)
   virtual void start_from(const State &) {}
@@ -248,7 +263,8 @@ public:
   }
   /// Whether the mass equation has corrections of fluxes, which act on p - p_plus.
   virtual bool corrects_fluxes() const { return false; }
-  /// Adds their part of p_plus to g [m^3/s]; `p_plus` is the pressure that the past predicts [Pa].
+  /// Adds what is known of them beforehand to g [m^3/s]; `p_plus` is the pressure that the past
+  /// predicts [Pa].
   virtual void add_past_flux_correction(const DistributedVector & /*p_plus*/,
                                         DistributedVector & /*mass*/)
   {

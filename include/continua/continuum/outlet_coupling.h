@@ -86,6 +86,10 @@ public:
   /// The ports' pressures at the present time with the velocity there, by condition; 0 of
   /// conditions that are no port [Pa].
   std::vector<double> present_pressures(double time, const DistributedVector &velocity) const;
+  /// Adds the forces of these pressures at ports whose traction is given [N].
+  void add_present_forces(double time,
+                          const DistributedVector &velocity,
+                          DistributedVector &forces) const;
   /// Whether the pressure behind an outlet jumps between the two times [s].
   bool jumps(double begin, double end) const;
 

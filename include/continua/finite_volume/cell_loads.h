@@ -22,6 +22,10 @@ public:
   {
   }
 
+  /// Area times normal at the faces of a condition: the flow rate out of the body that each
+  /// velocity stands for [m^2].
+  DistributedVector flow_of_velocities(unsigned int condition) const;
+
 private:
   using Item = LoadList::Item;
   using LoadList::problem;

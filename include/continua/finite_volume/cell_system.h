@@ -37,6 +37,7 @@ struct CellCoefficients
  * On boundary faces the equations in prescribed directions are U = prescribed, scaled. R is Rhie
  * and Chow's correction of the flux through a face inside a region, area tau (compact - wide normal
  * gradient), tau = 1/a_P of the momentum equation (R_p), or h^2/4 times increment_mobility (R_i).
+ * Where the region has ExcessVelocity, 1/tau is a0 rho plus the mean of the cells' viscous part.
  * There is none through the face between two materials, where the pressure is broken.
  */
 template <int dim>
@@ -63,6 +64,10 @@ public:
                 const DistributedVector &pressure,
                 DistributedVector &momentum,
                 DistributedVector &mass) const;
+  /// target += (a0 rho V + alpha S) U, and the same with the transposed matrix.
+  void add_velocity_product(const DistributedVector &velocity, DistributedVector &target) const;
+  void add_transposed_velocity_product(const DistributedVector &velocity,
+                                       DistributedVector &target) const;
   /// target += R_p p and target += R_i p.
   void add_pressure_correction(double factor,
                                const DistributedVector &pressure,
@@ -70,12 +75,30 @@ public:
   void add_increment_correction(double factor,
                                 const DistributedVector &pressure,
                                 DistributedVector &target) const;
+  /// tau of Rhie and Chow's correction of the flux through a face inside a region [m^3 s/kg]; 0
+  /// where there is no correction of p itself.
+  double flux_mobility(unsigned int face) const;
+  /// Compact minus wide normal gradient of p there [1/m].
+  Stencil<double> pressure_difference(unsigned int face) const;
+  /// Whether what the correction lets through the faces of a region has a momentum of its own: that
+  /// of fluids, unless it is made anew in each step.
+  bool has_excess_velocity(unsigned int region) const;
   /// Puts prescribed velocities (in their directions) into right sides: rows f -> scale *
   /// prescribed.
   void set_prescribed(const DistributedVector &prescribed, DistributedVector &momentum) const;
   /// The factor of the prescribed directions' equations at a face.
   double scale(const typename FaceConditions<dim>::Face &face) const;
 
+  /// Adds a value to a local row and a global column.
+  using AddEntry = std::function<void(unsigned int, int, double)>;
+  /// Further entries of the rows of momentum and of mass, in the numbers of for_entries().
+  using Tangent = std::function<void(const AddEntry &momentum_row, const AddEntry &mass_row)>;
+  /// What makes for_entries() those of a tangent; empty: of the linear equations above.
+  void set_tangent(const Tangent &entries) { tangent = entries; }
+  bool has_tangent() const { return static_cast<bool>(tangent); }
+
+  /// Adds -R_p p - R_i p and the rows of faces' pressures.
+  void add_flux_correction(const DistributedVector &pressure, DistributedVector &mass) const;
   /// Calls function(global row, global column, value) for every entry of this rank's rows, the
   /// prescribed directions' equations in place; pressures' numbers follow those of the velocities
   /// (n_velocities()). Entries that occur twice add.
@@ -99,12 +122,13 @@ public:
   const CellWiseParameters &parameters;
 
 private:
+  Tangent tangent;
   CellCoefficients present;
   bool is_prepared = false;
   Matrix correction, increment;
   bool has_correction = false, has_increment_correction = false;
   std::vector<double> diffusion; ///< sum of area/d over a cell's faces over its volume [1/m^2]
-  std::vector<double> diagonal;
+  std::vector<double> diagonal, viscous_diagonal; ///< the second without inertia
   mutable DistributedVector velocity_work, pressure_work;
 
   void measure_diffusion();

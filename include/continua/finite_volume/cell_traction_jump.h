@@ -6,6 +6,8 @@
 
 #include <deal.II/lac/vector.h>
 
+#include <vector>
+
 namespace Continua
 {
 /**
@@ -13,7 +15,8 @@ namespace Continua
  * and across the interface alike, and on a boundary its difference to the prescribed traction:
  * eta^2 = sum_F h_F |F| |jump|^2 (half of it on interior faces), h_F the extent of the face. The
  * tractions are those of the cells' own gradients: what a face's value makes of them balances
- * exactly. Sets `per_cell` of the owned cells to eta [N/m^(1/2) in 2-D, N in 3-D].
+ * exactly. `outlet_pressures`: at outlets, by condition [Pa]. Sets `per_cell` of the owned cells to
+ * eta [N/m^(1/2) in 2-D, N in 3-D].
  */
 template <int dim>
 void traction_jump_indicators(const CellSpace<dim> &space,
@@ -21,6 +24,7 @@ void traction_jump_indicators(const CellSpace<dim> &space,
                               const CellEvaluation<dim> &evaluation,
                               const FaceConditions<dim> &conditions,
                               const State &state,
+                              const std::vector<double> &outlet_pressures,
                               double time,
                               dealii::Vector<float> &per_cell);
 } // namespace Continua

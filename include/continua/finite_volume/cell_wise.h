@@ -4,6 +4,7 @@
 #include <continua/base/log.h>
 #include <continua/continuum/discretisation.h>
 #include <continua/continuum/problem.h>
+#include <continua/finite_volume/cell_convection.h>
 #include <continua/finite_volume/cell_evaluation.h>
 #include <continua/finite_volume/cell_loads.h>
 #include <continua/finite_volume/cell_output.h>
@@ -11,6 +12,7 @@
 #include <continua/finite_volume/cell_transfer.h>
 #include <continua/finite_volume/displacement_levels.h>
 #include <continua/finite_volume/displacement_step.h>
+#include <continua/finite_volume/excess_velocity.h>
 #include <continua/finite_volume/loaded_faces.h>
 
 #include <memory>
@@ -96,6 +98,55 @@ public:
              DistributedVector &pressure,
              StepReport &report) override;
 
+  bool is_nonlinear() const override { return problem.convection.is_on; }
+  void add_nonlinear_terms(const BalancedStep &state,
+                           DistributedVector &momentum,
+                           DistributedVector &mass) override
+  {
+    convection.add(state, momentum, mass);
+  }
+  void set_nonlinear_forces(unsigned int region,
+                            const BalancedStep &state,
+                            NonlinearForces &forces) override
+  {
+    convection.set_forces_of(region, state, forces);
+  }
+  bool is_nonlinear_in(unsigned int region) const override;
+  NonlinearEnergy nonlinear_energy(unsigned int region,
+                                   const DistributedVector &velocity,
+                                   const DistributedVector &pressure) override
+  {
+    return convection.energy_of(region, velocity, pressure);
+  }
+  void add_flux_correction(const DistributedVector &pressure, DistributedVector &mass) override
+  {
+    system.add_flux_correction(pressure, mass);
+  }
+  void linearise(const BalancedStep &state) override;
+  /// The equations of faces' pressures that have no volume are linear: each solve meets them.
+  void restrict_residuals(DistributedVector &momentum, DistributedVector &mass) const override;
+  ResidualScales residual_scales(const DistributedVector &velocity,
+                                 const DistributedVector &pressure) const override;
+  void set_prescribed(const DistributedVector &prescribed,
+                      DistributedVector &velocity) const override;
+  std::string place_of_largest(const DistributedVector &momentum,
+                               const DistributedVector &mass,
+                               bool of_momentum) const override;
+
+  DistributedVector flow_of_velocities(unsigned int condition) const override
+  {
+    return load_list.flow_of_velocities(condition);
+  }
+  DistributedVector flow_profile(unsigned int condition) const override;
+  void add_velocity_product(const DistributedVector &velocity, DistributedVector &result) override
+  {
+    system.add_velocity_product(velocity, result);
+  }
+  void add_divergence(const DistributedVector &velocity, DistributedVector &result) override;
+  void set_reaction(const DistributedVector &profile,
+                    DistributedVector &of_velocity,
+                    DistributedVector &of_pressure) override;
+
   void prepare_transfer(const std::vector<DistributedVector *> &velocities,
                         const std::vector<DistributedVector *> &pressures) override;
   void finish_transfer(const std::vector<DistributedVector *> &velocities,
@@ -105,7 +156,7 @@ public:
   void visit(StateVisitor &visitor) override;
   /// With the pressure's own update, where one is asked for.
   Step own_step(const Step &step) override;
-  void finish_step(const Step &step, const State &state) override;
+  void finish_step(const BalancedStep &balanced, const State &state) override;
   void start_from(const State &state) override { set_dilatation_rate(state); }
   void multiply_past_stiffness(unsigned int region,
                                DistributedVector &force,
@@ -171,6 +222,12 @@ private:
   CellEvaluation<dim> evaluation;
   CellOutput<dim> output;
   CellTransfer<dim> cell_transfer;
+  ExcessVelocity<dim> excess_velocity;
+  CellConvection<dim> convection;
+  double divergence_norm = 0., gradient_norm = 0.; ///< of B and G
+  /// The least viscosity over distance of a face whose traction is given [Pa s/m].
+  double face_resistance = 0.;
+  Step present_step;             ///< the one that is being made
   double smallest_distance = 0.; ///< between two cells, or from a cell to a boundary face [m]
   bool undamped_is_reported = false;
 

@@ -43,6 +43,21 @@ enum class RhieChow
   none
 };
 
+/// How the correction by the pressure itself goes on in time in a fluid.
+enum class RhieChowInTime
+{
+  momentum_of_faces, ///< the faces' excess velocity has a momentum: ExcessVelocity
+  made_anew          ///< in each step, with 1/a_P
+};
+
+/// How the velocity that a flux through a face carries is found (equations 3.2 to 3.5).
+enum class ConvectiveInterpolation
+{
+  central, ///< between the two cells
+  upwind,  ///< that of the cell that the flux comes from
+  blended  ///< of both
+};
+
 /// The modulus of the compact part of the traction.
 enum class StencilCoefficient
 {
@@ -118,6 +133,9 @@ struct CellWiseParameters
   CellWiseSolution solution = CellWiseSolution::coupled;
   AccumulatedTerm accumulated_term = AccumulatedTerm::consistent;
   RhieChow rhie_chow = RhieChow::increment;
+  RhieChowInTime rhie_chow_in_time = RhieChowInTime::momentum_of_faces;
+  ConvectiveInterpolation convective_interpolation = ConvectiveInterpolation::central;
+  double blending_factor = 1.; ///< gamma: 1 central, 0 upwind
   StencilCoefficient stencil_coefficient = StencilCoefficient::automatic;
   PressureUpdate pressure_update = PressureUpdate::as_displacement;
   BoundaryPressure boundary_pressure = BoundaryPressure::definition;
@@ -139,6 +157,12 @@ struct CellWiseParameters
   {
     return formulation == Formulation::velocity_pressure ||
            formulation == Formulation::velocity_explicit_pressure;
+  }
+  double share_of_central() const
+  {
+    return convective_interpolation == ConvectiveInterpolation::central  ? 1.
+           : convective_interpolation == ConvectiveInterpolation::upwind ? 0.
+                                                                         : blending_factor;
   }
   /// Whether the segregated loop solves the faces' own equations face by face.
   bool faces_balance() const

@@ -47,6 +47,8 @@ public:
   bool is_homogeneous() const { return homogeneous; }
   /// Sets the prescribed directions of a vector of equations to zero.
   void clear_prescribed(DistributedVector &vector) const;
+  /// Gives a velocity what is prescribed, in its directions.
+  void set_prescribed(const DistributedVector &prescribed, DistributedVector &velocity) const;
   /// The prescribed directions of a velocity, other entries zero.
   void prescribed_part(const DistributedVector &velocity, DistributedVector &part) const;
   /// The traction that is prescribed on a face, in the other directions [Pa].

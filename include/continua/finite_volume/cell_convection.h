@@ -1,0 +1,103 @@
+#ifndef continua_finite_volume_cell_convection_h
+#define continua_finite_volume_cell_convection_h
+
+#include <continua/continuum/balanced_step.h>
+#include <continua/continuum/nonlinear_terms.h>
+#include <continua/finite_volume/excess_velocity.h>
+
+#include <vector>
+
+namespace Continua
+{
+/**
+ * What convection and a density that follows the pressure add to the equations of the cells of
+ * liquids beside the linear terms:
+ *
+ *   (rho - rho0) V dU/dt + sum_f phi_f (U_f - U_P)                       (momentum of a cell P)
+ *   (c - 1/K) V dp/dt + sum_f A_f u_f (rho_f/rho_P - 1)                  (volume)
+ *   -1/2 rho A min(U.n, 0) U                    (balance of an open end that has the total
+ * pressure)
+ *
+ * phi_f = A_f rho_f u_f is the mass flux out of the cell, u_f the normal velocity whose sum is the
+ * cell's change of volume: that of the faces with the correction of Rhie and Chow. The sum of the
+ * volume's equation is then the thesis's continuity, rho_P c dp/dt V + sum phi_f = 0, and what the
+ * fluxes carry of momentum is conserved. U_f and the pressure that rho_f belongs to are
+ * interpolated as the parameters ask for (equations 3.2 to 3.5). Since continuity holds for the
+ * same fluxes, the skew form and the advective form of momentum are the same: with central
+ * interpolation on a uniform mesh the power of the fluxes is d/dt int rho/2 U^2 + its flux through
+ * the boundary.
+ */
+template <int dim>
+class CellConvection
+{
+public:
+  /// All must outlive it.
+  CellConvection(const CellSystem<dim> &system,
+                 const ExcessVelocity<dim> &excess_velocity,
+                 const LinearReconstruction<dim> &reconstruction);
+
+  /// The mesh has changed.
+  void reinit();
+  /// Adds the terms to the rows of momentum [N] and of volume [m^3/s]. Collective. Throws
+  /// StepFailure where the exponent leaves a bulk modulus that is not positive.
+  void add(const BalancedStep &state, DistributedVector &momentum, DistributedVector &volume);
+  /// The terms of momentum of one region alone, by kind [N].
+  void set_forces_of(unsigned int region, const BalancedStep &state, NonlinearForces &forces);
+  /// This rank's part of the energies of one region, with the density that follows the pressure.
+  NonlinearEnergy energy_of(unsigned int region,
+                            const DistributedVector &velocity,
+                            const DistributedVector &pressure) const;
+  /// Adds the derivative by U and p, with acceleration and rate of p following as the step has
+  /// them, to the rows of momentum and of volume. Collective.
+  void add_derivative(const BalancedStep &state,
+                      const typename CellSystem<dim>::AddEntry &momentum_row,
+                      const typename CellSystem<dim>::AddEntry &volume_row);
+
+private:
+  /// A face inside a region of liquid, or one side of a face that has a value of its own.
+  struct Face
+  {
+    unsigned int face = 0; ///< of the mesh
+    unsigned int first_side = 0, end_side = 0;
+    unsigned int region = 0;
+    Stencil<double> velocity, pressure; ///< of its central values
+    Stencil<double> difference;         ///< compact minus wide normal gradient of p; may be empty
+    /// Local row of the balance of an open end with the total pressure, or none.
+    unsigned int inflow_row = VolumeFace<dim>::none;
+    double weight = 0.; ///< of that balance [m^2]
+  };
+  /// The state on a face.
+  struct Flow
+  {
+    double normal_velocity = 0.;  ///< along the face's normal, with Rhie and Chow's part [m/s]
+    double mobility = 0.;         ///< tau of that part
+    dealii::Tensor<1, dim> value; ///< U_f
+    double density = 0.;          ///< rho_f
+    double density_slope = 0.;    ///< d rho_f / dp_f
+    Stencil<double> velocity, pressure; ///< of U_f and p_f
+  };
+
+  const CellSystem<dim> &system;
+  const ExcessVelocity<dim> &excess_velocity;
+  const LinearReconstruction<dim> &reconstruction;
+  std::vector<Face> faces;
+  DistributedVector velocity, pressure; ///< the state with the values of other ranks
+
+  bool has_terms(unsigned int region) const;
+  void take(const BalancedStep &state);
+  void add_face(unsigned int face, unsigned int first_side, unsigned int end_side);
+  Flow flow(const Face &face) const;
+  dealii::Tensor<1, dim> velocity_of(unsigned int cell) const;
+  double pressure_of(unsigned int cell) const;
+  /// The part of the face in the momentum of the owned cells beside it, and in their volume.
+  void add_fluxes(const Face &face,
+                  const Flow &flow,
+                  DistributedVector &momentum,
+                  DistributedVector *volume) const;
+  void add_inflow(const Face &face, const Flow &flow, DistributedVector &momentum) const;
+  void add_inertia(unsigned int cell, const BalancedStep &state, DistributedVector &momentum) const;
+  void refuse_softness() const;
+};
+} // namespace Continua
+
+#endif

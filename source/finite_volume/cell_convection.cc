@@ -1,0 +1,404 @@
+#include <continua/finite_volume/cell_convection.h>
+
+#include <continua/base/input_error.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace Continua
+{
+using namespace dealii;
+
+template <int dim>
+CellConvection<dim>::CellConvection(const CellSystem<dim> &system,
+                                    const ExcessVelocity<dim> &excess_velocity,
+                                    const LinearReconstruction<dim> &reconstruction)
+    : system(system), excess_velocity(excess_velocity), reconstruction(reconstruction)
+{
+}
+
+template <int dim>
+bool CellConvection<dim>::has_terms(const unsigned int region) const
+{
+  return system.problem.materials[region].phase() < 1.;
+}
+
+template <int dim>
+void CellConvection<dim>::reinit()
+{
+  faces.clear();
+  const CellMesh<dim> &mesh = system.space.mesh;
+  for (unsigned int f = 0; f < mesh.faces().size(); ++f)
+  {
+    const VolumeFace<dim> &surface = mesh.faces()[f];
+    if (!surface.has_value())
+      add_face(f, 0, 2);
+    else
+      for (unsigned int side = 0; side < surface.n_sides(); ++side)
+        add_face(f, side, side + 1);
+  }
+}
+
+template <int dim>
+void CellConvection<dim>::add_face(const unsigned int number,
+                                   const unsigned int first_side,
+                                   const unsigned int end_side)
+{
+  const CellSpace<dim> &space = system.space;
+  const VolumeFace<dim> &surface = space.mesh.faces()[number];
+  const FiniteVolume<dim> &cell = space.mesh.cells()[surface.cell(first_side)];
+  Face face;
+  face.region = cell.material_id;
+  if (!has_terms(face.region) || (surface.has_value() && !cell.is_owned))
+    return;
+  face.face = number;
+  face.first_side = first_side;
+  face.end_side = end_side;
+  face.velocity = space.velocity_gradient.face_value(number, first_side);
+  face.pressure = space.pressure_gradient.face_value(number, first_side);
+  if (!surface.has_value())
+    face.difference = system.pressure_difference(number);
+  if (surface.at_boundary())
+  {
+    const auto &on_boundary = system.conditions.of_face(number);
+    const BoundaryCondition &condition = system.problem.conditions[on_boundary.condition];
+    if (condition.inflow_pressure == InflowPressure::total &&
+        condition.normal.kind == BoundaryPart::Kind::traction)
+    {
+      face.inflow_row = on_boundary.index;
+      face.weight = on_boundary.weight;
+    }
+  }
+  faces.push_back(face);
+}
+
+template <int dim>
+void CellConvection<dim>::take(const BalancedStep &state)
+{
+  velocity = reconstruction.ghosted_velocity(state.velocity);
+  pressure = reconstruction.ghosted_pressure(state.pressure);
+}
+
+template <int dim>
+Tensor<1, dim> CellConvection<dim>::velocity_of(const unsigned int cell) const
+{
+  Tensor<1, dim> value;
+  for (unsigned int c = 0; c < dim; ++c)
+    value[c] = velocity(dim * system.space.velocities.of_cell(cell) + c);
+  return value;
+}
+
+template <int dim>
+double CellConvection<dim>::pressure_of(const unsigned int cell) const
+{
+  return pressure(system.space.pressures.of_cell(cell));
+}
+
+template <int dim>
+typename CellConvection<dim>::Flow CellConvection<dim>::flow(const Face &face) const
+{
+  using Reconstruction = LinearReconstruction<dim>;
+  const CellSpace<dim> &space = system.space;
+  const VolumeFace<dim> &surface = space.mesh.faces()[face.face];
+  Flow flow;
+  flow.normal_velocity = Reconstruction::vector_value(face.velocity, velocity) * surface.normal;
+  if (!surface.has_value())
+  {
+    flow.mobility = system.flux_mobility(face.face);
+    if (flow.mobility > 0.)
+      flow.normal_velocity -= flow.mobility * (Reconstruction::value(face.difference, pressure) +
+                                               excess_velocity.past(face.face));
+  }
+  // Central, blended with what comes from upstream; a face's own value is that of both.
+  const double central = surface.has_value() ? 1. : system.parameters.share_of_central();
+  flow.velocity.add(central, face.velocity);
+  flow.pressure.add(central, face.pressure);
+  if (central < 1.)
+  {
+    const unsigned int upstream = flow.normal_velocity >= 0. ? surface.owner : surface.neighbour;
+    flow.velocity.add(space.velocities.of_cell(upstream), 1. - central);
+    flow.pressure.add(space.pressures.of_cell(upstream), 1. - central);
+  }
+  flow.value = Reconstruction::vector_value(flow.velocity, velocity);
+  const Material &material = system.problem.materials[face.region];
+  const VolumeLaw law = material.volume_law();
+  const double at = Reconstruction::value(flow.pressure, pressure);
+  flow.density = material.density * law.density_ratio(at);
+  flow.density_slope = flow.density * law.compressibility(at);
+  return flow;
+}
+
+template <int dim>
+void CellConvection<dim>::add_fluxes(const Face &face,
+                                     const Flow &flow,
+                                     DistributedVector &momentum,
+                                     DistributedVector *const volume) const
+{
+  const CellSpace<dim> &space = system.space;
+  const VolumeFace<dim> &surface = space.mesh.faces()[face.face];
+  const Material &material = system.problem.materials[face.region];
+  for (unsigned int side = face.first_side; side < face.end_side; ++side)
+  {
+    const unsigned int cell = surface.cell(side);
+    if (!space.mesh.cells()[cell].is_owned)
+      continue;
+    const double leaving = (side == 0 ? 1. : -1.) * surface.area * flow.normal_velocity;
+    const Tensor<1, dim> change = leaving * flow.density * (flow.value - velocity_of(cell));
+    const unsigned int row = space.local_velocity(space.velocities.of_cell(cell));
+    for (unsigned int c = 0; c < dim; ++c)
+      momentum.begin()[row + c] += change[c];
+    if (volume != nullptr)
+      volume->begin()[space.local_pressure(space.pressures.of_cell(cell))] +=
+          leaving * (flow.density / (material.density *
+                                     material.volume_law().density_ratio(pressure_of(cell))) -
+                     1.);
+  }
+}
+
+template <int dim>
+void CellConvection<dim>::add_inflow(const Face &face,
+                                     const Flow &flow,
+                                     DistributedVector &momentum) const
+{
+  if (face.inflow_row == VolumeFace<dim>::none)
+    return;
+  const double inflow = std::min(flow.normal_velocity, 0.);
+  for (unsigned int c = 0; c < dim; ++c)
+    momentum.begin()[face.inflow_row + c] -=
+        0.5 * face.weight * flow.density * inflow * flow.value[c];
+}
+
+template <int dim>
+void CellConvection<dim>::add_inertia(const unsigned int cell,
+                                      const BalancedStep &state,
+                                      DistributedVector &momentum) const
+{
+  const FiniteVolume<dim> &volume = system.space.mesh.cells()[cell];
+  const Material &material = system.problem.materials[volume.material_id];
+  const unsigned int row = system.space.local_velocity(system.space.velocities.of_cell(cell));
+  const double mass = volume.volume * material.density *
+                      (material.volume_law().density_ratio(pressure_of(cell)) - 1.);
+  for (unsigned int c = 0; c < dim; ++c)
+    momentum.begin()[row + c] += mass * state.acceleration.begin()[row + c];
+}
+
+template <int dim>
+void CellConvection<dim>::refuse_softness() const
+{
+  const std::vector<Material> &materials = system.problem.materials;
+  std::vector<double> stiffening(materials.size(), 1.);
+  for (unsigned int cell = 0; cell < system.space.mesh.n_owned_cells(); ++cell)
+  {
+    const unsigned int region = system.space.mesh.cells()[cell].material_id;
+    if (has_terms(region))
+    {
+      const double here = materials[region].volume_law().stiffening(pressure_of(cell));
+      if (!(here >= stiffening[region]))
+        stiffening[region] = here;
+    }
+  }
+  Utilities::MPI::min(stiffening, system.space.communicator, stiffening);
+  for (unsigned int region = 0; region < materials.size(); ++region)
+    if (!(stiffening[region] > 0.))
+    {
+      const VolumeLaw law = materials[region].volume_law();
+      std::ostringstream text;
+      text << "the pressure in the region '" << system.problem.regions[region]
+           << "' is so low that its bulk modulus K + n (p - p0) is not positive: K/n is "
+           << 1. / (law.inverse_bulk_modulus * law.exponent)
+           << " Pa; use smaller loads, or Volume exponent = 0";
+      throw StepFailure(text.str());
+    }
+}
+
+template <int dim>
+void CellConvection<dim>::add(const BalancedStep &state,
+                              DistributedVector &momentum,
+                              DistributedVector &volume)
+{
+  take(state);
+  refuse_softness();
+  for (const Face &face : faces)
+  {
+    const Flow on_face = flow(face);
+    add_fluxes(face, on_face, momentum, &volume);
+    add_inflow(face, on_face, momentum);
+  }
+  const CellSpace<dim> &space = system.space;
+  for (unsigned int cell = 0; cell < space.mesh.n_owned_cells(); ++cell)
+  {
+    const FiniteVolume<dim> &here = space.mesh.cells()[cell];
+    if (!has_terms(here.material_id))
+      continue;
+    add_inertia(cell, state, momentum);
+    const VolumeLaw law = system.problem.materials[here.material_id].volume_law();
+    const unsigned int row = space.local_pressure(space.pressures.of_cell(cell));
+    volume.begin()[row] += here.volume *
+                           (law.compressibility(pressure_of(cell)) - law.inverse_bulk_modulus) *
+                           state.pressure_rate.begin()[row];
+  }
+}
+
+template <int dim>
+void CellConvection<dim>::set_forces_of(const unsigned int region,
+                                        const BalancedStep &state,
+                                        NonlinearForces &forces)
+{
+  for (DistributedVector *const force : {&forces.inertia, &forces.convection, &forces.stabilisation,
+                                         &forces.viscosity, &forces.inflow})
+    *force = 0.;
+  if (!has_terms(region))
+    return;
+  take(state);
+  for (const Face &face : faces)
+    if (face.region == region)
+    {
+      const Flow on_face = flow(face);
+      add_fluxes(face, on_face, forces.convection, nullptr);
+      add_inflow(face, on_face, forces.inflow);
+    }
+  for (unsigned int cell = 0; cell < system.space.mesh.n_owned_cells(); ++cell)
+    if (system.space.mesh.cells()[cell].material_id == region)
+      add_inertia(cell, state, forces.inertia);
+}
+
+template <int dim>
+NonlinearEnergy CellConvection<dim>::energy_of(const unsigned int region,
+                                               const DistributedVector &of_velocity,
+                                               const DistributedVector &of_pressure) const
+{
+  NonlinearEnergy energy;
+  const CellSpace<dim> &space = system.space;
+  const Material &material = system.problem.materials[region];
+  const VolumeLaw law = material.volume_law();
+  for (unsigned int cell = 0; cell < space.mesh.n_owned_cells(); ++cell)
+  {
+    const FiniteVolume<dim> &volume = space.mesh.cells()[cell];
+    if (volume.material_id != region)
+      continue;
+    const double *const u =
+        of_velocity.begin() + space.local_velocity(space.velocities.of_cell(cell));
+    const double p = of_pressure.begin()[space.local_pressure(space.pressures.of_cell(cell))];
+    double square = 0.;
+    for (unsigned int c = 0; c < dim; ++c)
+      square += u[c] * u[c];
+    energy.kinetic += 0.5 * volume.volume * material.density * law.density_ratio(p) * square;
+    energy.compressive += volume.volume * law.energy(p);
+  }
+  return energy;
+}
+
+template <int dim>
+void CellConvection<dim>::add_derivative(const BalancedStep &state,
+                                         const typename CellSystem<dim>::AddEntry &momentum_row,
+                                         const typename CellSystem<dim>::AddEntry &volume_row)
+{
+  take(state);
+  const CellSpace<dim> &space = system.space;
+  const auto velocity_column = [&](const unsigned int value, const unsigned int c)
+  { return static_cast<int>(dim * value + c); };
+  const auto pressure_column = [&](const unsigned int value)
+  { return static_cast<int>(system.n_velocities() + value); };
+
+  for (const Face &face : faces)
+  {
+    const Flow on_face = flow(face);
+    const VolumeFace<dim> &surface = space.mesh.faces()[face.face];
+    const Material &material = system.problem.materials[face.region];
+    const VolumeLaw law = material.volume_law();
+    // Adds factor times the derivative of the normal velocity to a row.
+    const auto add_normal_velocity = [&](const typename CellSystem<dim>::AddEntry &add,
+                                         const unsigned int row, const double factor)
+    {
+      for (const auto &[value, coefficient] : face.velocity)
+        for (unsigned int d = 0; d < dim; ++d)
+          if (surface.normal[d] != 0.)
+            add(row, velocity_column(value, d), factor * coefficient * surface.normal[d]);
+      if (on_face.mobility > 0.)
+        for (const auto &[value, coefficient] : face.difference)
+          add(row, pressure_column(value), -factor * on_face.mobility * coefficient);
+    };
+    for (unsigned int side = face.first_side; side < face.end_side; ++side)
+    {
+      const unsigned int cell = surface.cell(side);
+      if (!space.mesh.cells()[cell].is_owned)
+        continue;
+      const double area = (side == 0 ? 1. : -1.) * surface.area;
+      const double leaving = area * on_face.normal_velocity;
+      const Tensor<1, dim> jump = on_face.value - velocity_of(cell);
+      const unsigned int value_of_cell = space.velocities.of_cell(cell);
+      const unsigned int row = space.local_velocity(value_of_cell);
+      for (unsigned int c = 0; c < dim; ++c)
+      {
+        add_normal_velocity(momentum_row, row + c, area * on_face.density * jump[c]);
+        for (const auto &[value, coefficient] : on_face.velocity)
+          momentum_row(row + c, velocity_column(value, c), leaving * on_face.density * coefficient);
+        momentum_row(row + c, velocity_column(value_of_cell, c), -leaving * on_face.density);
+        if (on_face.density_slope != 0.)
+          for (const auto &[value, coefficient] : on_face.pressure)
+            momentum_row(row + c, pressure_column(value),
+                         leaving * on_face.density_slope * jump[c] * coefficient);
+      }
+      if (law.inverse_bulk_modulus == 0.)
+        continue;
+      const double at = pressure_of(cell);
+      const double ratio = on_face.density / (material.density * law.density_ratio(at));
+      const unsigned int value_of_pressure = space.pressures.of_cell(cell);
+      const unsigned int volume = space.local_pressure(value_of_pressure);
+      add_normal_velocity(volume_row, volume, area * (ratio - 1.));
+      for (const auto &[value, coefficient] : on_face.pressure)
+        volume_row(volume, pressure_column(value),
+                   leaving * ratio * on_face.density_slope / on_face.density * coefficient);
+      volume_row(volume, pressure_column(value_of_pressure),
+                 -leaving * ratio * law.compressibility(at));
+    }
+    if (face.inflow_row == VolumeFace<dim>::none || on_face.normal_velocity >= 0.)
+      continue;
+    const double half = -0.5 * face.weight;
+    for (unsigned int c = 0; c < dim; ++c)
+    {
+      const unsigned int row = face.inflow_row + c;
+      add_normal_velocity(momentum_row, row, half * on_face.density * on_face.value[c]);
+      for (const auto &[value, coefficient] : on_face.velocity)
+        momentum_row(row, velocity_column(value, c),
+                     half * on_face.density * on_face.normal_velocity * coefficient);
+      for (const auto &[value, coefficient] : on_face.pressure)
+        momentum_row(row, pressure_column(value),
+                     half * on_face.density_slope * on_face.normal_velocity * on_face.value[c] *
+                         coefficient);
+    }
+  }
+
+  for (unsigned int cell = 0; cell < space.mesh.n_owned_cells(); ++cell)
+  {
+    const FiniteVolume<dim> &here = space.mesh.cells()[cell];
+    const Material &material = system.problem.materials[here.material_id];
+    const VolumeLaw law = material.volume_law();
+    if (!has_terms(here.material_id) || law.inverse_bulk_modulus == 0.)
+      continue;
+    const unsigned int value = space.velocities.of_cell(cell);
+    const unsigned int value_of_pressure = space.pressures.of_cell(cell);
+    const unsigned int row = space.local_velocity(value);
+    const unsigned int volume = space.local_pressure(value_of_pressure);
+    const double at = pressure_of(cell);
+    const double density = material.density * law.density_ratio(at);
+    for (unsigned int c = 0; c < dim; ++c)
+    {
+      momentum_row(row + c, velocity_column(value, c),
+                   here.volume * (density - material.density) * state.step.a0);
+      momentum_row(row + c, pressure_column(value_of_pressure),
+                   here.volume * density * law.compressibility(at) *
+                       state.acceleration.begin()[row + c]);
+    }
+    volume_row(volume, pressure_column(value_of_pressure),
+               here.volume * ((law.compressibility(at) - law.inverse_bulk_modulus) /
+                                  state.step.pressure_time +
+                              law.compressibility_slope(at) * state.pressure_rate.begin()[volume]));
+  }
+}
+
+template class CellConvection<2>;
+template class CellConvection<3>;
+} // namespace Continua
