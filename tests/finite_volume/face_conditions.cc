@@ -162,7 +162,7 @@ void check_flow_rate()
   space.distribute();
   std::vector<BoundaryCondition> list = make_problem<2>(Model::axisymmetric).conditions;
   list[0].normal.flow = std::make_shared<FlowProfile>(FlowProfile::Shape::parabolic, formula("3*t"),
-                                                      FlowProfile::Disc{1., 1.});
+                                                      FlowProfile::Section{1., 1.});
   FaceConditions<2> conditions(space, list);
   conditions.build();
   DistributedVector velocity = space.velocity_vector();
