@@ -19,6 +19,9 @@ void make_channel(Triangulation<2> &mesh)
 {
   GridGenerator::subdivided_hyper_rectangle(mesh, {2, 4}, Point<2>(1., 1.), Point<2>(2., 1.4),
                                             true);
+  // Colours are those of materials, too.
+  for (const auto &cell : mesh.active_cell_iterators())
+    cell->set_material_id(0);
 }
 } // namespace
 
