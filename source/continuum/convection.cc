@@ -54,8 +54,8 @@ void NewtonParameters::read(ParameterSection section)
               "GMRES ends when the residual is below this fraction of that at its start.",
               Range{0., 1., true, true});
   section.add("Most Krylov iterations", most_krylov_iterations,
-              "When GMRES needs more iterations than this, the next slow iteration makes a new "
-              "factor [1].",
+              "When GMRES needs more iterations than this in a step, the next slow iteration makes a "
+              "new factor [1].",
               1);
   if (slow_iteration != SlowIteration::krylov)
     for (const char *const key : {"Tangent products", "Krylov tolerance", "Most Krylov iterations"})

@@ -57,8 +57,8 @@ struct NewtonParameters
   SlowIteration slow_iteration = SlowIteration::krylov;
   TangentProducts tangent_products = TangentProducts::assembled;
   double krylov_tolerance = 1e-2; ///< of the residual after GMRES over that before [1]
-  /// Of a solve by GMRES above which the factor is no longer kept.
-  unsigned int most_krylov_iterations = 10;
+  /// Of GMRES in a step above which the factor is no longer kept.
+  unsigned int most_krylov_iterations = 6;
 
   void read(ParameterSection section);
 };
