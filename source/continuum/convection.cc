@@ -53,10 +53,11 @@ void NewtonParameters::read(ParameterSection section)
   section.add("Krylov tolerance", krylov_tolerance, Dimensions::none,
               "GMRES ends when the residual is below this fraction of that at its start.",
               Range{0., 1., true, true});
-  section.add("Most Krylov iterations", most_krylov_iterations,
-              "When GMRES needs more iterations than this in a step, the next slow iteration makes a "
-              "new factor [1].",
-              1);
+  section.add(
+      "Most Krylov iterations", most_krylov_iterations,
+      "When GMRES needs more iterations than this in a step, the next slow iteration makes a "
+      "new factor [1].",
+      1);
   if (slow_iteration != SlowIteration::krylov)
     for (const char *const key : {"Tangent products", "Krylov tolerance", "Most Krylov iterations"})
       if (section.given(key))
