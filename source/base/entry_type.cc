@@ -202,13 +202,13 @@ integer_type(const unsigned int value, const unsigned int lower, const unsigned 
 EntryType<std::vector<unsigned int>> integer_list_type(const std::vector<unsigned int> &values,
                                                        const unsigned int lower)
 {
-  const unsigned int upper = std::numeric_limits<unsigned int>::max();
+  constexpr unsigned int upper = std::numeric_limits<unsigned int>::max();
   return {list_text(values, write_integer),
           "list of " + integer_range_text(lower, upper),
           "",
           true,
           "Give whole numbers >= " + std::to_string(lower) + ", separated by commas",
-          [lower, upper](const std::string &text)
+          [lower](const std::string &text)
           {
             const std::vector<std::string> items = split(text);
             refuse_empty_items(items);

@@ -1,6 +1,6 @@
 #include <continua/finite_volume/sparse_rows.h>
 
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 #include <algorithm>
 
@@ -19,7 +19,10 @@ SparseRows::SparseRows(const IndexSet &rows, const IndexSet &columns, const MPI_
 
 void SparseRows::move_to(TrilinosWrappers::SparseMatrix &matrix)
 {
-  DynamicSparsityPattern pattern(rows.size(), columns.size(), rows);
+  std::size_t longest = 0;
+  for (const auto &row : entries)
+    longest = std::max(longest, row.size());
+  TrilinosWrappers::SparsityPattern pattern(rows, columns, communicator, longest);
   for (std::size_t i = 0; i < entries.size(); ++i)
   {
     auto &row = entries[i];
@@ -31,7 +34,8 @@ void SparseRows::move_to(TrilinosWrappers::SparseMatrix &matrix)
         in_row.push_back(entry.first);
     pattern.add_entries(first + i, in_row.begin(), in_row.end(), true);
   }
-  matrix.reinit(rows, columns, pattern, communicator, false);
+  pattern.compress();
+  matrix.reinit(pattern);
   for (std::size_t i = 0; i < entries.size(); ++i)
     for (const auto &entry : entries[i])
       matrix.add(first + i, entry.first, entry.second);

@@ -63,7 +63,7 @@ void PackedTriangle::reinit(const bool lower,
 
 inline void PackedTriangle::solve_block(const std::size_t b, double *const x) const
 {
-  const double *value = &block_values[block_starts[b] * block];
+  const double *value = block_values.data() + block_starts[b] * block; // a diagonal matrix has none
   const int *column = block_columns.data() + block_starts[b];
   const int *const end = block_columns.data() + block_starts[b + 1];
   // Two columns at a time: two chains of additions that do not wait for each other.

@@ -148,15 +148,26 @@ std::string last_lines(const std::string &log)
   return text;
 }
 
+// GCC says it by a macro, clang by a feature.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define __SANITIZE_ADDRESS__
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool has_address_sanitizer = true;
+#else
+constexpr bool has_address_sanitizer = false;
+#endif
+
 /// Limits what this process may take, and lets it end with the process that started it.
 void limit_this_process()
 {
   const rlimit limit = {memory_limit_of_gmsh(), memory_limit_of_gmsh()};
   const rlimit nothing = {0, 0};
   // The sanitizer of addresses reserves terabytes for its own use.
-#if !defined(__SANITIZE_ADDRESS__)
-  ::setrlimit(RLIMIT_AS, &limit);
-#endif
+  if (!has_address_sanitizer)
+    ::setrlimit(RLIMIT_AS, &limit);
   ::setrlimit(RLIMIT_FSIZE, &limit);
   ::setrlimit(RLIMIT_CORE, &nothing);
 #if defined(__linux__)

@@ -2,6 +2,7 @@
 // and for pure dilatation exact, divergence of linear fields; with hanging nodes; axisymmetry.
 
 #include <continua/finite_element/region_operators.h>
+#include <continua/linear_algebra/matrix_product.h>
 
 #include "../unit_test.h"
 #include "small_problem.h"
@@ -26,7 +27,7 @@ struct Operators
   {
     const DistributedVector u = small_problem::interpolated<dim>(space, field);
     DistributedVector product(u);
-    matrix.vmult(product, u);
+    multiply(matrix, product, u);
     return product * u;
   }
   /// int q div u with q = 1 in that region.
@@ -36,7 +37,7 @@ struct Operators
     const DistributedVector one = small_problem::interpolated_pressure<dim>(
         space, [](const Point<dim> &, unsigned int) { return 1.; });
     DistributedVector product = space.pressure_vector();
-    regions[region].divergence.vmult(product, u);
+    multiply(regions[region].divergence, product, u);
     return product * one;
   }
   double pressure_mass(const unsigned int region) const
@@ -44,7 +45,7 @@ struct Operators
     const DistributedVector p = small_problem::interpolated_pressure<dim>(
         space, [](const Point<dim> &, const unsigned int r) { return r == 0 ? 2. : 5.; });
     DistributedVector product(p);
-    regions[region].pressure_mass.vmult(product, p);
+    multiply(regions[region].pressure_mass, product, p);
     return product * p;
   }
 

@@ -90,8 +90,11 @@ void test_points(const Model model)
     const Linear<dim> linear(axisymmetric);
     set(body, linear);
     std::map<std::string, double> errors;
-    for (const auto &[point, region] : places(body, named.name != "adaptive and curved"))
+    for (const auto &place : places(body, named.name != "adaptive and curved"))
     {
+      // Names that a lambda can take.
+      const auto &point = place.first;
+      const unsigned int region = place.second;
       const auto error = [&](const std::string &field, const double exact)
       {
         ProbeRequest<dim> request;

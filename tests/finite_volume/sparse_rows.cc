@@ -2,6 +2,7 @@
 // afterwards.
 
 #include <continua/finite_volume/sparse_rows.h>
+#include <continua/linear_algebra/matrix_product.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/trilinos_vector.h>
@@ -36,7 +37,7 @@ UNIT_TEST(sparse_rows)
   for (const auto j : columns)
     x[j] = 1. + j * j;
   x.compress(dealii::VectorOperation::insert);
-  matrix.vmult(y, x);
+  multiply(matrix, y, x);
   double error = 0.;
   for (const auto i : rows)
   {

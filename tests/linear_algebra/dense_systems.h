@@ -8,9 +8,9 @@
 #include <deal.II/base/index_set.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
 #include <deal.II/lac/trilinos_vector.h>
 #include <deal.II/lac/vector.h>
 
@@ -43,12 +43,13 @@ inline dealii::IndexSet owned(const unsigned int n)
 inline void distribute(const Full &full, Sparse &sparse)
 {
   const dealii::IndexSet rows = owned(full.m()), columns = owned(full.n());
-  dealii::DynamicSparsityPattern pattern(full.m(), full.n(), rows);
+  dealii::TrilinosWrappers::SparsityPattern pattern(rows, columns, MPI_COMM_WORLD, full.n());
   for (const auto i : rows)
     for (unsigned int j = 0; j < full.n(); ++j)
       if (full(i, j) != 0. || i == j)
         pattern.add(i, j);
-  sparse.reinit(rows, columns, pattern, MPI_COMM_WORLD, false);
+  pattern.compress();
+  sparse.reinit(pattern);
   for (const auto i : rows)
     for (unsigned int j = 0; j < full.n(); ++j)
       if (full(i, j) != 0. || i == j)

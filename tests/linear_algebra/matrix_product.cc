@@ -57,12 +57,13 @@ UNIT_TEST(matrix_product)
   check::absolute("transposed product", difference.linfty_norm(), 0., 1e-12);
 
   // Rows 1 and 4 of a square matrix have values, row 2 a zero, the others nothing.
-  dealii::DynamicSparsityPattern pattern(n, n, owned(n));
+  dealii::TrilinosWrappers::SparsityPattern pattern(owned(n), owned(n), MPI_COMM_WORLD, 1);
   for (const auto i : owned(n))
     if (i == 1 || i == 2 || i == 4)
       pattern.add(i, i);
   Sparse rows;
-  rows.reinit(owned(n), owned(n), pattern, MPI_COMM_WORLD, false);
+  pattern.compress();
+  rows.reinit(pattern);
   for (const auto i : owned(n))
     if (i == 1 || i == 4)
       rows.set(i, i, -2.);
