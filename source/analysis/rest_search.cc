@@ -59,16 +59,18 @@ void RestSearch<dim>::check(const Case<dim> &input,
 }
 
 template <int dim>
-void RestSearch<dim>::perform()
+void RestSearch<dim>::perform(const bool loads_come)
 {
   const RestParameters &rest = run.input.rest;
+  load_part = loads_come ? 1. / rest.load_steps : 1.;
+  load = loads_come && rest.load_steps > 1 ? 0. : 1.;
   const unsigned int few_corrections = run.input.problem.newton.maximum_iterations / 2;
   double largest_velocity = 0., size = rest.time_step, last_size = size, smallest = size,
          largest = size, passed = 0.;
-  unsigned int n_halved = 0, n_corrections = 0;
+  unsigned int n_corrections = 0;
   for (unsigned int step = 0; step < rest.maximum_steps; ++step)
   {
-    const StepReport report = step_of(last_size, size, n_halved);
+    const StepReport report = step_of(last_size, size);
     last_size = size;
     passed += size;
     sink(report, passed, size);
@@ -80,7 +82,7 @@ void RestSearch<dim>::perform()
     // A step that Newton's iteration has made shorter than the one asked for changes less, however
     // far it is from rest.
     const double change = report.largest_change * std::max(1., rest.time_step / size);
-    if (change <= rest.tolerance * largest_velocity)
+    if (load == 1. && change <= rest.tolerance * largest_velocity)
     {
       std::ostringstream text;
       text << "At rest after " << step + 1 << " steps";
@@ -88,6 +90,8 @@ void RestSearch<dim>::perform()
         text << " of " << smallest << " s to " << largest << " s";
       if (n_corrections > 0)
         text << " with " << n_corrections << " corrections";
+      if (loads_come && rest.load_steps > 1)
+        text << "; the loads came in " << n_load_steps << " of them";
       if (n_halved > 0)
         text << "; " << n_halved << " steps had no solution and were made anew at half their size";
       run.log.line(text.str());
@@ -114,25 +118,45 @@ void RestSearch<dim>::perform()
 }
 
 template <int dim>
-StepReport RestSearch<dim>::step_of(const double last_size, double &size, unsigned int &n_halved)
+StepReport RestSearch<dim>::step_of(const double last_size, double &size)
 {
-  // However much the step has grown, it may become a 64th of the last one that had a solution.
-  const double shortest = std::ldexp(std::min(size, last_size), -most_halvings);
+  // However much the step has grown, it may become a 64th of the last one that had a solution. So
+  // may the part of the loads.
+  const double shortest = std::ldexp(std::min(size, last_size), -most_halvings),
+               smallest_part = std::ldexp(1. / run.input.rest.load_steps, -most_halvings);
   for (unsigned int halvings = 0;; ++halvings)
   {
     Step euler = euler_step(0., size, Update::implicit);
     // Loads and pictures are those of t = 0, however long it takes.
     euler.balance_time = 0.;
     euler.time = 0.;
+    // Round-off of the sum is no part of its own.
+    const double next_load = load + load_part < 1. - 1e-12 ? load + load_part : 1.;
+    run.solver->set_load_factor(next_load);
     try
     {
-      return run.solver->advance(euler);
+      const StepReport report = run.solver->advance(euler);
+      if (load < 1.)
+      {
+        load = next_load;
+        load_part = std::min(2. * load_part, 1. / run.input.rest.load_steps);
+        ++n_load_steps;
+      }
+      return report;
     }
     catch (const StepFailure &failure)
     {
       std::ostringstream text;
-      text << "on the way to rest, step " << n_steps + 1 << " of " << size
-           << " s: " << failure.what();
+      text << "on the way to rest, step " << n_steps + 1 << " of " << size << " s";
+      if (load < 1.)
+        text << " with " << next_load << " of the loads";
+      text << ": " << failure.what();
+      if (load < 1. && load_part > 1.5 * smallest_part)
+      {
+        run.log.line(text.str() + "; it is made anew with half as much more of the loads");
+        load_part *= 0.5;
+        continue;
+      }
       if (size < 1.5 * shortest)
       {
         text << "; the step was halved " << halvings

@@ -50,7 +50,7 @@ void Steady<dim>::perform()
       run.log.line("No cell is left to refine");
       break;
     }
-    solve();
+    solve(cycle == 0);
     const SolverSizes sizes = run.solver->sizes();
     std::vector<double> probe_values;
     run.solver->evaluate_probes(probe_values);
@@ -100,7 +100,7 @@ void Steady<dim>::perform()
 }
 
 template <int dim>
-void Steady<dim>::solve()
+void Steady<dim>::solve(const bool loads_come)
 {
   if (run.solver->steady_is_direct())
     run.solver->solve_steady(0.);
@@ -115,7 +115,7 @@ void Steady<dim>::solve()
           ++n_steps;
         },
         "a steady analysis begins anew");
-    search.perform();
+    search.perform(loads_come);
   }
 }
 

@@ -135,7 +135,7 @@ void Transient<dim>::start_from_rest_under_loads()
   run.log.line("Before the start: the steady state under the loads at t = 0");
   RestSearch<dim>(
       run, [](const StepReport &, double, double) {}, "begin anew with --overwrite")
-      .perform();
+      .perform(true);
   run.solver->start_from_present_state();
 }
 

@@ -239,7 +239,14 @@ void TimeStepping::set_momentum(const Step &step)
       momentum.add(-1., balanced.velocity);
     }
   }
-  operators.loads().add(step.balance_time, momentum);
+  if (load_factor == 1.)
+    operators.loads().add(step.balance_time, momentum);
+  else
+  {
+    velocity_work = 0.;
+    operators.loads().add(step.balance_time, velocity_work);
+    momentum.add(load_factor, velocity_work);
+  }
   outlets.take_forces(momentum);
 }
 
@@ -282,6 +289,8 @@ void TimeStepping::set_mass(const Step &step)
 void TimeStepping::set_prescribed(const Step &step)
 {
   operators.evaluate_prescribed(step.extrapolate ? step.time : step.balance_time, prescribed);
+  if (load_factor != 1.)
+    prescribed *= load_factor;
   if (!step.extrapolate)
   {
     balanced.prescribed.equ(1., prescribed);

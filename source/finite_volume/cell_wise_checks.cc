@@ -103,6 +103,10 @@ void check_cell_wise_convection(const Problem &problem,
                   "the fluxes of the cell-wise path satisfy continuity themselves: skew and "
                   "advective are the same there, and grad-div has nothing to do",
                   "Remove the entry, or set Discretisation = taylor hood");
+  if (root.subsection("Steady").given("Load steps"))
+    root.subsection("Steady").refuse("Load steps",
+                                     "the cell-wise path has all loads from the start",
+                                     "Remove the entry, or set Discretisation = taylor hood");
   ParameterSection newton = root.subsection("Newton");
   for (const char *const key :
        {"Slow iteration", "Tangent products", "Krylov tolerance", "Most Krylov iterations"})

@@ -10,7 +10,8 @@ namespace Continua
 {
 /**
  * Brings a body to rest, or a flow to its steady state, under the loads at t = 0: steps of backward
- * Euler that grow until nothing changes, as the section Steady says.
+ * Euler that grow until nothing changes, as the section Steady says, the first of them with a part
+ * of the loads where it asks for load steps.
  */
 template <int dim>
 class RestSearch
@@ -23,8 +24,9 @@ public:
   /// `interrupted`: what a message says after a signal that ends the run.
   RestSearch(Run<dim> &run, const Sink &sink, const std::string &interrupted);
 
+  /// `loads_come`: whether they come in the load steps; else the present state has them already.
   /// Throws RunError if the body does not come to rest.
-  void perform();
+  void perform(bool loads_come);
 
   /// Whether the body of a case has a state at rest, and something that holds it. Throws
   /// InputError; `remedy` is what the user can do instead.
@@ -34,11 +36,13 @@ private:
   Run<dim> &run;
   const Sink sink;
   const std::string interrupted;
-  unsigned int n_steps = 0;
+  unsigned int n_steps = 0, n_load_steps = 0, n_halved = 0;
+  double load = 1.;      ///< part of the loads that the last step had [1]
+  double load_part = 1.; ///< by which it grew
 
-  /// Makes a step towards rest after one of `last_size` [s], of a smaller size where there is no
-  /// solution. Throws RunError.
-  StepReport step_of(double last_size, double &size, unsigned int &n_halved);
+  /// Makes a step towards rest after one of `last_size` [s], of a smaller size, or with a smaller
+  /// part of the loads, where there is no solution. Throws RunError.
+  StepReport step_of(double last_size, double &size);
 };
 } // namespace Continua
 

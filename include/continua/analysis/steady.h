@@ -30,7 +30,8 @@ private:
   LoopRecord<dim> loop;
   FlowReport<dim> flow;
 
-  void solve();
+  /// `loads_come`: the state is that before any load.
+  void solve(bool loads_come);
 };
 } // namespace Continua
 

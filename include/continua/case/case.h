@@ -60,6 +60,7 @@ struct RestParameters
       1e-8; ///< largest change of the velocity in a step over the largest velocity of all steps
   unsigned int maximum_steps = 1000;
   double time_step_growth = 1.; ///< largest ratio of a step to the one before it [1]
+  unsigned int load_steps = 1;  ///< in which the loads come
 
   /// `with_convection`: the steps grow by themselves.
   void read(ParameterSection section, bool with_convection);
