@@ -4,6 +4,7 @@
 
 #include <continua/boundary/flow_rates.h>
 #include <continua/boundary/outlets.h>
+#include <continua/case/flow_numbers_input.h>
 #include <continua/case/preflight_input.h>
 #include <continua/continuum/field_list.h>
 #include <continua/mesh/distortion.h>
@@ -64,6 +65,15 @@ void RestParameters::read(ParameterSection section, const bool with_convection)
               "matrix. With convection a step grows where Newton's iteration needed no more than "
               "half of its maximum, and a step without a solution is made anew at half its size.",
               Range{1., 100.});
+  section.add("Load steps", load_steps,
+              "Steps in which loads and prescribed velocities come, by equal parts, one for each "
+              "time step; with a long Time step it is a continuation in the load, that is in the "
+              "Reynolds number. A part without a solution is halved. With convection alone [1].",
+              1);
+  if (load_steps > 1 && !with_convection)
+    section.refuse("Load steps",
+                   "without convection the equations are linear: one solve has all loads",
+                   "Remove it, or set Convection = navier stokes");
 }
 
 namespace
@@ -117,6 +127,24 @@ void set_further_fields(Case<dim> &input, const ParameterSection &output, const 
       problem.wall_shear_window.begin >= input.time.end_time)
     output.refuse("Averages from", "the run ends before its averages begin",
                   "Give a time before Time/End time");
+}
+} // namespace
+
+namespace
+{
+/// Sets the speed that the factor of grad-div follows where it is not given.
+template <int dim>
+void set_stabilisation(Case<dim> &input, ParameterSection root)
+{
+  Convection &convection = input.problem.convection;
+  if (!convection.is_on || input.discretisation.is_cell_wise() || !convection.needs_speed())
+    return;
+  convection.stabilisation_speed = flow_numbers_input(input).mean_speed;
+  if (convection.stabilisation == ConvectionStabilisation::grad_div &&
+      convection.stabilisation_speed == 0.)
+    root.subsection("Flow").refuse_missing(
+        "no boundary has a prescribed velocity that would give the factor of grad-div",
+        "Set Stabilisation viscosity, about 0.15 times density, speed and size of a cell");
 }
 } // namespace
 
@@ -232,6 +260,7 @@ Case<dim>::Case(ParameterFile &file,
   problem.outlets = make_outlets(problem.conditions, root.subsection("Boundaries"), *triangulation,
                                  problem.materials);
   absorbing_ends.add(*this, root, restart);
+  set_stabilisation(*this, root);
   probes.check(*triangulation, field_names<dim>(problem.model), pairs);
   probes.check_limits(problem.conditions,
                       {discretisation.is_cell_wise(), analysis.is_modal(), in_time, are_solid},

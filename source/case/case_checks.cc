@@ -265,6 +265,15 @@ void check_convection(const Case<dim> &input, ParameterSection root)
                 "cholmod is for symmetric matrices, and convection makes the matrix unsymmetric",
                 "Use automatic, umfpack or mumps");
   refuse_what_only_linear_runs_use(input, root);
+  if (problem.convection.stabilisation == ConvectionStabilisation::supg)
+    for (unsigned int region = 0; region < problem.materials.size(); ++region)
+      if (problem.materials[region].shear.flow_curve)
+        root.subsection("Flow").refuse(
+            "Convection stabilisation",
+            "supg needs the residual inside a cell, which it does not have for a viscosity that "
+            "follows the rate of shear (region '" +
+                problem.regions[region] + "')",
+            "Set Convection stabilisation = grad-div, or Type = newtonian");
   for (const BoundaryCondition &condition : problem.conditions)
     if (condition.outlet != nullptr && condition.outlet->coupling == Outlet::Coupling::flow)
       root.subsection("Boundaries")

@@ -50,7 +50,8 @@ ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space, const Problem &pr
                          space.pressure_elements,
                          hp::QCollection<dim>(quadrature),
                          update_values | update_gradients),
-      inflow_terms(space, problem)
+      inflow_terms(space, problem),
+      streamline_terms(space, problem, quadrature)
 {
   const unsigned int n_velocity = space.velocity_element.n_dofs_per_cell();
   for (auto &indices : place)
@@ -100,6 +101,7 @@ void ConvectiveTerms<dim>::take(const DistributedVector &of_velocity,
 template <int dim>
 void ConvectiveTerms<dim>::take(const BalancedStep &state)
 {
+  step = state.step;
   take(state.velocity, state.pressure);
   space.copy_velocity(state.acceleration, velocity_work, acceleration);
   space.copy_pressure(state.pressure_rate, pressure_work, pressure_rate);
@@ -142,6 +144,14 @@ template <int dim>
 typename DoFHandler<dim>::active_cell_iterator ConvectiveTerms<dim>::present_pressure_cell() const
 {
   return {&space.triangulation, present_cell->level(), present_cell->index(), &space.pressure_dofs};
+}
+
+template <int dim>
+double ConvectiveTerms<dim>::grad_div_viscosity() const
+{
+  return problem.convection.grad_div_viscosity(
+      problem.materials[region].density,
+      Convection::cell_size<dim>(present_cell->diameter(), space.degree()));
 }
 
 template <int dim>
@@ -253,8 +263,10 @@ double ConvectiveTerms<dim>::integrate()
 {
   const Material &material = problem.materials[region];
   const VolumeLaw law = material.volume_law();
-  const Convection &convection = problem.convection;
-  const bool is_skew = convection.term == ConvectiveTerm::skew;
+  const bool is_skew = problem.convection.term == ConvectiveTerm::skew;
+  const double gamma = grad_div_viscosity();
+  if (streamline_terms.are_on())
+    streamline_terms.visit(present_cell, step);
   double least_stiffening = 1.;
   for (Vector<double> *vector : {&cell_inertia, &cell_convection, &cell_stabilisation,
                                  &cell_viscosity, &cell_inflow, &cell_volume})
@@ -273,7 +285,7 @@ double ConvectiveTerms<dim>::integrate()
     if (is_skew)
       convective += 0.5 * density * source * here.velocity;
     convective *= here.weight;
-    const double second_pressure = here.weight * convection.stabilisation_viscosity * source;
+    const double second_pressure = here.weight * gamma * source;
     for (unsigned int c = 0; c < dim; ++c)
       for (unsigned int a = 0; a < place[c].size(); ++a)
       {
@@ -282,6 +294,8 @@ double ConvectiveTerms<dim>::integrate()
         cell_convection[i] += convective[c] * values.shape_value(a, q);
         cell_stabilisation[i] += second_pressure * trace(c, a, q);
       }
+    if (streamline_terms.are_on())
+      streamline_terms.add(here, q, cell_state(), cell_stabilisation);
     if (material.shear.flow_curve)
       integrate_viscosity(here, q);
     const double rate = compression - law.inverse_bulk_modulus * here.pressure_rate;
@@ -385,12 +399,14 @@ NonlinearEnergy ConvectiveTerms<dim>::energy_of(const unsigned int of_region,
 }
 
 template <int dim>
-void ConvectiveTerms<dim>::integrate_derivative(const Step &step, FullMatrix<double> &matrix)
+void ConvectiveTerms<dim>::integrate_derivative(FullMatrix<double> &matrix)
 {
   const Material &material = problem.materials[region];
   const VolumeLaw law = material.volume_law();
   const double skew = problem.convection.term == ConvectiveTerm::skew ? 0.5 : 0.;
-  const double gamma = problem.convection.stabilisation_viscosity;
+  const double gamma = grad_div_viscosity();
+  if (streamline_terms.are_on())
+    streamline_terms.visit(present_cell, step);
   const double rate_by_pressure = 1. / step.pressure_time;
   const unsigned int n_scalar = place[0].size(), n_velocity = velocity_indices.size(),
                      n_pressure = pressure_indices.size();
@@ -453,6 +469,8 @@ void ConvectiveTerms<dim>::integrate_derivative(const Step &step, FullMatrix<dou
           matrix(i, n_velocity + l) += by_density * densities[l] + by_source * pressure_sources[l];
       }
     }
+    if (streamline_terms.are_on())
+      streamline_terms.add_derivative(here, q, cell_state(), *pressure_values, matrix);
     if (material.shear.flow_curve)
       add_derivative_of_viscosity(here, q, matrix);
     for (unsigned int k = 0; k < n_pressure; ++k)
@@ -477,7 +495,7 @@ void ConvectiveTerms<dim>::add_derivative(const BalancedStep &state,
   std::vector<Masters> masters;
   for (const auto &cell : cells)
   {
-    set_derivative(cell, state.step, local);
+    set_derivative(cell, local);
     masters.resize(local.m());
     for (unsigned int i = 0; i < velocity_indices.size(); ++i)
       set_masters(constraints, velocity_indices[i], 0, masters[i]);
@@ -499,12 +517,10 @@ void ConvectiveTerms<dim>::add_derivative(const BalancedStep &state,
 
 template <int dim>
 void ConvectiveTerms<dim>::set_derivative(
-    const typename DoFHandler<dim>::active_cell_iterator &cell,
-    const Step &step,
-    FullMatrix<double> &matrix)
+    const typename DoFHandler<dim>::active_cell_iterator &cell, FullMatrix<double> &matrix)
 {
   visit(cell);
-  integrate_derivative(step, matrix);
+  integrate_derivative(matrix);
   if (const auto pressure_cell = present_pressure_cell(); inflow_terms.has_face(pressure_cell))
     inflow_terms.add_derivative(pressure_cell, cell_state(), matrix);
 }
@@ -515,7 +531,7 @@ void ConvectiveTerms<dim>::keep_derivative(const BalancedStep &state)
   take(state);
   cell_derivatives.resize(cells.size());
   for (std::size_t k = 0; k < cells.size(); ++k)
-    set_derivative(cells[k], state.step, cell_derivatives[k]);
+    set_derivative(cells[k], cell_derivatives[k]);
 }
 
 template <int dim>

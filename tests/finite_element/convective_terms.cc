@@ -119,13 +119,18 @@ template <int dim>
 void check_derivative(const std::string &name,
                       const Space<dim> &space,
                       const ConvectiveTerm term,
-                      const double exponent)
+                      const double exponent,
+                      const ConvectionStabilisation stabilisation)
 {
   Problem problem = make_problem(
       space.is_axisymmetric() ? Model::axisymmetric : Model::plane_strain, 0.05, exponent);
   problem.convection.term = term;
   problem.materials[0].shear.viscosity = 2.;
-  problem.materials[0].shear.flow_curve = FlowCurve{2., 0.3, 0.8, 0.4, 1.5};
+  problem.convection.stabilisation = stabilisation;
+  if (stabilisation == ConvectionStabilisation::supg)
+    problem.interior.body_force = {Waveform(0.4), Waveform(-0.9)};
+  else
+    problem.materials[0].shear.flow_curve = FlowCurve{2., 0.3, 0.8, 0.4, 1.5};
   add_open_end(problem);
   ConvectiveTerms<dim> terms(space, problem);
   terms.reinit();
@@ -247,9 +252,15 @@ UNIT_TEST(convective_terms)
     {
       const std::string name = std::string(term == ConvectiveTerm::skew ? "skew" : "advective") +
                                ", exponent " + std::to_string(exponent);
-      check_derivative(name + ", plane", space, term, exponent);
-      check_derivative(name + ", axisymmetric", round_space, term, exponent);
-      check_derivative(name + ", in space", solid_space, term, exponent);
+      for (const ConvectionStabilisation stabilisation :
+           {ConvectionStabilisation::grad_div, ConvectionStabilisation::supg})
+      {
+        const std::string with =
+            stabilisation == ConvectionStabilisation::supg ? name + ", supg" : name;
+        check_derivative(with + ", plane", space, term, exponent, stabilisation);
+        check_derivative(with + ", axisymmetric", round_space, term, exponent, stabilisation);
+        check_derivative(with + ", in space", solid_space, term, exponent, stabilisation);
+      }
     }
 
   // In the square of the liquid, with the solid's region beside it at rest.
@@ -312,6 +323,12 @@ UNIT_TEST(convective_terms)
                     3. * (1. + 1.5) * 0.5 * 6. * numbers::PI, 1e-12);
     check::relative("ring: grad-div", forces.stabilisation * moving.velocity,
                     0.7 * 9. * 6. * numbers::PI, 1e-12);
+    // Its factor by itself: 0.15 times density, speed and the side of a cell, 1 m.
+    ring.convection.stabilisation_viscosity = 0.;
+    ring.convection.stabilisation_speed = 2.;
+    of_liquid.set_forces_of(0, moving, forces);
+    check::relative("ring: grad-div by itself", forces.stabilisation * moving.velocity,
+                    0.15 * 3. * 2. * 9. * 6. * numbers::PI, 1e-12);
     ring = make_problem(Model::axisymmetric, 0.5, 0.);
     ConvectiveTerms<2> of_gas(round_space, ring);
     of_gas.reinit();

@@ -3,6 +3,8 @@
 
 #include <continua/base/parameter_section.h>
 
+#include <cmath>
+
 namespace Continua
 {
 /// How the convective term of the momentum equation is written.
@@ -14,8 +16,10 @@ enum class ConvectiveTerm
 
 enum class ConvectionStabilisation
 {
+  automatic, ///< grad-div where a velocity is prescribed, else none
   none,
-  grad_div ///< the residual of the equation of state times the divergence of the test function
+  grad_div, ///< the residual of the equation of state times the divergence of the test function
+  supg      ///< StreamlineTerms
 };
 
 /// The convective terms of the liquids; off by default. Sections: the entry `Convection` at the top
@@ -24,11 +28,32 @@ struct Convection
 {
   bool is_on = false;
   ConvectiveTerm term = ConvectiveTerm::skew;
-  ConvectionStabilisation stabilisation = ConvectionStabilisation::none;
-  double stabilisation_viscosity = 0.; ///< gamma of grad-div [Pa s]
+  ConvectionStabilisation stabilisation = ConvectionStabilisation::automatic;
+  /// gamma of grad-div [Pa s]; 0: by the speed below.
+  double stabilisation_viscosity = 0.;
+  /// FlowNumbersInput::mean_speed [m/s]: Case sets it where gamma follows it, and a checkpoint
+  /// holds it.
+  double stabilisation_speed = 0.;
+  /// gamma over density, speed and cell size where it is not given [1].
+  static constexpr double grad_div_factor = 0.15;
 
   /// Reads the section Flow. Throws InputError.
   void read(ParameterSection section);
+  /// Whether gamma has to follow a speed.
+  bool needs_speed() const
+  {
+    return stabilisation_viscosity == 0. && (stabilisation == ConvectionStabilisation::automatic ||
+                                             stabilisation == ConvectionStabilisation::grad_div);
+  }
+  /// gamma [Pa s] of a liquid of that density [kg/m^3] in a cell of that size [m]; 0: none.
+  double grad_div_viscosity(double density, double size) const;
+  /// The size of a cell [m]: its diameter over the root of the dimension, and of a higher degree
+  /// that of the cells of degree 2 that would have as many unknowns.
+  template <int dim>
+  static double cell_size(const double diameter, const unsigned int degree)
+  {
+    return 2. * diameter / (std::sqrt(static_cast<double>(dim)) * degree);
+  }
 };
 
 /// What Newton's iteration does when the kept factor leaves too much of the residual.

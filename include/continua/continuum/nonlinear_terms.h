@@ -10,7 +10,7 @@ struct NonlinearForces
 {
   DistributedVector inertia;       ///< of a density that is not that of the material
   DistributedVector convection;    ///< with the skew form's part
-  DistributedVector stabilisation; ///< of grad-div
+  DistributedVector stabilisation; ///< of grad-div and supg
   DistributedVector viscosity;     ///< of a viscosity that is not that at rest
   DistributedVector inflow;        ///< at open ends that have the total pressure
 };

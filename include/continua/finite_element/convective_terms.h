@@ -4,8 +4,10 @@
 #include <continua/continuum/balanced_step.h>
 #include <continua/continuum/nonlinear_terms.h>
 #include <continua/continuum/problem.h>
+#include <continua/finite_element/flow_point.h>
 #include <continua/finite_element/inflow_terms.h>
 #include <continua/finite_element/space.h>
+#include <continua/finite_element/streamline_terms.h>
 #include <continua/linear_algebra/unsymmetric_factor.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -27,7 +29,8 @@ namespace Continua
  *
  *   + int 2 (eta(g) - eta_0) dev sym grad U : grad v
  *
- * with rho(p), c(p) of the VolumeLaw, eta(g) of the FlowCurve, and InflowTerms at open ends; the
+ * with rho(p), c(p) of the VolumeLaw, eta(g) of the FlowCurve, gamma of Convection, InflowTerms at
+ * open ends, and StreamlineTerms where they are on; the
  * term with 1/2 rho m is that of the skew form, gamma that of grad-div. Temam (1968) has the skew
  * form of an incompressible liquid; with m in the place of div U it holds for any law of the
  * density: the power of the convective terms is d/dt int rho/2 U^2 + the flux of rho/2 U^2 through
@@ -73,17 +76,7 @@ public:
                               DistributedVector &volume);
 
 private:
-  /// Shape functions and the state at a quadrature point of a cell.
-  struct Point
-  {
-    double weight = 0.;
-    double pressure = 0., pressure_rate = 0., divergence = 0.;
-    dealii::Tensor<1, dim> velocity, acceleration, pressure_gradient;
-    dealii::Tensor<2, dim> velocity_gradient; ///< [c][d]: of component c along d
-    dealii::Tensor<2, dim> strain_rate;       ///< deviatoric, in the plane or in space
-    double across = 0., hoop = 0.;            ///< of it, across the plane; 1/r in axisymmetry
-    double shear_rate = 0.;                   ///< of the FlowCurve
-  };
+  using Point = FlowPoint<dim>;
 
   const Space<dim> &space;
   const Problem &problem;
@@ -95,6 +88,8 @@ private:
   /// place[c][a]: the cell's dof of component c and scalar function a.
   std::array<std::vector<unsigned int>, dim> place;
   InflowTerms<dim> inflow_terms;
+  StreamlineTerms<dim> streamline_terms;
+  Step step; ///< of the state that was taken
   /// The owned cells that have terms, in the order of the tree.
   std::vector<typename dealii::DoFHandler<dim>::active_cell_iterator> cells;
   /// The kept derivative of each of these cells, and work space for its product.
@@ -116,7 +111,6 @@ private:
   void take(const BalancedStep &state);
   /// The derivative of the rows of the cell at the state that was taken.
   void set_derivative(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
-                      const Step &step,
                       dealii::FullMatrix<double> &matrix);
   /// Makes indices those of the cell.
   void visit_indices(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell);
@@ -141,7 +135,9 @@ private:
   /// VolumeLaw::stiffening().
   double integrate();
   /// The derivative of the rows, velocities first.
-  void integrate_derivative(const Step &step, dealii::FullMatrix<double> &matrix);
+  void integrate_derivative(dealii::FullMatrix<double> &matrix);
+  /// The factor of grad-div in the present cell [Pa s].
+  double grad_div_viscosity() const;
   typename dealii::DoFHandler<dim>::active_cell_iterator present_cell;
   /// The place of the present cell's region in the problem.
   unsigned int region = 0;
