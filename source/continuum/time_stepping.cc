@@ -72,6 +72,7 @@ void TimeStepping::start_from_present_state()
   pressure_known.equ(1., pressure);
   kept.forget();
   newton.forget_factor();
+  operators.forget_linearisation();
   ledger.forget_forces();
   operators.start_from(present());
 }
@@ -289,11 +290,9 @@ void TimeStepping::set_mass(const Step &step)
 void TimeStepping::set_prescribed(const Step &step)
 {
   operators.evaluate_prescribed(step.extrapolate ? step.time : step.balance_time, prescribed);
-  if (load_factor != 1.)
-    prescribed *= load_factor;
   if (!step.extrapolate)
   {
-    balanced.prescribed.equ(1., prescribed);
+    balanced.prescribed.equ(load_factor, prescribed);
     return;
   }
   // The end of the step has what is prescribed there, so its middle the mean of that and of the
@@ -526,6 +525,7 @@ void TimeStepping::transfer()
 void TimeStepping::save(ArchiveWriter &archive) const
 {
   newton.forget_factor();
+  operators.forget_linearisation();
   save_state(archive, operators.numbering(), kept);
 }
 

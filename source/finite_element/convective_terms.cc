@@ -502,16 +502,22 @@ void ConvectiveTerms<dim>::add_derivative(const BalancedStep &state,
     for (unsigned int k = 0; k < pressure_indices.size(); ++k)
       set_masters(space.pressure_hanging, pressure_indices[k], first_pressure,
                   masters[velocity_indices.size() + k]);
-    for (unsigned int i = 0; i < local.m(); ++i)
-      for (unsigned int j = 0; j < local.n(); ++j)
-        if (local(i, j) != 0.)
-          for (const auto &[row, row_weight] : masters[i])
-            for (const auto &[column, column_weight] : masters[j])
-            {
-              matrix.rows.push_back(row);
-              matrix.columns.push_back(column);
-              matrix.values.push_back(row_weight * column_weight * local(i, j));
-            }
+    // The same places for any state, so that an analysis of the matrix can be kept. Pressures of a
+    // liquid that is incompressible enter by SUPG alone.
+    const bool is_compressible = !problem.materials[region].is_incompressible();
+    const unsigned int n_velocity = velocity_indices.size();
+    const unsigned int n_rows = is_compressible ? local.m() : n_velocity;
+    const unsigned int n_columns =
+        is_compressible || streamline_terms.are_on() ? local.n() : n_velocity;
+    for (unsigned int i = 0; i < n_rows; ++i)
+      for (unsigned int j = 0; j < n_columns; ++j)
+        for (const auto &[row, row_weight] : masters[i])
+          for (const auto &[column, column_weight] : masters[j])
+          {
+            matrix.rows.push_back(row);
+            matrix.columns.push_back(column);
+            matrix.values.push_back(row_weight * column_weight * local(i, j));
+          }
   }
 }
 

@@ -37,8 +37,7 @@ template <int dim>
 double StreamlineTerms<dim>::time_scale(const double speed) const
 {
   const double by_time = 2. / step.size(), by_flow = 2. * speed / size,
-               by_viscosity =
-                   12. * viscosity() / (problem.materials[region].density * size * size);
+               by_viscosity = 12. * viscosity() / (problem.materials[region].density * size * size);
   return 1. / std::sqrt(by_time * by_time + by_flow * by_flow + by_viscosity * by_viscosity);
 }
 
@@ -76,9 +75,8 @@ Tensor<1, dim> StreamlineTerms<dim>::residual(const FlowPoint<dim> &point,
 {
   const Material &material = problem.materials[region];
   const double density = material.density * material.volume_law().density_ratio(point.pressure);
-  Tensor<1, dim> force =
-      density * (point.acceleration + point.velocity_gradient * point.velocity) +
-      point.pressure_gradient;
+  Tensor<1, dim> force = density * (point.acceleration + point.velocity_gradient * point.velocity) +
+                         point.pressure_gradient;
   for (unsigned int c = 0; c < dim; ++c)
     for (unsigned int a = 0; a < along.size(); ++a)
       force -= state.velocity[state.place[c][a]] * viscous_force(c, a, q);
@@ -142,7 +140,8 @@ void StreamlineTerms<dim>::add_derivative(const FlowPoint<dim> &point,
     const Tensor<1, dim> gradient = values.shape_grad(a, q);
     for (unsigned int d = 0; d < dim; ++d)
     {
-      const double by_flow = point.weight * (tau * gradient[d] + tau_slope * point.velocity[d] * along[a]);
+      const double by_flow =
+          point.weight * (tau * gradient[d] + tau_slope * point.velocity[d] * along[a]);
       for (unsigned int b = 0; b < along.size(); ++b)
       {
         const unsigned int j = state.place[d][b];

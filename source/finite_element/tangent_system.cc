@@ -49,17 +49,23 @@ void TangentSystem<dim>::factorize(const SystemCoefficients &coefficients,
       matrix.values.push_back(lower.values[k]);
     }
   terms.add_derivative(state, constraints.all(), matrix);
-  // The old one goes first: there may be no room for both.
-  made_factor = nullptr;
   try
   {
-    made_factor = make_unsymmetric_factor(direct_solver, space.communicator);
+    if (!made_factor)
+      made_factor = make_unsymmetric_factor(direct_solver, space.communicator);
   }
   catch (const std::invalid_argument &error)
   {
     throw RunError(error.what());
   }
   made_factor->factorize(matrix, owned);
+}
+
+template <int dim>
+void TangentSystem<dim>::forget_analysis()
+{
+  if (made_factor)
+    made_factor->forget_analysis();
 }
 
 template <int dim>

@@ -19,6 +19,7 @@ void BothTriangles::factorize(const SymmetricTriplets &matrix, const std::vector
       full.columns.push_back(matrix.rows[k]);
       full.values.push_back(matrix.values[k]);
     }
+  factor->forget_analysis(); // a factor depends on its matrix alone, as after a restart
   factor->factorize(full, owned);
 }
 } // namespace Continua

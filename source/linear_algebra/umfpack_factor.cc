@@ -58,24 +58,46 @@ struct Numeric
   ~Numeric() { umfpack_dl_free_numeric(&handle); }
 };
 
-void make_numeric(const Columns &matrix, Numeric &numeric)
+std::array<double, UMFPACK_CONTROL> controls()
 {
   std::array<double, UMFPACK_CONTROL> control;
   umfpack_dl_defaults(control.data());
   control[UMFPACK_ORDERING] = UMFPACK_ORDERING_BEST;
+  return control;
+}
+
+void make_numeric(const Columns &matrix, void *const symbolic, Numeric &numeric)
+{
+  const std::array<double, UMFPACK_CONTROL> control = controls();
   std::array<double, UMFPACK_INFO> info{};
-  const auto n = static_cast<Index>(matrix.starts.size() - 1);
-  void *symbolic = nullptr;
-  check_umfpack(umfpack_dl_symbolic(n, n, matrix.starts.data(), matrix.rows.data(),
-                                    matrix.values.data(), &symbolic, control.data(), info.data()),
-                "analysis");
-  const Index status =
-      umfpack_dl_numeric(matrix.starts.data(), matrix.rows.data(), matrix.values.data(), symbolic,
-                         &numeric.handle, control.data(), info.data());
-  umfpack_dl_free_symbolic(&symbolic);
-  check_umfpack(status, "factorisation");
+  check_umfpack(umfpack_dl_numeric(matrix.starts.data(), matrix.rows.data(), matrix.values.data(),
+                                   symbolic, &numeric.handle, control.data(), info.data()),
+                "factorisation");
 }
 } // namespace
+
+/// The order of the unknowns, with the places of the entries that it is for.
+struct UmfpackFactor::Analysis
+{
+  std::vector<Index> starts, rows;
+  void *symbolic = nullptr;
+  double n_entries = 0.; ///< of the first factor
+
+  explicit Analysis(const Columns &matrix) : starts(matrix.starts), rows(matrix.rows)
+  {
+    const std::array<double, UMFPACK_CONTROL> control = controls();
+    std::array<double, UMFPACK_INFO> info{};
+    const auto n = static_cast<Index>(starts.size() - 1);
+    check_umfpack(umfpack_dl_symbolic(n, n, starts.data(), rows.data(), matrix.values.data(),
+                                      &symbolic, control.data(), info.data()),
+                  "analysis");
+  }
+  ~Analysis() { umfpack_dl_free_symbolic(&symbolic); }
+  bool is_for(const Columns &matrix) const
+  {
+    return starts == matrix.starts && rows == matrix.rows;
+  }
+};
 
 struct UmfpackFactor::Data
 {
@@ -155,9 +177,26 @@ void UmfpackFactor::factorize(const Triplets &matrix, const std::vector<int> &ow
 
   data = nullptr; // the old factor goes before the new one is made
   data = std::make_unique<Data>();
-  Numeric numeric;
-  make_numeric(sorted_by_columns(matrix), numeric);
-  data->take(numeric, matrix.n, owned);
+  const Columns columns = sorted_by_columns(matrix);
+  if (!analysis || !analysis->is_for(columns))
+  {
+    analysis = nullptr;
+    analysis = std::make_unique<Analysis>(columns);
+  }
+  {
+    Numeric numeric;
+    make_numeric(columns, analysis->symbolic, numeric);
+    data->take(numeric, matrix.n, owned);
+  }
+  if (analysis->n_entries == 0.)
+    analysis->n_entries = data->n_entries;
+  else if (data->n_entries > most_growth * analysis->n_entries)
+    analysis = nullptr;
+}
+
+void UmfpackFactor::forget_analysis()
+{
+  analysis = nullptr;
 }
 
 void UmfpackFactor::solve(std::vector<double> &x)

@@ -1,5 +1,5 @@
-// The terms of SUPG: zero for solutions of the momentum equation, in axisymmetry too, and by hand for a
-// residual that is constant.
+// The terms of SUPG: zero for solutions of the momentum equation, in axisymmetry too, and by hand
+// for a residual that is constant.
 
 #include <continua/finite_element/convective_terms.h>
 
@@ -18,8 +18,8 @@ namespace
 template <int dim>
 using VectorField = std::function<Tensor<1, dim>(const Point<dim> &)>;
 
-/// The sum of test values times the rows of the stabilisation at a flow with the density 3 kg/m^3 and the
-/// viscosity 2 Pa s, in a step of 0.1 s.
+/// The sum of test values times the rows of the stabilisation at a flow with the density 3 kg/m^3
+/// and the viscosity 2 Pa s, in a step of 0.1 s.
 template <int dim>
 double power(const Space<dim> &space,
              const std::vector<Waveform> &body_force,
@@ -72,50 +72,60 @@ UNIT_TEST(streamline_terms)
   Space<3> cube(solid_mesh, SpaceParameters(), Model::three_dimensional, 1);
   cube.distribute();
   const VectorField<2> rest = [](const Point<2> &) { return Tensor<1, 2>(); };
-  const VectorField<2> test = [](const Point<2> &x)
-  { return Tensor<1, 2>({x[0] + x[0] * x[1], x[1] * x[1] - x[0]}); };
+  const VectorField<2> test = [](const Point<2> &x) {
+    return Tensor<1, 2>({x[0] + x[0] * x[1], x[1] * x[1] - x[0]});
+  };
   const auto none = [](const Point<2> &) { return 0.; };
 
   // The flow between plates and in a pipe or ring: eta lap U = dp/dx.
-  const VectorField<2> parabola = [](const Point<2> &x)
-  { return Tensor<1, 2>({x[1] * (2. - x[1]), 0.}); };
+  const VectorField<2> parabola = [](const Point<2> &x) {
+    return Tensor<1, 2>({x[1] * (2. - x[1]), 0.});
+  };
   const auto falling = [](const double slope)
   { return [slope](const Point<2> &x) { return slope * x[0]; }; };
   const double without_force = power<2>(plane, {}, parabola, rest, none, test);
   check::is_true("plates: a residual counts", std::abs(without_force) > 1e-2);
   check::absolute("plates: a solution",
-                  power<2>(plane, {}, parabola, rest, falling(-4.), test) / without_force, 0., 1e-12);
-  const VectorField<2> in_a_ring = [](const Point<2> &x)
-  { return Tensor<1, 2>({3. - x[1] * x[1], 0.}); };
+                  power<2>(plane, {}, parabola, rest, falling(-4.), test) / without_force, 0.,
+                  1e-12);
+  const VectorField<2> in_a_ring = [](const Point<2> &x) {
+    return Tensor<1, 2>({3. - x[1] * x[1], 0.});
+  };
   check::absolute("ring: a solution",
-                  power<2>(ring, {}, in_a_ring, rest, falling(-8.), test) / without_force, 0., 1e-12);
-  // A flow along the radius that grows with r^2 has the force eta (3 + 1/3 3) of viscosity, and 2 r^3 of
-  // convection; along the axis nothing moves it.
-  const VectorField<2> outwards = [](const Point<2> &x)
-  { return Tensor<1, 2>({0., x[1] * x[1]}); };
-  const std::vector<Waveform> holding = {
-      Waveform(0.), Waveform(Expression("3*2*y*y*y - 2*4", Dimensions::none))};
+                  power<2>(ring, {}, in_a_ring, rest, falling(-8.), test) / without_force, 0.,
+                  1e-12);
+  // A flow along the radius that grows with r^2 has the force eta (3 + 1/3 3) of viscosity, and 2
+  // r^3 of convection; along the axis nothing moves it.
+  const VectorField<2> outwards = [](const Point<2> &x) { return Tensor<1, 2>({0., x[1] * x[1]}); };
+  const std::vector<Waveform> holding = {Waveform(0.),
+                                         Waveform(Expression("3*2*y*y*y - 2*4", Dimensions::none))};
   check::is_true("ring: a residual counts",
                  std::abs(power<2>(ring, {}, outwards, rest, none, test)) > 1e-2);
-  check::absolute("ring: viscosity across", power<2>(ring, holding, outwards, rest, none, test) / without_force,
-                  0., 1e-12);
-  // div U = r has a gradient that a force along the axis balances; U = (x r, 0): lap = x/r, grad div = (0, 1),
-  // (U . grad) U = (x r^2, 0).
-  const VectorField<2> sheared = [](const Point<2> &x)
-  { return Tensor<1, 2>({x[0] * x[1], 0.}); };
-  const std::vector<Waveform> shearing = {
-      Waveform(Expression("3*x*y*y - 2*x/y", Dimensions::none)), Waveform(-2. / 3.)};
-  check::absolute("ring: viscosity along", power<2>(ring, shearing, sheared, rest, none, test) / without_force,
-                  0., 1e-12);
+  check::absolute("ring: viscosity across",
+                  power<2>(ring, holding, outwards, rest, none, test) / without_force, 0., 1e-12);
+  // div U = r has a gradient that a force along the axis balances; U = (x r, 0): lap = x/r, grad
+  // div = (0, 1), (U . grad) U = (x r^2, 0).
+  const VectorField<2> sheared = [](const Point<2> &x) { return Tensor<1, 2>({x[0] * x[1], 0.}); };
+  const std::vector<Waveform> shearing = {Waveform(Expression("3*x*y*y - 2*x/y", Dimensions::none)),
+                                          Waveform(-2. / 3.)};
+  check::absolute("ring: viscosity along",
+                  power<2>(ring, shearing, sheared, rest, none, test) / without_force, 0., 1e-12);
 
-  // U = (2, 0, 0) accelerated by (0, 0, 5) in the pressure 7 y: r = (0, 7, 15), along v = (0, x, 3 x) with the
-  // derivative (0, 1, 3): 2 (7 + 45) tau over the cube of 1 m^3, in which h = 1 m.
+  // U = (2, 0, 0) accelerated by (0, 0, 5) in the pressure 7 y: r = (0, 7, 15), along v = (0, x, 3
+  // x) with the derivative (0, 1, 3): 2 (7 + 45) tau over the cube of 1 m^3, in which h = 1 m.
   const double tau = 1. / std::sqrt(20. * 20. + 4. * 4. + 8. * 8.);
   check::relative("by hand",
                   power<3>(
-                      cube, {}, [](const Point<3> &) { return Tensor<1, 3>({2., 0., 0.}); },
-                      [](const Point<3> &) { return Tensor<1, 3>({0., 0., 5.}); },
+                      cube, {},
+                      [](const Point<3> &) {
+                        return Tensor<1, 3>({2., 0., 0.});
+                      },
+                      [](const Point<3> &) {
+                        return Tensor<1, 3>({0., 0., 5.});
+                      },
                       [](const Point<3> &x) { return 7. * x[1]; },
-                      [](const Point<3> &x) { return Tensor<1, 3>({0., x[0], 3. * x[0]}); }),
+                      [](const Point<3> &x) {
+                        return Tensor<1, 3>({0., x[0], 3. * x[0]});
+                      }),
                   2. * 52. * tau, 1e-12);
 }

@@ -5,6 +5,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <cmath>
+
 // What make_unsymmetric_factor gives: every solver on one rank, MUMPS on several.
 UNIT_TEST(unsymmetric_factor)
 {
@@ -36,6 +38,21 @@ UNIT_TEST(unsymmetric_factor)
     check::absolute(choice + ", refactored, 40 x 10 cells",
                     problems::relative_error(*factor, matrix), 0, 1e-12);
     check::is_true(choice + ", memory", factor->memory() > 8 * factor->n_entries());
+
+    // Other values at the same places, with the analysis that is there and without.
+    Triplets other = matrix;
+    for (std::size_t k = 0; k < other.values.size(); ++k)
+      other.values[k] *= 1. + 0.1 * std::sin(static_cast<double>(k));
+    check::absolute(choice + ", other values", problems::relative_error(*factor, other), 0, 1e-12);
+    const std::vector<double> c = problems::multiply(other, problems::manufactured(other.n));
+    const auto fresh = make_unsymmetric_factor(solver, MPI_COMM_WORLD);
+    problems::factorize(*fresh, other);
+    factor->forget_analysis();
+    problems::factorize(*factor, other);
+    if (solver == DirectSolver::umfpack)
+      check::is_true(choice + ", without the analysis: bit by bit a fresh one",
+                     problems::solve(*factor, c) == problems::solve(*fresh, c));
+    problems::factorize(*factor, matrix);
 
     const std::vector<double> b = problems::multiply(matrix, problems::manufactured(matrix.n));
     const std::vector<double> first = problems::solve(*factor, b);

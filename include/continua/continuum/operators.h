@@ -171,6 +171,9 @@ public:
   }
   /// Makes the system of solve() the tangent at this state. Throws RunError.
   virtual void linearise(const BalancedStep &) {}
+  /// The next linearise() does not make use of what one before has found out, such as an order of
+  /// the unknowns.
+  virtual void forget_linearisation() {}
   /// Whether there are products with the derivative of the terms, for GMRES.
   virtual bool has_derivative_products() const { return false; }
   /// Keeps the derivative of the terms at this state, beside the system of solve().

@@ -34,6 +34,8 @@ public:
   void factorize(const SystemCoefficients &coefficients,
                  const BalancedStep &state,
                  ConvectiveTerms<dim> &terms);
+  /// The next factor is made as the first one.
+  void forget_analysis();
   /// Solves for free dofs; constrained and hanging entries of the result are 0. The right-hand
   /// sides must be restricted, and that of volume has the sign of the symmetric system.
   void solve(const DistributedVector &momentum,

@@ -112,6 +112,7 @@ public:
                                const DistributedVector &mass,
                                bool of_momentum) const override;
   void linearise(const BalancedStep &state) override;
+  void forget_linearisation() override { tangent.forget_analysis(); }
   bool has_derivative_products() const override { return true; }
   void keep_derivative(const BalancedStep &state) override;
   void add_derivative_product(const DistributedVector &velocity,

@@ -35,11 +35,15 @@ public:
   virtual ~UnsymmetricFactor() = default;
 
   /**
-   * Analyses and factors. `owned` are the global indices whose right-hand side and solution entries
-   * this rank holds (any order, each index on exactly one rank). Throws RunError if the matrix is
-   * singular, naming the solver and what it said.
+   * Analyses and factors; what an analysis before has found may be used again for a matrix with the
+   * same places of entries. `owned` are the global indices whose right-hand side and solution
+   * entries this rank holds (any order, each index on exactly one rank). Throws RunError if the
+   * matrix is singular, naming the solver and what it said.
    */
   virtual void factorize(const Triplets &matrix, const std::vector<int> &owned) = 0;
+
+  /// The next factor is made as the first one: it depends on the matrix alone.
+  virtual void forget_analysis() {}
 
   /// In: the right-hand side's owned entries in the order of `owned`; out: the solution's.
   /// Allocates nothing.
