@@ -34,39 +34,12 @@ void FlowReport<dim>::start(const double frequency, const double tube_speed)
     for (const std::string &line :
          preflight_text("Numbers of the flow (doc/preflight.md)", numbers->entries()))
       run.log.detail(line);
-  report_stabilisation(input);
   for (const std::string &warning : numbers->warnings())
     run.log.warning(warning);
   std::map<std::string, double> values;
   for (const PreflightEntry &entry : numbers->entries())
     values[entry.name + " [" + entry.unit + "]"] = entry.value;
   run.summary.set("numbers of the flow", values);
-}
-
-template <int dim>
-void FlowReport<dim>::report_stabilisation(const FlowNumbersInput &input)
-{
-  const Convection &convection = run.input.problem.convection;
-  if (run.input.discretisation.is_cell_wise())
-    return;
-  const double least = convection.grad_div_viscosity(input.density, input.smallest_cell_size),
-               most = convection.grad_div_viscosity(input.density, input.largest_cell_size);
-  std::string text = "Stabilisation of convection: ";
-  if (convection.stabilisation == ConvectionStabilisation::supg)
-    text += most > 0. ? "supg, and " : "supg";
-  else if (most == 0.)
-  {
-    run.log.detail(text + (convection.stabilisation == ConvectionStabilisation::none
-                               ? "none"
-                               : "none, since no boundary has a prescribed velocity"));
-    return;
-  }
-  if (most > 0.)
-  {
-    const std::string low = quantity_text(least, "Pa s"), high = quantity_text(most, "Pa s");
-    text += "grad-div with " + low + (low == high ? "" : " to " + high);
-  }
-  run.log.line(text);
 }
 
 template <int dim>
@@ -108,7 +81,6 @@ void FlowReport<dim>::save(ArchiveWriter &archive) const
 {
   archive.add("largest speed of the flow", largest_speed);
   archive.add("largest Courant number of the flow", largest_courant);
-  archive.add("speed of the stabilisation", run.input.problem.convection.stabilisation_speed);
 }
 
 template <int dim>
@@ -116,8 +88,6 @@ void FlowReport<dim>::load(const ArchiveReader &archive)
 {
   largest_speed = archive.value("largest speed of the flow");
   largest_courant = archive.value("largest Courant number of the flow");
-  // It may follow the inflow up to the end of the run, which a restart may change.
-  run.input.problem.convection.stabilisation_speed = archive.value("speed of the stabilisation");
 }
 
 template class FlowReport<2>;

@@ -4,7 +4,6 @@
 
 #include <continua/boundary/flow_rates.h>
 #include <continua/boundary/outlets.h>
-#include <continua/case/flow_numbers_input.h>
 #include <continua/case/preflight_input.h>
 #include <continua/continuum/field_list.h>
 #include <continua/mesh/distortion.h>
@@ -130,24 +129,6 @@ void set_further_fields(Case<dim> &input, const ParameterSection &output, const 
 }
 } // namespace
 
-namespace
-{
-/// Sets the speed that the factor of grad-div follows where it is not given.
-template <int dim>
-void set_stabilisation(Case<dim> &input, ParameterSection root)
-{
-  Convection &convection = input.problem.convection;
-  if (!convection.is_on || input.discretisation.is_cell_wise() || !convection.needs_speed())
-    return;
-  convection.stabilisation_speed = flow_numbers_input(input).mean_speed;
-  if (convection.stabilisation == ConvectionStabilisation::grad_div &&
-      convection.stabilisation_speed == 0.)
-    root.subsection("Flow").refuse_missing(
-        "no boundary has a prescribed velocity that would give the factor of grad-div",
-        "Set Stabilisation viscosity, about 0.15 times density, speed and size of a cell");
-}
-} // namespace
-
 template <int dim>
 Case<dim>::Case(ParameterFile &file,
                 const GeneralParameters &general_parameters,
@@ -260,7 +241,6 @@ Case<dim>::Case(ParameterFile &file,
   problem.outlets = make_outlets(problem.conditions, root.subsection("Boundaries"), *triangulation,
                                  problem.materials);
   absorbing_ends.add(*this, root, restart);
-  set_stabilisation(*this, root);
   probes.check(*triangulation, field_names<dim>(problem.model), pairs);
   probes.check_limits(problem.conditions,
                       {discretisation.is_cell_wise(), analysis.is_modal(), in_time, are_solid},

@@ -249,7 +249,7 @@ bool drives(const BoundaryCondition &condition)
 template <int dim>
 void set_cells(const Case<dim> &input, FlowNumbersInput &flow)
 {
-  flow.shortest_cell = flow.smallest_cell_size = std::numeric_limits<double>::max();
+  flow.shortest_cell = std::numeric_limits<double>::max();
   // A cell of a higher degree counts as several of degree 2.
   const double parts =
       std::pow(2., input.mesh.refinements) * 0.5 * input.discretisation.velocities_per_cell();
@@ -262,9 +262,6 @@ void set_cells(const Case<dim> &input, FlowNumbersInput &flow)
         longest = std::max(longest, box.side_length(c) / parts);
       flow.largest_cell = std::max(flow.largest_cell, longest);
       flow.shortest_cell = std::min(flow.shortest_cell, longest);
-      const double size = Convection::cell_size<dim>(cell->diameter(), 2) / parts;
-      flow.largest_cell_size = std::max(flow.largest_cell_size, size);
-      flow.smallest_cell_size = std::min(flow.smallest_cell_size, size);
     }
 }
 

@@ -13,31 +13,19 @@ void Convection::read(ParameterSection section)
              "without.");
   add_choice(
       section, "Convection stabilisation", stabilisation,
-      {{"automatic", ConvectionStabilisation::automatic},
-       {"none", ConvectionStabilisation::none},
+      {{"none", ConvectionStabilisation::none},
        {"grad-div", ConvectionStabilisation::grad_div},
        {"supg", ConvectionStabilisation::supg}},
       "grad-div - adds the residual of the equation of state times the divergence of the "
-      "test function, which lets the velocity conserve volume more closely; supg - adds the "
+      "test function, which lets the velocity conserve volume more closely; supg - also adds the "
       "residual of the momentum equation times the derivative of the test function along the "
-      "flow, which damps waves of the length of a cell; automatic - grad-div where a boundary "
-      "has a prescribed velocity, else none. The cell-wise path has none.");
-  section.add(
-      "Stabilisation viscosity", stabilisation_viscosity, Dimensions::viscosity,
-      "Factor of grad-div; by itself 0.15 times the density, the mean speed at the boundary "
-      "that gives the Reynolds number of the pre-flight report, and the size of the cell. With "
-      "supg, giving "
-      "it adds grad-div.",
-      Range::positive());
+      "flow, which damps waves of the length of a cell. The cell-wise path has none.");
+  section.add("Stabilisation viscosity", stabilisation_viscosity, Dimensions::viscosity,
+              "Factor of grad-div; by itself 0.15 times density, local speed and size of the cell.",
+              Range::positive());
   if (stabilisation == ConvectionStabilisation::none && section.given("Stabilisation viscosity"))
     section.refuse("Stabilisation viscosity", "Convection stabilisation = none makes no use of it",
                    "Remove it, or set Convection stabilisation = grad-div");
-}
-
-double Convection::grad_div_viscosity(const double density, const double size) const
-{
-  return stabilisation_viscosity > 0. ? stabilisation_viscosity
-                                      : grad_div_factor * density * stabilisation_speed * size;
 }
 
 void NewtonParameters::read(ParameterSection section)

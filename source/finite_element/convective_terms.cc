@@ -147,9 +147,9 @@ typename DoFHandler<dim>::active_cell_iterator ConvectiveTerms<dim>::present_pre
 }
 
 template <int dim>
-double ConvectiveTerms<dim>::grad_div_viscosity() const
+double ConvectiveTerms<dim>::viscosity_over_speed() const
 {
-  return problem.convection.grad_div_viscosity(
+  return problem.convection.viscosity_over_speed(
       problem.materials[region].density,
       Convection::cell_size<dim>(present_cell->diameter(), space.degree()));
 }
@@ -264,7 +264,8 @@ double ConvectiveTerms<dim>::integrate()
   const Material &material = problem.materials[region];
   const VolumeLaw law = material.volume_law();
   const bool is_skew = problem.convection.term == ConvectiveTerm::skew;
-  const double gamma = grad_div_viscosity();
+  const double constant_gamma = problem.convection.constant_viscosity(),
+               gamma_over_speed = viscosity_over_speed();
   if (streamline_terms.are_on())
     streamline_terms.visit(present_cell, step);
   double least_stiffening = 1.;
@@ -285,6 +286,7 @@ double ConvectiveTerms<dim>::integrate()
     if (is_skew)
       convective += 0.5 * density * source * here.velocity;
     convective *= here.weight;
+    const double gamma = constant_gamma + gamma_over_speed * here.velocity.norm();
     const double second_pressure = here.weight * gamma * source;
     for (unsigned int c = 0; c < dim; ++c)
       for (unsigned int a = 0; a < place[c].size(); ++a)
@@ -404,7 +406,8 @@ void ConvectiveTerms<dim>::integrate_derivative(FullMatrix<double> &matrix)
   const Material &material = problem.materials[region];
   const VolumeLaw law = material.volume_law();
   const double skew = problem.convection.term == ConvectiveTerm::skew ? 0.5 : 0.;
-  const double gamma = grad_div_viscosity();
+  const double constant_gamma = problem.convection.constant_viscosity(),
+               gamma_over_speed = viscosity_over_speed();
   if (streamline_terms.are_on())
     streamline_terms.visit(present_cell, step);
   const double rate_by_pressure = 1. / step.pressure_time;
@@ -423,6 +426,11 @@ void ConvectiveTerms<dim>::integrate_derivative(FullMatrix<double> &matrix)
     const double motion = here.pressure_rate + here.velocity * here.pressure_gradient;
     const double source = compressibility * motion + here.divergence;
     const Tensor<1, dim> inertia = here.acceleration + here.velocity_gradient * here.velocity;
+    const double speed = here.velocity.norm();
+    const double gamma = constant_gamma + gamma_over_speed * speed;
+    // Of gamma times the source by the velocity; at rest the speed has no derivative.
+    const Tensor<1, dim> gamma_slope =
+        speed > 0. ? gamma_over_speed / speed * source * here.velocity : Tensor<1, dim>();
     for (unsigned int b = 0; b < n_scalar; ++b)
     {
       along[b] = here.velocity * values.shape_grad(b, q);
@@ -459,9 +467,9 @@ void ConvectiveTerms<dim>::integrate_derivative(FullMatrix<double> &matrix)
           for (unsigned int d = 0; d < dim; ++d)
           {
             const unsigned int j = place[d][b];
-            matrix(i, j) += (c == d ? same : 0.) +
-                            test * density * shape * here.velocity_gradient[c][d] +
-                            by_source * sources[j];
+            matrix(i, j) +=
+                (c == d ? same : 0.) + test * density * shape * here.velocity_gradient[c][d] +
+                by_source * sources[j] + here.weight * traces[i] * gamma_slope[d] * shape;
           }
         }
         const double by_density = test * (inertia[c] + skew * source * here.velocity[c]);

@@ -40,6 +40,7 @@ double power(const Space<dim> &space,
   problem.interior.body_force = body_force;
   problem.convection.is_on = true;
   problem.convection.stabilisation = ConvectionStabilisation::supg;
+  problem.convection.stabilisation_viscosity = 1e-200; // grad-div comes with it
   ConvectiveTerms<dim> terms(space, problem);
   terms.reinit();
   BalancedStep state;

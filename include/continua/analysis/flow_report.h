@@ -34,8 +34,6 @@ private:
   double largest_speed = 0.;   ///< [m/s]
   double largest_courant = 0.; ///< [1]
   bool is_in_time = false;
-
-  void report_stabilisation(const FlowNumbersInput &input);
 };
 } // namespace Continua
 

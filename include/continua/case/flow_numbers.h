@@ -33,12 +33,10 @@ struct FlowNumbersInput
   double width = 0.;
   double largest_cell = 0.;  ///< [m], longest extent of a cell along an axis, for degree 2
   double shortest_cell = 0.; ///< [m], the shortest of these longest extents
-  /// [m], Convection::cell_size().
-  double smallest_cell_size = 0., largest_cell_size = 0.;
-  double time_step = 0.;  ///< [s]; 0: a steady flow
-  double frequency = 0.;  ///< [Hz] of the load; 0: it does not vary
-  double wave_speed = 0.; ///< [m/s]; 0: there are no waves
-  std::string wave;       ///< which wave that is
+  double time_step = 0.;     ///< [s]; 0: a steady flow
+  double frequency = 0.;     ///< [Hz] of the load; 0: it does not vary
+  double wave_speed = 0.;    ///< [m/s]; 0: there are no waves
+  std::string wave;          ///< which wave that is
   bool has_absorbing_end = false;
 };
 

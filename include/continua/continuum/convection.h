@@ -16,10 +16,9 @@ enum class ConvectiveTerm
 
 enum class ConvectionStabilisation
 {
-  automatic, ///< grad-div where a velocity is prescribed, else none
   none,
   grad_div, ///< the residual of the equation of state times the divergence of the test function
-  supg      ///< StreamlineTerms
+  supg      ///< StreamlineTerms, with grad-div
 };
 
 /// The convective terms of the liquids; off by default. Sections: the entry `Convection` at the top
@@ -28,25 +27,27 @@ struct Convection
 {
   bool is_on = false;
   ConvectiveTerm term = ConvectiveTerm::skew;
-  ConvectionStabilisation stabilisation = ConvectionStabilisation::automatic;
-  /// gamma of grad-div [Pa s]; 0: by the speed below.
+  ConvectionStabilisation stabilisation = ConvectionStabilisation::grad_div;
+  /// gamma of grad-div [Pa s]; 0: by the local speed.
   double stabilisation_viscosity = 0.;
-  /// FlowNumbersInput::mean_speed [m/s]: Case sets it where gamma follows it, and a checkpoint
-  /// holds it.
-  double stabilisation_speed = 0.;
   /// gamma over density, speed and cell size where it is not given [1].
   static constexpr double grad_div_factor = 0.15;
 
   /// Reads the section Flow. Throws InputError.
   void read(ParameterSection section);
-  /// Whether gamma has to follow a speed.
-  bool needs_speed() const
+  /// The part of gamma that is given [Pa s]; 0 where there is no grad-div.
+  double constant_viscosity() const
   {
-    return stabilisation_viscosity == 0. && (stabilisation == ConvectionStabilisation::automatic ||
-                                             stabilisation == ConvectionStabilisation::grad_div);
+    return stabilisation == ConvectionStabilisation::none ? 0. : stabilisation_viscosity;
   }
-  /// gamma [Pa s] of a liquid of that density [kg/m^3] in a cell of that size [m]; 0: none.
-  double grad_div_viscosity(double density, double size) const;
+  /// gamma over the local speed [Pa s^2/m] in a cell of that size [m], of a liquid of that density
+  /// [kg/m^3]; 0 where gamma is given.
+  double viscosity_over_speed(const double density, const double size) const
+  {
+    return stabilisation == ConvectionStabilisation::none || stabilisation_viscosity > 0.
+               ? 0.
+               : grad_div_factor * density * size;
+  }
   /// The size of a cell [m]: its diameter over the root of the dimension, and of a higher degree
   /// that of the cells of degree 2 that would have as many unknowns.
   template <int dim>

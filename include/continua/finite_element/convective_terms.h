@@ -136,8 +136,8 @@ private:
   double integrate();
   /// The derivative of the rows, velocities first.
   void integrate_derivative(dealii::FullMatrix<double> &matrix);
-  /// The factor of grad-div in the present cell [Pa s].
-  double grad_div_viscosity() const;
+  /// Of grad-div over the local speed, in the present cell [Pa s^2/m].
+  double viscosity_over_speed() const;
   typename dealii::DoFHandler<dim>::active_cell_iterator present_cell;
   /// The place of the present cell's region in the problem.
   unsigned int region = 0;
