@@ -70,6 +70,9 @@ void RestSearch<dim>::perform(const bool loads_come)
   unsigned int n_corrections = 0;
   for (unsigned int step = 0; step < rest.maximum_steps; ++step)
   {
+    // The step that brings the last part of the loads may change little, however far it is from
+    // rest.
+    const bool had_all_loads = load == 1.;
     const StepReport report = step_of(last_size, size);
     last_size = size;
     passed += size;
@@ -82,7 +85,7 @@ void RestSearch<dim>::perform(const bool loads_come)
     // A step that Newton's iteration has made shorter than the one asked for changes less, however
     // far it is from rest.
     const double change = report.largest_change * std::max(1., rest.time_step / size);
-    if (load == 1. && change <= rest.tolerance * largest_velocity)
+    if (had_all_loads && change <= rest.tolerance * largest_velocity)
     {
       std::ostringstream text;
       text << "At rest after " << step + 1 << " steps";
@@ -124,7 +127,7 @@ StepReport RestSearch<dim>::step_of(const double last_size, double &size)
   // may the part of the loads.
   const double shortest = std::ldexp(std::min(size, last_size), -most_halvings),
                smallest_part = std::ldexp(1. / run.input.rest.load_steps, -most_halvings);
-  for (unsigned int halvings = 0;; ++halvings)
+  for (unsigned int halvings = 0;;)
   {
     Step euler = euler_step(0., size, Update::implicit);
     // Loads and pictures are those of t = 0, however long it takes.
@@ -160,11 +163,13 @@ StepReport RestSearch<dim>::step_of(const double last_size, double &size)
       if (size < 1.5 * shortest)
       {
         text << "; the step was halved " << halvings
-             << " times (Steady/Time step, Steady/Time step growth)";
+             << " times (Steady/Time step, Steady/Time step growth"
+             << (load < 1. ? ", Steady/Load steps)" : ")");
         throw RunError(text.str());
       }
       run.log.line(text.str() + "; it is made anew at half its size");
       size *= 0.5;
+      ++halvings;
       ++n_halved;
     }
   }

@@ -69,10 +69,6 @@ void RestParameters::read(ParameterSection section, const bool with_convection)
               "time step; with a long Time step it is a continuation in the load, that is in the "
               "Reynolds number. A part without a solution is halved. With convection alone [1].",
               1);
-  if (load_steps > 1 && !with_convection)
-    section.refuse("Load steps",
-                   "without convection the equations are linear: one solve has all loads",
-                   "Remove it, or set Convection = navier stokes");
 }
 
 namespace

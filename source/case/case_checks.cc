@@ -222,6 +222,14 @@ template <int dim>
 void check_convection(const Case<dim> &input, ParameterSection root)
 {
   const Problem &problem = input.problem;
+  ParameterSection steady = root.subsection("Steady");
+  if (input.rest.load_steps > 1 && !problem.convection.is_on)
+    steady.refuse("Load steps",
+                  "without convection the equations are linear: one solve has all loads",
+                  "Remove it, or set Convection = navier stokes");
+  if (input.rest.load_steps > 1 && input.rest.load_steps >= input.rest.maximum_steps)
+    steady.refuse("Load steps", "there have to be steps with all loads after the load steps",
+                  "Set Maximum steps to more than Load steps");
   ParameterSection materials = root.subsection("Materials");
   if (!problem.convection.is_on)
   {

@@ -270,6 +270,7 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
     }
     else if (is_slow || !has_factor)
     {
+      has_factor = false; // if this fails
       try
       {
         operators.linearise(balanced);

@@ -97,11 +97,12 @@ void check_cell_wise_convection(const Problem &problem,
     section.refuse("Power operator", "with convection the ledger has the scheme's own forces",
                    "Set Power operator = scheme");
   ParameterSection flow = root.subsection("Flow");
-  for (const char *const key : {"Convective term", "Convection stabilisation"})
+  for (const char *const key :
+       {"Convective term", "Convection stabilisation", "Stabilisation viscosity"})
     if (flow.given(key))
       flow.refuse(key,
                   "the fluxes of the cell-wise path satisfy continuity themselves: skew and "
-                  "advective are the same there, and grad-div has nothing to do",
+                  "advective are the same there, and a stabilisation has nothing to do",
                   "Remove the entry, or set Discretisation = taylor hood");
   if (root.subsection("Steady").given("Load steps"))
     root.subsection("Steady").refuse("Load steps",

@@ -93,6 +93,8 @@ struct UmfpackFactor::Analysis
                   "analysis");
   }
   ~Analysis() { umfpack_dl_free_symbolic(&symbolic); }
+  Analysis(const Analysis &) = delete;
+  Analysis &operator=(const Analysis &) = delete;
   bool is_for(const Columns &matrix) const
   {
     return starts == matrix.starts && rows == matrix.rows;
@@ -220,7 +222,13 @@ double UmfpackFactor::n_entries() const
 double UmfpackFactor::memory() const
 {
   const auto n = static_cast<double>(data->row_order.size());
-  return data->lower.memory() + data->upper.memory() + n * (2 * sizeof(int) + 2 * sizeof(double));
+  // Without UMFPACK's own part of the analysis, which is smaller.
+  const double of_analysis =
+      analysis
+          ? sizeof(Index) * static_cast<double>(analysis->starts.size() + analysis->rows.size())
+          : 0.;
+  return data->lower.memory() + data->upper.memory() + n * (2 * sizeof(int) + 2 * sizeof(double)) +
+         of_analysis;
 }
 
 std::string UmfpackFactor::name() const

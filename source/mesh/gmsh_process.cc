@@ -149,13 +149,10 @@ std::string last_lines(const std::string &log)
 }
 
 // GCC says it by a macro, clang by a feature.
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define __SANITIZE_ADDRESS__
-#endif
-#endif
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool has_address_sanitizer = true;
+#elif defined(__has_feature)
+constexpr bool has_address_sanitizer = __has_feature(address_sanitizer);
 #else
 constexpr bool has_address_sanitizer = false;
 #endif
