@@ -1,12 +1,10 @@
 #include <continua/finite_element/convective_terms.h>
 
 #include <continua/base/input_error.h>
-#include <continua/mesh/cells_in_tree_order.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -38,34 +36,29 @@ template <int dim>
 ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space, const Problem &problem)
     : space(space),
       problem(problem),
-      scalar_element(space.degree()),
-      // One point more than the linear terms: products of three functions are integrated exactly on
-      // parallelograms, where density and compressibility are constant.
-      quadrature(space.n_quadrature_points() + 1),
-      values(space.mapping,
-             scalar_element,
-             quadrature,
-             update_values | update_gradients | update_quadrature_points | update_JxW_values),
-      hp_pressure_values(space.mappings,
-                         space.pressure_elements,
-                         hp::QCollection<dim>(quadrature),
-                         update_values | update_gradients),
+      // Products of three functions and of the radius are integrated exactly on parallelograms,
+      // where density and compressibility are constant.
+      quadrature((3 * space.degree() + 2 + (space.is_axisymmetric() ? 1 : 0)) / 2),
+      cells(space, problem, quadrature),
       inflow_terms(space, problem),
       streamline_terms(space, problem, quadrature)
 {
-  const unsigned int n_velocity = space.velocity_element.n_dofs_per_cell();
-  for (auto &indices : place)
-    indices.resize(scalar_element.n_dofs_per_cell());
-  for (unsigned int i = 0; i < n_velocity; ++i)
-  {
-    const auto component = space.velocity_element.system_to_component_index(i);
-    place[component.first][component.second] = i;
-  }
-  velocity_indices.resize(n_velocity);
-  for (Vector<double> *vector :
-       {&cell_velocity, &cell_acceleration, &cell_inertia, &cell_convection, &cell_stabilisation,
-        &cell_viscosity, &cell_inflow})
+  const unsigned int n_velocity = dim * cells.n_functions(), n_pressure = cells.n_pressures();
+  for (Vector<double> *vector : {&cell_velocity, &cell_acceleration, &cell_inflow})
     vector->reinit(n_velocity);
+  for (Vector<double> &forces : cell_forces)
+    forces.reinit(n_velocity);
+  for (Vector<double> *vector : {&cell_pressure, &cell_pressure_rate, &cell_volume})
+    vector->reinit(n_pressure);
+  for (Vector<double> *vector : {&cell_change, &cell_product})
+    vector->reinit(n_velocity + n_pressure);
+  functions.gradients.resize(cells.n_functions());
+  functions.pressure_gradients.resize(n_pressure);
+  along.resize(cells.n_functions());
+  for (std::vector<double> *derivatives : {&traces, &sources})
+    derivatives->resize(n_velocity);
+  for (std::vector<double> *derivatives : {&pressure_sources, &pressure_rates, &densities})
+    derivatives->resize(n_pressure);
 }
 
 template <int dim>
@@ -78,16 +71,7 @@ void ConvectiveTerms<dim>::reinit()
   velocity_work = space.velocity_vector();
   pressure_work = space.pressure_vector();
   cell_derivatives.clear();
-  cells.clear();
-  for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
-    if (cell->is_locally_owned() && has_terms(cell->material_id()))
-      cells.push_back(cell);
-}
-
-template <int dim>
-bool ConvectiveTerms<dim>::has_terms(const unsigned int of_region) const
-{
-  return problem.materials[of_region].phase() < 1.;
+  cells.reinit();
 }
 
 template <int dim>
@@ -108,91 +92,71 @@ void ConvectiveTerms<dim>::take(const BalancedStep &state)
 }
 
 template <int dim>
-void ConvectiveTerms<dim>::visit_indices(const typename DoFHandler<dim>::active_cell_iterator &cell)
+void ConvectiveTerms<dim>::visit(const Cell &cell)
 {
-  present_cell = cell;
-  region = cell->material_id();
-  const typename DoFHandler<dim>::active_cell_iterator pressure_cell = present_pressure_cell();
-  pressure_indices.resize(pressure_cell->get_fe().n_dofs_per_cell());
-  cell->get_dof_indices(velocity_indices);
-  pressure_cell->get_dof_indices(pressure_indices);
-}
-
-template <int dim>
-void ConvectiveTerms<dim>::visit(const typename DoFHandler<dim>::active_cell_iterator &cell)
-{
-  visit_indices(cell);
-  values.reinit(static_cast<typename Triangulation<dim>::active_cell_iterator>(cell));
-  hp_pressure_values.reinit(present_pressure_cell());
-  pressure_values = &hp_pressure_values.get_present_fe_values();
-  const unsigned int n_pressure = pressure_indices.size();
-  for (Vector<double> *vector : {&cell_pressure, &cell_pressure_rate, &cell_volume})
-    vector->reinit(n_pressure);
-  for (unsigned int i = 0; i < velocity_indices.size(); ++i)
+  present = &cell;
+  const auto set =
+      [](const std::vector<int> &places, const DistributedVector &from, Vector<double> &values)
   {
-    cell_velocity[i] = velocity(velocity_indices[i]);
-    cell_acceleration[i] = acceleration(velocity_indices[i]);
-  }
-  for (unsigned int k = 0; k < n_pressure; ++k)
-  {
-    cell_pressure[k] = pressure(pressure_indices[k]);
-    cell_pressure_rate[k] = pressure_rate(pressure_indices[k]);
-  }
-}
-
-template <int dim>
-typename DoFHandler<dim>::active_cell_iterator ConvectiveTerms<dim>::present_pressure_cell() const
-{
-  return {&space.triangulation, present_cell->level(), present_cell->index(), &space.pressure_dofs};
+    const double *const entries = from.begin();
+    for (std::size_t i = 0; i < places.size(); ++i)
+      values[i] = entries[places[i]];
+  };
+  set(cell.velocity_places, velocity, cell_velocity);
+  set(cell.velocity_places, acceleration, cell_acceleration);
+  set(cell.pressure_places, pressure, cell_pressure);
+  set(cell.pressure_places, pressure_rate, cell_pressure_rate);
 }
 
 template <int dim>
 double ConvectiveTerms<dim>::viscosity_over_speed() const
 {
-  return problem.convection.viscosity_over_speed(
-      problem.materials[region].density,
-      Convection::cell_size<dim>(present_cell->diameter(), space.degree()));
-}
-
-template <int dim>
-double ConvectiveTerms<dim>::trace(const unsigned int component,
-                                   const unsigned int function,
-                                   const unsigned int q) const
-{
-  double sum = values.shape_grad(function, q)[component];
-  if (space.is_axisymmetric() && component == 1)
-    sum += values.shape_value(function, q) / values.quadrature_point(q)[1];
-  return sum;
+  return problem.convection.viscosity_over_speed(material().density, present->size);
 }
 
 template <int dim>
 typename ConvectiveTerms<dim>::Point ConvectiveTerms<dim>::point(const unsigned int q) const
 {
+  const typename Cell::Point &geometry = present->points[q];
+  const unsigned int n_functions = cells.n_functions();
+  const double *const values = cells.values(q), *const pressure_values = cells.pressure_values(q);
+  const Tensor<1, dim> *const gradients = cells.gradients(q), *const pressure_gradients =
+                                                                  cells.pressure_gradients(q);
   Point point;
-  point.weight = (1. - problem.materials[region].phase()) * values.JxW(q) *
-                 space.measure(values.quadrature_point(q));
+  point.weight = geometry.weight;
+  point.hoop = geometry.hoop;
   for (unsigned int c = 0; c < dim; ++c)
-    for (unsigned int a = 0; a < place[c].size(); ++a)
-    {
-      const unsigned int i = place[c][a];
-      point.velocity[c] += cell_velocity[i] * values.shape_value(a, q);
-      point.acceleration[c] += cell_acceleration[i] * values.shape_value(a, q);
-      point.velocity_gradient[c] += cell_velocity[i] * values.shape_grad(a, q);
-      point.divergence += cell_velocity[i] * trace(c, a, q);
-    }
-  for (unsigned int k = 0; k < cell_pressure.size(); ++k)
   {
-    point.pressure += cell_pressure[k] * pressure_values->shape_value(k, q);
-    point.pressure_rate += cell_pressure_rate[k] * pressure_values->shape_value(k, q);
-    point.pressure_gradient += cell_pressure[k] * pressure_values->shape_grad(k, q);
+    const double *const velocities = cell_velocity.begin() + c * n_functions,
+                        *const accelerations = cell_acceleration.begin() + c * n_functions;
+    double of_velocity = 0., of_acceleration = 0.;
+    Tensor<1, dim> slope; // on the reference cell
+    for (unsigned int a = 0; a < n_functions; ++a)
+    {
+      of_velocity += velocities[a] * values[a];
+      of_acceleration += accelerations[a] * values[a];
+      slope += velocities[a] * gradients[a];
+    }
+    point.velocity[c] = of_velocity;
+    point.acceleration[c] = of_acceleration;
+    point.velocity_gradient[c] = slope * geometry.inverse_jacobian;
   }
-  if (problem.materials[region].shear.flow_curve)
-    set_strain_rate(point, q);
+  point.divergence = trace(point.velocity_gradient) + point.hoop * point.velocity[1];
+  Tensor<1, dim> slope;
+  for (unsigned int k = 0; k < cells.n_pressures(); ++k)
+  {
+    point.pressure += cell_pressure[k] * pressure_values[k];
+    point.pressure_rate += cell_pressure_rate[k] * pressure_values[k];
+    slope += cell_pressure[k] * pressure_gradients[k];
+  }
+  point.pressure_gradient = slope * geometry.inverse_jacobian;
+  if (material().shear.flow_curve)
+    set_strain_rate(point);
   return point;
 }
 
 template <int dim>
-void ConvectiveTerms<dim>::set_strain_rate(Point &point, const unsigned int q) const
+void ConvectiveTerms<dim>::set_strain_rate(Point &point) const
 {
   const double mean = point.divergence / 3.;
   for (unsigned int c = 0; c < dim; ++c)
@@ -200,8 +164,6 @@ void ConvectiveTerms<dim>::set_strain_rate(Point &point, const unsigned int q) c
       point.strain_rate[c][d] =
           0.5 * (point.velocity_gradient[c][d] + point.velocity_gradient[d][c]) -
           (c == d ? mean : 0.);
-  if (space.is_axisymmetric())
-    point.hoop = 1. / values.quadrature_point(q)[1];
   if (dim == 2)
     point.across = point.velocity[1] * point.hoop - mean;
   point.shear_rate =
@@ -209,103 +171,150 @@ void ConvectiveTerms<dim>::set_strain_rate(Point &point, const unsigned int q) c
 }
 
 template <int dim>
+void ConvectiveTerms<dim>::set_functions(const unsigned int q)
+{
+  const typename Cell::Point &geometry = present->points[q];
+  const unsigned int n_functions = cells.n_functions();
+  functions.values = cells.values(q);
+  functions.pressure_values = cells.pressure_values(q);
+  for (unsigned int a = 0; a < n_functions; ++a)
+    functions.gradients[a] = cells.gradients(q)[a] * geometry.inverse_jacobian;
+  for (unsigned int k = 0; k < cells.n_pressures(); ++k)
+    functions.pressure_gradients[k] = cells.pressure_gradients(q)[k] * geometry.inverse_jacobian;
+  for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int a = 0; a < n_functions; ++a)
+      traces[c * n_functions + a] =
+          functions.gradients[a][c] + (c == 1 ? geometry.hoop * functions.values[a] : 0.);
+}
+
+template <int dim>
 double ConvectiveTerms<dim>::shear(const Point &point,
                                    const unsigned int component,
-                                   const unsigned int function,
-                                   const unsigned int q) const
+                                   const unsigned int function) const
 {
-  double sum = point.strain_rate[component] * values.shape_grad(function, q);
+  double sum = point.strain_rate[component] * functions.gradients[function];
   if (component == 1)
-    sum += point.across * point.hoop * values.shape_value(function, q);
+    sum += point.across * point.hoop * functions.values[function];
   return sum;
 }
 
 template <int dim>
-void ConvectiveTerms<dim>::integrate_viscosity(const Point &here, const unsigned int q)
+typename ConvectiveTerms<dim>::Tested ConvectiveTerms<dim>::viscous(const Point &here) const
 {
-  const FlowCurve &curve = *problem.materials[region].shear.flow_curve;
+  const FlowCurve &curve = *material().shear.flow_curve;
   const double factor =
       2. * here.weight * (curve.viscosity(here.shear_rate) - curve.zero_rate_viscosity);
-  for (unsigned int c = 0; c < dim; ++c)
-    for (unsigned int a = 0; a < place[c].size(); ++a)
-      cell_viscosity[place[c][a]] += factor * shear(here, c, a, q);
+  Tested tested;
+  tested.by_gradient = factor * here.strain_rate;
+  tested.by_value[1] = factor * here.across * here.hoop;
+  return tested;
 }
 
 template <int dim>
 void ConvectiveTerms<dim>::add_derivative_of_viscosity(const Point &here,
-                                                       const unsigned int q,
-                                                       FullMatrix<double> &matrix)
+                                                       FullMatrix<double> &matrix) const
 {
-  const FlowCurve &curve = *problem.materials[region].shear.flow_curve;
+  const FlowCurve &curve = *material().shear.flow_curve;
   const double excess =
       2. * here.weight * (curve.viscosity(here.shear_rate) - curve.zero_rate_viscosity);
   const double slope = 4. * here.weight * curve.slope_over_rate(here.shear_rate);
+  const unsigned int n_functions = cells.n_functions();
   for (unsigned int c = 0; c < dim; ++c)
-    for (unsigned int a = 0; a < place[c].size(); ++a)
+    for (unsigned int a = 0; a < n_functions; ++a)
     {
-      const Tensor<1, dim> test = values.shape_grad(a, q);
-      const double sheared = slope * shear(here, c, a, q);
+      const unsigned int i = c * n_functions + a;
+      const Tensor<1, dim> &test = functions.gradients[a];
+      const double sheared = slope * shear(here, c, a);
       for (unsigned int d = 0; d < dim; ++d)
-        for (unsigned int b = 0; b < place[d].size(); ++b)
+        for (unsigned int b = 0; b < n_functions; ++b)
         {
-          const Tensor<1, dim> trial = values.shape_grad(b, q);
+          const unsigned int j = d * n_functions + b;
+          const Tensor<1, dim> &trial = functions.gradients[b];
           double same = 0.5 * ((c == d ? test * trial : 0.) + test[d] * trial[c]) -
-                        trace(c, a, q) * trace(d, b, q) / 3.;
+                        traces[i] * traces[j] / 3.;
           if (c == 1 && d == 1)
-            same += here.hoop * here.hoop * values.shape_value(a, q) * values.shape_value(b, q);
-          matrix(place[c][a], place[d][b]) += excess * same + sheared * shear(here, d, b, q);
+            same += here.hoop * here.hoop * functions.values[a] * functions.values[b];
+          matrix(i, j) += excess * same + sheared * shear(here, d, b);
         }
     }
 }
 
 template <int dim>
-double ConvectiveTerms<dim>::integrate()
+void ConvectiveTerms<dim>::add_tested(const Tested &tested,
+                                      const unsigned int q,
+                                      Vector<double> &rows) const
 {
-  const Material &material = problem.materials[region];
-  const VolumeLaw law = material.volume_law();
+  const unsigned int n_functions = cells.n_functions();
+  const double *const values = cells.values(q);
+  const Tensor<1, dim> *const gradients = cells.gradients(q);
+  for (unsigned int c = 0; c < dim; ++c)
+  {
+    const double by_value = tested.by_value[c];
+    // By the gradient on the reference cell.
+    const Tensor<1, dim> by_gradient = present->points[q].inverse_jacobian * tested.by_gradient[c];
+    double *const of_component = rows.begin() + c * n_functions;
+    for (unsigned int a = 0; a < n_functions; ++a)
+      of_component[a] += by_value * values[a] + by_gradient * gradients[a];
+  }
+}
+
+template <int dim>
+double ConvectiveTerms<dim>::integrate(const bool by_kind)
+{
+  const Material &liquid = material();
+  const VolumeLaw law = liquid.volume_law();
   const bool is_skew = problem.convection.term == ConvectiveTerm::skew;
   const double constant_gamma = problem.convection.constant_viscosity(),
                gamma_over_speed = viscosity_over_speed();
   if (streamline_terms.are_on())
-    streamline_terms.visit(present_cell, step);
+    streamline_terms.visit(present->velocity_cell, step);
   double least_stiffening = 1.;
-  for (Vector<double> *vector : {&cell_inertia, &cell_convection, &cell_stabilisation,
-                                 &cell_viscosity, &cell_inflow, &cell_volume})
-    *vector = 0.;
-  for (unsigned int q = 0; q < quadrature.size(); ++q)
+  for (Vector<double> &forces : cell_forces)
+    forces = 0.;
+  cell_inflow = 0.;
+  cell_volume = 0.;
+  for (unsigned int q = 0; q < cells.n_points(); ++q)
   {
     const Point here = point(q);
     least_stiffening = std::min(least_stiffening, law.stiffening(here.pressure));
-    const double density = material.density * law.density_ratio(here.pressure);
-    const double compressibility = law.compressibility(here.pressure);
-    const double compression =
-        compressibility * (here.pressure_rate + here.velocity * here.pressure_gradient);
+    const double density = liquid.density * law.density_ratio(here.pressure);
+    const double compression = law.compressibility(here.pressure) *
+                               (here.pressure_rate + here.velocity * here.pressure_gradient);
     const double source = compression + here.divergence;
-    const Tensor<1, dim> inertia = here.weight * (density - material.density) * here.acceleration;
-    Tensor<1, dim> convective = density * (here.velocity_gradient * here.velocity);
-    if (is_skew)
-      convective += 0.5 * density * source * here.velocity;
-    convective *= here.weight;
+    std::array<Tested, n_kinds> tested;
+    tested[inertia].by_value = here.weight * (density - liquid.density) * here.acceleration;
+    tested[convection].by_value =
+        here.weight * density *
+        (here.velocity_gradient * here.velocity + (is_skew ? 0.5 * source : 0.) * here.velocity);
     const double gamma = constant_gamma + gamma_over_speed * here.velocity.norm();
     const double second_pressure = here.weight * gamma * source;
     for (unsigned int c = 0; c < dim; ++c)
-      for (unsigned int a = 0; a < place[c].size(); ++a)
-      {
-        const unsigned int i = place[c][a];
-        cell_inertia[i] += inertia[c] * values.shape_value(a, q);
-        cell_convection[i] += convective[c] * values.shape_value(a, q);
-        cell_stabilisation[i] += second_pressure * trace(c, a, q);
-      }
+      tested[stabilisation].by_gradient[c][c] = second_pressure;
+    tested[stabilisation].by_value[1] = second_pressure * here.hoop;
     if (streamline_terms.are_on())
-      streamline_terms.add(here, q, cell_state(), cell_stabilisation);
-    if (material.shear.flow_curve)
-      integrate_viscosity(here, q);
-    const double rate = compression - law.inverse_bulk_modulus * here.pressure_rate;
-    for (unsigned int k = 0; k < cell_volume.size(); ++k)
-      cell_volume[k] += here.weight * rate * pressure_values->shape_value(k, q);
+      tested[stabilisation].by_gradient +=
+          outer_product(streamline_terms.force(here, q, cell_state()), here.velocity);
+    if (liquid.shear.flow_curve)
+      tested[viscosity] = viscous(here);
+    if (by_kind)
+      for (unsigned int kind = 0; kind < n_kinds; ++kind)
+        add_tested(tested[kind], q, cell_forces[kind]);
+    else
+    {
+      Tested sum;
+      for (const Tested &part : tested)
+      {
+        sum.by_value += part.by_value;
+        sum.by_gradient += part.by_gradient;
+      }
+      add_tested(sum, q, cell_forces[0]);
+    }
+    const double rate = here.weight * (compression - law.inverse_bulk_modulus * here.pressure_rate);
+    for (unsigned int k = 0; k < cells.n_pressures(); ++k)
+      cell_volume[k] += rate * cells.pressure_values(q)[k];
   }
-  if (const auto cell = present_pressure_cell(); inflow_terms.has_face(cell))
-    inflow_terms.add(cell, cell_state(), cell_inflow);
+  if (inflow_terms.has_face(present->pressure_cell))
+    inflow_terms.add(present->pressure_cell, cell_state(), cell_inflow);
   return least_stiffening;
 }
 
@@ -317,20 +326,19 @@ void ConvectiveTerms<dim>::add(const BalancedStep &state,
   take(state);
   double least_stiffening = 1.;
   unsigned int softest = 0;
-  for (const auto &cell : cells)
+  for (const Cell &cell : cells.all())
   {
     visit(cell);
-    const double stiffening = integrate();
+    const double stiffening = integrate(false);
     if (!(stiffening >= least_stiffening))
     {
       least_stiffening = stiffening;
-      softest = region;
+      softest = cell.region;
     }
-    for (const Vector<double> *part :
-         {&cell_convection, &cell_stabilisation, &cell_viscosity, &cell_inflow})
-      cell_inertia += *part;
-    space.velocity_hanging.distribute_local_to_global(cell_inertia, velocity_indices, momentum);
-    space.pressure_hanging.distribute_local_to_global(cell_volume, pressure_indices, volume);
+    Vector<double> &sum = cell_forces[0];
+    sum += cell_inflow;
+    space.velocity_hanging.distribute_local_to_global(sum, cell.velocity_indices, momentum);
+    space.pressure_hanging.distribute_local_to_global(cell_volume, cell.pressure_indices, volume);
   }
   momentum.compress(VectorOperation::add);
   volume.compress(VectorOperation::add);
@@ -348,28 +356,26 @@ void ConvectiveTerms<dim>::add(const BalancedStep &state,
 }
 
 template <int dim>
-void ConvectiveTerms<dim>::set_forces_of(const unsigned int of_region,
+void ConvectiveTerms<dim>::set_forces_of(const unsigned int region,
                                          const BalancedStep &state,
                                          NonlinearForces &forces)
 {
   const std::array<std::pair<const Vector<double> *, DistributedVector *>, 5> parts = {
-      {{&cell_inertia, &forces.inertia},
-       {&cell_convection, &forces.convection},
-       {&cell_stabilisation, &forces.stabilisation},
-       {&cell_viscosity, &forces.viscosity},
+      {{&cell_forces[inertia], &forces.inertia},
+       {&cell_forces[convection], &forces.convection},
+       {&cell_forces[stabilisation], &forces.stabilisation},
+       {&cell_forces[viscosity], &forces.viscosity},
        {&cell_inflow, &forces.inflow}}};
   for (const auto &part : parts)
     *part.second = 0.;
-  if (!has_terms(of_region))
-    return;
   take(state);
-  for (const auto &cell : cells)
-    if (cell->material_id() == of_region)
+  for (const Cell &cell : cells.all())
+    if (cell.region == region)
     {
       visit(cell);
-      integrate();
+      integrate(true);
       for (const auto &part : parts)
-        space.velocity_hanging.distribute_local_to_global(*part.first, velocity_indices,
+        space.velocity_hanging.distribute_local_to_global(*part.first, cell.velocity_indices,
                                                           *part.second);
     }
   for (const auto &part : parts)
@@ -377,22 +383,22 @@ void ConvectiveTerms<dim>::set_forces_of(const unsigned int of_region,
 }
 
 template <int dim>
-NonlinearEnergy ConvectiveTerms<dim>::energy_of(const unsigned int of_region,
+NonlinearEnergy ConvectiveTerms<dim>::energy_of(const unsigned int region,
                                                 const DistributedVector &of_velocity,
                                                 const DistributedVector &of_pressure)
 {
   NonlinearEnergy energy;
-  const Material &material = problem.materials[of_region];
-  const VolumeLaw law = material.volume_law();
+  const double density = problem.materials[region].density;
+  const VolumeLaw law = problem.materials[region].volume_law();
   take(of_velocity, of_pressure);
-  for (const auto &cell : cells)
-    if (cell->material_id() == of_region)
+  for (const Cell &cell : cells.all())
+    if (cell.region == region)
     {
       visit(cell);
-      for (unsigned int q = 0; q < quadrature.size(); ++q)
+      for (unsigned int q = 0; q < cells.n_points(); ++q)
       {
         const Point here = point(q);
-        energy.kinetic += here.weight * 0.5 * material.density * law.density_ratio(here.pressure) *
+        energy.kinetic += here.weight * 0.5 * density * law.density_ratio(here.pressure) *
                           here.velocity.norm_square();
         energy.compressive += here.weight * law.energy(here.pressure);
       }
@@ -403,87 +409,80 @@ NonlinearEnergy ConvectiveTerms<dim>::energy_of(const unsigned int of_region,
 template <int dim>
 void ConvectiveTerms<dim>::integrate_derivative(FullMatrix<double> &matrix)
 {
-  const Material &material = problem.materials[region];
-  const VolumeLaw law = material.volume_law();
+  const Material &liquid = material();
+  const VolumeLaw law = liquid.volume_law();
   const double skew = problem.convection.term == ConvectiveTerm::skew ? 0.5 : 0.;
   const double constant_gamma = problem.convection.constant_viscosity(),
                gamma_over_speed = viscosity_over_speed();
   if (streamline_terms.are_on())
-    streamline_terms.visit(present_cell, step);
+    streamline_terms.visit(present->velocity_cell, step);
   const double rate_by_pressure = 1. / step.pressure_time;
-  const unsigned int n_scalar = place[0].size(), n_velocity = velocity_indices.size(),
-                     n_pressure = pressure_indices.size();
+  const unsigned int n_functions = cells.n_functions(), n_velocity = dim * n_functions,
+                     n_pressure = cells.n_pressures();
   matrix.reinit(n_velocity + n_pressure, n_velocity + n_pressure);
-  // Derivatives by the unknowns at one point: of the divergence and of the source m.
-  std::vector<double> traces(n_velocity), sources(n_velocity), along(n_scalar),
-      pressure_sources(n_pressure), pressure_rates(n_pressure), densities(n_pressure);
-  for (unsigned int q = 0; q < quadrature.size(); ++q)
+  for (unsigned int q = 0; q < cells.n_points(); ++q)
   {
     const Point here = point(q);
-    const double density = material.density * law.density_ratio(here.pressure);
+    set_functions(q);
+    const double *const values = functions.values;
+    const double density = liquid.density * law.density_ratio(here.pressure);
     const double compressibility = law.compressibility(here.pressure);
     const double slope = law.compressibility_slope(here.pressure);
     const double motion = here.pressure_rate + here.velocity * here.pressure_gradient;
     const double source = compressibility * motion + here.divergence;
-    const Tensor<1, dim> inertia = here.acceleration + here.velocity_gradient * here.velocity;
+    const Tensor<1, dim> inertial = here.acceleration + here.velocity_gradient * here.velocity;
     const double speed = here.velocity.norm();
     const double gamma = constant_gamma + gamma_over_speed * speed;
     // Of gamma times the source by the velocity; at rest the speed has no derivative.
     const Tensor<1, dim> gamma_slope =
         speed > 0. ? gamma_over_speed / speed * source * here.velocity : Tensor<1, dim>();
-    for (unsigned int b = 0; b < n_scalar; ++b)
-    {
-      along[b] = here.velocity * values.shape_grad(b, q);
-      for (unsigned int d = 0; d < dim; ++d)
-      {
-        traces[place[d][b]] = trace(d, b, q);
-        sources[place[d][b]] =
-            compressibility * values.shape_value(b, q) * here.pressure_gradient[d] +
-            traces[place[d][b]];
-      }
-    }
+    for (unsigned int b = 0; b < n_functions; ++b)
+      along[b] = here.velocity * functions.gradients[b];
+    for (unsigned int d = 0; d < dim; ++d)
+      for (unsigned int b = 0; b < n_functions; ++b)
+        sources[d * n_functions + b] =
+            compressibility * here.pressure_gradient[d] * values[b] + traces[d * n_functions + b];
     for (unsigned int l = 0; l < n_pressure; ++l)
     {
-      const double shape = pressure_values->shape_value(l, q);
+      const double shape = functions.pressure_values[l];
       const double moved =
-          rate_by_pressure * shape + here.velocity * pressure_values->shape_grad(l, q);
+          rate_by_pressure * shape + here.velocity * functions.pressure_gradients[l];
       pressure_sources[l] = slope * shape * motion + compressibility * moved;
       pressure_rates[l] = pressure_sources[l] - law.inverse_bulk_modulus * rate_by_pressure * shape;
       densities[l] = density * compressibility * shape;
     }
-    for (unsigned int a = 0; a < n_scalar; ++a)
-    {
-      const double test = here.weight * values.shape_value(a, q);
-      for (unsigned int c = 0; c < dim; ++c)
+    // Of the acceleration and of the velocity that the flow carries along, by that velocity.
+    const double carried = (density - liquid.density) * step.a0 + skew * density * source;
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int a = 0; a < n_functions; ++a)
       {
-        const unsigned int i = place[c][a];
-        const double test_trace = here.weight * gamma * traces[i];
-        const double by_source = test * skew * density * here.velocity[c] + test_trace;
-        for (unsigned int b = 0; b < n_scalar; ++b)
+        const unsigned int i = c * n_functions + a;
+        const double test = here.weight * values[a];
+        const double by_trace = here.weight * traces[i];
+        const double by_source = test * skew * density * here.velocity[c] + gamma * by_trace;
+        for (unsigned int d = 0; d < dim; ++d)
         {
-          const double shape = values.shape_value(b, q);
-          const double same = test * ((density - material.density) * step.a0 * shape +
-                                      density * along[b] + skew * density * source * shape);
-          for (unsigned int d = 0; d < dim; ++d)
-          {
-            const unsigned int j = place[d][b];
-            matrix(i, j) +=
-                (c == d ? same : 0.) + test * density * shape * here.velocity_gradient[c][d] +
-                by_source * sources[j] + here.weight * traces[i] * gamma_slope[d] * shape;
-          }
+          double *const row = &matrix(i, d * n_functions);
+          const double *const of_source = &sources[d * n_functions];
+          const double by_value = test * density * here.velocity_gradient[c][d] +
+                                  by_trace * gamma_slope[d] + (c == d ? test * carried : 0.);
+          for (unsigned int b = 0; b < n_functions; ++b)
+            row[b] += by_value * values[b] + by_source * of_source[b];
+          if (c == d)
+            for (unsigned int b = 0; b < n_functions; ++b)
+              row[b] += test * density * along[b];
         }
-        const double by_density = test * (inertia[c] + skew * source * here.velocity[c]);
+        const double by_density = test * (inertial[c] + skew * source * here.velocity[c]);
         for (unsigned int l = 0; l < n_pressure; ++l)
           matrix(i, n_velocity + l) += by_density * densities[l] + by_source * pressure_sources[l];
       }
-    }
     if (streamline_terms.are_on())
-      streamline_terms.add_derivative(here, q, cell_state(), *pressure_values, matrix);
-    if (material.shear.flow_curve)
-      add_derivative_of_viscosity(here, q, matrix);
+      streamline_terms.add_derivative(here, functions, q, cell_state(), matrix);
+    if (liquid.shear.flow_curve)
+      add_derivative_of_viscosity(here, matrix);
     for (unsigned int k = 0; k < n_pressure; ++k)
     {
-      const double test = -here.weight * pressure_values->shape_value(k, q);
+      const double test = -here.weight * functions.pressure_values[k];
       for (unsigned int j = 0; j < n_velocity; ++j)
         matrix(n_velocity + k, j) += test * (sources[j] - traces[j]);
       for (unsigned int l = 0; l < n_pressure; ++l)
@@ -501,19 +500,19 @@ void ConvectiveTerms<dim>::add_derivative(const BalancedStep &state,
   const int first_pressure = static_cast<int>(space.velocity_dofs.n_dofs());
   FullMatrix<double> local;
   std::vector<Masters> masters;
-  for (const auto &cell : cells)
+  for (const Cell &cell : cells.all())
   {
     set_derivative(cell, local);
     masters.resize(local.m());
-    for (unsigned int i = 0; i < velocity_indices.size(); ++i)
-      set_masters(constraints, velocity_indices[i], 0, masters[i]);
-    for (unsigned int k = 0; k < pressure_indices.size(); ++k)
-      set_masters(space.pressure_hanging, pressure_indices[k], first_pressure,
-                  masters[velocity_indices.size() + k]);
+    const unsigned int n_velocity = cell.velocity_indices.size();
+    for (unsigned int i = 0; i < n_velocity; ++i)
+      set_masters(constraints, cell.velocity_indices[i], 0, masters[i]);
+    for (unsigned int k = 0; k < cell.pressure_indices.size(); ++k)
+      set_masters(space.pressure_hanging, cell.pressure_indices[k], first_pressure,
+                  masters[n_velocity + k]);
     // The same places for any state, so that an analysis of the matrix can be kept. Pressures of a
     // liquid that is incompressible enter by SUPG alone.
-    const bool is_compressible = !problem.materials[region].is_incompressible();
-    const unsigned int n_velocity = velocity_indices.size();
+    const bool is_compressible = !material().is_incompressible();
     const unsigned int n_rows = is_compressible ? local.m() : n_velocity;
     const unsigned int n_columns =
         is_compressible || streamline_terms.are_on() ? local.n() : n_velocity;
@@ -530,22 +529,21 @@ void ConvectiveTerms<dim>::add_derivative(const BalancedStep &state,
 }
 
 template <int dim>
-void ConvectiveTerms<dim>::set_derivative(
-    const typename DoFHandler<dim>::active_cell_iterator &cell, FullMatrix<double> &matrix)
+void ConvectiveTerms<dim>::set_derivative(const Cell &cell, FullMatrix<double> &matrix)
 {
   visit(cell);
   integrate_derivative(matrix);
-  if (const auto pressure_cell = present_pressure_cell(); inflow_terms.has_face(pressure_cell))
-    inflow_terms.add_derivative(pressure_cell, cell_state(), matrix);
+  if (inflow_terms.has_face(cell.pressure_cell))
+    inflow_terms.add_derivative(cell.pressure_cell, cell_state(), matrix);
 }
 
 template <int dim>
 void ConvectiveTerms<dim>::keep_derivative(const BalancedStep &state)
 {
   take(state);
-  cell_derivatives.resize(cells.size());
-  for (std::size_t k = 0; k < cells.size(); ++k)
-    set_derivative(cells[k], cell_derivatives[k]);
+  cell_derivatives.resize(cells.all().size());
+  for (std::size_t k = 0; k < cell_derivatives.size(); ++k)
+    set_derivative(cells.all()[k], cell_derivatives[k]);
 }
 
 template <int dim>
@@ -555,25 +553,24 @@ void ConvectiveTerms<dim>::add_derivative_product(const DistributedVector &of_ve
                                                   DistributedVector &volume)
 {
   take(of_velocity, of_pressure);
-  const unsigned int n_velocity = velocity_indices.size();
-  for (std::size_t k = 0; k < cells.size(); ++k)
+  const double *const velocities = velocity.begin(), *const pressures = pressure.begin();
+  for (std::size_t k = 0; k < cell_derivatives.size(); ++k)
   {
-    visit_indices(cells[k]);
-    const unsigned int n_pressure = pressure_indices.size();
-    cell_change.reinit(n_velocity + n_pressure, true);
-    cell_product.reinit(n_velocity + n_pressure, true);
+    const Cell &cell = cells.all()[k];
+    const unsigned int n_velocity = cell.velocity_places.size(),
+                       n_pressure = cell.pressure_places.size();
     for (unsigned int i = 0; i < n_velocity; ++i)
-      cell_change[i] = velocity(velocity_indices[i]);
+      cell_change[i] = velocities[cell.velocity_places[i]];
     for (unsigned int i = 0; i < n_pressure; ++i)
-      cell_change[n_velocity + i] = pressure(pressure_indices[i]);
+      cell_change[n_velocity + i] = pressures[cell.pressure_places[i]];
     cell_derivatives[k].vmult(cell_product, cell_change);
-    cell_volume.reinit(n_pressure, true);
     for (unsigned int i = 0; i < n_velocity; ++i)
-      cell_inertia[i] = cell_product[i];
+      cell_forces[0][i] = cell_product[i];
     for (unsigned int i = 0; i < n_pressure; ++i)
       cell_volume[i] = -cell_product[n_velocity + i];
-    space.velocity_hanging.distribute_local_to_global(cell_inertia, velocity_indices, momentum);
-    space.pressure_hanging.distribute_local_to_global(cell_volume, pressure_indices, volume);
+    space.velocity_hanging.distribute_local_to_global(cell_forces[0], cell.velocity_indices,
+                                                      momentum);
+    space.pressure_hanging.distribute_local_to_global(cell_volume, cell.pressure_indices, volume);
   }
   momentum.compress(VectorOperation::add);
   volume.compress(VectorOperation::add);

@@ -71,8 +71,8 @@ InflowTerms<dim>::point(const Cell &cell, const CellState<dim> &state, const uns
       (1. - material.phase()) * values.JxW(q) * space.measure(values.quadrature_point(q));
   point.normal = values.normal_vector(q);
   for (unsigned int c = 0; c < dim; ++c)
-    for (unsigned int a = 0; a < state.place[c].size(); ++a)
-      point.velocity[c] += state.velocity[state.place[c][a]] * values.shape_value(a, q);
+    for (unsigned int a = 0; a < state.n_functions(); ++a)
+      point.velocity[c] += state.velocity[state.place(c, a)] * values.shape_value(a, q);
   double pressure = 0.;
   for (unsigned int k = 0; k < state.pressure.size(); ++k)
     pressure += state.pressure[k] * pressure_values->shape_value(k, q);
@@ -97,8 +97,8 @@ void InflowTerms<dim>::add(const Cell &pressure_cell,
         const Tensor<1, dim> force =
             -0.5 * here.weight * here.density * here.inflow * here.velocity;
         for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int a = 0; a < state.place[c].size(); ++a)
-            momentum[state.place[c][a]] += force[c] * values.shape_value(a, q);
+          for (unsigned int a = 0; a < state.n_functions(); ++a)
+            momentum[state.place(c, a)] += force[c] * values.shape_value(a, q);
       }
     }
 }
@@ -108,7 +108,7 @@ void InflowTerms<dim>::add_derivative(const Cell &pressure_cell,
                                       const CellState<dim> &state,
                                       FullMatrix<double> &matrix)
 {
-  const unsigned int n_scalar = state.place[0].size(), n_velocity = state.velocity.size();
+  const unsigned int n_scalar = state.n_functions(), n_velocity = state.velocity.size();
   for (const unsigned int face : pressure_cell->face_indices())
     if (is_end(pressure_cell, face))
     {
@@ -123,12 +123,12 @@ void InflowTerms<dim>::add_derivative(const Cell &pressure_cell,
           const double test = -0.5 * here.weight * values.shape_value(a, q);
           for (unsigned int c = 0; c < dim; ++c)
           {
-            const unsigned int i = state.place[c][a];
+            const unsigned int i = state.place(c, a);
             for (unsigned int b = 0; b < n_scalar; ++b)
             {
               const double change = test * here.density * values.shape_value(b, q);
               for (unsigned int d = 0; d < dim; ++d)
-                matrix(i, state.place[d][b]) +=
+                matrix(i, state.place(d, b)) +=
                     change * (here.normal[d] * here.velocity[c] + (c == d ? here.inflow : 0.));
             }
             for (unsigned int l = 0; l < state.pressure.size(); ++l)

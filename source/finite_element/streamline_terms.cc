@@ -79,7 +79,7 @@ Tensor<1, dim> StreamlineTerms<dim>::residual(const FlowPoint<dim> &point,
                          point.pressure_gradient;
   for (unsigned int c = 0; c < dim; ++c)
     for (unsigned int a = 0; a < along.size(); ++a)
-      force -= state.velocity[state.place[c][a]] * viscous_force(c, a, q);
+      force -= state.velocity[state.place(c, a)] * viscous_force(c, a, q);
   const auto place = coordinates(values.quadrature_point(q));
   const InteriorData &interior = problem.interior;
   for (unsigned int c = 0; c < interior.body_force.size(); ++c)
@@ -90,26 +90,18 @@ Tensor<1, dim> StreamlineTerms<dim>::residual(const FlowPoint<dim> &point,
 }
 
 template <int dim>
-void StreamlineTerms<dim>::add(const FlowPoint<dim> &point,
-                               const unsigned int q,
-                               const CellState<dim> &state,
-                               Vector<double> &momentum)
+Tensor<1, dim> StreamlineTerms<dim>::force(const FlowPoint<dim> &point,
+                                           const unsigned int q,
+                                           const CellState<dim> &state) const
 {
-  const Tensor<1, dim> force =
-      point.weight * time_scale(point.velocity.norm()) * residual(point, q, state);
-  for (unsigned int a = 0; a < along.size(); ++a)
-  {
-    const double test = point.velocity * values.shape_grad(a, q);
-    for (unsigned int c = 0; c < dim; ++c)
-      momentum[state.place[c][a]] += test * force[c];
-  }
+  return point.weight * time_scale(point.velocity.norm()) * residual(point, q, state);
 }
 
 template <int dim>
 void StreamlineTerms<dim>::add_derivative(const FlowPoint<dim> &point,
+                                          const FlowFunctions<dim> &functions,
                                           const unsigned int q,
                                           const CellState<dim> &state,
-                                          const FEValuesBase<dim> &pressure_values,
                                           FullMatrix<double> &matrix)
 {
   const Material &material = problem.materials[region];
@@ -123,12 +115,12 @@ void StreamlineTerms<dim>::add_derivative(const FlowPoint<dim> &point,
   const unsigned int n_velocity = residual_slopes.size(),
                      n_pressure = matrix.n() - residual_slopes.size();
   for (unsigned int b = 0; b < along.size(); ++b)
-    along[b] = point.velocity * values.shape_grad(b, q);
+    along[b] = point.velocity * functions.gradients[b];
   for (unsigned int d = 0; d < dim; ++d)
     for (unsigned int b = 0; b < along.size(); ++b)
     {
-      const double shape = values.shape_value(b, q);
-      Tensor<1, dim> &slope = residual_slopes[state.place[d][b]];
+      const double shape = functions.values[b];
+      Tensor<1, dim> &slope = residual_slopes[state.place(d, b)];
       slope = -viscous_force(d, b, q);
       slope[d] += density * (step.a0 * shape + along[b]);
       for (unsigned int c = 0; c < dim; ++c)
@@ -137,25 +129,25 @@ void StreamlineTerms<dim>::add_derivative(const FlowPoint<dim> &point,
   for (unsigned int a = 0; a < along.size(); ++a)
   {
     const double test = point.weight * tau * along[a];
-    const Tensor<1, dim> gradient = values.shape_grad(a, q);
+    const Tensor<1, dim> gradient = functions.gradients[a];
     for (unsigned int d = 0; d < dim; ++d)
     {
       const double by_flow =
           point.weight * (tau * gradient[d] + tau_slope * point.velocity[d] * along[a]);
       for (unsigned int b = 0; b < along.size(); ++b)
       {
-        const unsigned int j = state.place[d][b];
-        const double moved = by_flow * values.shape_value(b, q);
+        const unsigned int j = state.place(d, b);
+        const double moved = by_flow * functions.values[b];
         for (unsigned int c = 0; c < dim; ++c)
-          matrix(state.place[c][a], j) += test * residual_slopes[j][c] + moved * force[c];
+          matrix(state.place(c, a), j) += test * residual_slopes[j][c] + moved * force[c];
       }
     }
     for (unsigned int l = 0; l < n_pressure; ++l)
     {
-      const Tensor<1, dim> slope = density_slope * pressure_values.shape_value(l, q) * inertia +
-                                   pressure_values.shape_grad(l, q);
+      const Tensor<1, dim> slope =
+          density_slope * functions.pressure_values[l] * inertia + functions.pressure_gradients[l];
       for (unsigned int c = 0; c < dim; ++c)
-        matrix(state.place[c][a], n_velocity + l) += test * slope[c];
+        matrix(state.place(c, a), n_velocity + l) += test * slope[c];
     }
   }
 }

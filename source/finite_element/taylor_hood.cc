@@ -70,7 +70,8 @@ void TaylorHood<dim>::setup()
   load_list.build();
   loads_of_regions.clear();
   system.reinit();
-  convective_terms.reinit();
+  if (is_nonlinear())
+    convective_terms.reinit();
   tangent.reinit();
   evaluation.rebuild();
   wall_shear.reinit();

@@ -4,6 +4,7 @@
 #include <continua/continuum/balanced_step.h>
 #include <continua/continuum/nonlinear_terms.h>
 #include <continua/continuum/problem.h>
+#include <continua/finite_element/flow_cells.h>
 #include <continua/finite_element/flow_point.h>
 #include <continua/finite_element/inflow_terms.h>
 #include <continua/finite_element/space.h>
@@ -11,9 +12,8 @@
 #include <continua/linear_algebra/unsymmetric_factor.h>
 
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
-#include <deal.II/hp/fe_values.h>
 #include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
 
 #include <array>
 #include <vector>
@@ -77,70 +77,74 @@ public:
 
 private:
   using Point = FlowPoint<dim>;
+  using Cell = FlowCell<dim>;
+
+  /// What tests the rows of momentum at a point: the values and the gradients of test functions.
+  struct Tested
+  {
+    dealii::Tensor<1, dim> by_value;    ///< [N]
+    dealii::Tensor<2, dim> by_gradient; ///< [component][direction] [N m]
+  };
+  /// The kinds of NonlinearForces that are integrals over cells.
+  enum Kind
+  {
+    inertia,
+    convection,
+    stabilisation,
+    viscosity,
+    n_kinds
+  };
 
   const Space<dim> &space;
   const Problem &problem;
-  const dealii::FE_Q<dim> scalar_element;
   const dealii::QGauss<dim> quadrature;
-  dealii::FEValues<dim> values;
-  dealii::hp::FEValues<dim> hp_pressure_values;
-  const dealii::FEValues<dim> *pressure_values = nullptr; ///< on the present cell
-  /// place[c][a]: the cell's dof of component c and scalar function a.
-  std::array<std::vector<unsigned int>, dim> place;
+  FlowCells<dim> cells;
   InflowTerms<dim> inflow_terms;
   StreamlineTerms<dim> streamline_terms;
   Step step; ///< of the state that was taken
-  /// The owned cells that have terms, in the order of the tree.
-  std::vector<typename dealii::DoFHandler<dim>::active_cell_iterator> cells;
-  /// The kept derivative of each of these cells, and work space for its product.
+  /// The kept derivative of each cell, and work space for its product.
   std::vector<dealii::FullMatrix<double>> cell_derivatives;
   dealii::Vector<double> cell_change, cell_product;
   // The state with ghost entries, and work space for it.
   DistributedVector velocity, acceleration, pressure, pressure_rate;
   DistributedVector velocity_work, pressure_work;
-  // Of a cell.
-  std::vector<dealii::types::global_dof_index> velocity_indices, pressure_indices;
+  // Of the present cell; velocities component by component.
+  const Cell *present = nullptr;
   dealii::Vector<double> cell_velocity, cell_acceleration, cell_pressure, cell_pressure_rate;
-  dealii::Vector<double> cell_volume;
-  dealii::Vector<double> cell_inertia, cell_convection, cell_stabilisation, cell_viscosity,
-      cell_inflow;
+  dealii::Vector<double> cell_volume, cell_inflow;
+  std::array<dealii::Vector<double>, n_kinds> cell_forces;
+  /// At a point of the present cell.
+  FlowFunctions<dim> functions;
+  // Derivatives by the unknowns at a point: of the divergence, of the source m, along the flow.
+  std::vector<double> traces, sources, along, pressure_sources, pressure_rates, densities;
 
-  /// Whether 1 - phase is more than 0.
-  bool has_terms(unsigned int region) const;
   void take(const DistributedVector &of_velocity, const DistributedVector &of_pressure);
   void take(const BalancedStep &state);
   /// The derivative of the rows of the cell at the state that was taken.
-  void set_derivative(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
-                      dealii::FullMatrix<double> &matrix);
-  /// Makes indices those of the cell.
-  void visit_indices(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell);
-  /// Makes shape functions, indices and the state's entries those of the cell.
-  void visit(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell);
+  void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix);
+  /// Makes the state's entries those of the cell.
+  void visit(const Cell &cell);
+  const Material &material() const { return problem.materials[present->region]; }
+  CellState<dim> cell_state() const { return {cell_velocity, cell_pressure}; }
   Point point(unsigned int q) const;
   /// Adds the strain rate to the point.
-  void set_strain_rate(Point &point, unsigned int q) const;
+  void set_strain_rate(Point &point) const;
+  /// Makes the functions and the derivatives of the divergence those of a point.
+  void set_functions(unsigned int q);
   /// The strain rate times the gradient of a velocity's shape function.
-  double
-  shear(const Point &point, unsigned int component, unsigned int function, unsigned int q) const;
-  /// Adds the terms of a flow curve to cell_viscosity, or their derivative to the matrix.
-  void integrate_viscosity(const Point &point, unsigned int q);
-  void add_derivative_of_viscosity(const Point &point,
-                                   unsigned int q,
-                                   dealii::FullMatrix<double> &matrix);
-  typename dealii::DoFHandler<dim>::active_cell_iterator present_pressure_cell() const;
-  /// Trace of the strain of a velocity's shape function.
-  double trace(unsigned int component, unsigned int function, unsigned int q) const;
-  CellState<dim> cell_state() const { return {place, cell_velocity, cell_pressure}; }
-  /// Sets the rows of the present cell: of momentum by kind, and cell_volume. The least of
-  /// VolumeLaw::stiffening().
-  double integrate();
+  double shear(const Point &point, unsigned int component, unsigned int function) const;
+  /// What tests the terms of a flow curve.
+  Tested viscous(const Point &point) const;
+  void add_derivative_of_viscosity(const Point &point, dealii::FullMatrix<double> &matrix) const;
+  /// Adds rows of momentum.
+  void add_tested(const Tested &tested, unsigned int q, dealii::Vector<double> &rows) const;
+  /// Sets the rows of the present cell: cell_volume, cell_inflow, and cell_forces by kind, or their
+  /// sum in the first one. The least of VolumeLaw::stiffening().
+  double integrate(bool by_kind);
   /// The derivative of the rows, velocities first.
   void integrate_derivative(dealii::FullMatrix<double> &matrix);
   /// Of grad-div over the local speed, in the present cell [Pa s^2/m].
   double viscosity_over_speed() const;
-  typename dealii::DoFHandler<dim>::active_cell_iterator present_cell;
-  /// The place of the present cell's region in the problem.
-  unsigned int region = 0;
 };
 } // namespace Continua
 

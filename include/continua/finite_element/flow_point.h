@@ -3,6 +3,8 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <vector>
+
 namespace Continua
 {
 /// The state of a liquid at a quadrature point of a cell.
@@ -16,6 +18,15 @@ struct FlowPoint
   dealii::Tensor<2, dim> strain_rate;       ///< deviatoric, in the plane or in space
   double across = 0., hoop = 0.;            ///< of it, across the plane; 1/r in axisymmetry
   double shear_rate = 0.;                   ///< of the FlowCurve
+};
+
+/// The shape functions at a quadrature point of a cell: of one component of the velocity, and of
+/// the pressure.
+template <int dim>
+struct FlowFunctions
+{
+  const double *values = nullptr, *pressure_values = nullptr;
+  std::vector<dealii::Tensor<1, dim>> gradients, pressure_gradients; ///< [1/m]
 };
 } // namespace Continua
 

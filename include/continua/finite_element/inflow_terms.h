@@ -10,19 +10,23 @@
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
-#include <array>
 #include <vector>
 
 namespace Continua
 {
-/// The dofs and values of a cell, in the cell's own numbering.
+/// The values of a cell at its dofs.
 template <int dim>
 struct CellState
 {
-  /// place[c][a]: the cell's dof of component c and scalar function a.
-  const std::array<std::vector<unsigned int>, dim> &place;
-  const dealii::Vector<double> &velocity; ///< [m/s]
+  const dealii::Vector<double> &velocity; ///< component by component [m/s]
   const dealii::Vector<double> &pressure; ///< [Pa]
+
+  /// Scalar functions of a component.
+  unsigned int n_functions() const { return velocity.size() / dim; }
+  unsigned int place(const unsigned int component, const unsigned int function) const
+  {
+    return component * n_functions() + function;
+  }
 };
 
 /**

@@ -43,17 +43,15 @@ public:
   bool are_on() const { return problem.convection.stabilisation == ConvectionStabilisation::supg; }
   /// Makes the shape functions and sizes those of the cell in that step.
   void visit(const Cell &cell, const Step &step);
-  /// Adds the rows of momentum [N] at a point.
-  void add(const FlowPoint<dim> &point,
-           unsigned int q,
-           const CellState<dim> &state,
-           dealii::Vector<double> &momentum);
-  /// Adds their derivative by the cell's velocities, then its pressures, with the acceleration
-  /// following as the step has it.
+  /// tau r at a point, times its weight: what (U . grad) v is multiplied by.
+  dealii::Tensor<1, dim>
+  force(const FlowPoint<dim> &point, unsigned int q, const CellState<dim> &state) const;
+  /// Adds the derivative of the rows of momentum by the cell's velocities, then its pressures, with
+  /// the acceleration following as the step has it.
   void add_derivative(const FlowPoint<dim> &point,
+                      const FlowFunctions<dim> &functions,
                       unsigned int q,
                       const CellState<dim> &state,
-                      const dealii::FEValuesBase<dim> &pressure_values,
                       dealii::FullMatrix<double> &matrix);
 
 private:

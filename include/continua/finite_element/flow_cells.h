@@ -1,0 +1,84 @@
+#ifndef continua_finite_element_flow_cells_h
+#define continua_finite_element_flow_cells_h
+
+#include <continua/continuum/problem.h>
+#include <continua/finite_element/space.h>
+
+#include <deal.II/base/quadrature.h>
+#include <deal.II/base/table.h>
+#include <deal.II/base/tensor.h>
+#include <deal.II/base/types.h>
+#include <deal.II/dofs/dof_handler.h>
+
+#include <vector>
+
+namespace Continua
+{
+/// A cell that has a liquid, as FlowCells keeps it.
+template <int dim>
+struct FlowCell
+{
+  /// The geometry at a quadrature point.
+  struct Point
+  {
+    double weight = 0.; ///< in an integral over the body, times 1 - phase
+    double hoop = 0.;   ///< 1/r in axisymmetry, else 0 [1/m]
+    /// [d][e]: the derivative of the coordinate d of the reference cell by the place along e [1/m].
+    dealii::Tensor<2, dim> inverse_jacobian;
+  };
+
+  typename dealii::DoFHandler<dim>::active_cell_iterator velocity_cell, pressure_cell;
+  unsigned int region = 0;
+  double size = 0.; ///< Convection::cell_size() [m]
+  /// The dofs, of the velocity component by component.
+  std::vector<dealii::types::global_dof_index> velocity_indices, pressure_indices;
+  /// Their places in vectors with ghost entries.
+  std::vector<int> velocity_places, pressure_places;
+  std::vector<Point> points;
+};
+
+/**
+ * The owned cells of the liquids, with all that integrals over them need besides the state: made
+ * once for a mesh. Shape functions are kept for the reference cell alone; a gradient there times
+ * the inverse of the Jacobian is that in the body.
+ */
+template <int dim>
+class FlowCells
+{
+public:
+  /// The first two must outlive it.
+  FlowCells(const Space<dim> &space,
+            const Problem &problem,
+            const dealii::Quadrature<dim> &quadrature);
+
+  /// The mesh has changed.
+  void reinit();
+
+  /// In the order of the tree.
+  const std::vector<FlowCell<dim>> &all() const { return cells; }
+  unsigned int n_points() const { return quadrature.size(); }
+  /// Shape functions of one component of the velocity, and of the pressure in one region.
+  unsigned int n_functions() const { return shapes.size(1); }
+  unsigned int n_pressures() const { return pressure_shapes.size(1); }
+  /// The values of the shape functions at a point, one after the other.
+  const double *values(const unsigned int q) const { return &shapes(q, 0); }
+  const double *pressure_values(const unsigned int q) const { return &pressure_shapes(q, 0); }
+  /// Their gradients on the reference cell.
+  const dealii::Tensor<1, dim> *gradients(const unsigned int q) const { return &slopes(q, 0); }
+  const dealii::Tensor<1, dim> *pressure_gradients(const unsigned int q) const
+  {
+    return &pressure_slopes(q, 0);
+  }
+
+private:
+  const Space<dim> &space;
+  const Problem &problem;
+  const dealii::Quadrature<dim> quadrature;
+  // [point][function]
+  dealii::Table<2, double> shapes, pressure_shapes;
+  dealii::Table<2, dealii::Tensor<1, dim>> slopes, pressure_slopes;
+  std::vector<FlowCell<dim>> cells;
+};
+} // namespace Continua
+
+#endif

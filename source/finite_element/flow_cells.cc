@@ -1,0 +1,102 @@
+#include <continua/finite_element/flow_cells.h>
+
+#include <continua/mesh/cells_in_tree_order.h>
+
+#include <deal.II/fe/fe_values.h>
+
+#include <Epetra_BlockMap.h>
+
+namespace Continua
+{
+using namespace dealii;
+
+namespace
+{
+std::vector<int> places_of(const std::vector<types::global_dof_index> &indices,
+                           const DistributedVector &ghosted)
+{
+  std::vector<int> places;
+  places.reserve(indices.size());
+  for (const types::global_dof_index index : indices)
+    places.push_back(
+        ghosted.trilinos_partitioner().LID(static_cast<TrilinosWrappers::types::int_type>(index)));
+  return places;
+}
+} // namespace
+
+template <int dim>
+FlowCells<dim>::FlowCells(const Space<dim> &space,
+                          const Problem &problem,
+                          const Quadrature<dim> &quadrature)
+    : space(space), problem(problem), quadrature(quadrature)
+{
+  const FE_Q<dim> velocity(space.degree()), pressure(space.degree() - 1);
+  const auto set =
+      [&](const FE_Q<dim> &element, Table<2, double> &values, Table<2, Tensor<1, dim>> &gradients)
+  {
+    values.reinit(quadrature.size(), element.n_dofs_per_cell());
+    gradients.reinit(quadrature.size(), element.n_dofs_per_cell());
+    for (unsigned int q = 0; q < quadrature.size(); ++q)
+      for (unsigned int a = 0; a < element.n_dofs_per_cell(); ++a)
+      {
+        values(q, a) = element.shape_value(a, quadrature.point(q));
+        gradients(q, a) = element.shape_grad(a, quadrature.point(q));
+      }
+  };
+  set(velocity, shapes, slopes);
+  set(pressure, pressure_shapes, pressure_slopes);
+}
+
+template <int dim>
+void FlowCells<dim>::reinit()
+{
+  const DistributedVector velocity(space.velocity_owned, space.velocity_relevant,
+                                   space.communicator),
+      pressure(space.pressure_owned, space.pressure_relevant, space.communicator);
+  const FE_Q<dim> element(space.degree());
+  FEValues<dim> geometry(space.mapping, element, quadrature,
+                         update_quadrature_points | update_JxW_values | update_inverse_jacobians);
+  std::vector<types::global_dof_index> indices(space.velocity_element.n_dofs_per_cell());
+  cells.clear();
+  for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
+  {
+    if (!cell->is_locally_owned())
+      continue;
+    const double share = 1. - problem.materials[cell->material_id()].phase();
+    if (!(share > 0.))
+      continue;
+    cells.emplace_back();
+    FlowCell<dim> &kept = cells.back();
+    kept.velocity_cell = cell;
+    kept.pressure_cell = typename DoFHandler<dim>::active_cell_iterator(
+        &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs);
+    kept.region = cell->material_id();
+    kept.size = Convection::cell_size<dim>(cell->diameter(), space.degree());
+
+    cell->get_dof_indices(indices);
+    kept.velocity_indices.resize(indices.size());
+    for (unsigned int i = 0; i < indices.size(); ++i)
+    {
+      const auto [component, function] = space.velocity_element.system_to_component_index(i);
+      kept.velocity_indices[component * n_functions() + function] = indices[i];
+    }
+    kept.pressure_indices.resize(n_pressures());
+    kept.pressure_cell->get_dof_indices(kept.pressure_indices);
+    kept.velocity_places = places_of(kept.velocity_indices, velocity);
+    kept.pressure_places = places_of(kept.pressure_indices, pressure);
+
+    geometry.reinit(static_cast<typename Triangulation<dim>::active_cell_iterator>(cell));
+    kept.points.resize(quadrature.size());
+    for (unsigned int q = 0; q < quadrature.size(); ++q)
+    {
+      const Point<dim> &place = geometry.quadrature_point(q);
+      kept.points[q].weight = share * geometry.JxW(q) * space.measure(place);
+      kept.points[q].hoop = space.is_axisymmetric() ? 1. / place[1] : 0.;
+      kept.points[q].inverse_jacobian = Tensor<2, dim>(geometry.inverse_jacobian(q));
+    }
+  }
+}
+
+template class FlowCells<2>;
+template class FlowCells<3>;
+} // namespace Continua
