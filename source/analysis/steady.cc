@@ -95,6 +95,8 @@ void Steady<dim>::perform()
     writer.finish(run.summary);
   }
   loop.finish(run.summary);
+  if (n_steps > 0)
+    run.summary.set("matrices factored", static_cast<double>(n_factors));
   flow.finish();
   run.finish(n_steps, 0.);
 }
@@ -113,6 +115,7 @@ void Steady<dim>::solve(const bool loads_come)
           loop.take(report, passed, run.log);
           flow.take(report, 0.);
           ++n_steps;
+          n_factors += report.factors;
         },
         "a steady analysis begins anew");
     search.perform(loads_come);

@@ -104,6 +104,14 @@ bool takes_cholmod(const CostInput &input, const double n_unknowns)
          entries <= static_cast<double>(largest_simplicial_matrix);
 }
 
+/// What Newton's iteration takes, as means of the runs of doc/estimates.md.
+struct NewtonCounts
+{
+  double corrections, new_factors;
+};
+constexpr NewtonCounts counts_of_step{4.5, 0.02};
+constexpr NewtonCounts counts_to_rest{30., 9.}; ///< of all steps on the way
+
 bool chooses_iterative(const CostInput &input, const double n_unknowns)
 {
   if (input.cell_wise || input.convection || input.solver == LinearSolverType::direct)
@@ -150,9 +158,9 @@ CostEstimate::CostEstimate(const CostInput &input)
   }
   else if (input.convection)
   {
-    // Four iterations, each with the integrals of the convective terms.
-    factor_time = 110. * nanosecond * factor_entries;
-    solve_time = 4. * (0.5 * microsecond * n_unknowns + 2. * nanosecond * factor_entries);
+    factor_time = 130. * nanosecond * factor_entries;
+    solve_time =
+        (is_plane ? 0.25 : 1.8) * microsecond * n_unknowns + 2. * nanosecond * factor_entries;
   }
   else if (takes_cholmod(input, n_unknowns))
   {
@@ -167,6 +175,11 @@ CostEstimate::CostEstimate(const CostInput &input)
   }
   const double assembly = input.cell_wise ? 56. : is_plane ? 12. : 48.;
   set_up_time = 0.4 * second + assembly * microsecond * n_unknowns + input.n_factors * factor_time;
+  if (input.convection)
+  {
+    const NewtonCounts &counts = input.to_rest ? counts_to_rest : counts_of_step;
+    solve_time = counts.corrections * solve_time + counts.new_factors * factor_time;
+  }
   step_time = 25. * microsecond + (is_plane ? 0.25 : 0.5) * microsecond * n_unknowns + solve_time;
   time = set_up_time + input.n_steps * step_time;
 }

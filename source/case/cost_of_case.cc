@@ -71,7 +71,10 @@ CostInput cost_input(const Case<dim> &input)
     cost.n_factors = input.time.scheme == Scheme::backward_differencing && !cost.convection ? 2 : 1;
   }
   else
-    cost.n_steps = input.analysis.is_modal() ? solves_of_modes : 1.;
+  {
+    cost.to_rest = !input.analysis.is_modal();
+    cost.n_steps = cost.to_rest ? 1. : solves_of_modes;
+  }
   return cost;
 }
 

@@ -32,7 +32,7 @@ TimeStepping::TimeStepping(const Problem &problem, Operators &operators, Log &lo
       bulk_history(problem.materials),
       outlets(problem, operators),
       wall_shear(problem, operators),
-      newton(problem, operators, outlets),
+      newton(problem, operators, outlets, log),
       ledger(problem, operators, outlets, history, bulk_history),
       kept([this](StateVisitor &visitor) { visit(visitor); })
 {
@@ -216,8 +216,9 @@ SystemChange TimeStepping::prepare(const Step &step, StepReport &report)
   const SystemChange change = operators.prepare(coefficients, step.pressure_time);
   if (change != SystemChange::none && !operators.is_nonlinear())
     outlets.respond(report);
-  report.factored = change == SystemChange::factor;
-  if (report.factored || (change != SystemChange::none && operators.is_nonlinear()))
+  if (change == SystemChange::factor)
+    ++report.factors;
+  if (report.factors > 0 || (change != SystemChange::none && operators.is_nonlinear()))
     report_exponential_branches(step);
   return change;
 }

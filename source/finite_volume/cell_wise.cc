@@ -626,8 +626,8 @@ void CellWise<dim>::make_displacement_step(const Step &step,
   const auto derivatives = displacement_levels.derivatives(step, step.a2 != 0.);
   {
     TimerOutput::Scope scope(log.timer(), "factor");
-    report.factored =
-        prepare_cells(displacement_step.coefficients(derivatives)) == SystemChange::factor;
+    if (prepare_cells(displacement_step.coefficients(derivatives)) == SystemChange::factor)
+      ++report.factors;
   }
   {
     TimerOutput::Scope scope(log.timer(), "right-hand side");

@@ -9,8 +9,7 @@ namespace Continua
 template <int dim>
 void StepRecord<dim>::attempt(const StepReport &report)
 {
-  if (report.factored)
-    ++n_factored;
+  n_factored += report.factors;
 }
 
 template <int dim>

@@ -26,7 +26,7 @@ public:
 
 private:
   Run<dim> &run;
-  unsigned int n_steps = 0;
+  unsigned int n_steps = 0, n_factors = 0;
   LoopRecord<dim> loop;
   FlowReport<dim> flow;
 

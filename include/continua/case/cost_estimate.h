@@ -26,6 +26,8 @@ struct CostInput
   DirectSolver direct_solver = DirectSolver::automatic;
   unsigned int n_factors = 1; ///< kept at one time
   double n_steps = 1.;        ///< solves of the step's system
+  /// The run looks for a state at rest: with convection by some steps, which are not n_steps.
+  bool to_rest = false;
   unsigned int n_ranks = 1;
 };
 

@@ -105,7 +105,7 @@ struct ProbeRequest
 /// What a step tells.
 struct StepReport
 {
-  bool factored = false; ///< a new factor had to be made
+  unsigned int factors = 0; ///< that had to be made
   double largest_velocity =
       0.; ///< [m/s], largest component of the step's velocity; never NaN: that throws
   double largest_change = 0.; ///< [m/s], largest component of its change in the step

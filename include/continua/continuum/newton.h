@@ -1,6 +1,7 @@
 #ifndef continua_continuum_newton_h
 #define continua_continuum_newton_h
 
+#include <continua/base/log.h>
 #include <continua/continuum/balanced_step.h>
 #include <continua/continuum/operators.h>
 #include <continua/continuum/outlet_coupling.h>
@@ -41,7 +42,7 @@ class Newton
 {
 public:
   /// All must outlive it.
-  Newton(const Problem &problem, Operators &operators, OutletCoupling &outlets);
+  Newton(const Problem &problem, Operators &operators, OutletCoupling &outlets, Log &log);
 
   /// The mesh has changed.
   void reinit();
@@ -65,6 +66,7 @@ private:
   const Problem &problem;
   Operators &operators;
   OutletCoupling &outlets;
+  Log &log;
   KrylovCorrection krylov;
   bool has_factor = false;
   bool factor_is_poor = false; ///< GMRES needed too many iterations with it
