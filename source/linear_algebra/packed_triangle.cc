@@ -69,7 +69,7 @@ inline void PackedTriangle::solve_block(const std::size_t b, double *const x) co
   // Two columns at a time: two chains of additions that do not wait for each other.
   std::array<double, block> even, odd{};
   std::copy_n(x + b * block, block, even.begin());
-  for (; column + 1 < end; column += 2, value += 2 * block)
+  for (; end - column > 1; column += 2, value += 2 * block)
   {
     const double x_even = x[column[0]];
     const double x_odd = x[column[1]];
