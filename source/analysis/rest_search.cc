@@ -135,7 +135,7 @@ StepReport RestSearch<dim>::step_of(const double last_size, double &size)
     euler.time = 0.;
     // Round-off of the sum is no part of its own.
     const double next_load = load + load_part < 1. - 1e-12 ? load + load_part : 1.;
-    run.solver->set_load_factor(next_load);
+    euler.load_factor = next_load;
     try
     {
       const StepReport report = run.solver->advance(euler);

@@ -241,13 +241,13 @@ void TimeStepping::set_momentum(const Step &step)
       momentum.add(-1., balanced.velocity);
     }
   }
-  if (load_factor == 1.)
+  if (step.load_factor == 1.)
     operators.loads().add(step.balance_time, momentum);
   else
   {
     velocity_work = 0.;
     operators.loads().add(step.balance_time, velocity_work);
-    momentum.add(load_factor, velocity_work);
+    momentum.add(step.load_factor, velocity_work);
   }
   outlets.take_forces(momentum);
 }
@@ -293,7 +293,7 @@ void TimeStepping::set_prescribed(const Step &step)
   operators.evaluate_prescribed(step.extrapolate ? step.time : step.balance_time, prescribed);
   if (!step.extrapolate)
   {
-    balanced.prescribed.equ(load_factor, prescribed);
+    balanced.prescribed.equ(step.load_factor, prescribed);
     return;
   }
   // The end of the step has what is prescribed there, so its middle the mean of that and of the

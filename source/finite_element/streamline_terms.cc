@@ -83,9 +83,10 @@ Tensor<1, dim> StreamlineTerms<dim>::residual(const FlowPoint<dim> &point,
   const auto place = coordinates(values.quadrature_point(q));
   const InteriorData &interior = problem.interior;
   for (unsigned int c = 0; c < interior.body_force.size(); ++c)
-    force[c] -= interior.body_force[c](place.data(), step.balance_time);
+    force[c] -= step.load_factor * interior.body_force[c](place.data(), step.balance_time);
   for (unsigned int c = 0; c < interior.acceleration.size(); ++c)
-    force[c] -= material.density * interior.acceleration[c](place.data(), step.balance_time);
+    force[c] -= step.load_factor * material.density *
+                interior.acceleration[c](place.data(), step.balance_time);
   return force;
 }
 

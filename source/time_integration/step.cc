@@ -111,6 +111,7 @@ Step step_like(const Step &whole, const double time_old, const double size, cons
   else
     step = euler_step(time_old, size, whole.update);
   step.is_start = whole.is_start;
+  step.load_factor = whole.load_factor;
   return step;
 }
 

@@ -26,7 +26,8 @@ double power(const Space<dim> &space,
              const VectorField<dim> &velocity,
              const VectorField<dim> &acceleration,
              const std::function<double(const Point<dim> &)> &pressure,
-             const VectorField<dim> &test)
+             const VectorField<dim> &test,
+             const double load_factor = 1.)
 {
   Problem problem;
   problem.model = space.is_axisymmetric() ? Model::axisymmetric
@@ -45,6 +46,7 @@ double power(const Space<dim> &space,
   terms.reinit();
   BalancedStep state;
   state.step = euler_step(0., 0.1, Update::implicit);
+  state.step.load_factor = load_factor;
   state.velocity = small_problem::interpolated<dim>(space, velocity);
   state.acceleration = small_problem::interpolated<dim>(space, acceleration);
   state.pressure = small_problem::interpolated_pressure<dim>(
@@ -89,6 +91,10 @@ UNIT_TEST(streamline_terms)
   check::absolute("plates: a solution",
                   power<2>(plane, {}, parabola, rest, falling(-4.), test) / without_force, 0.,
                   1e-12);
+  check::absolute("plates: half of the force",
+                  power<2>(plane, {Waveform(8.), Waveform(0.)}, parabola, rest, none, test, 0.5) /
+                      without_force,
+                  0., 1e-12);
   const VectorField<2> in_a_ring = [](const Point<2> &x) {
     return Tensor<1, 2>({3. - x[1] * x[1], 0.});
   };

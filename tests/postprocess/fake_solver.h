@@ -41,7 +41,6 @@ public:
 
   void initialise() override {}
   Continua::StepReport advance(const Continua::Step &) override { return {}; }
-  void set_load_factor(double) override {}
   void solve_steady(double) override {}
   bool steady_is_direct() const override { return true; }
   bool data_jump(double, double) const override { return false; }

@@ -176,9 +176,6 @@ public:
   virtual void initialise() = 0;
   /// One step; throws RunError if the result is not finite or the solve failed.
   virtual StepReport advance(const Step &step) = 0;
-  /// From the next step on all loads and prescribed velocities are multiplied by this factor [1],
-  /// which is 1 at the start; what outlets stand against is not.
-  virtual void set_load_factor(double factor) = 0;
   /// Takes the present state, which is at rest or steady, for that of t = 0, with nothing before
   /// it.
   virtual void start_from_present_state() = 0;

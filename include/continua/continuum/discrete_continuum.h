@@ -26,7 +26,6 @@ public:
   void initialise() override { stepping.initialise(); }
   void start_from_present_state() override { stepping.start_from_present_state(); }
   StepReport advance(const Step &step) override { return stepping.advance(step); }
-  void set_load_factor(const double factor) override { stepping.set_load_factor(factor); }
   void report_corrections(const std::function<void(const LoopCorrection &)> &sink) override
   {
     discretisation->report_corrections(sink);

@@ -37,7 +37,6 @@ public:
   void start_from_present_state();
   /// One step; throws RunError if the result is not finite or the solve failed.
   StepReport advance(const Step &step);
-  void set_load_factor(const double factor) { load_factor = factor; }
   /// Whether solve_steady() applies: the body is all solid or all fluid.
   bool steady_is_direct() const;
   /// One solve without time, loads taken at `time` [s]: the displacement of a solid at rest, the
@@ -95,7 +94,6 @@ private:
   // The state: at the present time, and one step before.
   DistributedVector velocity, velocity_older, pressure, pressure_older;
   double present_time = 0.;
-  double load_factor = 1.;      ///< see ContinuumSolver
   BalancedStep balanced;        ///< by the last step
   DistributedVector prescribed; ///< velocities, constants set once [m/s]
   // The last pressure known at a time of its own, from which that of an incompressible material is

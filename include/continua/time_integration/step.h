@@ -53,6 +53,8 @@ struct Step
   /// Whether x_new = 2 x - x_old follows the solve.
   bool extrapolate = false;
   Update update = Update::implicit;
+  /// Of all loads and prescribed velocities [1]; what outlets stand against has no part of it.
+  double load_factor = 1.;
 
   double size() const { return duration; }
   /// The coefficients of a branch of relaxation time tau [s]; infinite tau is allowed.
