@@ -195,9 +195,38 @@ double CellEvaluation<dim>::add_interface(const ProbeRequest<dim> &request,
 }
 
 template <int dim>
-double CellEvaluation<dim>::add_force(const ProbeRequest<dim> &, Collector &) const
+double CellEvaluation<dim>::add_force(const ProbeRequest<dim> &request, Collector &collector) const
 {
-  throw std::invalid_argument("the cell-wise path has no forces at nodes");
+  // The equation of a face with a value of its own is the balance of tractions there.
+  DistributedVector &weights = collector.weights(Source::force);
+  double area = 0.;
+  for (unsigned int face = 0; face < space.mesh.faces().size(); ++face)
+  {
+    const VolumeFace<dim> &surface = space.mesh.faces()[face];
+    if (!surface.has_value())
+      continue;
+    for (const unsigned int side : {0, 1})
+    {
+      if (surface.at_boundary() && side == 1)
+        continue;
+      const FiniteVolume<dim> &volume = space.mesh.cells()[surface.cell(side)];
+      if (!volume.is_owned || !this->counts(request, volume.material_id))
+        continue;
+      const bool is_asked_for =
+          request.neighbour_ids.empty()
+              ? surface.at_boundary() && request.boundary_ids.count(surface.boundary_id) > 0
+              : !surface.at_boundary() &&
+                    request.neighbour_ids.count(
+                        space.mesh.cells()[surface.cell(1 - side)].material_id) > 0;
+      // On the axis, which has no area, the balance counts with another weight.
+      if (!is_asked_for || surface.area == 0.)
+        continue;
+      // Minus: the force on what holds the face.
+      weights(dim * space.velocities.of_face(face, side) + request.component) += -1.;
+      area += surface.area;
+    }
+  }
+  return Utilities::MPI::sum(area, space.communicator);
 }
 
 template <int dim>

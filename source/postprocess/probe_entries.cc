@@ -149,13 +149,14 @@ void ProbeEntries<dim>::read_entries()
   section.add("Reference point", reference_point, Dimensions::length,
               "Of a Point: another one, whose values are taken off, such as for a pressure drop "
               "[m]; empty: none");
-  section.add("Boundary", boundaries,
-              "Instead of a point: names of boundaries. They have the further fields 'force' with "
-              "its components (the force of the body on what holds them, by the balance of forces "
-              "at their nodes [N], in the plane of a metre of depth [N/m]), 'wall shear stress x' "
-              "and other components (tangential part of the traction of the body on the wall), "
-              "'magnitude of wall shear stress', 'time-averaged wall shear stress' and "
-              "'oscillatory shear index' (of the window in Output)");
+  section.add(
+      "Boundary", boundaries,
+      "Instead of a point: names of boundaries. They have the further fields 'force' with "
+      "its components (the force of the body on what holds them, by the balance of forces "
+      "at their nodes or faces [N], in the plane of a metre of depth [N/m]), 'wall shear stress x' "
+      "and other components (tangential part of the traction of the body on the wall), "
+      "'magnitude of wall shear stress', 'time-averaged wall shear stress' and "
+      "'oscillatory shear index' (of the window in Output)");
   section.add(
       "Reference boundary", reference_boundaries,
       "Of a Boundary: names of other ones, whose mean or integral is taken off, such as for "
@@ -528,11 +529,8 @@ void ProbeEntries<dim>::check_limits(const std::vector<BoundaryCondition> &condi
     check_walls(conditions, limits);
   if (!asks_for_forces())
     return;
-  const std::string reason = limits.is_cell_wise ? "the cell-wise path has no forces at nodes"
-                             : limits.is_modal   ? "a shape of vibration has no step"
-                                                 : "";
-  if (!reason.empty())
-    section.refuse("Fields", "there is no field 'force': " + reason,
+  if (limits.is_modal)
+    section.refuse("Fields", "there is no field 'force': a shape of vibration has no step",
                    "Leave it out, or integrate the stress over the Boundary");
   if (place == Place::interface)
     return;

@@ -91,7 +91,8 @@ private:
   /// Of a field that has a direction: the displacement along the normal that points out of the
   /// regions, on their surface with other regions.
   virtual double add_interface(const ProbeRequest<dim> &request, Collector &collector) const = 0;
-  /// Of forces, which have no field: the nodes of the boundaries; returns their number.
+  /// Of forces, which have no field: the nodes or the faces of the boundaries; returns a number or
+  /// an area of them.
   virtual double add_force(const ProbeRequest<dim> &request, Collector &collector) const = 0;
   /// The flow rate; 0 if the plane misses the regions.
   virtual double add_flow(const ProbeRequest<dim> &request, Collector &collector) const = 0;

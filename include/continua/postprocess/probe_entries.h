@@ -22,7 +22,7 @@ namespace Continua
 /// What a run has not, and probes can ask for.
 struct ProbeLimits
 {
-  bool is_cell_wise = false;       ///< no forces at nodes, no samples of fields
+  bool is_cell_wise = false;       ///< no samples of fields
   bool is_modal = false;           ///< no step
   bool is_in_time = true;          ///< else no mean over time
   std::vector<bool> is_solid = {}; ///< by material id: a mean is that of liquids on their walls
