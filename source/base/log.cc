@@ -31,13 +31,14 @@ double seconds_since(const Clock::time_point &start)
 
 struct Log::Implementation
 {
-  Implementation(const MPI_Comm communicator, const bool on_screen)
+  Implementation(const MPI_Comm communicator, const bool on_screen, const double report_interval)
       : writes(dealii::Utilities::MPI::this_mpi_process(communicator) == 0),
         on_screen(on_screen),
         // Open MPI's launcher gives rank 0 a terminal of its own, whether there is one behind it or
         // not.
         on_terminal(writes && isatty(STDOUT_FILENO) == 1 &&
                     std::getenv("OMPI_COMM_WORLD_RANK") == nullptr),
+        progress_interval(on_terminal ? 0.2 : report_interval),
         start(Clock::now()),
         // Without a communicator: with one, every scope would be a barrier.
         timer(nowhere, dealii::TimerOutput::never, dealii::TimerOutput::wall_times)
@@ -79,6 +80,7 @@ struct Log::Implementation
   const bool writes;
   const bool on_screen;
   const bool on_terminal;
+  const double progress_interval; ///< [s]
   const Clock::time_point start;
 
   std::string file_name;
@@ -98,8 +100,8 @@ struct Log::Implementation
   dealii::TimerOutput timer;
 };
 
-Log::Log(const MPI_Comm communicator, const bool on_screen)
-    : implementation(std::make_unique<Implementation>(communicator, on_screen))
+Log::Log(const MPI_Comm communicator, const bool on_screen, const double report_interval)
+    : implementation(std::make_unique<Implementation>(communicator, on_screen, report_interval))
 {
 }
 
@@ -176,7 +178,7 @@ const std::vector<std::string> &Log::warnings() const
 void Log::progress(const double time, const double end_time, const unsigned int step)
 {
   Implementation &log = *implementation;
-  if (!log.on_terminal)
+  if (!log.on_terminal && !(log.writes && log.on_screen))
     return;
   if (!log.progress_started)
   {
@@ -185,8 +187,11 @@ void Log::progress(const double time, const double end_time, const unsigned int 
     log.progress_start = Clock::now();
     log.first_time = time;
     log.first_step = step;
+    log.last_progress = log.progress_start;
+    if (!log.on_terminal)
+      return;
   }
-  else if (seconds_since(log.last_progress) < 0.2)
+  else if (seconds_since(log.last_progress) < log.progress_interval)
     return;
   log.last_progress = Clock::now();
 
@@ -198,6 +203,11 @@ void Log::progress(const double time, const double end_time, const unsigned int 
     text << ", " << std::setprecision(3) << (step - log.first_step) / elapsed << " steps/s";
   if (done > 0. && done <= 1. && elapsed > 0.)
     text << ", " << duration_text(elapsed * (1. - done) / done) << " left";
+  if (!log.on_terminal)
+  {
+    std::cerr << text.str() << std::endl;
+    return;
+  }
   std::cout << "\r" << text.str() << "\033[K" << std::flush;
   log.progress_shown = true;
 }

@@ -314,6 +314,17 @@ std::vector<std::string> Summary::check(const std::vector<ExpectedValue> &expect
   return lines;
 }
 
+std::vector<Summary::Check> Summary::checks() const
+{
+  std::vector<Check> result;
+  for (const Json &check : implementation->checks)
+    result.push_back(
+        {check.at("name"), check.at("probe"), check.at("criterion"),
+         check.at("value").is_number() ? check.at("value").get<double>() : std::nan(""),
+         check.at("unit"), check.at("passed")});
+  return result;
+}
+
 Summary Summary::read(const std::string &text)
 {
   Summary summary;

@@ -48,6 +48,10 @@ void ComparisonParameters::read(ParameterSection root)
   section.add("Relative floor", floor, Dimensions::none,
               "Differences below this fraction of the value agree in any case.",
               Range::not_negative());
+  section.add("Largest error", largest_error, Dimensions::none,
+              "Two extrapolated values are not judged if the sum of their estimated errors is more "
+              "than this times the larger of them: the meshes are too coarse for a verdict.",
+              Range::positive());
   expected = read_expected(section.subsection("Expected"));
 
   if (analysis == "automatic")

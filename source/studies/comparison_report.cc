@@ -93,7 +93,12 @@ void ComparisonReport::compare(Row &row) const
       parameters.floor * std::max(std::abs(first.limit), std::abs(second.limit)) + row.round_off;
   const double errors = first.estimated_error + second.estimated_error + floor;
   row.over_errors = errors > 0. ? std::abs(row.difference) / errors : 0.;
-  row.verdict = std::isnan(row.difference)                ? Verdict::not_judged
+  // Limits that are known no better than this say nothing by being within their errors.
+  const double largest_limit = std::max(std::abs(first.limit), std::abs(second.limit));
+  const bool are_unknown = errors > row.round_off + parameters.floor * largest_limit &&
+                           first.estimated_error + second.estimated_error >
+                               parameters.largest_error * largest_limit + row.round_off;
+  row.verdict = std::isnan(row.difference) || are_unknown ? Verdict::not_judged
                 : row.over_errors <= parameters.tolerance ? Verdict::agree
                                                           : Verdict::differ;
   if (std::isnan(row.difference))

@@ -136,6 +136,29 @@ UNIT_TEST(log)
   dup2(before, STDOUT_FILENO);
   check::equal("no progress off a terminal", off_terminal, "done\n");
 
+  const auto slow_steps = []()
+  {
+    // A report every 10 ms in place of one a minute.
+    Log log(MPI_COMM_WORLD, true, 0.01);
+    for (unsigned int step = 1; step <= 3; ++step)
+    {
+      log.progress(1. + 0.1 * step, 2., step);
+      usleep(20000);
+    }
+  };
+  std::ostringstream reports;
+  std::streambuf *const errors = std::cerr.rdbuf(reports.rdbuf());
+  dup2(nowhere, STDOUT_FILENO);
+  const std::string beside_reports = screen(slow_steps);
+  screen(steps);
+  dup2(before, STDOUT_FILENO);
+  std::cerr.rdbuf(errors);
+  check::equal("reports are not on the output stream", beside_reports, "");
+  check::is_true("remaining time off a terminal",
+                 check::matches(reports.str(),
+                                "^time 1.2 s of 2 s, step 2, [0-9.e+]+ steps/s, 0 s left\n"
+                                "time 1.3 s of 2 s, step 3, [0-9.e+]+ steps/s, 0 s left\n$"));
+
   // Open MPI's launcher gives a terminal of its own to rank 0, which tells nothing of the user's.
   setenv("OMPI_COMM_WORLD_RANK", "0", 1);
   check::is_true("no progress under the launcher",

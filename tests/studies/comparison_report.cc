@@ -121,6 +121,14 @@ UNIT_TEST(comparison_report)
                      GridConvergence::Behaviour::oscillatory);
   check::is_true("not judged without a limit",
                  row(report, "tip: frequency").verdict == Verdict::not_judged);
+  check::is_true("not judged where the errors are as large as the limits",
+                 row(report, "bottom, left: final pressure").verdict == Verdict::not_judged);
+  generous = parameters;
+  generous.largest_error = 1e6;
+  check::is_true(
+      "judged all the same with a larger bound",
+      row(ComparisonReport(generous, orders, runs), "bottom, left: final pressure").verdict ==
+          Verdict::agree);
   check::is_true("exact in both", row(report, "work of the loads").verdict == Verdict::agree);
 
   check::is_true("what tells of the computation is left out", report.rows().size() == 6);
@@ -151,7 +159,7 @@ UNIT_TEST(comparison_report)
   check::is_true("summary: no order where there is none",
                  std::isnan(quantity(summary, "work of the loads", "cell-wise order")));
   check::is_true("summary: counts", quantity(summary, "", "quantities compared") == 6. &&
-                                        quantity(summary, "", "quantities not judged") == 1. &&
+                                        quantity(summary, "", "quantities not judged") == 2. &&
                                         quantity(summary, "", "failed runs") == 0.);
 
   for (const std::string &line : report.lines())

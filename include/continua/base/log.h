@@ -23,7 +23,8 @@ class Log
 public:
   /// `on_screen` false: lines and warnings go to the file alone (one of several runs of an
   /// analysis); the progress line stays.
-  explicit Log(MPI_Comm communicator, bool on_screen = true);
+  /// `report_interval`: see progress() [s].
+  explicit Log(MPI_Comm communicator, bool on_screen = true, double report_interval = 60.);
   ~Log();
   Log(const Log &) = delete;
   Log &operator=(const Log &) = delete;
@@ -44,7 +45,8 @@ public:
   /// Takes up the warnings of the part of the run before a restart, without telling them again.
   void resume_warnings(const std::vector<std::string> &earlier);
 
-  /// Progress line on a terminal, at most five a second; nothing off a terminal. Times in s.
+  /// Progress line on a terminal, at most five a second. Off a terminal one line a minute goes to
+  /// the error stream, so that a short run prints none. Both have the remaining time. Times in s.
   void progress(double time, double end_time, unsigned int step);
   /// Clears the progress line.
   void end_progress();

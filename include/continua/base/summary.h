@@ -72,6 +72,18 @@ public:
    */
   std::vector<std::string> check(const std::vector<ExpectedValue> &expected, bool &all_passed);
 
+  /// What became of an expected value.
+  struct Check
+  {
+    std::string name, probe;
+    std::string criterion; ///< as written: "10.1 m/s +- 0.2 %"
+    double value;          ///< in `unit`; NaN if the run has none
+    std::string unit;      ///< as written
+    bool passed;
+  };
+  /// Of the last check(), in the order of the expected values.
+  std::vector<Check> checks() const;
+
   /// The summary that write() has written; `text`: of the file. A number that was not finite is
   /// NaN.
   static Summary read(const std::string &text);

@@ -22,6 +22,7 @@ struct ComparisonParameters
   std::vector<std::string> quantities;     ///< "PROBE: QUANTITY" or "QUANTITY"; empty: all
   double tolerance = 1.;                   ///< of the difference over the sum of the errors [1]
   double floor = 1e-8; ///< of the difference over the value [1]: what no error estimate can tell
+  double largest_error = 0.5; ///< of both limits over the value [1]: above it there is no verdict
   std::vector<ExpectedValue> expected;
 
   /// Declares and reads; throws InputError. Needs the root to tell steady from transient.

@@ -1,0 +1,218 @@
+#include <continua/analysis/answer.h>
+
+#include <continua/base/text_table.h>
+#include <continua/base/undefined.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace Continua
+{
+namespace
+{
+using Table = std::vector<std::vector<std::string>>;
+
+/// Of probes that are shown; a run can have hundreds.
+constexpr std::size_t most_probes = 12;
+constexpr int n_digits = 5;
+/// Of a damped oscillation to a history, above which its frequency means little [1].
+constexpr double largest_fit_residual = 0.1;
+
+std::string cell(const double value, const std::string &unit = "")
+{
+  if (!std::isfinite(value))
+    return "-";
+  return number_text(value, n_digits) + (unit.empty() || unit == "1" ? "" : " " + unit);
+}
+
+/// The rest of a text that begins so.
+std::optional<std::string> after(const std::string &text, const std::string &beginning)
+{
+  if (text.compare(0, beginning.size(), beginning) != 0)
+    return std::nullopt;
+  return text.substr(beginning.size());
+}
+
+/// A row for each speed of each probe.
+Table waves(const std::vector<Quantity> &quantities)
+{
+  const std::vector<std::string> prefixes = {"", "theoretical ", "measured "};
+  const std::vector<std::string> names = {"wave speed by phase", "wave speed at half height",
+                                          "wave speed of the foot", "wave speed", "attenuation"};
+  std::vector<std::string> probes;
+  std::map<std::pair<std::string, std::string>, std::vector<double>> values;
+  std::map<std::string, std::string> units;
+  std::vector<bool> is_there = {true, false, false};
+  for (const Quantity &quantity : quantities)
+    for (std::size_t source = 0; source < prefixes.size(); ++source)
+      for (const std::string &name : names)
+        if (quantity.name == prefixes[source] + name)
+        {
+          if (std::find(probes.begin(), probes.end(), quantity.probe) == probes.end())
+            probes.push_back(quantity.probe);
+          units[name] = quantity.unit;
+          is_there[source] = true;
+          values.try_emplace({quantity.probe, name}, prefixes.size(), undefined)
+              .first->second[source] = quantity.value;
+        }
+  Table table;
+  if (probes.empty())
+    return table;
+  table.push_back({"waves", "simulated"});
+  if (is_there[1])
+    table.back().push_back("theory");
+  if (is_there[2])
+    table.back().push_back("measured");
+  for (const std::string &probe : probes)
+    for (const std::string &name : names)
+      if (const auto found = values.find({probe, name}); found != values.end())
+      {
+        table.push_back({"  " + probe + ": " + name});
+        for (std::size_t source = 0; source < prefixes.size(); ++source)
+          if (is_there[source])
+            table.back().push_back(cell(found->second[source], units[name]));
+      }
+  return table;
+}
+
+/// What the summary has of one field at one probe.
+struct History
+{
+  std::string label, unit;
+  double largest = undefined, time_of_largest = undefined, smallest = undefined,
+         time_of_smallest = undefined, frequency = undefined, final = undefined;
+  bool is_other_motion = false; ///< than an oscillation, such as a pulse that comes back
+};
+
+/// "tip: pressure" of a probe of one field, whose name the quantity has, or of several, whose name
+/// the probe's label has.
+std::string label(const Quantity &quantity, const std::string &field)
+{
+  const std::string end = ": " + field;
+  const bool has_field =
+      quantity.probe.size() > end.size() &&
+      quantity.probe.compare(quantity.probe.size() - end.size(), end.size(), end) == 0;
+  return has_field ? quantity.probe : quantity.probe + end;
+}
+
+std::vector<History> histories(const std::vector<Quantity> &quantities)
+{
+  const std::vector<std::pair<std::string, double History::*>> members = {
+      {"maximum ", &History::largest},
+      {"time of maximum ", &History::time_of_largest},
+      {"minimum ", &History::smallest},
+      {"time of minimum ", &History::time_of_smallest},
+      {"final ", &History::final}};
+  std::vector<History> result;
+  std::map<std::string, std::vector<std::size_t>> of_probe;
+  for (const Quantity &quantity : quantities)
+  {
+    if (quantity.probe.empty())
+      continue;
+    for (const auto &[name, member] : members)
+      if (const std::optional<std::string> field = after(quantity.name, name))
+      {
+        const std::string text = label(quantity, *field);
+        std::size_t i = 0;
+        while (i < result.size() && result[i].label != text)
+          ++i;
+        if (i == result.size())
+        {
+          result.push_back({text, ""});
+          of_probe[quantity.probe].push_back(i);
+        }
+        result[i].*member = quantity.value;
+        if (name.compare(0, 4, "time") != 0)
+          result[i].unit = quantity.unit;
+      }
+  }
+  for (const Quantity &quantity : quantities)
+    if (const auto found = of_probe.find(quantity.probe);
+        found != of_probe.end() && found->second.size() == 1)
+    {
+      History &history = result[found->second.front()];
+      if (quantity.name == "frequency")
+        history.frequency = quantity.value;
+      if (quantity.name == "fit residual" && quantity.value > largest_fit_residual)
+        history.is_other_motion = true;
+    }
+  for (History &history : result)
+    if (history.is_other_motion)
+      history.frequency = undefined;
+  return result;
+}
+
+Table probes(const std::vector<Quantity> &quantities)
+{
+  const std::vector<History> all = histories(quantities);
+  bool in_time = false, oscillates = false;
+  for (const History &history : all)
+  {
+    in_time = in_time || std::isfinite(history.largest);
+    oscillates = oscillates || std::isfinite(history.frequency);
+  }
+  Table table;
+  if (all.empty())
+    return table;
+  table.push_back({"probes"});
+  if (in_time)
+    table.back().insert(table.back().end(), {"largest", "at", "smallest", "at"});
+  else
+    table.back().push_back("value");
+  if (oscillates)
+    table.back().push_back("frequency");
+  for (std::size_t i = 0; i < all.size() && i < most_probes; ++i)
+  {
+    const History &history = all[i];
+    table.push_back({"  " + history.label});
+    if (in_time)
+      table.back().insert(table.back().end(),
+                          {cell(history.largest, history.unit), cell(history.time_of_largest, "s"),
+                           cell(history.smallest, history.unit),
+                           cell(history.time_of_smallest, "s")});
+    else
+      table.back().push_back(cell(history.final, history.unit));
+    if (oscillates)
+      table.back().push_back(cell(history.frequency, "Hz"));
+  }
+  if (all.size() > most_probes)
+    table.push_back(
+        {"  and " + std::to_string(all.size() - most_probes) + " more in summary.json"});
+  return table;
+}
+
+Table checks(const std::vector<Summary::Check> &all)
+{
+  Table table;
+  if (all.empty())
+    return table;
+  std::size_t n_passed = 0;
+  for (const Summary::Check &check : all)
+    n_passed += check.passed ? 1 : 0;
+  table.push_back(
+      {"checks: " + std::to_string(n_passed) + " of " + std::to_string(all.size()) + " passed",
+       "value", "expected", ""});
+  for (const Summary::Check &check : all)
+    table.push_back({"  " + (check.probe.empty() ? "" : check.probe + ": ") + check.name,
+                     cell(check.value, check.unit), check.criterion,
+                     check.passed ? "passed" : "FAILED"});
+  return table;
+}
+} // namespace
+
+std::vector<std::string> answer_lines(const Summary &summary)
+{
+  std::vector<std::string> lines;
+  for (const Table &table :
+       {waves(summary.quantities()), probes(summary.quantities()), checks(summary.checks())})
+  {
+    const std::vector<std::string> rows = aligned_lines(table);
+    lines.insert(lines.end(), rows.begin(), rows.end());
+  }
+  return lines;
+}
+} // namespace Continua
