@@ -2,6 +2,7 @@
 
 import os
 
+import matplotlib.lines
 import numpy
 import plot_style
 import tables
@@ -57,29 +58,44 @@ def draw_probes(sheet, runs):
         for column, (name, unit) in enumerate(columns[1:], 1):
             probe, colon, field = name.rpartition(": ")
             finite = numpy.isfinite(data[:, column])
-            if finite.any():
+            if finite.sum() > 1:
+                oscillates = is_oscillation(run["summary"], name, field)
                 curves.setdefault((field, unit), []).append(
-                    (run["title"], probe if colon else "", data[finite, 0], data[finite, column]))
+                    (run["title"], probe if colon else "", data[finite, 0], data[finite, column], oscillates))
+            elif finite.any():
+                note = f"histories of {run['folder']} (one state: summary.json has its values)"
+                if note not in sheet.notes:
+                    sheet.notes.append(note)
     for (field, unit), entries in curves.items():
-        draw_field(sheet, field, unit, entries, len(runs) > 1)
+        # A value at a point and the integral over a boundary have different units, and a figure each.
+        units = [other for name, other in curves if name == field]
+        draw_field(sheet, field, unit, entries, len(runs) > 1, f" {unit}" if len(units) > 1 and unit != units[0] else "")
+
+
+def is_oscillation(summary, name, field):
+    """Whether the fit of the summary says that the history is a damped oscillation, or there is none."""
+    labels = (name, name[: -len(field) - 2] if name.endswith(f": {field}") else name)
+    residuals = [entry["value"] for entry in summary.get("quantities", []) if entry["name"] == "fit residual"
+                 and entry["probe"] in labels]
+    return not any(value is not None and value > 0.1 for value in residuals)
 
 
 def label_of(title, probe, several):
     return ", ".join(part for part in ((title if several else ""), probe) if part)
 
 
-def draw_field(sheet, field, unit, entries, several):
-    """The histories of one field and its envelope."""
-    probes = list(dict.fromkeys(probe for _, probe, _, _ in entries))
-    titles = list(dict.fromkeys(title for title, _, _, _ in entries))
-    end = max(time.max() for _, _, time, _ in entries)
-    largest = max(abs(values).max() for _, _, _, values in entries)
+def draw_field(sheet, field, unit, entries, several, suffix=""):
+    """The histories of one field and its envelope; a suffix of the files' names."""
+    probes = list(dict.fromkeys(entry[1] for entry in entries))
+    titles = list(dict.fromkeys(entry[0] for entry in entries))
+    end = max(entry[2].max() for entry in entries)
+    largest = max(abs(entry[3]).max() for entry in entries)
     time_factor, time_unit = plot_style.readable(end, "s")
-    factor, axis_unit = plot_style.readable(largest, unit)
+    factor, axis_unit = plot_style.readable(largest, unit, field)
 
     figure, axes = sheet.figure()
     header, columns, envelopes = [], [], []
-    for title, probe, time, values in entries:
+    for title, probe, time, values, oscillates in entries:
         colour = plot_style.COLOURS[(titles.index(title) if len(probes) == 1 else probes.index(probe))
                                     % len(plot_style.COLOURS)]
         line = plot_style.LINES[titles.index(title) % len(plot_style.LINES)]
@@ -90,16 +106,21 @@ def draw_field(sheet, field, unit, entries, several):
                    else f"{field} [{unit}]"]
         columns += [drawn_time, drawn]
         maxima, minima = turning_points(time, values)
-        if len(maxima) >= 3 and len(minima) >= 2:
+        if oscillates and len(maxima) >= 3 and len(minima) >= 2:
             envelopes.append((label, colour, line, maxima, minima))
     finish(sheet, axes, time_factor * end, time_unit, field, axis_unit, len(entries))
-    sheet.save(figure, "history-" + plot_style.file_name(field))
-    sheet.save_data("history-" + plot_style.file_name(field), header, columns)
+    name = plot_style.file_name(field + suffix)
+    sheet.save(figure, "history-" + name)
+    sheet.save_data("history-" + name, header, columns)
     if envelopes:
-        draw_envelope(sheet, field, unit, envelopes, (time_factor, time_unit, factor, axis_unit, end))
+        left_out = [label for label in (label_of(entry[0], entry[1], several) for entry in entries)
+                    if label not in [envelope[0] for envelope in envelopes]]
+        if left_out:
+            sheet.notes.append(f"envelopes of {field}: {', '.join(left_out)} (no oscillation)")
+        draw_envelope(sheet, field, unit, envelopes, (time_factor, time_unit, factor, axis_unit, end), name)
 
 
-def draw_envelope(sheet, field, unit, envelopes, scales):
+def draw_envelope(sheet, field, unit, envelopes, scales, name):
     time_factor, time_unit, factor, axis_unit, end = scales
     figure, axes = sheet.figure()
     header, columns = [], []
@@ -112,8 +133,8 @@ def draw_envelope(sheet, field, unit, envelopes, scales):
             header += [f"{prefix}time of {kind} [s]", f"{prefix}{field}, {kind} [{unit}]"]
             columns += [time, values]
     finish(sheet, axes, time_factor * end, time_unit, f"{field}, maxima and minima", axis_unit, len(envelopes))
-    sheet.save(figure, "envelope-" + plot_style.file_name(field))
-    sheet.save_data("envelope-" + plot_style.file_name(field), header, columns)
+    sheet.save(figure, "envelope-" + name)
+    sheet.save_data("envelope-" + name, header, columns)
 
 
 def finish(sheet, axes, end, time_unit, name, unit, n_entries):
@@ -173,6 +194,14 @@ def draw_balance(sheet, terms, residuals, several):
         axes.set_ylabel(plot_style.axis_label(title, unit))
         axes.set_xlim(0, time_factor * end if end > 0 else 1)
     all_axes[-1, 0].set_xlabel(plot_style.axis_label("time", time_unit))
-    sheet.legend(all_axes[0, 0], len(terms))
+    handles = None
+    if several:
+        # The terms by colour and the runs by line: not each term of each run.
+        handles = [matplotlib.lines.Line2D([], [], color=plot_style.COLOURS[i % len(plot_style.COLOURS)], label=name)
+                   for i, name in enumerate(names)]
+        handles += [matplotlib.lines.Line2D([], [], color="#000000", label=title,
+                                            linestyle=plot_style.LINES[i % len(plot_style.LINES)])
+                    for i, title in enumerate(titles)]
+    sheet.legend(all_axes[0, 0], len(terms), handles)
     sheet.save(figure, "power")
     sheet.save_data("power", header, columns)

@@ -37,18 +37,81 @@ plt.rcParams.update({
     "savefig.dpi": 200,
 })
 
+# Measured data, and what is drawn beside the runs of Continua: not a colour of a run.
+MEASURED = "#B00020"
+
 # Units that take a prefix on an axis.
 SCALABLE = {"m", "s", "Pa", "W", "N", "J", "m/s", "Hz", "W/m", "N/m", "J/m", "N/m^3"}
 PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
+
+
+# Units of --units: the SI unit and how many of it one is.
+UNITS = {"mmHg": ("Pa", 133.322387415), "cmH2O": ("Pa", 98.0665), "bar": ("Pa", 1e5), "mbar": ("Pa", 100.0),
+         "dyn/cm^2": ("Pa", 0.1), "ml/s": ("m^3/s", 1e-6), "l/min": ("m^3/s", 1e-3 / 60), "l/s": ("m^3/s", 1e-3),
+         "cm^3/s": ("m^3/s", 1e-6), "ml": ("m^3", 1e-6), "l": ("m^3", 1e-3), "cm": ("m", 1e-2), "cm/s": ("m/s", 1e-2),
+         "min": ("s", 60.0), "%": ("1", 1e-2)}
+# Of a flow rate and a volume, from small to large: what their size is best read in.
+VOLUMES = ((1e-9, "µl"), (1e-6, "ml"), (1e-3, "l"), (1.0, "m^3"))
+chosen_units = {}  # --units: name of a field, or a word of it -> unit
 
 
 class PlotError(Exception):
     """Something that is there cannot be read."""
 
 
-def readable(largest, unit):
-    """(factor, unit) that make the largest magnitude a number between 0.5 and 500 or so."""
-    if unit not in SCALABLE or not largest > 0 or not math.isfinite(largest):
+class UnitError(PlotError):
+    """--units asks for what a field cannot be in."""
+
+
+def unit_in_si(unit):
+    """(SI unit, how many of it), or None for a unit that is not known."""
+    if unit in UNITS:
+        return UNITS[unit]
+    for base in SCALABLE | {"m^3/s", "m^3", "1"}:
+        for exponent, prefix in PREFIXES.items():
+            if unit == prefix + base or unit == prefix.replace("µ", "u") + base:
+                return (base, 10.0**exponent) if base in SCALABLE or not prefix else None
+    return None
+
+
+def read_units(text):
+    """What --units takes: pressure=mmHg,flow=ml/s."""
+    chosen = {}
+    for part in text.split(","):
+        name, equals, unit = (piece.strip() for piece in part.partition("="))
+        if not equals or not name:
+            raise argparse.ArgumentTypeError(f"'{part}' is not FIELD=UNIT, such as pressure=mmHg")
+        if unit_in_si(unit) is None:
+            raise argparse.ArgumentTypeError(f"there is no unit '{unit}'; some are kPa, mm, ms, {', '.join(UNITS)}")
+        chosen[name.lower()] = unit
+    return chosen
+
+
+def chosen_unit(field, unit):
+    """(factor, unit) that --units wants for a field, or None."""
+    words = field.lower().replace("_", " ").split()
+    for name, wanted in chosen_units.items():
+        if name != " ".join(words) and not set(name.split()) <= set(words):
+            continue
+        si, size = unit_in_si(wanted)
+        if si != unit:
+            raise UnitError(f"--units {name}={wanted}: '{field}' is in {unit}, and {wanted} is a unit of another kind")
+        return 1 / size, wanted
+    return None
+
+
+def readable(largest, unit, field=""):
+    """(factor, unit) that make the largest magnitude a number between 0.5 and 500 or so, or those that --units wants for
+    the field."""
+    wanted = chosen_unit(field, unit) if field else None
+    if wanted is not None:
+        return wanted
+    if not largest > 0 or not math.isfinite(largest):
+        return 1.0, unit
+    if unit in ("m^3", "m^3/s"):
+        size, name = max([entry for entry in VOLUMES if largest >= 0.5 * entry[0]], default=VOLUMES[0])
+        return 1 / size, name + unit[3:]
+    if unit not in SCALABLE:
         return 1.0, unit
     exponent = 3 * math.floor((math.log10(largest) + 0.3) / 3)
     exponent = min(max(exponent, -12), 9)

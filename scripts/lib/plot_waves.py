@@ -11,7 +11,8 @@ import plot_style
 import tables
 import wave_tables
 
-STYLES = {"simulated": "-", "theory": "--", "measured": ":"}
+STYLES = {"simulated": "-", "theory": "--", "measured": "none"}
+N_MARKERS = 40  # of a measured curve
 OVERLAP = 1.6  # height of the tallest curve, in distances of stations
 N_PLACES = 200  # columns of the space-time picture
 
@@ -80,25 +81,41 @@ def draw_stations(sheet, name, entries, normalised, several):
         for source, curves in field.sources.items():
             look = {"linestyle": STYLES[source], "color": colour if source == "simulated" else darker(colour),
                     "linewidth": 1.3 if source == "simulated" else 0.8}
+            if source == "measured":
+                look.update(color=plot_style.MEASURED if i == 0 else darker(colour), marker="o", markersize=3,
+                            markerfacecolor="none", markeredgewidth=0.7)
             for position, values in zip(field.positions, curves):
-                axes.plot(time_factor * time, place_factor * (position + height * factor * values), **look)
+                every = {"markevery": marked(time, values)} if source == "measured" else {}
+                axes.plot(time_factor * time, place_factor * (position + height * factor * values), **look, **every)
                 header.append(f"{label}{position:g} m: {name}, {source} [{'1' if normalised else unit}]")
                 columns.append(factor * values)
             handles.append(matplotlib.lines.Line2D([], [], label=f"{label}{source}", **look))
     axes.set_xlim(0, time_factor * end)
     axes.set_xlabel("Time / travel time to the last station" if normalised else plot_style.axis_label("time", time_unit))
     axes.set_ylabel(plot_style.axis_label("axial position", place_unit))
+    # A mark at each station says which curve is whose.
+    axes.set_yticks(place_factor * positions)
+    axes.grid(axis="y", linewidth=0.3, color="#BBBBBB")
     scale_bar(axes, largest, place_factor * height, "1" if normalised else unit, name)
     sheet.legend(axes, len(handles), handles)
     sheet.save(figure, "wave-" + plot_style.file_name(name))
     sheet.save_data("wave-" + plot_style.file_name(name), header, columns)
 
 
+def marked(time, values):
+    """The numbers of the values that get a marker, evenly in time."""
+    there = numpy.flatnonzero(numpy.isfinite(values))
+    if there.size <= N_MARKERS:
+        return there.tolist()
+    wanted = numpy.linspace(time[there[0]], time[there[-1]], N_MARKERS)
+    return numpy.unique(there[numpy.searchsorted(time[there], wanted).clip(0, there.size - 1)]).tolist()
+
+
 def scale_bar(axes, largest, height, unit, name):
     """At the right, beside the axes: how high a round part of the tallest curve is drawn."""
-    exponent = 10.0**math.floor(math.log10(largest))
-    value = max(step * exponent for step in (1, 2, 5) if step * exponent <= largest)
-    factor, axis_unit = plot_style.readable(value, unit)
+    factor, axis_unit = plot_style.readable(largest, unit, name)
+    exponent = 10.0**math.floor(math.log10(factor * largest))
+    value = max(step * exponent for step in (1, 2, 5) if step * exponent <= factor * largest) / factor
     low, high = axes.get_ylim()
     middle = 0.5 * (low + high)
     bar = [middle - 0.5 * value * height, middle + 0.5 * value * height]
@@ -106,7 +123,8 @@ def scale_bar(axes, largest, height, unit, name):
               transform=axes.get_yaxis_transform())
     axes.set_ylim(low, high)
     unit = plot_style.axis_label("", axis_unit).strip(" []")
-    text = f"{name}\nof the first pulse × {value:g}" if axis_unit == "1" else f"{name}, {factor * value:g} {unit}"
+    pulse = "height of the first pulse" if value == 1 else f"{value:g} of the height of the first pulse"
+    text = f"{name},\n{pulse}" if axis_unit == "1" else f"{name}, {factor * value:.4g} {unit}"
     axes.annotate(text, (1.02, middle), xycoords=axes.get_yaxis_transform(), xytext=(4, 0),
                   textcoords="offset points", rotation=90, va="center", ha="left", fontsize=8)
 
@@ -147,7 +165,7 @@ def draw_space_time(sheet, waves, several):
     pictures = [space_time(fields) for _, fields in shown]
     largest = max(numpy.abs(values).max() for _, _, values, _ in pictures)
     lowest = min(values.min() for _, _, values, _ in pictures)
-    factor, unit = plot_style.readable(largest, "Pa")
+    factor, unit = plot_style.readable(largest, "Pa", "pressure")
     time_factor, time_unit = plot_style.readable(max(time[-1] for _, time, _, _ in pictures), "s")
     place_factor, place_unit = plot_style.readable(max(places[-1] for places, _, _, _ in pictures), "m")
     # White is zero where there is suction as well as pressure.
@@ -210,7 +228,7 @@ def draw_dispersion(sheet, run):
         axes.set_yscale("log")
     all_axes[0].set_xscale("log")
     all_axes[-1].set_xlabel("Frequency [Hz]")
-    all_axes[0].set_xlim(data[0, 0], data[-1, 0])
+    all_axes[0].set_xlim(data[0, 0], max(highest_frequency(run["summary"], data[-1, 0]), 2 * data[0, 0]))
     handles = {}
     for axes in all_axes:
         for handle, label in zip(*axes.get_legend_handles_labels()):
@@ -218,6 +236,13 @@ def draw_dispersion(sheet, run):
     sheet.legend(all_axes[0], len(handles), [handles[family] for family in families if family in handles])
     sheet.save(figure, "dispersion")
     sheet.save_data("dispersion", [name if unit == "1" else f"{name} [{unit}]" for name, unit in names], list(data.T))
+
+
+def highest_frequency(summary, last):
+    """Up to which frequency the load has something to say: ten times its own, or the end of the table."""
+    report = summary.get("pre-flight report", {})
+    own = report.get("load frequency [Hz]") if isinstance(report, dict) else None
+    return min(last, 10 * own) if own else last
 
 
 def draw_spin_coating(sheet, runs):

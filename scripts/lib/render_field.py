@@ -58,20 +58,119 @@ def nice(number):
     return max(step * power for step in (1, 2, 5) if step * power <= number * (1 + 1e-9))
 
 
+def in_solid(grid):
+    """Of each point whether its cell is of a solid; None where the data do not say. Cells of different regions share no
+    points in the files of Continua."""
+    phase = grid.GetPointData().GetArray("phase")
+    return None if phase is None else vtk_to_numpy(phase) > 0.5
+
+
+def as_one(points):
+    """(number of the place of each point, number of places): points of several cells at one place have one number."""
+    size = (points.max(axis=0) - points.min(axis=0)).max()
+    places, numbers = numpy.unique(numpy.round(points / (1e-9 * size)).astype(numpy.int64), axis=0, return_inverse=True)
+    return numbers.ravel(), len(places)
+
+
+def follow(grid, points, displacement, solid):
+    """The liquid's mesh between what moves it: harmonic, equal to the solids' displacement where both meet. On the other ends
+    that are plane it slides along them, elsewhere it stays. (Its own displacement is the way of its particles.)"""
+    numbers, n_places = as_one(points)
+    filter_of_liquid = vtk.vtkThreshold()
+    filter_of_liquid.SetInputData(grid)
+    filter_of_liquid.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_POINTS, "phase")
+    filter_of_liquid.SetThresholdFunction(vtk.vtkThreshold.THRESHOLD_LOWER)
+    filter_of_liquid.SetLowerThreshold(0.5)
+    filter_of_liquid.Update()
+    liquid = filter_of_liquid.GetOutput()
+    own = vtk_to_numpy(liquid.GetPointData().GetArray("number of the point")).astype(int)
+    # Along the edges of the cells, by the inverse of their length.
+    edges = vtk.vtkExtractEdges()
+    edges.SetInputData(liquid)
+    edges.Update()
+    ends = numbers[vtk_to_numpy(edges.GetOutput().GetPointData().GetArray("number of the point")).astype(int)[
+        vtk_to_numpy(edges.GetOutput().GetLines().GetConnectivityArray()).reshape(-1, 2)]]
+    ends = numpy.unique(numpy.sort(ends, axis=1), axis=0)
+    ends = ends[ends[:, 0] != ends[:, 1]]
+    place = numpy.zeros((n_places, 3))
+    place[numbers] = points
+    weight = 1 / numpy.linalg.norm(place[ends[:, 0]] - place[ends[:, 1]], axis=1)
+    is_liquid = numpy.zeros(n_places, bool)
+    is_liquid[numbers[own]] = True
+    moved = numpy.zeros((n_places, 3))
+    is_held = numpy.zeros((n_places, 3), bool)
+    low, high = place[is_liquid].min(axis=0), place[is_liquid].max(axis=0)
+    tolerance = 1e-6 * (high - low).max()
+    for d in range(3):
+        is_held[:, d] |= is_liquid & ((place[:, d] < low[d] + tolerance) | (place[:, d] > high[d] - tolerance))
+    common = numpy.zeros(n_places, bool)
+    common[numbers[solid]] = True
+    common &= is_liquid
+    is_held[common] = True
+    moved[numbers[solid]] = displacement[solid]
+    moved[is_liquid & ~common] = 0
+    for d in range(3):
+        solve_harmonic(moved[:, d], ends, weight, is_liquid & ~is_held[:, d])
+    result = displacement.copy()
+    result[~solid] = moved[numbers[~solid]]
+    return result
+
+
+def solve_harmonic(values, ends, weight, free):
+    """Sets the free values to the weighted means of their neighbours: conjugate gradients."""
+    diagonal = numpy.zeros(len(values))
+    for side in (0, 1):
+        numpy.add.at(diagonal, ends[:, side], weight)
+    free = free & (diagonal > 0)
+
+    def residual(x):
+        difference = weight * (x[ends[:, 0]] - x[ends[:, 1]])
+        result = numpy.bincount(ends[:, 1], difference, len(x)) - numpy.bincount(ends[:, 0], difference, len(x))
+        return numpy.where(free, result, 0)
+
+    rest = residual(values)
+    start = math.sqrt(rest @ rest)
+    if start == 0:
+        return
+    scale = numpy.where(free, 1 / numpy.where(diagonal > 0, diagonal, 1), 0)
+    preconditioned = scale * rest
+    direction, product = preconditioned, rest @ preconditioned
+    for _ in range(2000):
+        image = -residual(direction)
+        step = product / (direction @ image)
+        values += step * direction
+        rest = rest - step * image
+        if math.sqrt(rest @ rest) < 1e-6 * start:
+            return
+        preconditioned = scale * rest
+        before, product = product, rest @ preconditioned
+        direction = preconditioned + product / before * direction
+
+
 def deform(grid):
-    """Moves the points by the displacement, enlarged until it can be seen. Returns the factor, 0 without one."""
+    """Moves the points by the displacement of the solids, enlarged until it can be seen; the liquid's mesh follows them.
+    Returns the factor, 0 without one."""
     array = grid.GetPointData().GetArray("displacement")
     if array is None or array.GetNumberOfComponents() != 3:
         return 0
     displacement = numpy.nan_to_num(vtk_to_numpy(array).astype(float))
     points = vtk_to_numpy(grid.GetPoints().GetData()).astype(float)
     size = (points.max(axis=0) - points.min(axis=0))
-    largest = numpy.linalg.norm(displacement, axis=1).max()
-    if not largest > 0:
+    solid = in_solid(grid)
+    if solid is not None and not solid.any():
         return 0
-    # A tenth of the length shows; but a thin wall must not fold over itself, hence not more than the width either.
-    wanted = min(0.1 * size.max(), 0.4 * size[size > 1e-9 * size.max()].min())
-    factor = nice(wanted / largest)
+    if solid is not None and not solid.all():
+        number = numpy_to_vtk(numpy.arange(len(points), dtype=float), deep=True)
+        number.SetName("number of the point")
+        grid.GetPointData().AddArray(number)
+        displacement = follow(grid, points, displacement, solid)
+    largest = numpy.abs(displacement).max(axis=0)
+    if not largest.max() > 0:
+        return 0
+    # A tenth of the length shows; but a thin body must not fold over itself, hence not more than its width along it. What is a
+    # thousandth of the motion does not count.
+    factor = nice(min(min(0.1 * size.max(), 0.4 * size[d]) / largest[d] for d in range(3)
+                      if largest[d] > 1e-3 * largest.max() and size[d] > 1e-9 * size.max()))
     if 0.5 <= factor <= 2:
         factor = 1
     moved = vtk.vtkPoints()
@@ -108,22 +207,75 @@ def stretched(data, stretch):
     return scale.GetOutput()
 
 
-def colour_table(low, high):
+MOST_LINES = 30000  # of the mesh of a body in space: more make the picture dark
+# Fields that are the same on both sides of an interface; of others liquids and solids have a range each.
+COMMON = ("velocity", "displacement")
+MAPS = {"liquid": ("viridis", "RdBu_r"), "solid": ("cividis", "PuOr_r")}  # of one sign, of both
+
+
+def colour_ranges(values, solid, field):
+    """[(what, map, low, high)] of the liquids and the solids, or of both together; a field of both signs has white at zero."""
+    groups = [("", "liquid", numpy.isfinite(values))]
+    if solid is not None and solid.any() and not solid.all() and field not in COMMON:
+        groups = [(name, name, numpy.isfinite(values) & (solid == (name == "solid"))) for name in ("liquid", "solid")]
+    ranges = []
+    for what, kind, chosen in groups:
+        low, high = (float(values[chosen].min()), float(values[chosen].max())) if chosen.any() else (0.0, 0.0)
+        largest = max(abs(low), abs(high))
+        signed = low < -0.05 * largest and high > 0.05 * largest
+        ranges.append((what, MAPS[kind][signed], -largest if signed else low, largest if signed else high))
+    return ranges
+
+
+def on_the_maps(values, solid, ranges):
+    """The values as places on the maps, put one after the other: 0 to 1 of one, 0 to 2 of two."""
+    shown = numpy.zeros(len(values))
+    for i, (what, _, low, high) in enumerate(ranges):
+        chosen = numpy.ones(len(values), bool) if not what else solid == (what == "solid")
+        share = (values[chosen] - low) / (high - low if high > low else 1)
+        shown[chosen] = i + numpy.clip(share, 1e-6, 1 - 1e-6)
+    return shown
+
+
+def colour_table(ranges):
+    colours = numpy.concatenate([matplotlib.colormaps[name](numpy.linspace(0, 1, 256)) for _, name, _, _ in ranges])
     table = vtk.vtkLookupTable()
-    table.SetNumberOfTableValues(256)
-    for i, colour in enumerate(matplotlib.colormaps["viridis"](numpy.linspace(0, 1, 256))):
+    table.SetNumberOfTableValues(len(colours))
+    for i, colour in enumerate(colours):
         table.SetTableValue(i, *colour)
-    table.SetRange(low, high if high > low else low + 1)
+    table.SetRange(0, len(ranges))
     return table
 
 
-def camera_of(renderer, bounds, plane):
-    """Looks straight at a plane mesh, from a corner at a solid one. Returns (left, right, bottom, top) seen."""
+def open_up(grid):
+    """(the part of a body that shows its inside, where the reader looks from): the half behind the middle of a whole body with a
+    liquid in it; the whole of a body that ends at the plane z = 0, which is seen through it."""
+    bounds = grid.GetBounds()
+    solid = in_solid(grid)
+    from_front, from_behind = numpy.array([0.35, 0.4, 1.0]), numpy.array([0.35, 0.4, -1.0])
+    if abs(bounds[4]) < 1e-6 * (bounds[5] - bounds[4]):
+        return grid, from_behind
+    if solid is None or solid.all() or not solid.any():
+        return grid, from_front
+    plane = vtk.vtkPlane()
+    plane.SetOrigin(*((bounds[2 * i] + bounds[2 * i + 1]) / 2 for i in range(3)))
+    plane.SetNormal(0, 0, 1)
+    clip = vtk.vtkClipDataSet()
+    clip.SetInputData(grid)
+    clip.SetClipFunction(plane)
+    clip.InsideOutOn()
+    clip.Update()
+    half = vtk.vtkUnstructuredGrid()
+    half.ShallowCopy(clip.GetOutput())
+    return half, from_front
+
+
+def camera_of(renderer, bounds, direction):
+    """Looks at the body along a direction. Returns (left, right, bottom, top) seen and where x, y and z point to in the picture."""
     camera = renderer.GetActiveCamera()
     camera.ParallelProjectionOn()
     centre = numpy.array([(bounds[2 * i] + bounds[2 * i + 1]) / 2 for i in range(3)])
-    direction = numpy.array([0, 0, 1.0] if plane else [0.5, 0.45, 1.0])
-    direction /= numpy.linalg.norm(direction)
+    direction = direction / numpy.linalg.norm(direction)
     across = numpy.cross([0, 1, 0], direction)
     across /= numpy.linalg.norm(across)
     up = numpy.cross(direction, across)
@@ -138,15 +290,16 @@ def camera_of(renderer, bounds, plane):
     camera.SetViewUp(*up)
     camera.SetParallelScale(half_height)
     renderer.ResetCameraClippingRange()
-    return (centre[0] - half_width, centre[0] + half_width, centre[1] - half_height, centre[1] + half_height)
+    return ((centre[0] - half_width, centre[0] + half_width, centre[1] - half_height, centre[1] + half_height),
+            numpy.array([across, up]).T.tolist())
 
 
-def draw_with_opengl(faces, lines, plane, low, high, request):
+def draw_with_opengl(faces, lines, plane, ranges, request, direction):
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(1, 1, 1)
     mapper = vtk.vtkPolyDataMapper()
     mapper.SetInputData(faces)
-    mapper.SetLookupTable(colour_table(low, high))
+    mapper.SetLookupTable(colour_table(ranges))
     mapper.UseLookupTableScalarRangeOn()
     mapper.InterpolateScalarsBeforeMappingOn()
     mapper.SetResolveCoincidentTopologyToPolygonOffset()
@@ -154,6 +307,9 @@ def draw_with_opengl(faces, lines, plane, low, high, request):
     coloured.SetMapper(mapper)
     if plane:
         coloured.GetProperty().LightingOff()
+    else:
+        coloured.GetProperty().SetAmbient(0.5)
+        coloured.GetProperty().SetDiffuse(0.5)
     renderer.AddActor(coloured)
     line_mapper = vtk.vtkPolyDataMapper()
     line_mapper.SetInputData(lines)
@@ -163,9 +319,10 @@ def draw_with_opengl(faces, lines, plane, low, high, request):
     drawn.GetProperty().SetColor(0.1, 0.1, 0.1)
     drawn.GetProperty().SetLineWidth(1.0)
     drawn.GetProperty().LightingOff()
-    renderer.AddActor(drawn)
+    if plane or lines.GetNumberOfLines() < MOST_LINES:
+        renderer.AddActor(drawn)
 
-    left, right, bottom, top = camera_of(renderer, faces.GetBounds(), plane)
+    (left, right, bottom, top), axes = camera_of(renderer, faces.GetBounds(), direction)
     width = 2 * request["pixels"]
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
@@ -180,7 +337,7 @@ def draw_with_opengl(faces, lines, plane, low, high, request):
     writer.SetFileName(os.path.join(request["folder"], "picture.png"))
     writer.SetInputConnection(image.GetOutputPort())
     writer.Write()
-    return left, right, bottom, top
+    return left, right, bottom, top, axes
 
 
 def dump_for_matplotlib(faces, lines, request):
@@ -203,7 +360,9 @@ def main():
         fault(f"the field {field} has no finite value")
     bounds = grid.GetBounds()
     plane = bounds[5] - bounds[4] < 1e-9 * max(bounds[1] - bounds[0], bounds[3] - bounds[2])
-    shown = numpy_to_vtk(values, deep=True)
+    solid = in_solid(grid)
+    ranges = colour_ranges(values, solid, field)
+    shown = numpy_to_vtk(on_the_maps(values, solid, ranges), deep=True)
     shown.SetName("shown")
     grid.GetPointData().AddArray(shown)
     grid.GetPointData().SetActiveScalars("shown")
@@ -212,21 +371,24 @@ def main():
     bounds = grid.GetBounds()
     ratio = (bounds[1] - bounds[0]) / max(bounds[3] - bounds[2], 1e-300)
     stretch = nice(ratio / request["flattest"]) if plane and ratio > 1.99 * request["flattest"] else 1
-    faces, lines = surface(grid), mesh_lines(grid)
+    direction, axes = numpy.array([0, 0, 1.0]), None
+    if not plane:
+        grid, direction = open_up(grid)
+    faces, lines = surface(grid), mesh_lines(surface(grid) if not plane else grid)
     faces.GetPointData().SetActiveScalars("shown")
-    low, high = float(finite.min()), float(finite.max())
     if request["way"] == "gl":
         if stretch != 1:
             faces, lines = stretched(faces, stretch), stretched(lines, stretch)
-        left, right, bottom, top = draw_with_opengl(faces, lines, plane, low, high, request)
+        left, right, bottom, top, axes = draw_with_opengl(faces, lines, plane, ranges, request, direction)
         bottom, top = bottom / stretch, top / stretch
     elif plane:
         left, right, bottom, top = dump_for_matplotlib(faces, lines, request)
     else:
         sys.exit("a solid mesh needs OpenGL: install xvfb, xauth and libgl1-mesa-dri")
     with open(os.path.join(request["folder"], "picture.json"), "w", encoding="utf-8") as stream:
-        json.dump({"field": field, "label": label, "range": [low, high], "extent": [left, right, bottom, top],
-                   "plane": bool(plane), "deformation": deformation, "stretch": stretch}, stream)
+        json.dump({"field": field, "label": label, "ranges": ranges, "extent": [left, right, bottom, top],
+                   "plane": bool(plane), "axes": axes, "deformation": deformation, "stretch": stretch,
+                   "liquid": bool(solid is not None and not solid.all())}, stream)
 
 
 if __name__ == "__main__":

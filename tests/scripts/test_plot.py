@@ -8,13 +8,20 @@ import sys
 import tempfile
 import unittest
 
+import matplotlib.image
+import matplotlib.legend
+import matplotlib.text
 import numpy
+import vtk
+from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 SCRIPTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts")
 sys.path.insert(0, os.path.join(SCRIPTS, "lib"))
+import plot_field  # noqa: E402
 import plot_histories  # noqa: E402
 import plot_style  # noqa: E402
 import plot_waves  # noqa: E402
+import render_field  # noqa: E402
 import wave_tables  # noqa: E402
 
 
@@ -59,8 +66,203 @@ class Units(unittest.TestCase):
     def test_prefixes(self):
         self.assertEqual(plot_style.readable(0.012, "m"), (1000.0, "mm"))
         self.assertEqual(plot_style.readable(2.5e6, "Pa")[1], "MPa")
-        self.assertEqual(plot_style.readable(0.012, "m^3/s"), (1.0, "m^3/s"))
+        self.assertEqual(plot_style.readable(0.012, "m^3/s")[1], "l/s")
+        factor, unit = plot_style.readable(37e-6, "m^3/s")
+        self.assertEqual(unit, "ml/s")
+        self.assertAlmostEqual(factor * 37e-6, 37)
         self.assertEqual(plot_style.axis_label("flow rate", "m^3/s"), "Flow rate [m³/s]")
+
+
+    def test_chosen(self):
+        plot_style.chosen_units.update(plot_style.read_units("pressure=mmHg, flow=l/min"))
+        try:
+            factor, unit = plot_style.readable(5, "Pa", "axis pressure")
+            self.assertEqual(unit, "mmHg")
+            self.assertAlmostEqual(factor * 133.322387415, 1)
+            self.assertEqual(plot_style.readable(1e-6, "m^3/s", "flow rate")[1], "l/min")
+            self.assertEqual(plot_style.readable(0.012, "m", "displacement y"), (1000.0, "mm"))
+            with self.assertRaises(plot_style.UnitError):
+                plot_style.readable(1, "N/m", "pressure")
+        finally:
+            plot_style.chosen_units.clear()
+
+    def test_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            write(os.path.join(folder, "probes.csv"), "time [s],tip: pressure [Pa]\n0,1\n1,2\n")
+            for wanted, message in (("pressure", "is not FIELD=UNIT"), ("pressure=furlong", "there is no unit 'furlong'"),
+                                    ("pressure=ml/s", "'pressure' is in Pa, and ml/s is a unit of another kind")):
+                done = plot(folder, "--units", wanted)
+                self.assertEqual(done.returncode, 2)
+                self.assertIn(message, done.stderr)
+
+
+class Looks(unittest.TestCase):
+    """What the figures show, of the artists on them."""
+
+    class Sheet(plot_style.Sheet):
+        """Keeps what is on the figures, and whether each text is inside of its figure."""
+
+        def __init__(self, folder, width):
+            super().__init__(folder, width, False)
+            self.legends, self.outside, self.markers = {}, [], {}
+
+        def save(self, figure, name):
+            figure.canvas.draw()
+            # Matplotlib keeps labels of ticks that are out of the axes' range, or of axes that are off, and does not draw them.
+            undrawn = [label for axes in figure.axes for axis in (axes.xaxis, axes.yaxis)
+                     for tick in axis.get_major_ticks() + axis.get_minor_ticks()
+                     if not axes.axison or not min(axis.get_view_interval()) <= tick.get_loc() <= max(axis.get_view_interval())
+                     for label in (tick.label1, tick.label2)]
+            for text in figure.findobj(matplotlib.text.Text):
+                if text.get_visible() and text.get_text() and text not in undrawn:
+                    box = text.get_window_extent()
+                    if not (box.x0 >= -1 and box.y0 >= -1 and box.x1 <= figure.bbox.x1 + 1 and box.y1 <= figure.bbox.y1 + 1):
+                        self.outside.append(f"{name}: {text.get_text()}")
+            legends = figure.findobj(matplotlib.legend.Legend)
+            self.legends[name] = [text.get_text() for legend in legends for text in legend.get_texts()]
+            self.markers[name] = [line for line in figure.axes[0].lines if line.get_marker() == "o"]
+            super().save(figure, name)
+
+    def run_of(self, folder, title="run", summary=None):
+        return {"folder": folder, "title": title, "summary": summary or {}}
+
+    def test_no_text_is_cut(self):
+        with tempfile.TemporaryDirectory() as folder:
+            write_wave(folder)
+            write(os.path.join(folder, "power.csv"), "time [s],kinetic [W],loads [W],residual [W]\n0,1,2,0\n1,2,3,1e-9\n")
+            write(os.path.join(folder, "probes.csv"), "time [s],a probe with a long name: flow rate [m^3/s]\n0,1e-6\n1,5e-6\n")
+            for width in (160, 110, 85):
+                sheet = self.Sheet(folder, width / 25.4)
+                runs = [self.run_of(folder, "A title that is rather long, of one of the runs"), self.run_of(folder, "other")]
+                plot_histories.draw_probes(sheet, runs)
+                plot_histories.draw_power(sheet, runs)
+                plot_waves.draw(sheet, runs, False)
+                self.assertEqual(sheet.outside, [])
+                self.assertEqual(len(sheet.legends), 6)
+
+    def test_no_text_of_a_field_is_cut(self):
+        ranges = [("liquid", "RdBu_r", -850.0, 850.0), ("solid", "viridis", -8.5e3, 2e3)]
+        for space in (False, True):
+            picture = {"field": "pressure", "label": "pressure", "ranges": ranges, "extent": [0, 0.8, 0, 0.006 if not space else 0.2],
+                       "plane": not space, "axes": [[-0.9, 0.1], [0, 0.9], [0.3, -0.4]] if space else None, "deformation": 20,
+                       "stretch": 1 if space else 20, "liquid": True, "of": "t = 0.05 s"}
+            for width in (160, 110, 85):
+                with tempfile.TemporaryDirectory() as folder:
+                    matplotlib.image.imsave(os.path.join(folder, "picture.png"), numpy.zeros((25, 100, 3)))
+                    sheet = self.Sheet(folder, width / 25.4)
+                    plot_field.compose(sheet, self.run_of(folder), picture, folder, "")
+                    self.assertEqual(sheet.outside, [], (space, width))
+
+    def test_power_of_two_runs(self):
+        with tempfile.TemporaryDirectory() as folder:
+            write(os.path.join(folder, "power.csv"), "time [s],kinetic [W],loads [W],residual [W]\n0,1,2,0\n1,2,3,1e-9\n")
+            sheet = self.Sheet(folder, 6)
+            plot_histories.draw_power(sheet, [self.run_of(folder, "one"), self.run_of(folder, "other")])
+            self.assertEqual(sheet.legends["power"], ["kinetic", "loads", "one", "other"])
+
+    def test_measured(self):
+        with tempfile.TemporaryDirectory() as folder:
+            rows = "".join(f"{t!r},{math.sin(t)!r},{math.sin(t)!r}\n" for t in numpy.arange(0, 3, 0.01).tolist())
+            write(os.path.join(folder, "wave.csv"),
+                  'time [s],"tube 0 m: pressure, simulated [Pa]","tube 0 m: pressure, measured [Pa]"\n' + rows)
+            sheet = self.Sheet(folder, 6)
+            plot_waves.draw(sheet, [self.run_of(folder)], False)
+            (line,) = sheet.markers["wave-pressure"]
+            self.assertEqual(line.get_color(), plot_style.MEASURED)
+            self.assertEqual(line.get_linestyle(), "None")
+            self.assertEqual(line.get_markerfacecolor(), "none")
+            self.assertEqual(len(line.get_markevery()), plot_waves.N_MARKERS)
+        # Where there is nothing measured there is no marker.
+        values = numpy.ones(300)
+        values[:100] = numpy.nan
+        self.assertGreaterEqual(min(plot_waves.marked(numpy.arange(300.0), values)), 100)
+
+    def test_units_of_one_field(self):
+        with tempfile.TemporaryDirectory() as folder:
+            write(os.path.join(folder, "probes.csv"), "time [s],tip: stress xx [Pa],end: stress xx [N/m]\n0,1,2\n1,2,3\n")
+            sheet = self.Sheet(folder, 6)
+            plot_histories.draw_probes(sheet, [self.run_of(folder)])
+            self.assertEqual(sorted(sheet.legends), ["history-stress-xx", "history-stress-xx-n-m"])
+
+    def test_one_state(self):
+        with tempfile.TemporaryDirectory() as folder:
+            write(os.path.join(folder, "probes.csv"), "time [s],tip: pressure [Pa]\n0,1\n")
+            sheet = self.Sheet(folder, 6)
+            plot_histories.draw_probes(sheet, [self.run_of(folder)])
+            self.assertEqual(sheet.written, [])
+            self.assertEqual(sheet.notes, [f"histories of {folder} (one state: summary.json has its values)"])
+
+    def test_a_pulse_has_no_envelope(self):
+        with tempfile.TemporaryDirectory() as folder:
+            rows = "".join(f"{i * 0.01!r},{math.sin(i * 0.3)!r}\n" for i in range(200))
+            write(os.path.join(folder, "probes.csv"), "time [s],tip: displacement y [m]\n" + rows)
+            for residual, drawn in ((0.2, False), (0.01, True)):
+                summary = {"quantities": [{"name": "fit residual", "probe": "tip", "value": residual}]}
+                sheet = self.Sheet(folder, 6)
+                plot_histories.draw_probes(sheet, [self.run_of(folder, summary=summary)])
+                self.assertEqual("envelope-displacement-y" in sheet.legends, drawn)
+
+    def test_dispersion_up_to_what_the_load_has(self):
+        report = {"pre-flight report": {"load frequency [Hz]": 17.0}}
+        self.assertEqual(plot_waves.highest_frequency(report, 3000.0), 170.0)
+        self.assertEqual(plot_waves.highest_frequency({}, 3000.0), 3000.0)
+
+
+class Field(unittest.TestCase):
+    """The picture of a liquid, y from 0 to 1, under a solid layer, y from 1 to 1.5, that moves up by 0.01 in the middle."""
+
+    def grid(self):
+        grid, points, cells = vtk.vtkUnstructuredGrid(), vtk.vtkPoints(), []
+        phase, displacement, pressure = [], [], []
+        for solid, ys in ((0, (0, 0.25, 0.5, 0.75, 1)), (1, (1, 1.5))):
+            for x in range(4):
+                for low, high in zip(ys, ys[1:]):
+                    corners = []
+                    for px, py in ((x, low), (x + 1, low), (x + 1, high), (x, high)):
+                        corners.append(points.InsertNextPoint(px, py, 0))
+                        phase.append(solid)
+                        # The liquid's own displacement is large, and must not be seen.
+                        displacement.append((0, 0.01 * math.sin(math.pi * px / 4), 0) if solid else (3, 0, 0))
+                        pressure.append(-50.0 + px if solid else 10.0 * px)
+                    cells.append(corners)
+        grid.SetPoints(points)
+        for corners in cells:
+            grid.InsertNextCell(vtk.VTK_QUAD, 4, corners)
+        for name, values in (("phase", phase), ("displacement", displacement), ("pressure", pressure)):
+            array = numpy_to_vtk(numpy.array(values, float), deep=True)
+            array.SetName(name)
+            grid.GetPointData().AddArray(array)
+        return grid
+
+    def test_liquid_follows(self):
+        grid = self.grid()
+        before = vtk_to_numpy(grid.GetPoints().GetData()).copy()
+        factor = render_field.deform(grid)
+        # A tenth of the length 4 over 0.01 is 40, and 20 the round number below.
+        self.assertEqual(factor, 20)
+        moved = (vtk_to_numpy(grid.GetPoints().GetData()) - before) / factor
+        solid = render_field.in_solid(grid)
+        self.assertTrue(numpy.allclose(moved[solid][:, 1], 0.01 * numpy.sin(math.pi * before[solid][:, 0] / 4), atol=1e-6))
+        # No gap at the interface, none at the bottom, and between them a share that grows with y.
+        for x, y, low, high in ((2, 1, 0.01, 0.01), (2, 0, 0, 0), (2, 0.5, 0.002, 0.005), (2, 0.75, 0.005, 0.009), (0, 0.5, 0, 0.002)):
+            here = ~solid & (abs(before[:, 0] - x) < 1e-9) & (abs(before[:, 1] - y) < 1e-9)
+            self.assertTrue(here.any())
+            self.assertTrue((moved[here][:, 1] >= low - 1e-6).all() and (moved[here][:, 1] <= high + 1e-6).all(), (x, y, moved[here]))
+        self.assertLess(abs(moved[~solid][:, 0]).max(), 1e-6)
+
+    def test_colours(self):
+        grid = self.grid()
+        solid = render_field.in_solid(grid)
+        _, _, values = render_field.values_of(grid, "pressure")
+        ranges = render_field.colour_ranges(values, solid, "pressure")
+        self.assertEqual([(what, low, high) for what, _, low, high in ranges], [("liquid", 0, 40), ("solid", -50, -46)])
+        shown = render_field.on_the_maps(values, solid, ranges)
+        self.assertTrue((shown[~solid] < 1).all() and (shown[solid] > 1).all())
+        # The velocity is the same on both sides, and has one range.
+        self.assertEqual(len(render_field.colour_ranges(values, solid, "velocity")), 1)
+        # A field of both signs is white at zero.
+        _, name, low, high = render_field.colour_ranges(numpy.array([-1.0, 3.0]), None, "stress_xx")[0]
+        self.assertEqual((name, low, high), ("RdBu_r", -3, 3))
 
 
 def pulse(time, place, height=100.0):
