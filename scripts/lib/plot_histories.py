@@ -59,7 +59,7 @@ def draw_probes(sheet, runs):
             probe, colon, field = name.rpartition(": ")
             finite = numpy.isfinite(data[:, column])
             if finite.sum() > 1:
-                oscillates = is_oscillation(run["summary"], name, field)
+                oscillates = is_oscillation(run.get("summary", {}), name, field)
                 curves.setdefault((field, unit), []).append(
                     (run["title"], probe if colon else "", data[finite, 0], data[finite, column], oscillates))
             elif finite.any():
