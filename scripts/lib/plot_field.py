@@ -26,9 +26,7 @@ FLATTEST = 5.0  # a longer and thinner picture is stretched across
 ROOM = 1.35  # inches for title, labels and colour bar, whatever the width
 BAR = 0.65  # inches for a second colour bar
 BELOW = 0.16  # of the width, for the directions below a body in space
-
-
-MOST_MODES = 6
+MOST_MODES = 6  # that are drawn without --time
 
 
 def draw(sheet, run, field, time):
