@@ -11,7 +11,12 @@ solution, of the boundaries with a given traction, and of Initial state. The dis
     rho b = rho dU/dt - div sigma,
 
 with the three-dimensional deviator and, in axisymmetry (x axial, y radial), the hoop strain D_y/y; in plane stress p is
--(sigma_xx + sigma_yy)/3 in the end. Needs python3-sympy;
+-(sigma_xx + sigma_yy)/3 in the end. The steady-gas cases have convection and a density rho = rho0 (1 + p/K): the mass flux m, which
+has no divergence and stays inside the body, and the specific volume v are chosen; then
+
+    U = m v,    p = K (1/(rho0 v) - 1),    rho b = m.grad U - div (2 eta dev(sym grad U) - p I).
+
+Needs python3-sympy;
 the constants are those of the parameter files and stay exact fractions up to the printed text.
 """
 
@@ -46,6 +51,21 @@ QUADRATIC = [MM * (x**2 + x * y), MM * (y**2 - 2 * x * y + x)]
 QUADRATIC_SPACE = [MM * (x**2 + x * y), MM * (y**2 - y * z), MM * (x * z + z**2 + x)]
 QUADRATIC_AXIAL = [MM * (x**2 + y**2), MM * y * (1 + x)]
 QUADRATIC_SOLENOIDAL = [MM * (x**2 - 2 * x * y), MM * (y**2 - 2 * x * y + x)]
+
+# A gas that circulates in a box of 1 m, at Mach numbers up to 0.2 to 0.6: rho0 = 2 kg/m^3, K = 10 Pa.
+GAS = {"rho": 2, "eta": Rational(1, 2), "K": 10}
+FLUX = Rational(2, 5)
+SINES = [sin(sympy.pi * c) for c in (x, y, z)]
+COSINES = [cos(sympy.pi * c) for c in (x, y, z)]
+# name -> model, mass flux, rho0 times the specific volume
+GASES = {
+    "steady-gas-plane-strain": ("plane", [FLUX * sympy.pi * SINES[0] * COSINES[1], -FLUX * sympy.pi * COSINES[0] * SINES[1]],
+                                1 + (COSINES[0] + COSINES[1]) / 20),
+    "steady-gas-axisymmetric": ("axisymmetric", [FLUX * (2 - 4 * y**2) * SINES[0], -FLUX * sympy.pi * y * (1 - y**2) * COSINES[0]],
+                                1 + (COSINES[0] + y**2) / 20),
+    "steady-gas-3d": ("space", [FLUX * sympy.pi * SINES[i] * (COSINES[(i + 1) % 3] - COSINES[(i + 2) % 3]) for i in range(3)],
+                      1 + (COSINES[0] + COSINES[1]) / 20),
+}
 
 # name -> model, material, displacement, pressure where the material is incompressible
 CASES = {
@@ -154,11 +174,45 @@ def derive(name):
             entry("Traction", [sign * stress[i, direction] for i in range(dim)])
 
 
+def derive_gas(name):
+    model, flux, volume = GASES[name]
+    dim = len(flux)
+    spread = gradient(flux, model).trace()
+    assert sympy.simplify(spread) == 0, "the mass flux needs to have no divergence"
+    velocity = [component * volume / GAS["rho"] for component in flux]
+    pressure = GAS["K"] * (1 / volume - 1)
+    viscous = 2 * GAS["eta"] * deviator(gradient(velocity, model))
+    slope = [sympy.diff(pressure, c) for c in (x, y, z)]
+    resistance = divergence(viscous, model)
+    force = [sum(flux[j] * sympy.diff(velocity[i], (x, y, z)[j]) for j in range(dim)) - resistance[i] for i in range(dim)]
+
+    def entry_with_pressure(key, parts, pressures):
+        # The pressure is a quotient: it stays as it is, beside the sorted polynomial of sines and cosines.
+        sums = [[text(part)] * (part != 0) + [str(p).replace("**", "^")] * (p != 0) for part, p in zip(parts, pressures)]
+        texts = [" + ".join(terms).replace("+ -", "- ") for terms in sums]
+        print(f"  set {key} = " + ", \\\n      ".join(texts))
+
+    print(f"# {name}\nsubsection Body force")
+    entry_with_pressure("Force density", force, slope[:dim])
+    print("end\nsubsection Exact solution")
+    entry("Velocity", velocity)
+    entry_with_pressure("Pressure", [0], [pressure])
+    print("end\n# Tractions sigma.n by the direction of the normal (the sign is that of the outward normal)")
+    for boundary, (direction, sign) in OUTWARD.items():
+        if direction < dim:
+            print(f"# {boundary}")
+            entry_with_pressure("Traction", [sign * viscous[i, direction] for i in range(dim)],
+                                [-sign * pressure if i == direction else 0 for i in range(dim)])
+
+
 def main():
     if len(sys.argv) == 1:
-        print("\n".join(CASES))
+        print("\n".join([*CASES, *GASES]))
     for name in sys.argv[1:]:
-        derive(name)
+        if name in GASES:
+            derive_gas(name)
+        else:
+            derive(name)
 
 
 if __name__ == "__main__":
