@@ -8,6 +8,7 @@
 #include <continua/postprocess/writing_rank.h>
 #include <continua/program/analyses.h>
 #include <continua/program/documentation.h>
+#include <continua/program/parameter_templates.h>
 #include <continua/program/unknown_names.h>
 
 #include <deal.II/base/mpi.h>
@@ -93,6 +94,12 @@ void perform_file(const CommandLine &command_line, const MPI_Comm communicator)
       std::cout << "  " << printable(line) << std::endl;
     return;
   }
+  if (!command_line.mesh_file.empty())
+  {
+    analysis->write_mesh(command_line.mesh_file);
+    std::cout << printable(command_line.mesh_file) << ": written" << std::endl;
+    return;
+  }
   // Until here a signal ends the program at once: nothing is written.
   const SignalWatch watch;
   const OutputDirectory directory(output_path(command_line),
@@ -108,6 +115,23 @@ void perform_file(const CommandLine &command_line, const MPI_Comm communicator)
   analysis->perform(directory, log, summary);
 }
 
+/// --new: lists the templates, prints one, or writes it with the files that it reads.
+void perform_new(const CommandLine &command_line)
+{
+  if (command_line.template_name.empty())
+    print_templates(std::cout);
+  else if (command_line.parameter_file.empty())
+    print_template(command_line.template_name, std::cout, std::cerr);
+  else
+  {
+    const std::vector<std::string> written =
+        write_template(command_line.template_name, command_line.parameter_file);
+    for (const std::string &file : written)
+      std::cout << printable(file) << ": written" << std::endl;
+    std::cout << "Run it: continua " << printable(written.front()) << std::endl;
+  }
+}
+
 void perform(const CommandLine &command_line, const MPI_Comm communicator)
 {
   const bool is_writer = is_writing_rank(communicator);
@@ -115,6 +139,11 @@ void perform(const CommandLine &command_line, const MPI_Comm communicator)
   {
     if (is_writer)
       std::cout << (command_line.help ? CommandLine::usage() : version_text());
+  }
+  else if (command_line.new_file)
+  {
+    if (is_writer)
+      perform_new(command_line);
   }
   else if (command_line.parameter_file.empty())
   {

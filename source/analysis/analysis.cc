@@ -1,6 +1,7 @@
 #include <continua/analysis/analysis.h>
 
 #include <continua/base/atomic_file.h>
+#include <continua/base/input_error.h>
 #include <continua/base/version.h>
 #include <continua/postprocess/writing_rank.h>
 
@@ -28,6 +29,13 @@ Analysis::Analysis(const AnalysisInput &input)
 std::vector<std::string> Analysis::outline() const
 {
   return {"analysis: " + general.analysis};
+}
+
+void Analysis::write_mesh(const std::string & /*mesh_file*/)
+{
+  throw InputError({"command line", 0}, "--mesh",
+                   "Analysis = " + general.analysis + " has no mesh, or several",
+                   "Write --set Analysis=transient, steady or modal for the mesh of its case");
 }
 
 void Analysis::perform(const OutputDirectory &directory, Log &log, Summary &summary)

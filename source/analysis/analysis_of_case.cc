@@ -5,6 +5,8 @@
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
 #include <continua/case/cost_of_case.h>
+#include <continua/mesh/mesh_file.h>
+#include <continua/mesh/partition.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -72,6 +74,19 @@ std::vector<std::string> AnalysisOfCase<dim>::outline() const
   for (const std::string &line : cost_of(input))
     lines.push_back(line);
   return lines;
+}
+
+template <int dim>
+void AnalysisOfCase<dim>::write_mesh(const std::string &mesh_file)
+{
+  if (!input.analysis.has_fields)
+    return Analysis::write_mesh(mesh_file);
+  if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
+    throw InputError({"command line", 0}, "--mesh", "it writes the mesh of one rank",
+                     "Call it without mpirun");
+  refine(*input.triangulation, input.mesh.refinements);
+  write_mesh_file(mesh_file, Continua::mesh_file<dim>(*input.triangulation, input.problem.regions,
+                                                      input.problem.boundaries));
 }
 
 template <int dim>

@@ -16,7 +16,8 @@ struct Option
   {
     none,
     required,
-    optional ///< only after an equals sign
+    optional, ///< only after an equals sign
+    next      ///< optional; after an equals sign, or the next argument that is no option
   } value;
 };
 
@@ -27,7 +28,8 @@ const std::vector<Option> &options()
       {"--overwrite", Option::Value::none}, {"--restart", Option::Value::none},
       {"--validate", Option::Value::none},  {"--print-parameters", Option::Value::optional},
       {"--version", Option::Value::none},   {"--help", Option::Value::none},
-      {"-h", Option::Value::none},          {"--allow-mesh-commands", Option::Value::none}};
+      {"-h", Option::Value::none},          {"--allow-mesh-commands", Option::Value::none},
+      {"--new", Option::Value::next},       {"--mesh", Option::Value::required}};
   return table;
 }
 
@@ -86,6 +88,18 @@ void apply(CommandLine &result, const std::string &name, const std::string &valu
              "The styles are prm, json and markdown");
     result.print_parameters = value;
   }
+  else if (name == "--mesh")
+  {
+    if (std::filesystem::path(value).extension() != ".vtu")
+      refuse("--mesh " + value, "the mesh is written in VTK's format .vtu",
+             "Write --mesh FILE.vtu");
+    result.mesh_file = value;
+  }
+  else if (name == "--new")
+  {
+    result.new_file = true;
+    result.template_name = value;
+  }
   else
   {
     bool &flag = name == "--overwrite"             ? result.overwrite
@@ -143,9 +157,14 @@ CommandLine CommandLine::parse(const int argc, const char *const *argv)
     {
       if (i + 1 == arguments.size() || arguments[i + 1].compare(0, 2, "--") == 0)
         refuse(option.name, "its value is missing",
-               option.name == "--set" ? "Write --set \"Section/Key=value\"" : "Write --output DIR");
+               option.name == "--set"    ? "Write --set \"Section/Key=value\""
+               : option.name == "--mesh" ? "Write --mesh FILE.vtu"
+                                         : "Write --output DIR");
       value = arguments[++i];
     }
+    else if (option.value == Option::Value::next && i + 1 < arguments.size() &&
+             arguments[i + 1].compare(0, 1, "-") != 0)
+      value = arguments[++i];
     apply(result, option.name, value);
   }
 
@@ -153,11 +172,21 @@ CommandLine CommandLine::parse(const int argc, const char *const *argv)
     refuse("--overwrite",
            "it excludes --restart: the one removes the checkpoint that the other needs",
            "Give one of the two");
-  if (result.parameter_file.empty() && !result.help && !result.version &&
+  for (const char *const other : {"--restart", "--validate", "--print-parameters"})
+    if (!result.mesh_file.empty() && std::find(seen.begin(), seen.end(), other) != seen.end())
+      refuse("--mesh",
+             std::string("it excludes ") + other + ": the mesh is written instead of a run",
+             "Give one of the two");
+  if (result.new_file && seen.size() + result.overrides.size() > 1)
+    refuse("--new", "it writes a first parameter file, and takes no other option",
+           "Write continua --new NAME FILE.prm, then continua FILE.prm");
+  if (!result.mesh_file.empty() && result.parameter_file.empty())
+    refuse("--mesh", "the parameter file is missing", "Write continua FILE.prm --mesh FILE.vtu");
+  if (result.parameter_file.empty() && !result.help && !result.version && !result.new_file &&
       result.print_parameters.empty())
     refuse("", "the parameter file is missing",
-           "Write continua FILE.prm; --help lists the options");
-  if (result.output_directory.empty() && !result.parameter_file.empty())
+           "Write continua FILE.prm; continua --new begins one, --help lists the options");
+  if (result.output_directory.empty() && !result.parameter_file.empty() && !result.new_file)
     result.output_directory =
         "output/" + std::filesystem::path(result.parameter_file).stem().string();
   return result;
@@ -167,14 +196,18 @@ std::string CommandLine::usage()
 {
   return R"(Usage: continua FILE.prm [OPTION]...
        mpirun -np N continua FILE.prm [OPTION]...
+       continua --new [NAME [FILE.prm]]
 
 Runs what the parameter file describes.
 
+  --new                       lists the templates, one for each geometry and each analysis
+  --new NAME [FILE.prm]       prints a template, or writes it to FILE.prm: a file with comments that runs
   --set "Section/Key=value"   sets an entry, over the file; as often as you like
   --output DIR                the folder of the results (default: output/<name of the file>)
   --overwrite                 removes the run that the folder holds (its results only)
   --restart                   continues the run that the folder holds from its checkpoint
   --validate                  reads and checks the input, says what would be run, and stops
+  --mesh FILE.vtu             writes the mesh with the names of its regions and boundaries, and stops
   --allow-mesh-commands       lets a .geo file run programs and write files, as gmsh does; without it
                               such a file is refused
   --print-parameters[=STYLE]  prints every entry with value, unit and meaning, and stops;

@@ -60,6 +60,23 @@ UNIT_TEST(command_line)
   check::equal("style of a file", parse({"--print-parameters=markdown", "beam.prm"}).parameter_file,
                "beam.prm");
 
+  const CommandLine list = parse({"--new"});
+  check::is_true("list of templates", list.new_file && list.template_name.empty() &&
+                                          list.parameter_file.empty() &&
+                                          list.output_directory.empty());
+  const CommandLine printed = parse({"--new=tube"});
+  check::equal("template", printed.template_name, "tube");
+  check::equal("template that is printed", printed.parameter_file, "");
+  const CommandLine written = parse({"--new", "layered channel", "my.prm"});
+  check::equal("template of two words", written.template_name, "layered channel");
+  check::equal("template that is written", written.parameter_file, "my.prm");
+  check::equal("mesh", parse({"a.prm", "--mesh", "b.vtu"}).mesh_file, "b.vtu");
+
+  refused("template with an option", {"--new", "tube", "--set", "Title=a"}, "no other option");
+  refused("mesh of another format", {"a.prm", "--mesh", "b.vtk"}, "--mesh b.vtk.*FILE.vtu");
+  refused("mesh without a name", {"a.prm", "--mesh"}, "missing.*--mesh FILE.vtu");
+  refused("mesh and restart", {"a.prm", "--mesh=b.vtu", "--restart"}, "excludes --restart");
+  refused("mesh of nothing", {"--mesh", "b.vtu"}, "parameter file is missing");
   refused("nearest option", {"beam.prm", "--overwite"}, "'--overwite'.*Did you mean --overwrite");
   refused("nearest option with a value", {"beam.prm", "--ouput=x"}, "'--ouput'.*mean --output");
   refused("unlike any option", {"beam.prm", "--qqqqqqqqqq"}, "no such option.*--help lists");
@@ -81,8 +98,8 @@ UNIT_TEST(command_line)
 
   for (const char *const word :
        {"--set", "--output", "--overwrite", "--restart", "--validate", "--print-parameters",
-        "--version", "--help, -h", "--allow-mesh-commands", "0 done", "1 the run failed",
-        "2 the input is wrong"})
+        "--version", "--help, -h", "--allow-mesh-commands", "--new", "--mesh", "0 done",
+        "1 the run failed", "2 the input is wrong"})
     check::is_true(std::string("help names ") + word,
                    CommandLine::usage().find(word) != std::string::npos);
 }

@@ -50,6 +50,9 @@ public:
   /// What perform() would do, a line each: analysis, model, discretisation, cells, steps, and
   /// what that will cost where it is known. Collective.
   virtual std::vector<std::string> outline() const;
+  /// Writes the mesh that perform() would begin with to a .vtu file, on one rank. Throws InputError
+  /// where there is no mesh, or several.
+  virtual void write_mesh(const std::string &mesh_file);
   /// Opens the log in the folder, leaves there the resolved parameters and the user's files, and
   /// performs the analysis. `summary` is filled on the way, also of an analysis that fails; rank 0
   /// has all of it. Collective; throws RunError or Interrupted.

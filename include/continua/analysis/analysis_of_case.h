@@ -21,6 +21,7 @@ public:
   bool has_checkpoints() const override { return input.analysis.has_checkpoints; }
   void check_restart(const OutputDirectory &directory) const override;
   std::vector<std::string> outline() const override;
+  void write_mesh(const std::string &mesh_file) override;
 
 private:
   Case<dim> input;

@@ -9,14 +9,16 @@ namespace Continua
 /**
  * continua FILE.prm [--set "Section/Key=value"]... [--output DIR] [--overwrite] [--restart]
  * [--validate]
- *          [--allow-mesh-commands] [--print-parameters[=prm|json|markdown]] [--version] [--help|-h]
+ *          [--mesh FILE.vtu] [--allow-mesh-commands] [--print-parameters[=prm|json|markdown]]
+ * [--version] [--help|-h] continua --new [NAME [FILE.prm]]
  *
  * The value of --set and --output may also follow an equals sign. FILE and options may stand in any
  * order.
  */
 struct CommandLine
 {
-  std::string parameter_file;         ///< empty only with --version, --help, --print-parameters
+  /// Empty only with --version, --help, --print-parameters and --new; with --new the file to write.
+  std::string parameter_file;
   std::vector<std::string> overrides; ///< of --set
   std::string output_directory;       ///< default output/<name of the .prm>
   bool overwrite = false;
@@ -26,6 +28,9 @@ struct CommandLine
   bool help = false;
   bool allow_mesh_commands = false; ///< a .geo file may run programs and write files
   std::string print_parameters;     ///< empty, prm, json or markdown
+  std::string mesh_file;            ///< of --mesh: the mesh is written instead of a run
+  bool new_file = false;            ///< print or write a template instead of a run
+  std::string template_name;        ///< of --new; empty: list them
   std::string text; ///< the command line as typed, quoted so that a shell reads it back
 
   /// Throws InputError for an unknown option (with the nearest one), a missing or a second file, or

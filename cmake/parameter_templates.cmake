@@ -1,0 +1,10 @@
+# Writes the files of FOLDER as entries of a table, {"NAME", R"...(TEXT)..."}, for source/program/parameter_templates.cc.
+file(GLOB files ${FOLDER}/*)
+list(SORT files)
+set(table "")
+foreach(file ${files})
+  get_filename_component(name ${file} NAME)
+  file(READ ${file} text)
+  string(APPEND table "{\"${name}\",\nR\"TEMPLATE(${text})TEMPLATE\"},\n")
+endforeach()
+file(WRITE ${OUTPUT} "${table}")
