@@ -8,6 +8,7 @@
 #include <continua/postprocess/writing_rank.h>
 #include <continua/program/analyses.h>
 #include <continua/program/documentation.h>
+#include <continua/program/examples.h>
 #include <continua/program/parameter_templates.h>
 #include <continua/program/unknown_names.h>
 
@@ -139,6 +140,11 @@ void perform(const CommandLine &command_line, const MPI_Comm communicator)
   {
     if (is_writer)
       std::cout << (command_line.help ? CommandLine::usage() : version_text());
+  }
+  else if (command_line.examples)
+  {
+    if (is_writer)
+      print_examples(std::cout, examples_folder());
   }
   else if (command_line.new_file)
   {

@@ -29,7 +29,8 @@ const std::vector<Option> &options()
       {"--validate", Option::Value::none},  {"--print-parameters", Option::Value::optional},
       {"--version", Option::Value::none},   {"--help", Option::Value::none},
       {"-h", Option::Value::none},          {"--allow-mesh-commands", Option::Value::none},
-      {"--new", Option::Value::next},       {"--mesh", Option::Value::required}};
+      {"--new", Option::Value::next},       {"--mesh", Option::Value::required},
+      {"--examples", Option::Value::none}};
   return table;
 }
 
@@ -105,6 +106,7 @@ void apply(CommandLine &result, const std::string &name, const std::string &valu
     bool &flag = name == "--overwrite"             ? result.overwrite
                  : name == "--restart"             ? result.restart
                  : name == "--validate"            ? result.validate
+                 : name == "--examples"            ? result.examples
                  : name == "--version"             ? result.version
                  : name == "--allow-mesh-commands" ? result.allow_mesh_commands
                                                    : result.help;
@@ -183,7 +185,7 @@ CommandLine CommandLine::parse(const int argc, const char *const *argv)
   if (!result.mesh_file.empty() && result.parameter_file.empty())
     refuse("--mesh", "the parameter file is missing", "Write continua FILE.prm --mesh FILE.vtu");
   if (result.parameter_file.empty() && !result.help && !result.version && !result.new_file &&
-      result.print_parameters.empty())
+      !result.examples && result.print_parameters.empty())
     refuse("", "the parameter file is missing",
            "Write continua FILE.prm; continua --new begins one, --help lists the options");
   if (result.output_directory.empty() && !result.parameter_file.empty() && !result.new_file)
@@ -212,6 +214,7 @@ Runs what the parameter file describes.
                               such a file is refused
   --print-parameters[=STYLE]  prints every entry with value, unit and meaning, and stops;
                               STYLE is prm (default), json or markdown; without FILE the defaults
+  --examples                  lists the parameter files that came with the program, and where they are
   --version                   prints the version, and the libraries with theirs
   --help, -h                  prints this text
 

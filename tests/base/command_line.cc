@@ -51,6 +51,7 @@ UNIT_TEST(command_line)
   check::is_true("restart", parse({"beam.prm", "--restart"}).restart);
   check::is_true("version needs no file", parse({"--version"}).version);
   check::is_true("help needs no file", parse({"--help"}).help);
+  check::is_true("examples need no file", parse({"--examples"}).examples);
   check::is_true("short help", parse({"-h"}).help);
   check::is_true("commands of a mesh",
                  parse({"beam.prm", "--allow-mesh-commands"}).allow_mesh_commands &&
@@ -98,8 +99,8 @@ UNIT_TEST(command_line)
 
   for (const char *const word :
        {"--set", "--output", "--overwrite", "--restart", "--validate", "--print-parameters",
-        "--version", "--help, -h", "--allow-mesh-commands", "--new", "--mesh", "0 done",
-        "1 the run failed", "2 the input is wrong"})
+        "--version", "--help, -h", "--allow-mesh-commands", "--new", "--mesh", "--examples",
+        "0 done", "1 the run failed", "2 the input is wrong"})
     check::is_true(std::string("help names ") + word,
                    CommandLine::usage().find(word) != std::string::npos);
 }

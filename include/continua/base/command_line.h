@@ -7,17 +7,14 @@
 namespace Continua
 {
 /**
- * continua FILE.prm [--set "Section/Key=value"]... [--output DIR] [--overwrite] [--restart]
- * [--validate]
- *          [--mesh FILE.vtu] [--allow-mesh-commands] [--print-parameters[=prm|json|markdown]]
- * [--version] [--help|-h] continua --new [NAME [FILE.prm]]
- *
- * The value of --set and --output may also follow an equals sign. FILE and options may stand in any
- * order.
+ * What is typed behind the name of the program; usage() has the options. The value of --set,
+ * --output,
+ * --mesh and --new may also follow an equals sign. FILE and options may stand in any order.
  */
 struct CommandLine
 {
-  /// Empty only with --version, --help, --print-parameters and --new; with --new the file to write.
+  /// Empty only with --version, --help, --examples, --print-parameters and --new; with --new the
+  /// file to write.
   std::string parameter_file;
   std::vector<std::string> overrides; ///< of --set
   std::string output_directory;       ///< default output/<name of the .prm>
@@ -26,6 +23,7 @@ struct CommandLine
   bool validate = false;
   bool version = false;
   bool help = false;
+  bool examples = false;            ///< the shipped parameter files are listed
   bool allow_mesh_commands = false; ///< a .geo file may run programs and write files
   std::string print_parameters;     ///< empty, prm, json or markdown
   std::string mesh_file;            ///< of --mesh: the mesh is written instead of a run

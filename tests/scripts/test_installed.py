@@ -1,0 +1,36 @@
+"""What is installed and said of the program agrees: the manual page has every option, --examples lists shipped files."""
+
+import os
+import re
+import subprocess
+import unittest
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+PROGRAM = os.environ.get("CONTINUA_PROGRAM", os.path.join(ROOT, "build", "release", "continua"))
+
+
+def printed(*arguments):
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, check=True).stdout
+
+
+class Installed(unittest.TestCase):
+    def test_manual_page(self):
+        with open(os.path.join(ROOT, "doc", "continua.1.in"), encoding="utf-8") as stream:
+            page = stream.read().replace("\\-", "-")
+        options = set(re.findall(r"--[a-z][a-z-]+", printed("--help")))
+        self.assertGreater(len(options), 10)
+        self.assertEqual({option for option in options if option not in page}, set())
+
+    def test_examples(self):
+        text = printed("--examples")
+        folder = re.match(r"Parameter files in (.*):\n", text).group(1)
+        listed = set(re.findall(r"^  (\S.*\.prm)$", text, re.M))
+        shipped = {os.path.relpath(os.path.join(at, name), folder) for at, _, names in os.walk(folder) for name in names
+                   if name.endswith(".prm") and os.path.basename(at) != "common"}
+        self.assertEqual(listed, shipped)
+        self.assertIn(os.path.join("examples", "own-tube.prm"), listed)
+        self.assertIn("      A silicone tube and a pressure pulse that was measured at its inlet", text)
+
+
+if __name__ == "__main__":
+    unittest.main()
