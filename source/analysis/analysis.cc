@@ -1,6 +1,8 @@
 #include <continua/analysis/analysis.h>
 
+#include <continua/analysis/answer.h>
 #include <continua/base/atomic_file.h>
+#include <continua/base/duration_text.h>
 #include <continua/base/input_error.h>
 #include <continua/base/version.h>
 #include <continua/postprocess/writing_rank.h>
@@ -59,6 +61,10 @@ void Analysis::perform(const OutputDirectory &directory, Log &log, Summary &summ
   log.detail("version " + version() + ", revision " + revision());
   describe(summary);
   compute(directory, log, summary);
+  for (const std::string &text : answer_lines(summary))
+    log.note(text);
+  log.note("Wall time " + duration_text(log.wall_times().at("total")) + "; results in " +
+           directory.path());
 }
 
 void Analysis::describe(Summary &summary) const

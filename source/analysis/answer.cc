@@ -185,6 +185,23 @@ Table probes(const std::vector<Quantity> &quantities)
   return table;
 }
 
+/// What an analysis without probes and waves has found, such as a mode's frequency.
+Table results(const std::vector<Quantity> &quantities)
+{
+  Table table;
+  if (quantities.empty())
+    return table;
+  table.push_back({"results", "value"});
+  for (std::size_t i = 0; i < quantities.size() && i < most_probes; ++i)
+    table.push_back({"  " + (quantities[i].probe.empty() ? "" : quantities[i].probe + ": ") +
+                         quantities[i].name,
+                     cell(quantities[i].value, quantities[i].unit)});
+  if (quantities.size() > most_probes)
+    table.push_back(
+        {"  and " + std::to_string(quantities.size() - most_probes) + " more in summary.json"});
+  return table;
+}
+
 Table checks(const std::vector<Summary::Check> &all)
 {
   Table table;
@@ -207,8 +224,11 @@ Table checks(const std::vector<Summary::Check> &all)
 std::vector<std::string> answer_lines(const Summary &summary)
 {
   std::vector<std::string> lines;
-  for (const Table &table :
-       {waves(summary.quantities()), probes(summary.quantities()), checks(summary.checks())})
+  std::vector<Table> tables = {waves(summary.quantities()), probes(summary.quantities())};
+  if (tables[0].empty() && tables[1].empty())
+    tables.push_back(results(summary.quantities()));
+  tables.push_back(checks(summary.checks()));
+  for (const Table &table : tables)
   {
     const std::vector<std::string> rows = aligned_lines(table);
     lines.insert(lines.end(), rows.begin(), rows.end());

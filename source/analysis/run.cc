@@ -1,8 +1,6 @@
 #include <continua/analysis/run.h>
 
-#include <continua/analysis/answer.h>
 #include <continua/analysis/refinement_indicator.h>
-#include <continua/base/duration_text.h>
 #include <continua/base/interruption.h>
 #include <continua/base/memory_limit.h>
 #include <continua/base/version.h>
@@ -161,10 +159,6 @@ void Run<dim>::finish(const unsigned int n_steps, const double time)
   for (const std::string &verdict : summary.check(input.expected, all_passed))
     log.line(verdict);
   write_summary("finished");
-  for (const std::string &text : answer_lines(summary))
-    log.note(text);
-  log.note("Wall time " + duration_text(log.wall_times().at("total")) + "; results in " +
-           directory.path());
 }
 
 template <int dim>

@@ -511,8 +511,8 @@ void ProbeEntries<dim>::check_limits(const std::vector<BoundaryCondition> &condi
     section.refuse("Sign changes", "the cell-wise path has no positions along a wall",
                    "Leave the entry out, or set Discretisation = taylor hood");
   if (limits.is_cell_wise && place == Place::interface && !asks_for_forces())
-    section.refuse("Interface", "the cell-wise path has no values on an interface",
-                   "Give a Boundary, or set Discretisation = taylor hood");
+    section.refuse("Interface", "of the fields, the cell-wise path has force alone on an interface",
+                   "Ask for force alone, give a Boundary, or set Discretisation = taylor hood");
   for (const FieldComponent &field : components(known_fields))
   {
     const bool is_wall_field = field.name.compare(0, 18, "wall shear stress ") == 0 ||

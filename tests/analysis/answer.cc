@@ -65,4 +65,13 @@ UNIT_TEST(answer)
   for (unsigned int i = 0; i < 14; ++i)
     steady.add({"final velocity x", 0.1 * i, "m/s", "point " + std::to_string(i)});
   print(steady);
+
+  // Neither probes nor waves: what there is, twelve of them.
+  Summary modes;
+  modes.add({"mode 1 frequency", 3.3627, "Hz", ""});
+  modes.add({"smallest speed", 0.5, "m/s", "trolley"});
+  print(modes);
+  for (unsigned int i = 2; i < 20; ++i)
+    modes.add({"mode " + std::to_string(i) + " frequency", 10. * i, "Hz", ""});
+  check::equal("rows of many", answer_lines(modes).back(), "  and 8 more in summary.json");
 }
