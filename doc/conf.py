@@ -12,7 +12,7 @@ extensions = ["myst_parser", "sphinx.ext.mathjax"]
 myst_enable_extensions = ["dollarmath", "amsmath", "deflist"]
 myst_heading_anchors = 3
 source_suffix = {".md": "markdown"}
-exclude_patterns = ["Doxyfile", "*.dox"]
+exclude_patterns = ["Doxyfile", "*.dox", "*.in"]
 language = "en"
 
 # MathJax of Debian, which scripts/build-manual copies into _static: formulas need neither a network nor a package where the manual is
