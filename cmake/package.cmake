@@ -17,6 +17,14 @@ endforeach()
 install(DIRECTORY scripts/lib DESTINATION share/continua/scripts
         FILES_MATCHING PATTERN "*.py" PATTERN "thesis" EXCLUDE)
 
+# The Python package, where Debian's python3 looks in /usr; below another prefix PYTHONPATH names the folder. The scripts find it
+# beside what they share, as in the checkout.
+set(CONTINUA_PYTHON_FOLDER lib/python3/dist-packages CACHE STRING "Folder of Python packages, from the prefix")
+install(DIRECTORY python/continua DESTINATION ${CONTINUA_PYTHON_FOLDER} FILES_MATCHING PATTERN "*.py")
+install(FILES VERSION DESTINATION ${CONTINUA_PYTHON_FOLDER}/continua)
+install(CODE "file(CREATE_LINK ../../../../${CONTINUA_PYTHON_FOLDER}/continua
+  \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/continua/scripts/lib/continua\" SYMBOLIC)")
+
 # Debian wants manual pages compressed.
 configure_file(doc/continua.1.in ${CMAKE_CURRENT_BINARY_DIR}/continua.1 @ONLY)
 find_program(GZIP_EXECUTABLE gzip)
@@ -43,7 +51,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 # The libraries, from the program itself; the rest is what runs and pictures need.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "openmpi-bin, python3, python3-matplotlib, python3-numpy")
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "openmpi-bin, python3, python3-matplotlib, python3-numpy, python3-pandas, python3-xarray")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libgl1-mesa-dri, python3-vtk9, xauth, xvfb")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "paraview, gmsh")
 include(CPack)

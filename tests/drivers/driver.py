@@ -10,6 +10,9 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "python"))
+from continua.program import environment as environment_of_runs  # noqa: E402
+
 
 class TestFailure(Exception):
     """The case does not hold; the text says what was expected and what came."""
@@ -47,13 +50,7 @@ def single(entries, key, default=None):
 
 def environment():
     """One thread a rank; more ranks than cores and root are allowed."""
-    variables = dict(os.environ)
-    variables.update(OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", DEAL_II_NUM_THREADS="1",
-                     OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_hwloc_base_binding_policy="none",
-                     PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe",
-                     PRTE_MCA_hwloc_default_binding_policy="none",
-                     OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", LC_ALL="C.UTF-8")
-    return variables
+    return {**environment_of_runs(), "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "DEAL_II_NUM_THREADS": "1", "LC_ALL": "C.UTF-8"}
 
 
 def on_ranks(command, ranks, errors=None):
