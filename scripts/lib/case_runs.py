@@ -2,7 +2,6 @@
 
 import concurrent.futures
 import glob
-import json
 import math
 import os
 import re
@@ -11,6 +10,8 @@ import subprocess
 import sys
 import threading
 import time
+
+import continua
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 DRIVER = os.path.join(ROOT, "tests", "drivers", "mesh_changes.py")
@@ -119,10 +120,10 @@ def newest_input(texts, program):
 
 
 def read_summary(output):
+    """The summary of a run; empty for one that has none which can be read."""
     try:
-        with open(os.path.join(output, "summary.json"), encoding="utf-8") as stream:
-            return json.load(stream)
-    except (OSError, ValueError):
+        return continua.open(output).summary
+    except continua.ResultsError:
         return {}
 
 

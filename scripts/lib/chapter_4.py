@@ -4,10 +4,10 @@ What the thesis prints stands in parameter_files/thesis/thesis.toml. The runs of
 judges.
 """
 
-import json
 import math
 import os
 
+import continua
 import numpy
 import plot_histories
 import plot_style
@@ -26,18 +26,15 @@ class Run:
         self.name = name
         self.folder = os.path.join(folder, name)
         self.quantities = {}
-        path = os.path.join(self.folder, "summary.json")
-        self.problem = "" if os.path.exists(path) else "no such run"
+        self.summary = {}
+        self.problem = "" if os.path.exists(os.path.join(self.folder, "summary.json")) else "no such run"
         if self.problem:
             return
-        try:
-            with open(path, encoding="utf-8") as stream:
-                summary = json.load(stream)
-        except (OSError, json.JSONDecodeError) as error:
-            raise tables.TableError(f"cannot read {path}: {error}") from error
-        if summary.get("status") == "failed":
-            self.problem = f"the run failed: {summary.get('failure', '')}"
-        found = [quantity for quantity in summary.get("quantities", []) if quantity["value"] is not None]
+        results = continua.open(self.folder)
+        self.summary = results.summary
+        if results.status == "failed":
+            self.problem = f"the run failed: {results.reason}"
+        found = [quantity for quantity in self.summary.get("quantities", []) if quantity["value"] is not None]
         names = [quantity["name"] for quantity in found]
         for quantity in found:
             # What several probes have belongs to none of them.

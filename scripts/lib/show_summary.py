@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """Prints the main numbers of a run: show_summary.py OUTPUT_DIR."""
 
-import json
-import os
 import sys
+
+import continua
 
 
 def show(summary):
@@ -34,13 +34,10 @@ def show(summary):
 def main():
     if len(sys.argv) != 2:
         sys.exit("usage: show_summary.py OUTPUT_DIR")
-    path = os.path.join(sys.argv[1], "summary.json")
     try:
-        with open(path, encoding="utf-8") as stream:
-            summary = json.load(stream)
-    except (OSError, json.JSONDecodeError) as error:
-        sys.exit(f"error: cannot read {path}: {error}")
-    print("\n".join(show(summary)))
+        print("\n".join(show(continua.open(sys.argv[1]).summary)))
+    except continua.ResultsError as error:
+        sys.exit(f"error: {error}")
 
 
 if __name__ == "__main__":

@@ -1,62 +1,37 @@
-"""Reads wave.csv and wave-PROBE.csv of a run: fields at stations along a tube, simulated, by theory and measured."""
-
-import glob
-import os
-import re
+"""Waves of a run as the figures need them, and the first peaks of curves."""
 
 import numpy
 import tables
+from continua.waves import SOURCES, read_waves as waves_of_probes
 
-SOURCES = ("simulated", "theory", "measured")
-COLUMN = re.compile(r"(.*) ([-+.\deE]+) m: (.*), (" + "|".join(SOURCES) + ")")
 SEEN = 0.2  # a peak counts as the first from this part of the largest value on
 PASSED = 0.5  # a peak has passed when the curve has fallen to this part of it
 
 
 class Field:
-    """One field at all its stations: unit, time (s), positions (m, increasing) and by source an array (station, time)."""
+    """One field at all stations that have it: unit, time (s), positions (m, increasing) and by source an array (station, time)."""
 
-    def __init__(self, unit, time):
-        self.unit = unit
-        self.time = time
-        self.positions = []
-        self.sources = {}
+    def __init__(self, array):
+        """Of a variable of continua.waves.read_waves."""
+        array = array.dropna("position", how="all").dropna("source", how="all")
+        self.unit = array.attrs["units"]
+        self.time = array["time"].to_numpy()
+        self.positions = array["position"].to_numpy().tolist()
+        self.sources = {source: array.sel(source=source).to_numpy() for source in SOURCES if source in array["source"]}
 
     def best(self):
         """What was simulated; without a simulation what theory says; else what was measured."""
         return next(self.sources[source] for source in SOURCES if source in self.sources)
 
 
-def read_waves(folder):
-    """Fields by name; of a field that several probes have, the first probe's. Empty when the run has no such table."""
+def read_waves(folder, probe=None):
+    """Fields by name of one probe, or of all: of a field that several probes have, the first probe's. Empty when the run has no such table."""
     fields = {}
-    for path in sorted(glob.glob(os.path.join(glob.escape(folder), "wave.csv"))
-                       + glob.glob(os.path.join(glob.escape(folder), "wave-*.csv"))):
-        table = tables.read_table(path)
-        if table is None:
-            continue
-        columns, data = table
-        owners = {}
-        for i, (name, unit) in enumerate(columns[1:], 1):
-            match = COLUMN.fullmatch(name)
-            if not match or not numpy.isfinite(data[:, i]).any():
-                continue
-            probe, position, name, source = match.groups()
-            if name not in fields:
-                fields[name] = Field(unit, data[:, 0])
-                owners[name] = probe
-            if owners.get(name) != probe:
-                continue
-            field = fields[name]
-            position = float(position)
-            if position not in field.positions:
-                field.positions.append(position)
-            field.sources.setdefault(source, {})[position] = data[:, i]
-    for field in fields.values():
-        field.positions.sort()
-        nothing = numpy.full(len(field.time), numpy.nan)
-        for source, curves in field.sources.items():
-            field.sources[source] = numpy.array([curves.get(position, nothing) for position in field.positions])
+    for name, dataset in waves_of_probes(folder).items():
+        if probe in (None, name):
+            for field, array in dataset.items():
+                if field not in fields and array.notnull().any():
+                    fields[field] = Field(array)
     return fields
 
 

@@ -2,19 +2,22 @@
 """Makes the two synthetic tables of parameter_files/examples/own-tube.prm.
 
     scripts/references/own_tube.py inlet parameter_files/examples/inlet-pressure.csv
-    build/release/continua parameter_files/examples/own-tube.prm --set "Analysis=linear wave theory" \\
-        --set "Probes/stations/Measured=" --output output/own-tube-theory
-    scripts/references/own_tube.py stations output/own-tube-theory/wave.csv parameter_files/examples/stations.csv
+    build/release/continua parameter_files/examples/own-tube.prm --set "Analysis=linear wave theory" --output output/own-tube-theory
+    scripts/references/own_tube.py stations output/own-tube-theory parameter_files/examples/stations.csv
 
 `inlet`: a pulse of 40 mmHg over 80 mmHg that rises faster than it falls, as an instrument with steps of 0.1 mmHg would show
 it each millisecond. `stations`: what exact wave theory says at the stations, each second millisecond, with normally
-distributed noise (standard deviations below, seed 1) as of instruments. Needs python3-numpy.
+distributed noise (standard deviations below, seed 1) as of instruments. Needs the packages that scripts/packages.txt lists for plots.
 """
 
-import csv
+import os
 import sys
 
-import numpy
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
+sys.dont_write_bytecode = True
+
+import continua  # noqa: E402
+import numpy  # noqa: E402
 
 MMHG = 133.322387415  # Pa
 PRESSURE_NOISE, DISTENSION_NOISE = 0.2, 1.0  # mmHg, um
@@ -31,21 +34,18 @@ def write_inlet(file):
             stream.write(f"{time}, {pressure:.1f}\n")
 
 
-def write_stations(wave, file):
-    with open(wave, encoding="utf-8", newline="") as stream:
-        rows = list(csv.reader(stream))
-    names = [name.strip() for name in rows[0]]
-    values = numpy.array(rows[1:], float)
+def write_stations(folder, file):
+    theory = continua.open(folder).waves["stations"].sel(source="theory")
     noise = numpy.random.RandomState(1)
-    times = numpy.arange(0, 1000 * values[-1, 0] + 1e-6, 2)  # ms
+    times = numpy.arange(0, 1000 * theory["time"].to_numpy()[-1] + 1e-6, 2)  # ms
     header, columns = ["time [ms]"], []
     for stations, field, unit, factor, deviation in (
         (PRESSURE_STATIONS, "pressure", "mmHg", 1 / MMHG, PRESSURE_NOISE),
         (DISTENSION_STATIONS, "wall distension", "um", 1e6, DISTENSION_NOISE),
     ):
         for station in stations:
-            column = names.index(next(n for n in names if n.startswith(f"stations {station:g} m: {field}, theory")))
-            exact = numpy.interp(times, 1000 * values[:, 0], factor * values[:, column])
+            curve = theory[field].sel(position=station)
+            exact = numpy.interp(times, 1000 * curve["time"].to_numpy(), factor * curve.to_numpy())
             header.append(f"{station:g} m: {field} [{unit}]")
             columns.append(exact + deviation * noise.standard_normal(len(times)))
     with open(file, "w", encoding="utf-8") as stream:

@@ -11,10 +11,14 @@ usage: simple_wave.py [FOLDER...]     prints the profile; with folders of runs a
 Needs mpmath.
 """
 
-import json
+import os
 import sys
 
-import mpmath as mp
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
+sys.dont_write_bytecode = True
+
+import continua  # noqa: E402
+import mpmath as mp  # noqa: E402
 
 mp.mp.dps = 20
 DENSITY, BULK, EXPONENT = 1000, mp.mpf("2.2e9"), mp.mpf("7.15")
@@ -64,10 +68,9 @@ if __name__ == "__main__":
     for place, (flow, push) in profile.items():
         print(f"at {place:>4} m: {mp.nstr(flow, 8):>12} m/s, {mp.nstr(push / 1e6, 8):>12} MPa")
     for folder in sys.argv[1:]:
-        with open(folder + "/summary.json") as file:
-            values = {(entry["probe"], entry["name"]): entry["value"] for entry in json.load(file)["quantities"]}
+        run = continua.open(folder)
         errors = [
-            max(abs(values[f"{place} m: {field}", f"final {field}"] - exact[i]) for place, exact in profile.items()) / scale
+            max(abs(run.quantity(f"final {field}", f"{place} m: {field}") - exact[i]) for place, exact in profile.items()) / scale
             for i, (field, scale) in enumerate((("velocity x", AMPLITUDE), ("pressure", pressure(AMPLITUDE))))
         ]
         print(f"{folder}: largest error of the velocity {mp.nstr(errors[0], 3)}, of the pressure {mp.nstr(errors[1], 3)}")

@@ -15,6 +15,9 @@ import struct
 import sys
 import zlib
 
+with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "VERSION"), encoding="utf-8") as file_of_version:
+    VERSION = file_of_version.read().strip()
+
 
 def data_array(kind, name, width, numbers, ascii_text):
     """As deal.II writes them: ascii, or in blocks that are compressed and coded."""
@@ -103,7 +106,7 @@ def main():
     os.makedirs(os.path.dirname(checkpoint), exist_ok=True)
     if "Fails" in keys:
         with open(os.path.join(output, "summary.json"), "w", encoding="utf-8") as stream:
-            json.dump({"status": "failed", "failure": keys["Fails"], "wall time [s]": {"total": 1}}, stream)
+            json.dump({"version": VERSION, "status": "failed", "failure": keys["Fails"], "wall time [s]": {"total": 1}}, stream)
         print("error: " + keys["Fails"], file=sys.stderr)
         sys.exit(1)
     n = int(keys.get("End time", "10"))
@@ -140,6 +143,7 @@ def main():
     passed = misbehave != "value"
     summary = {
         "title": "A sine",
+        "version": VERSION,
         "status": "interrupted" if is_interrupted else "finished",
         "wall time [s]": {"total": 2.5},
         "steps": n - first if misbehave == "steps" else n,

@@ -15,6 +15,7 @@ import numpy
 SCRIPTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts")
 sys.path.insert(0, os.path.join(SCRIPTS, "lib"))
 import chapter_4  # noqa: E402
+import continua  # noqa: E402
 
 CASES = os.path.join("thesis", "chapter-4")
 
@@ -30,8 +31,9 @@ def write_run(folder, name, time, tip, residual=None, quantities=None):
             stream.write("time [s],balance time [s],residual [W]\n")
             stream.writelines(f"{t!r},{t!r},{value!r}\n" for t, value in zip(time.tolist(), residual.tolist()))
     with open(os.path.join(folder, "summary.json"), "w", encoding="utf-8") as stream:
-        json.dump({"status": "finished", "quantities": [{"name": key, "value": value, "unit": "", "probe": "tip"}
-                                                        for key, value in (quantities or {}).items()]}, stream)
+        json.dump({"version": continua.__version__, "status": "finished",
+                   "quantities": [{"name": key, "value": value, "unit": "", "probe": "tip"} for key, value in (quantities or {}).items()]},
+                  stream)
 
 
 def draw(folder, *arguments):

@@ -56,7 +56,7 @@ class CompareWaves(unittest.TestCase):
     def test_no_table(self):
         done = subprocess.run([SCRIPT, "/nowhere", "/nowhere"], capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 1)
-        self.assertIn("/nowhere/wave.csv", done.stderr)
+        self.assertIn("/nowhere: there is no such folder", done.stderr)
 
 
 if __name__ == "__main__":

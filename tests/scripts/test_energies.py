@@ -8,7 +8,10 @@ import sys
 import tempfile
 import unittest
 
-SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts", "energies")
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+SCRIPT = os.path.join(ROOT, "scripts", "energies")
+sys.path.insert(0, os.path.join(ROOT, "python"))
+import continua  # noqa: E402
 
 
 def summary():
@@ -19,7 +22,7 @@ def summary():
               ("kinetic energy taken", "wall", 1.), ("strain energy taken", "wall", 1.),
               ("compressive energy taken", "wall", 0.), ("energy dissipated", "wall", 0.),
               ("energy relaxed", "wall", 2.)]
-    return {"quantities": [{"name": name, "probe": probe, "value": value} for name, probe, value in values],
+    return {"version": continua.__version__, "quantities": [{"name": name, "probe": probe, "value": value} for name, probe, value in values],
             "degrees of freedom": {"velocity": 100, "pressure": 20}, "steps": 100,
             "wall time [s]": {"solve": 0.15, "update": 0.05, "fields": 7.}}
 

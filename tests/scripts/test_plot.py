@@ -418,6 +418,10 @@ class Files(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             done = plot(folder)
             self.assertEqual(done.returncode, 1)
+            self.assertIn("none of the files that a run of Continua writes", done.stderr)
+            write(os.path.join(folder, "log.txt"), "")
+            done = plot(folder)
+            self.assertEqual(done.returncode, 1)
             self.assertIn("nothing to draw", done.stderr)
             self.assertEqual(plot(os.path.join(folder, "missing")).returncode, 1)
 
@@ -426,7 +430,7 @@ class Files(unittest.TestCase):
             write(os.path.join(folder, "probes.csv"), "time [s],tip: pressure [Pa]\n0,1\n1,oops\n")
             done = plot(folder)
             self.assertEqual(done.returncode, 1)
-            self.assertIn("cannot read", done.stderr)
+            self.assertIn("probes.csv:3: 'oops' in the column 'tip: pressure' is no number", done.stderr)
 
     def test_width(self):
         self.assertEqual(plot(".", "--width", "wide").returncode, 2)

@@ -67,7 +67,7 @@ class Plot(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             done = plot(folder)
             self.assertEqual(done.returncode, 1)
-            self.assertIn("runs.csv", done.stderr)
+            self.assertIn("none of the files that a run of Continua writes", done.stderr)
 
 
 if __name__ == "__main__":

@@ -16,6 +16,7 @@ SCRIPT = os.path.join(ROOT, "scripts", "reproduce-thesis")
 sys.path.insert(0, os.path.join(ROOT, "scripts", "lib"))
 sys.dont_write_bytecode = True
 
+import continua  # noqa: E402
 import numpy  # noqa: E402
 
 from thesis import functions, functions_6, judge, page, pictures, reference, results  # noqa: E402
@@ -29,7 +30,7 @@ def write_run(folder, name, quantities, status="finished"):
     """A finished run of parameter_files/NAME in the folder of runs."""
     os.makedirs(os.path.join(folder, name))
     with open(os.path.join(folder, name, "summary.json"), "w", encoding="utf-8") as stream:
-        json.dump({"status": status, "title": name, "wall time [s]": {"total": 2.0},
+        json.dump({"version": continua.__version__, "status": status, "title": name, "wall time [s]": {"total": 2.0},
                    "quantities": [{"probe": probe, "name": quantity, "value": value, "unit": "1"}
                                   for (probe, quantity), value in quantities.items()]}, stream)
 
@@ -128,7 +129,7 @@ class Judging(unittest.TestCase):
         write_run(self.temporary.name, "thesis/chapter-4/blow-up/fv-pressure-shear", {}, "failed")
         path = os.path.join(self.temporary.name, "thesis/chapter-4/blow-up/fv-pressure-shear", "summary.json")
         with open(path, "w", encoding="utf-8") as stream:
-            json.dump({"status": "failed", "failure": "the loop diverges"}, stream)
+            json.dump({"version": continua.__version__, "status": "failed", "failure": "the loop diverges"}, stream)
         for age, verdict in ((1e9, judge.AGREES), (4e9, judge.NOT_RUN)):
             os.utime(program, (age, age))
             os.utime(path, (3e9, 3e9))

@@ -4,10 +4,10 @@ import math
 import os
 
 import chapter_4
+import continua
 import plot_amplification
 import plot_style
 import plot_waves
-import tables
 import wave_tables
 
 from .results import Broken, NotThere, parameter_file
@@ -232,7 +232,7 @@ def draw(figures, results, folder):
         sheet = sheet_of(folder, figure.id)
         try:
             drawings[figure.id].draw(sheet, results)
-        except (NotThere, Broken, KeyError, plot_style.PlotError, tables.TableError) as error:
+        except (NotThere, Broken, KeyError, plot_style.PlotError, continua.ResultsError) as error:
             notes.append(f"{figure.id} ({error})")
         notes += [f"{figure.id} (in part: {note})" for note in sheet.notes]
         pictures = [path for path in sheet.written if path.endswith(".png")]

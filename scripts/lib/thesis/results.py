@@ -1,10 +1,8 @@
 """What runs have found, for the expressions of chapter_N.toml."""
 
 import ast
-import json
 import math
 import os
-import tempfile
 
 import case_runs
 import chapter_4
@@ -80,16 +78,13 @@ class Results:
         """The chapter_4.Run of a file, finished."""
         if name not in self.runs:
             folder = self.folder_of(name)
-            summary = os.path.join(folder, "summary.json")
-            if not os.path.exists(summary):
+            if not os.path.exists(os.path.join(folder, "summary.json")):
                 raise NotThere(f"{name}: {NOT_THERE}")
             if self.is_old(name):  # before all else: what went wrong with an old run says nothing
                 raise NotThere(f"{name}: the run is older than its input or the program")
             run = chapter_4.Run(*os.path.split(folder))
             if run.problem:
                 raise NotThere(f"{name}: {run.problem}")
-            with open(summary, encoding="utf-8") as stream:
-                run.summary = json.load(stream)
             if run.summary.get("status") != "finished":
                 raise NotThere(f"{name}: the run is not finished")
             for quantity in run.summary.get("quantities", []):
@@ -117,16 +112,9 @@ class Results:
         """{field: wave_tables.Field} of a run: of one probe, or of all (of a field that several probes have, the first probe's)."""
         if (name, probe) not in self.waves:
             self.run(name)
-            folder = self.folder_of(name)
-            if probe is None:
-                self.waves[name, probe] = wave_tables.read_waves(folder)
-            else:
-                path = os.path.join(folder, f"wave-{probe}.csv")
-                if not os.path.exists(path):
-                    raise Broken(f"{name}: there is no probe '{probe}' with waves")
-                with tempfile.TemporaryDirectory() as alone:
-                    os.symlink(os.path.abspath(path), os.path.join(alone, "wave.csv"))
-                    self.waves[name, probe] = wave_tables.read_waves(alone)
+            self.waves[name, probe] = wave_tables.read_waves(self.folder_of(name), probe)
+            if probe is not None and not self.waves[name, probe]:
+                raise Broken(f"{name}: there is no probe '{probe}' with waves")
         return self.waves[name, probe]
 
     def value(self, expression):
