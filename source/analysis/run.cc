@@ -44,6 +44,8 @@ void Run<dim>::describe_run()
   summary.set("model", input.general.model);
   summary.set("discretisation", input.general.discretisation);
   summary.set("libraries", library_versions());
+  if (!input.problem.regions.empty())
+    summary.set("regions", input.problem.regions); // in the order of material_id
   input.power_laws.report_tables(log, summary);
   if (input.analysis.has_fields)
   {

@@ -34,6 +34,7 @@ const std::vector<std::string> &output_files()
                                                  "runs.csv",
                                                  "spin-coating.csv",
                                                  "summary.json",
+                                                 "view-in-paraview.py",
                                                  "wave.csv"};
   return names;
 }

@@ -4,6 +4,7 @@
 #include <continua/base/output_files.h>
 #include <continua/base/units.h>
 #include <continua/postprocess/field_writer.h>
+#include <continua/postprocess/view_in_paraview.h>
 #include <continua/postprocess/writing_rank.h>
 
 #include <deal.II/base/mpi.h>
@@ -294,7 +295,19 @@ void FieldWriter<dim>::write(ContinuumSolver<dim> &solver, const double time)
     agree(communicator, problem);
   }
   entries.emplace_back(time, "fields/" + file);
-  on_writing_rank(communicator, [&]() { write_list(); });
+  on_writing_rank(
+      communicator,
+      [&]()
+      {
+        write_list();
+        const std::string view = output_file(folder, "view-in-paraview.py");
+        std::error_code unknown; // without its place the script is of use, too
+        if (!has_view)
+          write_file_atomically(
+              view, view_in_paraview(
+                        std::filesystem::absolute(view, unknown).lexically_normal().string()));
+        has_view = true;
+      });
 }
 
 template <int dim>

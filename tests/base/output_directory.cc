@@ -109,10 +109,11 @@ UNIT_TEST(output_directory)
                  there("a/b/checkpoint/mesh") && there("a/b/probes.csv"));
 
   const std::vector<std::string> of_a_run = {
-      "parameters.prm", "log.txt",        "summary.json", "probes.csv",
-      "power.csv",      "refinement.csv", "wave.csv",     "modes.csv",
-      "runs.csv",       "fields.pvd",     "fields/1.vtu", "fields/1.pvtu",
-      "checkpoint/x/y", "input/beam.prm", "plots/a.png",  "citation.bib"};
+      "parameters.prm",     "log.txt",        "summary.json", "probes.csv",
+      "power.csv",          "refinement.csv", "wave.csv",     "modes.csv",
+      "runs.csv",           "fields.pvd",     "fields/1.vtu", "fields/1.pvtu",
+      "checkpoint/x/y",     "input/beam.prm", "plots/a.png",  "citation.bib",
+      "view-in-paraview.py"};
   const std::vector<std::string> of_the_user = {
       "notes.txt", "probes.csv.old", "measured.csv", "fields/view.pvsm", "plots.txt", "x/log.txt"};
   for (const std::string &name : of_a_run)

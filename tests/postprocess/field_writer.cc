@@ -4,6 +4,7 @@
 
 #include <continua/base/input_error.h>
 #include <continua/postprocess/field_writer.h>
+#include <continua/postprocess/view_in_paraview.h>
 
 #include <sys/resource.h>
 #include <sys/syscall.h>
@@ -103,6 +104,14 @@ UNIT_TEST(field_writer)
               std::string::npos);
     else
       check::is_true("pieces", true);
+
+    const std::string view = read_text("view-in-paraview.py");
+    check::is_true("script for ParaView, with its place",
+                   check::matches(view, "\"/[^\"]*/view-in-paraview.py\"") &&
+                       view.find("@FILE@") == std::string::npos);
+    check::is_true("quotes in its place",
+                   view_in_paraview("/a \"b\" \\ c\n/d").find("\"/a \\\"b\\\" \\\\ c\\n/d\"") !=
+                       std::string::npos);
 
     Summary summary;
     writer.finish(summary);

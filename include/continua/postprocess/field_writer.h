@@ -17,6 +17,7 @@ namespace Continua
  * The fields over the body for ParaView: fields.pvd, which lists the times, and the folder fields
  * with a solution-00000.vtu for each, or on several ranks a solution-00000.pvtu with the pieces
  * solution-00000.NUMBER.vtu. The list is written after the files that it names, whole each time.
+ * Beside it is view-in-paraview.py, which opens it.
  * Methods are collective and throw RunError on all ranks when the disk refuses.
  */
 template <int dim>
@@ -65,6 +66,7 @@ private:
   unsigned int files_per_state;
   std::vector<std::pair<double, std::string>> entries; ///< time [s] and file, from the folder
   std::map<std::string, std::string> units;            ///< of the fields
+  bool has_view = false;                               ///< view-in-paraview.py is written
   std::set<std::string> not_flushed;                   ///< files of this rank
 };
 } // namespace Continua
