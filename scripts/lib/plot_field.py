@@ -13,12 +13,12 @@ import subprocess
 import sys
 import tempfile
 import textwrap
-import xml.etree.ElementTree
 
 import matplotlib
 import matplotlib.pyplot as plt
 import matplotlib.ticker
 import numpy
+import plot_choice
 import plot_style
 
 UNITS = {"velocity": "m/s", "displacement": "m", "pressure": "Pa"}
@@ -26,64 +26,79 @@ FLATTEST = 5.0  # a longer and thinner picture is stretched across
 ROOM = 1.35  # inches for title, labels and colour bar, whatever the width
 BAR = 0.65  # inches for a second colour bar
 BELOW = 0.16  # of the width, for the directions below a body in space
-MOST_MODES = 6  # that are drawn without --time
+MOST_MODES = 6  # that are drawn without --times
 
 
-def draw(sheet, run, field, time):
+def draw(sheet, run):
+    """Of each field and time that is wanted; of a modal analysis of the first modes."""
     path = os.path.join(run["folder"], "fields.pvd")
     if not os.path.exists(path):
         sheet.notes.append(f"field picture of {run['folder']} (no fields.pvd)")
         return
-    modes = run["summary"].get("modes", [])
-    if run["summary"].get("analysis") != "modal" or not modes:
-        draw_state(sheet, run, path, field, time)
-        return
-    # A shape has no velocity; its "time" is its number.
-    chosen = [round(time)] if time is not None else range(1, min(len(modes), MOST_MODES) + 1)
-    for number in chosen:
-        if not 1 <= number <= len(modes):
-            raise plot_style.PlotError(f"--time {number}: there are the modes 1 to {len(modes)}")
-        draw_state(sheet, run, path, field or "displacement", number, re.split(r"[,;(]", modes[number - 1])[0].strip(),
-                   f"-mode-{number}")
-    if time is None and len(modes) > MOST_MODES:
-        sheet.notes.append(f"pictures of the modes {MOST_MODES + 1} to {len(modes)} (--time 7 draws the seventh)")
-
-
-def draw_state(sheet, run, path, field, time, title=None, suffix=""):
-    """The picture of the state at a time, or of the last one; `title` in place of the time."""
-    at, pieces = entry_of(path, time)
-    if not pieces:
+    entries = plot_choice.entries_of(path)
+    if not entries:
         sheet.notes.append(f"field picture of {run['folder']} (fields.pvd has no entries)")
         return
+    choice = sheet.choice
+    fields = choice.fields_of(plot_choice.fields_of_states(run)) if choice.fields else [None]
+    if not fields:
+        sheet.notes.append(f"field picture of {run['folder']} (no state has {', '.join(choice.fields)})")
+    modes = run["summary"].get("modes", [])
+    is_modal = run["summary"].get("analysis") == "modal" and modes
+    for field in fields:
+        if is_modal:
+            draw_modes(sheet, run, entries, modes, field)
+            continue
+        for time in choice.times or [None]:
+            at, pieces = plot_choice.nearest(entries, time)
+            suffix = f"-{at:.6g}-s" if choice.times and len(choice.times) > 1 else ""
+            draw_state(sheet, run, pieces, field, caption(run, at, time), suffix)
+
+
+def caption(run, at, wanted):
+    """The time of a state, and the time that was asked for if there is no state of that."""
+    if run["summary"].get("analysis") == "steady":
+        return "steady state"
+    if wanted is None or abs(at - wanted) <= 1e-6 * max(abs(at), abs(wanted)):
+        return f"t = {at:.6g} s"
+    return f"t = {at:.6g} s (the output nearest to {wanted:.6g} s)"
+
+
+def draw_modes(sheet, run, entries, modes, field):
+    """A shape has no velocity; its "time" is its number."""
+    times = sheet.choice.times
+    for number in map(round, times) if times else range(1, min(len(modes), MOST_MODES) + 1):
+        _, pieces = plot_choice.nearest(entries, number)
+        draw_state(sheet, run, pieces, field or "displacement", re.split(r"[,;(]", modes[number - 1])[0].strip(), f"-mode-{number}")
+    if not times and len(modes) > MOST_MODES:
+        sheet.notes.append(f"pictures of the modes {MOST_MODES + 1} to {len(modes)} (--times 7 draws the seventh)")
+
+
+def check_pieces(pieces):
     missing = [piece for piece in pieces if not os.path.exists(piece)]
     if missing:
-        raise plot_style.PlotError(f"{path} names {missing[0]}, which is not there")
+        raise plot_style.PlotError(f"fields.pvd names {missing[0]}, which is not there")
+
+
+def draw_state(sheet, run, pieces, field, of, suffix=""):
+    """The picture of one state; `of`: its time, or what it is."""
     with tempfile.TemporaryDirectory() as folder:
-        request = {"pieces": pieces, "field": field, "folder": folder, "flattest": FLATTEST,
-                   "pixels": int(sheet.width * 200)}
-        if not rendered(request, sheet):
-            return
-        with open(os.path.join(folder, "picture.json"), encoding="utf-8") as stream:
-            picture = json.load(stream)
-        steady = run["summary"].get("analysis") == "steady"
-        picture["of"] = title or ("steady state" if steady else f"t = {at:.6g} s")
-        compose(sheet, run, picture, folder, suffix)
+        picture = render(sheet, run, [pieces], field, folder)
+        if picture is not None:
+            figure, _ = compose(sheet, run, picture, folder, of)
+            sheet.save(figure, "field-" + plot_style.file_name(picture["field"]) + suffix)
 
 
-def entry_of(path, time):
-    """(time, files) of the last entry of a .pvd file, or of the one nearest to the time."""
-    try:
-        tree = xml.etree.ElementTree.parse(path)
-    except xml.etree.ElementTree.ParseError as error:
-        raise plot_style.PlotError(f"cannot read {path}: {error}") from error
-    entries = {}
-    for element in tree.iter("DataSet"):
-        at = float(element.get("timestep", "0"))
-        entries.setdefault(at, []).append(os.path.join(os.path.dirname(path), element.get("file")))
-    if not entries:
-        return 0.0, []
-    at = max(entries) if time is None else min(entries, key=lambda t: abs(t - time))
-    return at, entries[at]
+def render(sheet, run, states, field, folder):
+    """What render_field.py says of its pictures in the folder, or None. All states have the same colours, factor and section."""
+    for pieces in states:
+        check_pieces(pieces)
+    request = {"states": states, "field": field, "folder": folder, "flattest": FLATTEST, "pixels": int(sheet.width * 200),
+               "regions": plot_choice.numbers_of_regions(sheet.choice, run)}
+    if not rendered(request, sheet):
+        return None
+    with open(os.path.join(folder, "picture.json"), encoding="utf-8") as stream:
+        return json.load(stream)
 
 
 def rendered(request, sheet):
@@ -98,7 +113,8 @@ def rendered(request, sheet):
     said = ""
     for way, prefix in ways:
         done = subprocess.run([*prefix, "/usr/bin/python3", "-B", script], input=json.dumps({**request, "way": way}),
-                              capture_output=True, text=True, check=False, timeout=300)
+                              capture_output=True, text=True, check=False,
+                              timeout=300 + 30 * len(request["states"]))
         if done.returncode == 0:
             return True
         said = (done.stderr or done.stdout).strip().splitlines()[-1:] or [f"exit status {done.returncode}"]
@@ -108,7 +124,8 @@ def rendered(request, sheet):
     return False
 
 
-def compose(sheet, run, picture, folder, suffix):
+def compose(sheet, run, picture, folder, of):
+    """(the figure of the first state, a function that shows another state: its number, and its time or what it is)."""
     unit = unit_of(run["summary"], picture["field"])
     ranges = picture["ranges"]
     left, right, bottom, top = picture["extent"]
@@ -116,15 +133,7 @@ def compose(sheet, run, picture, folder, suffix):
     room = ROOM + BAR * (len(ranges) - 1)
     below = 0 if picture["plane"] else BELOW
     figure, axes = plt.subplots(figsize=(sheet.width, 0.95 * sheet.width * (shape + below) + room), constrained_layout=True)
-    image = os.path.join(folder, "picture.png")
-    if os.path.exists(image):
-        axes.imshow(plt.imread(image), extent=picture["extent"], interpolation="antialiased")
-    else:
-        data = numpy.load(os.path.join(folder, "picture.npz"))
-        colours = numpy.concatenate([matplotlib.colormaps[name](numpy.linspace(0, 1, 256)) for _, name, _, _ in ranges])
-        axes.tripcolor(data["x"], data["y"], data["triangles"], data["values"], shading="gouraud", rasterized=True,
-                       cmap=matplotlib.colors.ListedColormap(colours), norm=plt.Normalize(0, len(ranges)))
-        axes.add_collection(matplotlib.collections.LineCollection(data["edges"], colors="black", linewidths=0.25))
+    body = draw_body(axes, picture, folder, 0)
     axes.set_aspect(picture["stretch"])
     if picture["plane"]:
         for axis, name, ends in ((axes.xaxis, "x", (left, right)), (axes.yaxis, "y", (bottom, top))):
@@ -134,12 +143,7 @@ def compose(sheet, run, picture, folder, suffix):
     else:
         axes.set_axis_off()
         orient(axes, picture["axes"], right - left, bottom)
-    remarks = [picture["of"]]
-    if picture["deformation"] not in (0, 1):
-        remarks.append(f"displacement{' of the solids' if picture['liquid'] else ''} × {picture['deformation']:g}")
-    if picture["stretch"] != 1:
-        remarks.append(f"y drawn × {picture['stretch']:g}")
-    axes.set_title(textwrap.fill(", ".join(remarks), int((sheet.width - 0.8) / 0.066)), fontsize=8.5, loc="left")
+    axes.set_title(title_of(sheet, picture, of), fontsize=8.5, loc="left")
     for what, name, low, high in ranges:
         factor, bar_unit = plot_style.readable(max(abs(low), abs(high)), unit, picture["field"])
         scale = plt.Normalize(low * factor, high * factor if high > low else low * factor + 1)
@@ -150,7 +154,45 @@ def compose(sheet, run, picture, folder, suffix):
         bar.outline.set_linewidth(0.4)
         bar.locator = matplotlib.ticker.MaxNLocator(7 if sheet.width > 5 else 4)
         bar.update_ticks()
-    sheet.save(figure, "field-" + plot_style.file_name(picture["field"]) + suffix)
+
+    # The body's shape is fixed, and may leave a part of the height empty.
+    figure.canvas.draw()
+    used = figure.get_tightbbox(figure.canvas.get_renderer())
+    figure.set_size_inches(sheet.width, used.height + 0.12)
+
+    def show(i, of):
+        for artist in body:
+            artist.remove()
+        body[:] = draw_body(axes, picture, folder, i)
+        axes.set_title(title_of(sheet, picture, of), fontsize=8.5, loc="left")
+
+    return figure, show
+
+
+def draw_body(axes, picture, folder, i):
+    """The i-th state, as VTK or as Matplotlib draws it. Returns the artists."""
+    image = os.path.join(folder, f"picture-{i}.png")
+    if os.path.exists(image):
+        return [axes.imshow(plt.imread(image), extent=picture["extent"], interpolation="antialiased", aspect=picture["stretch"])]
+    data = numpy.load(os.path.join(folder, f"picture-{i}.npz"))
+    colours = numpy.concatenate([matplotlib.colormaps[name](numpy.linspace(0, 1, 256)) for _, name, _, _ in picture["ranges"]])
+    faces = axes.tripcolor(data["x"], data["y"], data["triangles"], data["values"], shading="gouraud", rasterized=True,
+                           cmap=matplotlib.colors.ListedColormap(colours), norm=plt.Normalize(0, len(picture["ranges"])))
+    lines = axes.add_collection(matplotlib.collections.LineCollection(data["edges"], colors="black", linewidths=0.25))
+    axes.set_xlim(*picture["extent"][:2])
+    axes.set_ylim(*picture["extent"][2:])
+    return [faces, lines]
+
+
+def title_of(sheet, picture, of):
+    remarks = [of]
+    if sheet.choice.regions:
+        remarks.append(("regions " if len(sheet.choice.regions) > 1 else "region ") + ", ".join(sheet.choice.regions))
+    if picture["deformation"] not in (0, 1):
+        remarks.append(f"displacement{' of the solids' if picture['liquid'] else ''} × {picture['deformation']:g}")
+    if picture["stretch"] != 1:
+        remarks.append(f"y drawn × {picture['stretch']:g}")
+    return textwrap.fill(", ".join(remarks), int((sheet.width - 0.8) / 0.066))
 
 
 def orient(axes, directions, width, bottom):

@@ -2,7 +2,6 @@
 
 import os
 
-import matplotlib.lines
 import numpy
 import plot_style
 import tables
@@ -55,8 +54,11 @@ def draw_probes(sheet, runs):
             sheet.notes.append(f"probes of {run['folder']} (no rows in probes.csv)")
             continue
         columns, data = table
+        chosen = sheet.choice.fields_of([name.rpartition(": ")[2] for name, _ in columns[1:]])
         for column, (name, unit) in enumerate(columns[1:], 1):
             probe, colon, field = name.rpartition(": ")
+            if field not in chosen:
+                continue
             finite = numpy.isfinite(data[:, column])
             if finite.sum() > 1:
                 oscillates = is_oscillation(run.get("summary", {}), name, field)
@@ -84,6 +86,31 @@ def label_of(title, probe, several):
     return ", ".join(part for part in ((title if several else ""), probe) if part)
 
 
+def panels(sheet, probes, several):
+    """(the figure, {probe: its axes}): one panel for all probes of one run; of several runs one for each probe, and the runs in each
+    of them."""
+    if not several or len(probes) == 1:
+        figure, axes = sheet.figure()
+        return figure, dict.fromkeys(probes, axes)
+    n_columns = 2 if sheet.width > 5 and len(probes) > 3 else 1
+    n_rows = -(-len(probes) // n_columns)
+    figure, grid = sheet.figure(0.33 * n_rows if n_columns == 1 else 0.28 * n_rows, nrows=n_rows, ncols=n_columns, sharex=True,
+                                squeeze=False)
+    for axes in list(grid.flat)[len(probes):]:
+        axes.set_axis_off()
+        grid[-2, 1].tick_params(labelbottom=True)  # which is the lowest of its column
+    for probe, axes in zip(probes, grid.flat):
+        axes.set_title(probe, fontsize=8, loc="left")
+    return figure, dict(zip(probes, grid.flat))
+
+
+def look_of(titles, title, probes, probe, n_points):
+    """Several runs are told apart by colour, dash and marker; the probes of one run by colour and dash."""
+    if len(titles) > 1:
+        return plot_style.of_run(titles.index(title), n_points)
+    return plot_style.of_run(probes.index(probe))
+
+
 def draw_field(sheet, field, unit, entries, several, suffix=""):
     """The histories of one field and its envelope; a suffix of the files' names."""
     probes = list(dict.fromkeys(entry[1] for entry in entries))
@@ -93,59 +120,79 @@ def draw_field(sheet, field, unit, entries, several, suffix=""):
     time_factor, time_unit = plot_style.readable(end, "s")
     factor, axis_unit = plot_style.readable(largest, unit, field)
 
-    figure, axes = sheet.figure()
+    figure, axes_of = panels(sheet, probes, several)
     header, columns, envelopes = [], [], []
     for title, probe, time, values, oscillates in entries:
-        colour = plot_style.COLOURS[(titles.index(title) if len(probes) == 1 else probes.index(probe))
-                                    % len(plot_style.COLOURS)]
-        line = plot_style.LINES[titles.index(title) % len(plot_style.LINES)]
         label = label_of(title, probe, several)
         drawn_time, drawn = thinned(time, values)
-        axes.plot(time_factor * drawn_time, factor * drawn, line, color=colour, label=label)
+        axes_of[probe].plot(time_factor * drawn_time, factor * drawn, label=title if several else label,
+                            **look_of(titles, title, probes, probe, len(drawn)))
         header += [f"{label}: time [s]" if label else "time [s]", f"{label}: {field} [{unit}]" if label
                    else f"{field} [{unit}]"]
         columns += [drawn_time, drawn]
         maxima, minima = turning_points(time, values)
         if oscillates and len(maxima) >= 3 and len(minima) >= 2:
-            envelopes.append((label, colour, line, maxima, minima))
-    finish(sheet, axes, time_factor * end, time_unit, field, axis_unit, len(entries))
+            envelopes.append((title, probe, maxima, minima))
+    finish(sheet, figure, axes_of, time_factor * end, time_unit, field, axis_unit)
     name = plot_style.file_name(field + suffix)
     sheet.save(figure, "history-" + name)
     sheet.save_data("history-" + name, header, columns)
     if envelopes:
-        left_out = [label for label in (label_of(entry[0], entry[1], several) for entry in entries)
-                    if label not in [envelope[0] for envelope in envelopes]]
+        left_out = [label_of(entry[0], entry[1], several) for entry in entries
+                    if entry[:2] not in [envelope[:2] for envelope in envelopes]]
         if left_out:
             sheet.notes.append(f"envelopes of {field}: {', '.join(left_out)} (no oscillation)")
-        draw_envelope(sheet, field, unit, envelopes, (time_factor, time_unit, factor, axis_unit, end), name)
+        draw_envelope(sheet, field, unit, envelopes, (time_factor, time_unit, factor, axis_unit, end), name, several)
 
 
-def draw_envelope(sheet, field, unit, envelopes, scales, name):
+def draw_envelope(sheet, field, unit, envelopes, scales, name, several):
     time_factor, time_unit, factor, axis_unit, end = scales
-    figure, axes = sheet.figure()
+    probes = list(dict.fromkeys(entry[1] for entry in envelopes))
+    titles = list(dict.fromkeys(entry[0] for entry in envelopes))
+    figure, axes_of = panels(sheet, probes, several)
     header, columns = [], []
-    for label, colour, line, maxima, minima in envelopes:
+    for title, probe, maxima, minima in envelopes:
+        label = label_of(title, probe, several)
+        look = look_of(titles, title, probes, probe, 0)
+        marker = plot_style.MARKERS[titles.index(title) % 8] or "o"
         for kind, points in (("maxima", maxima), ("minima", minima)):
             time, values = numpy.array(points).T
-            axes.plot(time_factor * time, factor * values, line, color=colour, marker="o", markersize=2.2,
-                      linewidth=0.8, label=label if kind == "maxima" else None)
+            axes_of[probe].plot(time_factor * time, factor * values, **look, marker=marker, markersize=2.6, linewidth=0.8,
+                                label=(title if several else label) if kind == "maxima" else "_")
             prefix = f"{label}: " if label else ""
             header += [f"{prefix}time of {kind} [s]", f"{prefix}{field}, {kind} [{unit}]"]
             columns += [time, values]
-    finish(sheet, axes, time_factor * end, time_unit, f"{field}, maxima and minima", axis_unit, len(envelopes))
+    finish(sheet, figure, axes_of, time_factor * end, time_unit, f"{field}, maxima and minima", axis_unit)
     sheet.save(figure, "envelope-" + name)
     sheet.save_data("envelope-" + name, header, columns)
 
 
-def finish(sheet, axes, end, time_unit, name, unit, n_entries):
-    axes.set_xlim(0, end if end > 0 else 1)
-    axes.set_xlabel(plot_style.axis_label("time", time_unit))
-    axes.set_ylabel(plot_style.axis_label(name, unit))
-    sheet.legend(axes, n_entries)
+def finish(sheet, figure, axes_of, end, time_unit, name, unit):
+    """Axes and legend: above the axes, or above all panels."""
+    shown = list(dict.fromkeys(axes_of.values()))
+    for axes in shown:
+        axes.set_xlim(0, end if end > 0 else 1)
+    if len(shown) == 1:
+        shown[0].set_xlabel(plot_style.axis_label("time", time_unit))
+        shown[0].set_ylabel(plot_style.axis_label(name, unit))
+        sheet.legend(shown[0], len([line for line in shown[0].lines if not line.get_label().startswith("_")]))
+        return
+    figure.supxlabel(plot_style.axis_label("time", time_unit), fontsize=8.5)
+    figure.supylabel(plot_style.axis_label(name, unit), fontsize=8.5)
+    plot_style.legend_above(figure, labelled(shown), sheet.width)
+
+
+def labelled(panels_of_figure):
+    """One handle for each label of the panels."""
+    handles = {}
+    for axes in panels_of_figure:
+        for handle, label in zip(*axes.get_legend_handles_labels()):
+            handles.setdefault(label, handle)
+    return list(handles.values())
 
 
 def draw_power(sheet, runs):
-    """The terms of the power balance in all, by colour (runs by line), and the residual in a panel of its own."""
+    """The terms of the power balance in all, or of the regions that are wanted, with the residual in a panel of its own."""
     terms, residuals = [], []
     for run in runs:
         table = tables.read_table(os.path.join(run["folder"], "power.csv"))
@@ -156,8 +203,13 @@ def draw_power(sheet, runs):
         # The scheme may balance the powers between two steps; the table says when.
         at = next((i for i, (name, _) in enumerate(columns) if name == "balance time"), 0)
         watts = [(i, name, unit) for i, (name, unit) in enumerate(columns) if i and unit.startswith("W")]
-        # "fluid: kinetic" is one material's share of "kinetic".
-        totals = [entry for entry in watts if ": " not in entry[1]] or watts
+        # "fluid: kinetic" is one region's share of "kinetic".
+        if sheet.choice.regions:
+            totals = [entry for entry in watts if entry[1].rpartition(": ")[0] in sheet.choice.regions]
+            if not totals:
+                sheet.notes.append(f"power of the regions of {run['folder']} (power.csv has no such columns)")
+        else:
+            totals = [entry for entry in watts if ": " not in entry[1]] or watts
         for i, name, unit in totals:
             finite = numpy.isfinite(data[:, i])
             if finite.any():
@@ -173,35 +225,40 @@ def draw_power(sheet, runs):
 
 
 def draw_balance(sheet, terms, residuals, several):
-    panels = [terms] + ([residuals] if residuals else [])
-    figure, all_axes = sheet.figure(0.72 if residuals else 0.55, nrows=len(panels), sharex=True, squeeze=False,
-                                    gridspec_kw={"height_ratios": [3, 1][:len(panels)]})
-    end = max(entry[3].max() for entry in terms)
-    time_factor, time_unit = plot_style.readable(end, "s")
+    """Of one run all terms in one panel; of several runs a panel for each term."""
     names = list(dict.fromkeys(entry[1] for entry in terms))
     titles = list(dict.fromkeys(entry[0] for entry in terms + residuals))
+    groups = [("power", terms)]
+    if several:
+        groups = [(name, [entry for entry in terms if entry[1] == name]) for name in names]
+    if residuals:
+        groups.append(("residual", residuals))
+    heights = [1] * len(groups) if several else [3, 1][:len(groups)]
+    figure, all_axes = sheet.figure(0.28 * len(groups) if several else 0.72 if residuals else 0.55, nrows=len(groups), sharex=True,
+                                    squeeze=False, gridspec_kw={"height_ratios": heights})
+    end = max(entry[3].max() for entry in terms)
+    time_factor, time_unit = plot_style.readable(end, "s")
     header, columns = [], []
-    for axes, entries, title in zip(all_axes[:, 0], panels, ("power", "residual")):
-        factor, unit = plot_style.readable(max(abs(entry[4]).max() for entry in entries), entries[0][2])
+    # The terms have one scale, so that the panels can be compared.
+    scale = plot_style.readable(max(abs(entry[4]).max() for entry in terms), terms[0][2])
+    for axes, (title, entries) in zip(all_axes[:, 0], groups):
+        factor, unit = scale
+        if title == "residual":
+            factor, unit = plot_style.readable(max(abs(entry[4]).max() for entry in entries), entries[0][2])
         for run, name, _, time, values in entries:
             drawn_time, drawn = thinned(time, values)
-            colour = plot_style.COLOURS[names.index(name) % len(plot_style.COLOURS)] if name in names else "#000000"
             label = label_of(run, name, several)
-            axes.plot(time_factor * drawn_time, factor * drawn,
-                      plot_style.LINES[titles.index(run) % len(plot_style.LINES)], color=colour, label=label)
+            look = plot_style.of_run(titles.index(run), len(drawn)) if several else \
+                plot_style.of_run(names.index(name)) if name in names else {"color": "#000000"}
+            axes.plot(time_factor * drawn_time, factor * drawn, label=run if several else label, **look)
             header += [f"{label}: time [s]", f"{label} [{entries[0][2]}]"]
             columns += [drawn_time, drawn]
         axes.set_ylabel(plot_style.axis_label(title, unit))
         axes.set_xlim(0, time_factor * end if end > 0 else 1)
     all_axes[-1, 0].set_xlabel(plot_style.axis_label("time", time_unit))
-    handles = None
     if several:
-        # The terms by colour and the runs by line: not each term of each run.
-        handles = [matplotlib.lines.Line2D([], [], color=plot_style.COLOURS[i % len(plot_style.COLOURS)], label=name)
-                   for i, name in enumerate(names)]
-        handles += [matplotlib.lines.Line2D([], [], color="#000000", label=title,
-                                            linestyle=plot_style.LINES[i % len(plot_style.LINES)])
-                    for i, title in enumerate(titles)]
-    sheet.legend(all_axes[0, 0], len(terms), handles)
+        plot_style.legend_above(figure, labelled(all_axes[:, 0]), sheet.width)
+    else:
+        sheet.legend(all_axes[0, 0], len(terms))
     sheet.save(figure, "power")
     sheet.save_data("power", header, columns)

@@ -11,10 +11,16 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+import plot_choice  # noqa: E402
 
 # Okabe and Ito's palette, which colour-blind readers can tell apart.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
 LINES = ["-", "--", ":", "-."]
+# Up to eight runs in one picture: a dash of its own each, since colours look alike in grey, and a marker.
+COLOURS_OF_RUNS = [*COLOURS[:6], "#7F7F7F", "#000000"]
+DASHES = ["-", (0, (5, 1.5)), (0, (1, 1.2)), (0, (6, 1.5, 1, 1.5)), (0, (9, 2.5)), (0, (3, 1.2, 1, 1.2, 1, 1.2)), (0, (2.5, 2.5)),
+          (0, (8, 1.5, 3, 1.5))]
+MARKERS = ["", "s", "^", "D", "v", "x", "+", "*"]
 
 plt.rcParams.update({
     "font.family": "sans-serif",
@@ -87,6 +93,22 @@ def read_units(text):
     return chosen
 
 
+def read_times(text):
+    """What --times takes: 0.2 s,5 ms; in s. A number alone is in s, or the number of a mode."""
+    times = []
+    for part in text.split(","):
+        match = re.fullmatch(r"\s*([-+]?[\d.]+(?:[eE][-+]?\d+)?)\s*(\S*)\s*", part)
+        unit = unit_in_si(match.group(2) or "s") if match else None
+        try:
+            number = float(match.group(1)) if match else math.nan
+        except ValueError:
+            unit = None
+        if unit is None or unit[0] != "s":
+            raise argparse.ArgumentTypeError(f"'{part.strip()}' is not a time such as 0.2 s or 5 ms")
+        times.append(number * unit[1])
+    return times
+
+
 def chosen_unit(field, unit):
     """(factor, unit) that --units wants for a field, or None."""
     words = field.lower().replace("_", " ").split()
@@ -150,10 +172,34 @@ def width_in_inches(text):
     return float(match.group(1)) / {"mm": 25.4, "cm": 2.54, "in": 1.0}[match.group(2)]
 
 
-class Sheet:
-    """Where figures go: the folder, the width and the formats; remembers what was written and what left out."""
+def of_run(i, n_points=0):
+    """How the curve of the i-th of several runs looks; with markers at about sixteen of its points, which differ from run to run."""
+    look = {"color": COLOURS_OF_RUNS[i % 8], "linestyle": DASHES[i % 8]}
+    if MARKERS[i % 8] and n_points:
+        every = max(1, n_points // 16)
+        look.update(marker=MARKERS[i % 8], markersize=3.5, markeredgewidth=0.8, markevery=(every * (i % 8) // 8, every))
+    return look
 
-    def __init__(self, folder, width, pdf):
+
+def legend_above(figure, handles, width):
+    """The legend of a figure with several panels, above them in room added for it. The letters' width limits the columns."""
+    letter, line, row = 0.066, 0.6, 0.18  # inches
+    labels = [textwrap.fill(handle.get_label(), int((width - 1) / letter)) for handle in handles]
+    longest = max(len(part) for label in labels for part in label.splitlines())
+    columns = max(1, min(4, len(labels), int((width - 0.3) / (letter * longest + line))))
+    room = row * math.ceil(sum(label.count("\n") + 1 for label in labels) / columns) + 0.08
+    height = figure.get_size_inches()[1]
+    figure.set_size_inches(width, height + room)
+    figure.get_layout_engine().set(rect=(0, 0, 1, height / (height + room)))
+    figure.legend(handles, labels, loc="upper left", ncol=columns, borderaxespad=0.2, handlelength=2.8)
+
+
+class Sheet:
+    """Where figures go: the folder, the width and the formats; which fields, regions and times; remembers what was written and
+    what left out."""
+
+    def __init__(self, folder, width, pdf, choice=None):
+        self.choice = choice or plot_choice.Choice()
         self.folder = folder
         self.width = width
         self.formats = ["png", "svg"] + (["pdf"] if pdf else [])
@@ -178,7 +224,10 @@ class Sheet:
         figure = axes.get_figure()
         figure.set_size_inches(self.width, figure.get_size_inches()[1] + row * rows)
         axes.legend(handles, labels, loc="lower left", bbox_to_anchor=(0, 1.0), ncol=columns, borderaxespad=0.3,
-                    handlelength=1.8)
+                    handlelength=2.8)
+
+    def check_frame(self, figure, name):
+        """For the tests, which look at the frames of a movie."""
 
     def save(self, figure, name):
         # Without dates, so that the same data make the same file.

@@ -11,9 +11,9 @@ import plot_style
 import tables
 import wave_tables
 
-STYLES = {"simulated": "-", "theory": "--", "measured": "none"}
 N_MARKERS = 40  # of a measured curve
 OVERLAP = 1.6  # height of the tallest curve, in distances of stations
+MOST_THEORIES = 3  # in one picture of several runs
 N_PLACES = 200  # columns of the space-time picture
 
 
@@ -25,11 +25,13 @@ def draw(sheet, runs, normalised):
             waves.append((run, fields))
         else:
             sheet.notes.append(f"waves of {run['folder']} (no rows in wave.csv or wave-PROBE.csv)")
-    for name in dict.fromkeys(name for _, fields in waves for name in fields):
+    there = list(dict.fromkeys(name for _, fields in waves for name in fields))
+    for name in sheet.choice.fields_of(there):
         entries = [(run, fields[name], time_scale(sheet, run, fields) if normalised else 1.0)
                    for run, fields in waves if name in fields]
         draw_stations(sheet, name, [entry for entry in entries if entry[2]], normalised, len(runs) > 1)
-    draw_space_time(sheet, waves, len(runs) > 1)
+    if not there or "pressure" in sheet.choice.fields_of(there):
+        draw_space_time(sheet, waves, len(runs) > 1)
     draw_dispersion(sheet, runs[0])
     draw_spin_coating(sheet, runs)
 
@@ -51,8 +53,30 @@ def darker(colour):
     return tuple(0.45 * part for part in matplotlib.colors.to_rgb(colour))
 
 
+def look_of(i, source, several, n_points=0):
+    """Of the i-th run: the simulated curve in the run's own colour (and dash), theory thin and dark, measured values as circles."""
+    own = plot_style.of_run(i, n_points) if several else {"color": plot_style.COLOURS[0], "linestyle": "-"}
+    if source == "simulated":
+        return {**own, "linewidth": 1.3}
+    look = {"color": darker(own["color"]), "linestyle": (0, (4, 2)), "linewidth": 0.8}
+    if source == "measured":
+        look.update(color=plot_style.MEASURED if i == 0 else darker(own["color"]), linestyle="none", marker="o", markersize=3,
+                    markerfacecolor="none", markeredgewidth=0.7)
+    return look
+
+
+def repeats(entries, i, source):
+    """Whether an earlier run has the same theory or the same measurement, which is drawn once."""
+    def same(one, other):
+        return (source in one.sources and source in other.sources and one.positions == other.positions
+                and numpy.array_equal(one.time, other.time)
+                and numpy.allclose(one.sources[source], other.sources[source], rtol=1e-9, equal_nan=True))
+    return source != "simulated" and any(same(field, entries[i][1]) for _, field, _ in entries[:i])
+
+
 def draw_stations(sheet, name, entries, normalised, several):
-    """The curves of one field, each from the height of its station's position."""
+    """The curves of one field, each from the height of its station's position; below them, where something was measured, the
+    differences from it."""
     if not entries:
         return
     unit = entries[0][1].unit
@@ -70,36 +94,82 @@ def draw_stations(sheet, name, entries, normalised, several):
     place_factor, place_unit = plot_style.readable(positions[-1], "m")
     height = OVERLAP * distance / largest
 
-    figure, axes = sheet.figure(0.85)
+    # Many runs with a theory each hide each other.
+    crowded = [source for source in ("theory",) if MOST_THEORIES < sum(
+        source in field.sources and "simulated" in field.sources and not repeats(entries, i, source)
+        for i, (_, field, _) in enumerate(entries))]
+    for source in crowded:
+        sheet.notes.append(f"{source} of {name} in the picture (more than {MOST_THEORIES} runs have one of their own; the csv file has it)")
+    compared = differences(entries)
+    figure, all_axes = sheet.figure(1.3 if compared else 0.85, nrows=2 if compared else 1, sharex=True, squeeze=False,
+                                    gridspec_kw={"height_ratios": [0.85, 0.45] if compared else [1]})
+    axes = all_axes[0, 0]
     handles, header, columns = [], [], []
     for i, ((run, field, scale), factor) in enumerate(zip(entries, factors)):
-        colour = plot_style.COLOURS[i % len(plot_style.COLOURS)]
         label = f"{run['title']}: " if several else ""
         time = field.time / scale
         header.append(f"{label}time / travel time" if normalised else f"{label}time [s]")
         columns.append(time)
         for source, curves in field.sources.items():
-            look = {"linestyle": STYLES[source], "color": colour if source == "simulated" else darker(colour),
-                    "linewidth": 1.3 if source == "simulated" else 0.8}
-            if source == "measured":
-                look.update(color=plot_style.MEASURED if i == 0 else darker(colour), marker="o", markersize=3,
-                            markerfacecolor="none", markeredgewidth=0.7)
             for position, values in zip(field.positions, curves):
-                every = {"markevery": marked(time, values)} if source == "measured" else {}
-                axes.plot(time_factor * time, place_factor * (position + height * factor * values), **look, **every)
                 header.append(f"{label}{position:g} m: {name}, {source} [{'1' if normalised else unit}]")
                 columns.append(factor * values)
-            handles.append(matplotlib.lines.Line2D([], [], label=f"{label}{source}", **look))
+            if repeats(entries, i, source) or source in crowded:
+                continue
+            look = look_of(i, source, several, len(time))
+            for position, values in zip(field.positions, curves):
+                every = {"markevery": marked(time, values)} if source == "measured" else {}
+                axes.plot(time_factor * time, place_factor * (position + height * factor * values), **{**look, **every})
+            shared = any(repeats(entries, j, source) for j in range(len(entries)))
+            handles.append(matplotlib.lines.Line2D([], [], label=source if shared else f"{label}{source}",
+                                                   **{key: value for key, value in look.items() if key != "markevery"}))
+        if i in compared:
+            header += [f"{label}{position:g} m: {name}, simulated - measured [{'1' if normalised else unit}]"
+                       for position in field.positions]
+            columns += list(factor * compared[i])
     axes.set_xlim(0, time_factor * end)
-    axes.set_xlabel("Time / travel time to the last station" if normalised else plot_style.axis_label("time", time_unit))
-    axes.set_ylabel(plot_style.axis_label("axial position", place_unit))
-    # A mark at each station says which curve is whose.
-    axes.set_yticks(place_factor * positions)
-    axes.grid(axis="y", linewidth=0.3, color="#BBBBBB")
     scale_bar(axes, largest, place_factor * height, "1" if normalised else unit, name)
-    sheet.legend(axes, len(handles), handles)
+    if compared:
+        draw_differences(all_axes[1, 0], entries, compared, factors, several, "1" if normalised else unit, name,
+                         (time_factor, place_factor, distance))
+    for axes in all_axes[:, 0]:
+        # A mark at each station says which curve is whose.
+        axes.set_yticks(place_factor * positions)
+        axes.grid(axis="y", linewidth=0.3, color="#BBBBBB")
+        axes.set_ylabel(plot_style.axis_label("axial position", place_unit))
+    axes.set_xlabel("Time / travel time to the last station" if normalised else plot_style.axis_label("time", time_unit))
+    sheet.legend(all_axes[0, 0], len(handles), handles)
     sheet.save(figure, "wave-" + plot_style.file_name(name))
     sheet.save_data("wave-" + plot_style.file_name(name), header, columns)
+
+
+def differences(entries):
+    """{number of the run: simulated minus measured, by station and time}, of the runs that have both at some time."""
+    found = {}
+    for i, (_, field, _) in enumerate(entries):
+        if "simulated" in field.sources and "measured" in field.sources:
+            difference = field.sources["simulated"] - field.sources["measured"]
+            if numpy.isfinite(difference).any():
+                found[i] = difference
+    return found
+
+
+def draw_differences(axes, entries, compared, factors, several, unit, name, scales):
+    """Simulated minus measured, in the order of the panel above and with a scale of its own."""
+    time_factor, place_factor, distance = scales
+    largest = max(numpy.nanmax(numpy.abs(difference)) * factors[i] for i, difference in compared.items())
+    height = 0.5 * OVERLAP * distance / largest if largest > 0 else 0.0
+    for i, difference in compared.items():
+        _, field, scale = entries[i]
+        for position, values in zip(field.positions, difference):
+            axes.plot(time_factor * field.time / scale, place_factor * (position + height * factors[i] * values),
+                      **{**look_of(i, "simulated", several, len(field.time)), "linewidth": 0.8})
+    factor, axis_unit = plot_style.readable(largest, unit, name)
+    amount = f"{factor * largest:.3g} {plot_style.axis_label('', axis_unit).strip(' []')}"
+    amount = f"{largest:.2g} of the first pulse" if unit == "1" else amount
+    axes.set_title(f"Simulated − measured: at most {amount}", fontsize=8.5, loc="left")
+    if largest > 0:
+        scale_bar(axes, largest, place_factor * height, unit, "difference", quantity=name)
 
 
 def marked(time, values):
@@ -111,9 +181,10 @@ def marked(time, values):
     return numpy.unique(there[numpy.searchsorted(time[there], wanted).clip(0, there.size - 1)]).tolist()
 
 
-def scale_bar(axes, largest, height, unit, name):
-    """At the right, beside the axes: how high a round part of the tallest curve is drawn."""
-    factor, axis_unit = plot_style.readable(largest, unit, name)
+def scale_bar(axes, largest, height, unit, name, quantity=None):
+    """At the right, beside the axes: how high a round part of the tallest curve is drawn. `quantity`: whose units it has, if it
+    has another name."""
+    factor, axis_unit = plot_style.readable(largest, unit, quantity or name)
     exponent = 10.0**math.floor(math.log10(factor * largest))
     value = max(step * exponent for step in (1, 2, 5) if step * exponent <= factor * largest) / factor
     low, high = axes.get_ylim()
@@ -135,14 +206,14 @@ def between(time, lower, upper, share, delay):
             + share * numpy.interp(time + (1 - share) * delay, time, upper))
 
 
-def space_time(fields):
-    """(positions, time, pressure by place and time). Between stations the waves that travel forward and backward are
-    followed at the speed of the first pulse; where they are not told apart, pressure is linear."""
-    pressure = fields["pressure"]
+def space_time(fields, name="pressure"):
+    """(positions, time, values by place and time, their source). Between stations the waves of pressure that travel forward and
+    backward are followed at the speed of the first pulse; where they are not told apart, values are linear."""
+    pressure = fields[name]
     source = next(source for source in wave_tables.SOURCES if source in pressure.sources)
     curves = pressure.sources[source]
     parts = [(curves, 0.0)]
-    if all(source in fields.get(name, pressure).sources and name in fields for name in ("forward wave", "backward wave")):
+    if name == "pressure" and all(wave in fields and source in fields[wave].sources for wave in ("forward wave", "backward wave")):
         parts = [(fields["forward wave"].sources[source], 1.0), (fields["backward wave"].sources[source], -1.0)]
     arrivals = [wave_tables.first_peak(pressure.time, values)[0] for values in parts[0][0]]
     places = numpy.linspace(pressure.positions[0], pressure.positions[-1], N_PLACES)
@@ -265,8 +336,8 @@ def draw_spin_coating(sheet, runs):
         i = names.index(quantity)
         unit = shown[0][1][0][i][1]
         factor, axis_unit = plot_style.readable(max(table[1][:, i].max() for _, table in shown), unit)
-        for colour, (run, (_, data)) in zip(plot_style.COLOURS * len(shown), shown):
-            axes.plot(place_factor * data[:, 0], factor * data[:, i], color=colour, label=run["title"])
+        for number, (run, (_, data)) in enumerate(shown):
+            axes.plot(place_factor * data[:, 0], factor * data[:, i], label=run["title"], **plot_style.of_run(number, len(data)))
             prefix = f"{run['title']}: " if len(shown) > 1 else ""
             if quantity == panels[0]:
                 header.append(f"{prefix}position [m]")

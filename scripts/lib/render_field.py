@@ -1,6 +1,7 @@
 #!/usr/bin/python3
-"""Draws one state of a run with VTK. Reads a request (json) from stdin, writes picture.png (or picture.npz, for a plane
-mesh without OpenGL) and picture.json into the request's folder. Exit status 3: the data or the request are at fault.
+"""Draws states of a run with VTK, all with the same colours, factor of the displacement and section. Reads a request (json) from
+stdin, writes picture-0.png, picture-1.png, ... (or picture-0.npz, ... for a plane mesh without OpenGL) and picture.json into the
+request's folder. Exit status 3: the data or the request are at fault.
 """
 
 import json
@@ -147,36 +148,75 @@ def solve_harmonic(values, ends, weight, free):
         direction = preconditioned + product / before * direction
 
 
-def deform(grid):
-    """Moves the points by the displacement of the solids, enlarged until it can be seen; the liquid's mesh follows them.
-    Returns the factor, 0 without one."""
+def displacement_of(grid):
+    """(points, their displacement, whether each is of a solid or None); of a body without a displacement or a solid None."""
     array = grid.GetPointData().GetArray("displacement")
-    if array is None or array.GetNumberOfComponents() != 3:
-        return 0
-    displacement = numpy.nan_to_num(vtk_to_numpy(array).astype(float))
-    points = vtk_to_numpy(grid.GetPoints().GetData()).astype(float)
-    size = (points.max(axis=0) - points.min(axis=0))
     solid = in_solid(grid)
-    if solid is not None and not solid.any():
-        return 0
-    if solid is not None and not solid.all():
-        number = numpy_to_vtk(numpy.arange(len(points), dtype=float), deep=True)
-        number.SetName("number of the point")
-        grid.GetPointData().AddArray(number)
-        displacement = follow(grid, points, displacement, solid)
-    largest = numpy.abs(displacement).max(axis=0)
+    if array is None or array.GetNumberOfComponents() != 3 or solid is not None and not solid.any():
+        return None
+    return (vtk_to_numpy(grid.GetPoints().GetData()).astype(float), numpy.nan_to_num(vtk_to_numpy(array).astype(float)), solid)
+
+
+def factor_of(grids):
+    """The factor that makes the displacement of the solids visible in all of these states, 1 for large ones, 0 without any."""
+    size, largest = numpy.zeros(3), numpy.zeros(3)
+    for grid in grids:
+        found = displacement_of(grid)
+        if found is None:
+            continue
+        points, displacement, solid = found
+        size = numpy.maximum(size, points.max(axis=0) - points.min(axis=0))
+        largest = numpy.maximum(largest, numpy.abs(displacement if solid is None else displacement[solid]).max(axis=0))
     if not largest.max() > 0:
         return 0
     # A tenth of the length shows; but a thin body must not fold over itself, hence not more than its width along it. What is a
     # thousandth of the motion does not count.
     factor = nice(min(min(0.1 * size.max(), 0.4 * size[d]) / largest[d] for d in range(3)
                       if largest[d] > 1e-3 * largest.max() and size[d] > 1e-9 * size.max()))
-    if 0.5 <= factor <= 2:
-        factor = 1
+    return 1 if 0.5 <= factor <= 2 else factor
+
+
+def deform(grid, factor=None, liquid_follows=True):
+    """Moves the points by the displacement of the solids times the factor, or times one that makes it visible; the liquid's
+    mesh follows them, or stays. Returns the factor, 0 without a displacement."""
+    factor = factor_of([grid]) if factor is None else factor
+    found = displacement_of(grid)
+    if found is None or factor == 0:
+        return factor
+    points, displacement, solid = found
+    if solid is not None and not liquid_follows:
+        displacement[~solid] = 0
+    elif solid is not None and not solid.all():
+        number = numpy_to_vtk(numpy.arange(len(points), dtype=float), deep=True)
+        number.SetName("number of the point")
+        grid.GetPointData().AddArray(number)
+        displacement = follow(grid, points, displacement, solid)
     moved = vtk.vtkPoints()
     moved.SetData(numpy_to_vtk(points + factor * displacement, deep=True))
     grid.SetPoints(moved)
     return factor
+
+
+def only(grid, regions):
+    """The cells of these regions (material_id); all of them for None. Cells of different regions share no points."""
+    if regions is None:
+        return grid
+    array = grid.GetPointData().GetArray("material_id")
+    if array is None:
+        fault("the states have no field material_id, which --region needs")
+    shown = numpy.isin(numpy.round(vtk_to_numpy(array)).astype(int), regions)
+    if not shown.any():
+        fault(f"the states have no cell of the region with the material_id {', '.join(map(str, regions))}")
+    mark = numpy_to_vtk(shown.astype(float), deep=True)
+    mark.SetName("is shown")
+    grid.GetPointData().AddArray(mark)
+    choose = vtk.vtkThreshold()
+    choose.SetInputData(grid)
+    choose.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_POINTS, "is shown")
+    choose.SetThresholdFunction(vtk.vtkThreshold.THRESHOLD_UPPER)
+    choose.SetUpperThreshold(0.5)
+    choose.Update()
+    return choose.GetOutput()
 
 
 def mesh_lines(grid):
@@ -213,17 +253,28 @@ COMMON = ("velocity", "displacement")
 MAPS = {"liquid": ("viridis", "RdBu_r"), "solid": ("cividis", "PuOr_r")}  # of one sign, of both
 
 
-def colour_ranges(values, solid, field):
-    """[(what, map, low, high)] of the liquids and the solids, or of both together; a field of both signs has white at zero."""
-    groups = [("", "liquid", numpy.isfinite(values))]
+def extremes(values, solid, field):
+    """{what: (low, high)} of the liquids and the solids, or of both together."""
+    groups = {"": numpy.isfinite(values)}
     if solid is not None and solid.any() and not solid.all() and field not in COMMON:
-        groups = [(name, name, numpy.isfinite(values) & (solid == (name == "solid"))) for name in ("liquid", "solid")]
+        groups = {name: numpy.isfinite(values) & (solid == (name == "solid")) for name in ("liquid", "solid")}
+    return {what: (float(values[chosen].min()), float(values[chosen].max())) if chosen.any() else None
+            for what, chosen in groups.items()}
+
+
+def colour_ranges(values, solid, field):
+    return ranges_of([extremes(values, solid, field)])
+
+
+def ranges_of(found):
+    """[(what, map, low, high)] of the extremes of all states; a field of both signs has white at zero."""
     ranges = []
-    for what, kind, chosen in groups:
-        low, high = (float(values[chosen].min()), float(values[chosen].max())) if chosen.any() else (0.0, 0.0)
+    for what in found[0]:
+        there = [state[what] for state in found if state.get(what) is not None] or [(0.0, 0.0)]
+        low, high = min(low for low, _ in there), max(high for _, high in there)
         largest = max(abs(low), abs(high))
         signed = low < -0.05 * largest and high > 0.05 * largest
-        ranges.append((what, MAPS[kind][signed], -largest if signed else low, largest if signed else high))
+        ranges.append((what, MAPS[what or "liquid"][signed], -largest if signed else low, largest if signed else high))
     return ranges
 
 
@@ -295,7 +346,7 @@ def camera_of(renderer, bounds, direction):
             numpy.array([across, up]).T.tolist())
 
 
-def draw_with_opengl(faces, lines, plane, ranges, request, direction):
+def draw_with_opengl(faces, lines, plane, ranges, request, direction, bounds, number):
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(1, 1, 1)
     mapper = vtk.vtkPolyDataMapper()
@@ -323,7 +374,7 @@ def draw_with_opengl(faces, lines, plane, ranges, request, direction):
     if plane or lines.GetNumberOfLines() < MOST_LINES:
         renderer.AddActor(drawn)
 
-    (left, right, bottom, top), axes = camera_of(renderer, faces.GetBounds(), direction)
+    (left, right, bottom, top), axes = camera_of(renderer, bounds, direction)
     width = 2 * request["pixels"]
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
@@ -335,61 +386,101 @@ def draw_with_opengl(faces, lines, plane, ranges, request, direction):
     image.SetInput(window)
     image.ReadFrontBufferOff()
     writer = vtk.vtkPNGWriter()
-    writer.SetFileName(os.path.join(request["folder"], "picture.png"))
+    writer.SetFileName(os.path.join(request["folder"], f"picture-{number}.png"))
     writer.SetInputConnection(image.GetOutputPort())
     writer.Write()
+    window.Finalize()
     return left, right, bottom, top, axes
 
 
-def dump_for_matplotlib(faces, lines, request):
+def dump_for_matplotlib(faces, lines, request, number):
     points = vtk_to_numpy(faces.GetPoints().GetData())
     triangles = vtk_to_numpy(faces.GetPolys().GetData()).reshape(-1, 4)[:, 1:]
     ends = vtk_to_numpy(lines.GetLines().GetData()).reshape(-1, 3)[:, 1:]
     corners = vtk_to_numpy(lines.GetPoints().GetData())[:, :2]
-    numpy.savez(os.path.join(request["folder"], "picture.npz"), x=points[:, 0], y=points[:, 1], triangles=triangles,
+    numpy.savez(os.path.join(request["folder"], f"picture-{number}.npz"), x=points[:, 0], y=points[:, 1], triangles=triangles,
                 values=vtk_to_numpy(faces.GetPointData().GetArray("shown")), edges=corners[ends])
-    bounds = faces.GetBounds()
-    return bounds[:4]
+
+
+class Scale:
+    """What all states have in common: the field, its colours, the factor of the displacement, and which place is seen."""
+
+    def __init__(self, request):
+        self.regions = request["regions"]
+        found, self.undeformed = [], None
+        self.field, self.label, self.liquid = request["field"], "", False
+        grids = (self.read_state(pieces, found) for pieces in request["states"])
+        self.deformation = factor_of(grids)
+        self.ranges = ranges_of(found)
+        bounds = self.undeformed
+        self.plane = bounds[5] - bounds[4] < 1e-9 * max(bounds[1] - bounds[0], bounds[3] - bounds[2])
+
+    def read_state(self, pieces, found):
+        """The state whole; the extremes of its field are added to what was found."""
+        grid = read(pieces)
+        shown = only(grid, self.regions)
+        self.field, self.label, values = values_of(shown, self.field)
+        if not numpy.isfinite(values).any():
+            fault(f"the field {self.field} has no finite value")
+        solid = in_solid(shown)
+        self.liquid = self.liquid or bool(solid is not None and not solid.all())
+        found.append(extremes(values, solid, self.field))
+        self.undeformed = united(self.undeformed, grid.GetBounds())
+        return grid
+
+
+def united(bounds, others):
+    if bounds is None:
+        return others
+    return tuple((min, max)[i % 2](bounds[i], others[i]) for i in range(6))
+
+
+def prepared(pieces, scale, liquid_follows=True):
+    """(the deformed part that is shown, where it is looked at from)."""
+    grid = read(pieces)
+    deform(grid, scale.deformation, liquid_follows)
+    grid = only(grid, scale.regions)
+    _, _, values = values_of(grid, scale.field)
+    shown = numpy_to_vtk(on_the_maps(numpy.nan_to_num(values), in_solid(grid), scale.ranges), deep=True)
+    shown.SetName("shown")
+    grid.GetPointData().AddArray(shown)
+    grid.GetPointData().SetActiveScalars("shown")
+    if scale.plane:
+        return grid, numpy.array([0, 0, 1.0])
+    return open_up(grid)
 
 
 def main():
     request = json.load(sys.stdin)
-    grid = read(request["pieces"])
-    field, label, values = values_of(grid, request["field"])
-    finite = values[numpy.isfinite(values)]
-    if finite.size == 0:
-        fault(f"the field {field} has no finite value")
-    bounds = grid.GetBounds()
-    plane = bounds[5] - bounds[4] < 1e-9 * max(bounds[1] - bounds[0], bounds[3] - bounds[2])
-    solid = in_solid(grid)
-    ranges = colour_ranges(values, solid, field)
-    shown = numpy_to_vtk(on_the_maps(values, solid, ranges), deep=True)
-    shown.SetName("shown")
-    grid.GetPointData().AddArray(shown)
-    grid.GetPointData().SetActiveScalars("shown")
-    deformation = deform(grid)
-
-    bounds = grid.GetBounds()
-    ratio = (bounds[1] - bounds[0]) / max(bounds[3] - bounds[2], 1e-300)
-    stretch = nice(ratio / request["flattest"]) if plane and ratio > 1.99 * request["flattest"] else 1
-    direction, axes = numpy.array([0, 0, 1.0]), None
-    if not plane:
-        grid, direction = open_up(grid)
-    faces, lines = surface(grid), mesh_lines(surface(grid) if not plane else grid)
-    faces.GetPointData().SetActiveScalars("shown")
-    if request["way"] == "gl":
-        if stretch != 1:
-            faces, lines = stretched(faces, stretch), stretched(lines, stretch)
-        left, right, bottom, top, axes = draw_with_opengl(faces, lines, plane, ranges, request, direction)
-        bottom, top = bottom / stretch, top / stretch
-    elif plane:
-        left, right, bottom, top = dump_for_matplotlib(faces, lines, request)
-    else:
+    scale = Scale(request)
+    if request["way"] != "gl" and not scale.plane:
         sys.exit("a solid mesh needs OpenGL: install xvfb, xauth and libgl1-mesa-dri")
+    bounds, states = None, request["states"]
+    one = prepared(states[0], scale) if len(states) == 1 else None
+    for pieces in states:
+        # Between the solids the liquid does not matter for the section, and its mesh takes long.
+        bounds = united(bounds, (one or prepared(pieces, scale, False))[0].GetBounds())
+    ratio = (bounds[1] - bounds[0]) / max(bounds[3] - bounds[2], 1e-300)
+    flattest = request["flattest"]
+    stretch = nice(ratio / flattest) if scale.plane and ratio > 1.99 * flattest else 1
+    axes = None
+    for number, pieces in enumerate(states):
+        grid, direction = one or prepared(pieces, scale)
+        faces, lines = surface(grid), mesh_lines(surface(grid) if not scale.plane else grid)
+        faces.GetPointData().SetActiveScalars("shown")
+        if request["way"] == "gl":
+            if stretch != 1:
+                faces, lines = stretched(faces, stretch), stretched(lines, stretch)
+            seen = [bound * (stretch if i in (2, 3) else 1) for i, bound in enumerate(bounds)]
+            left, right, bottom, top, axes = draw_with_opengl(faces, lines, scale.plane, scale.ranges, request, direction, seen, number)
+            bottom, top = bottom / stretch, top / stretch
+        else:
+            dump_for_matplotlib(faces, lines, request, number)
+            left, right, bottom, top = bounds[:4]
     with open(os.path.join(request["folder"], "picture.json"), "w", encoding="utf-8") as stream:
-        json.dump({"field": field, "label": label, "ranges": ranges, "extent": [left, right, bottom, top],
-                   "plane": bool(plane), "axes": axes, "deformation": deformation, "stretch": stretch,
-                   "liquid": bool(solid is not None and not solid.all())}, stream)
+        json.dump({"field": scale.field, "label": scale.label, "ranges": scale.ranges, "extent": [left, right, bottom, top],
+                   "plane": bool(scale.plane), "axes": axes, "deformation": scale.deformation, "stretch": stretch,
+                   "liquid": scale.liquid}, stream)
 
 
 if __name__ == "__main__":

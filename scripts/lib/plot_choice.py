@@ -1,0 +1,170 @@
+"""What scripts/plot is asked to draw: --fields, --region and --times. Wrong names and times are refused before anything is drawn."""
+
+import argparse
+import csv
+import glob
+import os
+import re
+import xml.etree.ElementTree
+
+import tables
+
+
+class ChoiceError(Exception):
+    """An option asks for what the run does not have."""
+
+
+def read_names(text):
+    """What --fields and --region take: NAME,NAME."""
+    names = [name.strip() for name in text.split(",")]
+    if not all(names):
+        raise argparse.ArgumentTypeError(f"'{text}' has an empty name")
+    return names
+
+
+def words_of(name):
+    return name.lower().replace("_", " ").split()
+
+
+class Choice:
+    """Fields, regions: lists of names, times: a list of [s] (of modes: numbers); None where all are wanted, or the last time."""
+
+    def __init__(self, fields=None, regions=None, times=None):
+        self.fields, self.regions, self.times = fields, regions, times
+
+    def fields_of(self, available):
+        """Those of the available fields that --fields wants. 'stress' means stress_xx and all others; 'pressure' is the pressure
+        alone where there is one, though 'axis pressure' has the word, too."""
+        if self.fields is None:
+            return list(available)
+        chosen = []
+        for name in self.fields:
+            words = words_of(name)
+            same = [field for field in available if words_of(field) == words]
+            chosen += same or [field for field in available if set(words) <= set(words_of(field))]
+        return list(dict.fromkeys(chosen))
+
+
+def entries_of(path):
+    """[(time, files)] of a .pvd file, in the order of time."""
+    try:
+        tree = xml.etree.ElementTree.parse(path)
+    except xml.etree.ElementTree.ParseError as error:
+        raise tables.TableError(f"cannot read {path}: {error}") from error
+    entries = {}
+    for element in tree.iter("DataSet"):
+        at = float(element.get("timestep", "0"))
+        entries.setdefault(at, []).append(os.path.join(os.path.dirname(path), element.get("file")))
+    return sorted(entries.items())
+
+
+def header(path):
+    try:
+        with open(path, encoding="utf-8", newline="") as stream:
+            return next(csv.reader(stream), [])
+    except OSError:
+        return []
+
+
+def fields_of_tables(run):
+    """The fields of probes.csv and of the waves' tables."""
+    found = []
+    for path in [os.path.join(run["folder"], "probes.csv"),
+                 *sorted(glob.glob(os.path.join(glob.escape(run["folder"]), "wave*.csv")))]:
+        for column in header(path)[1:]:
+            found.append(re.sub(r", (simulated|theory|measured)\b.*", "", tables.split_unit(column)[0].rpartition(": ")[2]))
+    return list(dict.fromkeys(found))
+
+
+def fields_of_states(run):
+    """The fields of the run's states."""
+    path = os.path.join(run["folder"], "fields.pvd")
+    if not os.path.exists(path):
+        return []
+    there = run["summary"].get("field units")
+    if there:
+        return list(there)
+    entries = entries_of(path)
+    text = ""
+    if entries and os.path.exists(entries[0][1][0]):
+        with open(entries[0][1][0], "rb") as stream:
+            text = stream.read().decode("utf-8", "replace")
+    names = re.findall(r'<P?DataArray [^>]*Name="([^"]*)"', text)
+    return [name for name in dict.fromkeys(names) if name not in ("TIME", "CYCLE", "connectivity", "offsets", "types")]
+
+
+def last_time(run, entries):
+    """The end of the run [s], as far as it came: states need not be written up to it."""
+    end = entries[-1][0]
+    for name in ("probes.csv", "power.csv"):
+        table = tables.read_table(os.path.join(run["folder"], name))
+        if table is not None and table[0][0][0] == "time":
+            end = max(end, table[1][-1, 0])
+    return end
+
+
+def check_fields(choice, runs):
+    there = list(dict.fromkeys(name for run in runs for name in fields_of_tables(run) + fields_of_states(run)))
+    for name in choice.fields:
+        if not Choice([name]).fields_of(there):
+            raise ChoiceError(f"--fields {name}: there is no such field; there are {', '.join(there) or 'none'}")
+
+
+def check_times(choice, run):
+    path = os.path.join(run["folder"], "fields.pvd")
+    entries = entries_of(path) if os.path.exists(path) else []
+    if not entries:
+        raise ChoiceError(f"--times: {run['folder']} has no states of fields (no entries in fields.pvd): "
+                          "the run needs `Output/Field interval`")
+    modes = run["summary"].get("modes", [])
+    if run["summary"].get("analysis") == "modal" and modes:
+        for number in choice.times:
+            if number != round(number) or not 1 <= number <= len(modes):
+                raise ChoiceError(f"--times {number:g}: there are the modes 1 to {len(modes)}")
+        return
+    first, last = entries[0][0], last_time(run, entries)
+    for time in choice.times:
+        if not first - 1e-9 * last <= time <= last * (1 + 1e-9):
+            raise ChoiceError(f"--times {time:g} s: this is outside of the run, which goes from {first:g} s to {last:g} s")
+
+
+def regions_of(run):
+    """{name: material_id}, empty if the summary has none."""
+    return {name: number for number, name in enumerate(run["summary"].get("regions", []))}
+
+
+def numbers_of_regions(choice, run):
+    """The material_ids that --region wants; None for all."""
+    if choice.regions is None:
+        return None
+    there = regions_of(run)
+    numbers = []
+    for name in choice.regions:
+        if name in there:
+            numbers.append(there[name])
+        elif not there and name.isdigit():
+            numbers.append(int(name))
+        elif not there:
+            raise ChoiceError(f"--region {name}: {run['folder']}/summary.json has no names of regions; give their numbers, "
+                              "which are the field material_id (--region 0)")
+        else:
+            raise ChoiceError(f"--region {name}: there is no such region; there are {', '.join(there)}")
+    return numbers
+
+
+def check(choice, runs):
+    """Throws ChoiceError if there is nothing of what an option asks for."""
+    if choice.fields is not None:
+        check_fields(choice, runs)
+    if choice.regions is not None:
+        for run in runs:
+            numbers_of_regions(choice, run)
+    if choice.times is not None:
+        check_times(choice, runs[0])
+
+
+def nearest(entries, time):
+    """The entry of the time, or the last one without a time."""
+    if time is None:
+        return entries[-1]
+    return min(entries, key=lambda entry: abs(entry[0] - time))
