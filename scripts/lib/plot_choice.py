@@ -7,6 +7,8 @@ import os
 import re
 import xml.etree.ElementTree
 
+import continua
+import continua.tables
 import tables
 
 
@@ -50,7 +52,7 @@ def entries_of(path):
     try:
         tree = xml.etree.ElementTree.parse(path)
     except xml.etree.ElementTree.ParseError as error:
-        raise tables.TableError(f"cannot read {path}: {error}") from error
+        raise continua.ResultError(f"cannot read {path}: {error}") from error
     entries = {}
     for element in tree.iter("DataSet"):
         at = float(element.get("timestep", "0"))
@@ -72,7 +74,7 @@ def fields_of_tables(run):
     for path in [os.path.join(run["folder"], "probes.csv"),
                  *sorted(glob.glob(os.path.join(glob.escape(run["folder"]), "wave*.csv")))]:
         for column in header(path)[1:]:
-            found.append(re.sub(r", (simulated|theory|measured)\b.*", "", tables.split_unit(column)[0].rpartition(": ")[2]))
+            found.append(re.sub(r", (simulated|theory|measured)\b.*", "", continua.tables.split_unit(column)[0].rpartition(": ")[2]))
     return list(dict.fromkeys(found))
 
 
