@@ -105,8 +105,8 @@ def last_time(run, entries):
     return end
 
 
-def check_fields(choice, runs):
-    there = list(dict.fromkeys(name for run in runs for name in fields_of_tables(run) + fields_of_states(run)))
+def check_fields(choice, runs, others):
+    there = list(dict.fromkeys([name for run in runs for name in fields_of_tables(run) + fields_of_states(run)] + others))
     for name in choice.fields:
         if not Choice([name]).fields_of(there):
             raise ChoiceError(f"--fields {name}: there is no such field; there are {', '.join(there) or 'none'}")
@@ -154,10 +154,10 @@ def numbers_of_regions(choice, run):
     return numbers
 
 
-def check(choice, runs):
-    """Throws ChoiceError if there is nothing of what an option asks for."""
+def check(choice, runs, others=()):
+    """Throws ChoiceError if there is nothing of what an option asks for. `others`: fields that are computed from the runs'."""
     if choice.fields is not None:
-        check_fields(choice, runs)
+        check_fields(choice, runs, list(others))
     if choice.regions is not None:
         for run in runs:
             numbers_of_regions(choice, run)

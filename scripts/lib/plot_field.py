@@ -191,7 +191,7 @@ def title_of(sheet, picture, of):
     if picture["deformation"] not in (0, 1):
         remarks.append(f"displacement{' of the solids' if picture['liquid'] else ''} × {picture['deformation']:g}")
     if picture["stretch"] != 1:
-        remarks.append(f"y drawn × {picture['stretch']:g}")
+        remarks.append(f"y\u00a0drawn\u00a0×\u00a0{picture['stretch']:g}")  # on one line
     return textwrap.fill(", ".join(remarks), int((sheet.width - 0.8) / 0.066))
 
 

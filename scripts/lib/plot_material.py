@@ -38,6 +38,11 @@ def prefix(runs, run):
     return f"{run['title']}: " if len(runs) > 1 else ""
 
 
+def look_of(shown, i, n_points):
+    """Of the i-th run: several are told apart by colour, dash and marker."""
+    return plot_style.of_run(i, n_points) if len(shown) > 1 else {"color": plot_style.COLOURS[0], "linestyle": "-"}
+
+
 def both_scales(sheet):
     """Two panels, the left with logarithmic, the right with linear axes; narrow sheets have them one below the other."""
     narrow = sheet.width < 4
@@ -101,16 +106,15 @@ def draw_history(sheet, runs, test, quantity):
     unit = "Pa" if quantity == "stress" else "1"
     factor, axis_unit = plot_style.readable(max(column(names, data, quantity).max() for _, names, data in shown), unit)
     for i, (run, names, data) in enumerate(shown):
-        colour = plot_style.COLOURS[i % len(plot_style.COLOURS)]
         positive = data[:, 0] > 0
         for axes in panels:
-            axes.plot(data[positive, 0], factor * column(names, data, quantity)[positive], "-", color=colour,
-                      label=f"{prefix(shown, run)}simulated")
+            axes.plot(data[positive, 0], factor * column(names, data, quantity)[positive], label=f"{prefix(shown, run)}simulated",
+                      **look_of(shown, i, positive.sum()))
             for reference, line, shade in REFERENCES:
                 values = column(names, data, f"{quantity} of the {reference}")
                 if values is not None:
                     axes.plot(data[positive, 0], factor * values[positive], line, color=shade, linewidth=1.1,
-                              label=f"{prefix(shown, run)}{reference}")
+                              label="_" if i else reference)
         header += [f"{prefix(shown, run)}{name} [{unit}]" for name, unit in names]
         columns += list(data.T)
     for axes in panels:
@@ -136,9 +140,9 @@ def draw_modulus(sheet, runs):
         largest = max(column(names, data, quantity).max() for _, names, data in shown)
         factor, unit = plot_style.readable(largest, "1" if quantity == "tan delta" else "Pa")
         for i, (run, names, data) in enumerate(shown):
-            colour = plot_style.COLOURS[i % len(plot_style.COLOURS)]
-            axes.plot(data[:, 0], factor * column(names, data, quantity), "-", color=colour,
-                      label=f"{prefix(shown, run)}law")
+            colour = plot_style.of_run(i)["color"]
+            axes.plot(data[:, 0], factor * column(names, data, quantity), label=f"{prefix(shown, run)}law",
+                      **look_of(shown, i, len(data)))
             series = column(names, data, f"{quantity} of the Prony series")
             if series is not None:
                 axes.plot(data[:, 0], factor * series, "--", color="#000000", linewidth=0.9,

@@ -320,7 +320,7 @@ def draw_line(sheet, quantity, there, several, settings):
                 points.append((drawn, field, source))
     axes.set_xlim(place_factor * min(line.places[0] for _, line in there), place_factor * max(line.places[-1] for _, line in there))
     margin = 0.05 * (high - low if high > low else 1)
-    axes.set_ylim(factor * (low - margin), factor * (high + margin))
+    axes.set_ylim(factor * (low - margin), factor * (high + 3 * margin))  # the time stands above the curve
     axes.set_xlabel(plot_style.axis_label("axial position", place_unit))
     axes.set_ylabel(plot_style.axis_label(quantity, unit))
     clock = axes.text(0.99, 0.97, label(times[-1]), transform=axes.transAxes, ha="right", va="top")

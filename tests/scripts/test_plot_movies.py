@@ -50,8 +50,10 @@ sys.exit(STATUS)
 
     def test_frames(self):
         write_run(self.folder)
-        for kind, name in (("field", "movie-pressure"), ("waves", "movie-waves-pressure")):
-            done = self.with_stub("--movie", kind, "--fields", "pressure", "--seconds", "2", "--width", "85mm")
+        # No table and no state has the wall distension by this name.
+        for kind, field, name in (("field", "pressure", "movie-pressure"), ("waves", "pressure", "movie-waves-pressure"),
+                                  ("waves", "wall distension", "movie-waves-wall-distension")):
+            done = self.with_stub("--movie", kind, "--fields", field, "--seconds", "2", "--width", "85mm")
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual(os.listdir(self.plots), [f"{name}.mp4"])
             with open(os.path.join(self.plots, f"{name}.mp4"), encoding="utf-8") as stream:

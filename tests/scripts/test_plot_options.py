@@ -168,7 +168,7 @@ class Chosen(Run):
                                  ("pressure", "displacement") for time in ("0.01", "0.02"))})
         with open(os.path.join(self.plots, "field-pressure-0.02-s.svg"), encoding="utf-8") as stream:
             text = stream.read()
-        self.assertIn("t = 0.02 s (the output nearest to 0.021 s), region wall, displacement × 500, y", text)
+        self.assertIn("t = 0.02 s (the output nearest to 0.021 s), region wall, displacement × 500", text)
         # Of the wall alone, which has 1000 times the pressure of the liquid.
         self.assertIn("Pressure [kPa]", text)
         self.assertNotIn("liquid", text)
