@@ -18,6 +18,8 @@ using Table = std::vector<std::vector<std::string>>;
 
 /// Of probes that are shown; a run can have hundreds.
 constexpr std::size_t most_probes = 12;
+/// Of a run that are shown.
+constexpr std::size_t most_beats = 12;
 constexpr int n_digits = 5;
 /// Of a damped oscillation to a history, above which its frequency means little [1].
 constexpr double largest_fit_residual = 0.1;
@@ -202,6 +204,65 @@ Table results(const std::vector<Quantity> &quantities)
   return table;
 }
 
+/// A row for each history: what it does in the last beat.
+Table last_beat(const std::vector<Quantity> &quantities)
+{
+  const std::vector<std::vector<std::string>> beginnings = {{"systolic ", "largest "},
+                                                            {"diastolic ", "smallest "},
+                                                            {"mean "},
+                                                            {"pulse ", "range of "},
+                                                            {"difference of "}};
+  const std::string end = " of the last beat";
+  std::vector<std::string> labels;
+  std::map<std::string, std::vector<std::string>> cells;
+  for (const Quantity &quantity : quantities)
+  {
+    const std::string &name = quantity.name;
+    if (quantity.probe.empty() || name.size() <= end.size() ||
+        name.compare(name.size() - end.size(), end.size(), end) != 0)
+      continue;
+    const std::string rest = name.substr(0, name.size() - end.size());
+    for (std::size_t column = 0; column < beginnings.size(); ++column)
+      for (const std::string &beginning : beginnings[column])
+        if (const std::optional<std::string> field = after(rest, beginning))
+        {
+          const std::string text = label(quantity, *field);
+          if (std::find(labels.begin(), labels.end(), text) == labels.end())
+            labels.push_back(text);
+          auto &row = cells.try_emplace(text, beginnings.size(), "-").first->second;
+          row[column] = cell(quantity.value, quantity.unit);
+        }
+  }
+  Table table;
+  if (labels.empty())
+    return table;
+  table.push_back({"last beat", "largest", "smallest", "mean", "range", "difference"});
+  for (std::size_t i = 0; i < labels.size() && i < most_probes; ++i)
+  {
+    table.push_back({"  " + labels[i]});
+    const std::vector<std::string> &row = cells.at(labels[i]);
+    table.back().insert(table.back().end(), row.begin(), row.end());
+  }
+  if (labels.size() > most_probes)
+    table.push_back(
+        {"  and " + std::to_string(labels.size() - most_probes) + " more in beats.csv"});
+  return table;
+}
+
+/// A row for each beat: by how much it differs from the one before.
+Table beats(const Summary::Columns &columns)
+{
+  Table table;
+  if (columns.size() < 3 || columns[0].second.empty())
+    return table;
+  const std::size_t n_beats = columns[0].second.size();
+  table.push_back({"beats", "end", "largest difference"});
+  for (std::size_t i = n_beats > most_beats ? n_beats - most_beats : 0; i < n_beats; ++i)
+    table.push_back({"  " + std::to_string(i + 1), cell(columns[0].second[i], "s"),
+                     cell(columns[2].second[i])});
+  return table;
+}
+
 Table checks(const std::vector<Summary::Check> &all)
 {
   Table table;
@@ -227,6 +288,8 @@ std::vector<std::string> answer_lines(const Summary &summary)
   std::vector<Table> tables = {waves(summary.quantities()), probes(summary.quantities())};
   if (tables[0].empty() && tables[1].empty())
     tables.push_back(results(summary.quantities()));
+  tables.push_back(last_beat(summary.quantities()));
+  tables.push_back(beats(summary.columns_of("beats")));
   tables.push_back(checks(summary.checks()));
   for (const Table &table : tables)
   {

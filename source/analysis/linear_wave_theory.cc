@@ -294,9 +294,20 @@ void LinearWaveTheory<dim>::report(const std::vector<double> &times, const bool 
       run.log.warning(std::string("no wave theory beside the run: ") + error.what());
     }
   const double frequency = load_frequency(wave_case.inlet, input.time.end_time);
-  const Beats beats = beats_of(wave_case.inlet, input.time.end_time);
-  const double first_beat_ends = input.time.end_time * beats.second_begins / n_samples_of_load;
-  if (beats.number > 1)
+  // A run may end before its end time.
+  const double end = times.empty() ? input.time.end_time : times.back();
+  const Beats beats = beats_of(wave_case.inlet, end);
+  const double first_beat_ends = end * beats.second_begins / n_samples_of_load;
+  const double period = simulated ? input.periodic_state.period : 0.;
+  const double n_beats = period > 0. ? std::floor(end / period * (1. + 1e-9)) : 0.;
+  if (n_beats >= 1.)
+  {
+    std::ostringstream text;
+    text << "Pulses, speeds and reflections are those of the last beat, from t = "
+         << (n_beats - 1.) * period << " s on, above its start";
+    run.log.line(text.str());
+  }
+  else if (beats.number > 1)
   {
     std::ostringstream text;
     text << "The load has " << beats.number
@@ -327,7 +338,9 @@ void LinearWaveTheory<dim>::report(const std::vector<double> &times, const bool 
     const auto measured = input.measured_waves.find(probe.name);
     if (measured != input.measured_waves.end())
       report.set(WaveReport::Source::measured, measured->second.histories(times));
-    if (beats.number > 1)
+    if (n_beats >= 1.)
+      report.set_beat((n_beats - 1.) * period, n_beats * period);
+    else if (beats.number > 1)
       report.set_end_of_first_beat(first_beat_ends);
     for (const std::string &note : report.add_quantities(run.summary))
       run.log.line(note);

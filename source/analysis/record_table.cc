@@ -1,5 +1,6 @@
 #include <continua/analysis/record_table.h>
 
+#include <continua/analysis/periodic_state.h>
 #include <continua/postprocess/field_writer.h>
 #include <continua/postprocess/loop_record.h>
 #include <continua/postprocess/mesh_record.h>
@@ -132,11 +133,15 @@ std::function<bool(const std::string &)> keeps_last_row(const Case<dim> &input,
   TimeControl time_control(input.time);
   time_control.load(archive);
   const double time = time_control.time(), size = archive.value("size of the last step");
+  const bool had_ended = PeriodicState<dim>::ended_run(input, archive);
   std::map<std::string, bool> is_due = {
       {"probes.csv", input.output.probe_schedule(input.time.end_time).due(time, size)}};
   for (const RecordRow<dim> &row : record_table<dim>())
     if (!row.table.empty())
-      is_due[row.table] = (input.output.*row.schedule)(input.time.end_time).due(time, size);
+    {
+      const Schedule schedule = (input.output.*row.schedule)(input.time.end_time);
+      is_due[row.table] = schedule.due(time, size) || (had_ended && schedule.takes_end());
+    }
   return [is_due](const std::string &table)
   {
     const auto found = is_due.find(table);

@@ -59,8 +59,9 @@ void RestSearch<dim>::check(const Case<dim> &input,
 }
 
 template <int dim>
-void RestSearch<dim>::perform(const bool loads_come)
+void RestSearch<dim>::perform(const bool loads_come, const double time)
 {
+  time_of_loads = time;
   const RestParameters &rest = run.input.rest;
   load_part = loads_come ? 1. / rest.load_steps : 1.;
   load = loads_come && rest.load_steps > 1 ? 0. : 1.;
@@ -130,8 +131,8 @@ StepReport RestSearch<dim>::step_of(const double last_size, double &size)
   for (unsigned int halvings = 0;;)
   {
     Step euler = euler_step(0., size, Update::implicit);
-    // Loads and pictures are those of t = 0, however long it takes.
-    euler.balance_time = 0.;
+    // Loads are those of one time and pictures those of t = 0, however long it takes.
+    euler.balance_time = time_of_loads;
     euler.time = 0.;
     // Round-off of the sum is no part of its own.
     const double next_load = load + load_part < 1. - 1e-12 ? load + load_part : 1.;

@@ -29,6 +29,7 @@ Transient<dim>::Transient(Run<dim> &run)
       time_control(run.input.time),
       records(make_records(run.input, run.directory.path())),
       flow(run),
+      beats(run),
       checkpoint(run.input.communicator, run.directory, run.file),
       probe_schedule(run.input.output.probe_schedule(run.input.time.end_time)),
       checkpoint_schedule(run.input.output.checkpoint_schedule(run.input.time.end_time))
@@ -62,6 +63,7 @@ void Transient<dim>::name_quantities(const Case<dim> &input, QuantityNames &name
   StreamReport<dim>::name_quantities(input, names);
   names.add("weak divergence at the end");
   FlowReport<dim>::name_quantities(input, names);
+  PeriodicState<dim>::name_quantities(input, names);
   if (input.problem.convection.is_on)
     names.add("steps halved");
 }
@@ -92,7 +94,7 @@ void Transient<dim>::perform()
   else
     start();
   report_preflight();
-  while (!time_control.at_end())
+  while (!at_end())
     step();
   run.log.end_progress();
   if (run.input.output.checkpoint_at_end)
@@ -104,6 +106,7 @@ void Transient<dim>::perform()
   StreamReport<dim>::add_difference(run);
   run.summary.add({"weak divergence at the end", run.solver->divergence(), "1/s", ""});
   flow.finish();
+  beats.finish();
   if (run.input.problem.convection.is_on)
     run.summary.add({"steps halved", static_cast<double>(n_halved), "1", ""});
   if (run.input.time.scheme == Scheme::crank_nicolson && run.input.time.smooth_start)
@@ -121,6 +124,7 @@ void Transient<dim>::start()
   else
     report_initial_jumps();
   run.input.probes.open(run.directory.file("probes.csv"));
+  beats.open();
   if (probe_schedule.due(0., 0.))
     run.input.probes.record(0.);
   if (time_control.is_adaptive())
@@ -132,10 +136,13 @@ void Transient<dim>::start()
 template <int dim>
 void Transient<dim>::start_from_rest_under_loads()
 {
-  run.log.line("Before the start: the steady state under the loads at t = 0");
+  const bool is_mean = run.input.problem.interior.starts_under_mean_loads;
+  run.log.line(is_mean
+                   ? "Before the start: the steady state under the mean of the loads over a beat"
+                   : "Before the start: the steady state under the loads at t = 0");
   RestSearch<dim>(
       run, [](const StepReport &, double, double) {}, "begin anew with --overwrite")
-      .perform(true);
+      .perform(true, is_mean ? mean_over_period : 0.);
   run.solver->start_from_present_state();
 }
 
@@ -277,8 +284,12 @@ void Transient<dim>::restart()
   run.log.resume_warnings(warnings);
   // A row that stands there only because the first part of the run ended there is not one of the
   // whole run.
+  const bool had_ended = PeriodicState<dim>::ended_run(run.input, archive);
   const auto kept = [&](const Schedule &schedule)
-  { return schedule.due(time, size) ? time : time - 0.5 * size; };
+  {
+    return schedule.due(time, size) || (had_ended && schedule.takes_end()) ? time
+                                                                           : time - 0.5 * size;
+  };
   checkpoint.cut_tables(archive, run.directory.path(), keeps_last_row(run.input, archive));
   run.input.probes.open(run.directory.file("probes.csv"), kept(probe_schedule));
   const unsigned long n_rows = n_rows_written - (probe_schedule.due(time, size) ? 0 : 1);
@@ -286,10 +297,11 @@ void Transient<dim>::restart()
     run.log.warning("probes.csv has " + std::to_string(run.input.probes.times().size()) +
                     " rows up to the restart, the run that is continued had written " +
                     std::to_string(n_rows));
+  beats.resume(time);
   for (const ScheduledRecord<dim> &entry : records)
     entry.record->resume(*run.solver, run.directory.path(), kept(entry.schedule));
   // The mesh does not change at the end of a run; if the run goes on it does.
-  if (is_due_to_adapt && !time_control.at_end())
+  if (is_due_to_adapt && !at_end())
     adapt();
   std::ostringstream text;
   text << "Restart at t = " << time << " s, step " << time_control.n_steps();
@@ -329,6 +341,13 @@ StepReport Transient<dim>::advance(const Step &part)
   for (const ScheduledRecord<dim> &entry : records)
     entry.record->attempt(report);
   return report;
+}
+
+template <int dim>
+void Transient<dim>::record_probes()
+{
+  TimerOutput::Scope scope(run.log.timer(), "probes");
+  run.input.probes.record(time_control.time());
 }
 
 template <int dim>
@@ -449,20 +468,27 @@ void Transient<dim>::step()
       throw RunError(text.str());
     }
     const bool is_whole = parts.empty();
-    for (const ScheduledRecord<dim> &entry : records)
-      entry.record->record({*run.solver, part, time, size, is_whole,
-                            is_whole && entry.schedule.due(time, size), run.log});
-    // After the ledger, which has made the forces that a probe may ask for.
-    if (is_whole && probe_schedule.due(time, size))
+    // What a beat was decides whether this state is the last one, which the records then take.
+    const bool ends_beat = is_whole && beats.ends_beat(time);
+    if (ends_beat)
     {
-      TimerOutput::Scope scope(run.log.timer(), "probes");
-      run.input.probes.record(time);
+      record_probes();
+      beats.add_beat(time);
     }
+    for (const ScheduledRecord<dim> &entry : records)
+      entry.record->record(
+          {*run.solver, part, time, size, is_whole,
+           is_whole && (entry.schedule.due(time, size) ||
+                        (ends_beat && beats.ends_run() && entry.schedule.takes_end())),
+           run.log});
+    // After the ledger, which has made the forces that a probe may ask for.
+    if (is_whole && !ends_beat && probe_schedule.due(time, size))
+      record_probes();
   }
   if (step_is_divided)
     time_control.set_last_size(last_part.size());
   last_size = size;
-  if (adaptation_is_due() && !time_control.at_end())
+  if (adaptation_is_due() && !at_end())
     adapt();
   save_or_stop();
   report_progress();
@@ -482,7 +508,7 @@ void Transient<dim>::save_or_stop()
   const int error =
       MPI_Allreduce(mine.data(), all.data(), 2, MPI_INT, MPI_MAX, run.input.communicator);
   AssertThrowMPI(error);
-  const bool stop = all[0] != 0 && !time_control.at_end();
+  const bool stop = all[0] != 0 && !at_end();
   const bool steps_are_over =
       output.checkpoint_steps > 0 && time_control.n_steps() % output.checkpoint_steps == 0;
   if (stop || all[1] != 0 || steps_are_over ||
@@ -542,6 +568,7 @@ void Transient<dim>::write_checkpoint()
   TimerOutput::Scope scope(run.log.timer(), "checkpoint");
   // A run that is killed goes on from here: what stands before must be on the disk.
   run.input.probes.flush_to_disk();
+  beats.flush_to_disk();
   for (const ScheduledRecord<dim> &entry : records)
     entry.record->flush_to_disk();
   on_writing_rank(run.input.communicator, [this]() { flush_log_to_disk(); });
@@ -553,8 +580,8 @@ void Transient<dim>::write_checkpoint()
         run.input.power_laws.save(archive);
         run.input.absorbing_ends.save(archive, run.input.problem);
         archive.add("size of the last step", last_size);
-        archive.add("adaptation is due", static_cast<unsigned long>(
-                                             adaptation_is_due() && time_control.at_end() ? 1 : 0));
+        archive.add("adaptation is due",
+                    static_cast<unsigned long>(adaptation_is_due() && at_end() ? 1 : 0));
         run.solver->save(archive);
         for (const ScheduledRecord<dim> &entry : records)
           entry.record->save(archive);
@@ -564,6 +591,7 @@ void Transient<dim>::write_checkpoint()
         archive.add("restarts", n_restarts);
         archive.add("steps halved", n_halved);
         flow.save(archive);
+        beats.save(archive, time_control.time());
         archive.add("wall time", earlier_wall_time + run.log.wall_times().at("total"));
         std::string warnings;
         for (const std::string &warning : run.log.warnings())
@@ -594,7 +622,7 @@ void Transient<dim>::flush_log_to_disk()
 template <int dim>
 std::vector<WrittenTable> Transient<dim>::written_tables() const
 {
-  std::vector<std::optional<WrittenTable>> all = {run.input.probes.table()};
+  std::vector<std::optional<WrittenTable>> all = {run.input.probes.table(), beats.table()};
   if (of_log.length() > 0)
   {
     all.emplace_back(WrittenTable());

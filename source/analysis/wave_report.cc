@@ -35,6 +35,14 @@ void WaveReport::set_end_of_first_beat(const double end_time)
   n_analysed = std::upper_bound(times.begin(), times.end(), end_time) - times.begin();
 }
 
+void WaveReport::set_beat(const double begin_time, const double end_time)
+{
+  const double slack = 1e-9 * end_time;
+  first_analysed = std::lower_bound(times.begin(), times.end(), begin_time - slack) - times.begin();
+  n_analysed = std::upper_bound(times.begin(), times.end(), end_time + slack) - times.begin() -
+               first_analysed;
+}
+
 void WaveReport::set(const Source source, const Histories &histories)
 {
   Data &target = sources[static_cast<int>(source)];
@@ -142,12 +150,15 @@ WaveReport::analyse(const Source source, Summary &summary, std::vector<std::stri
   const int flow_rate = stations.impedances.empty() ? -1 : field("flow rate");
   // Only stations that have the whole record; a measurement need not have all.
   WaveRecord record;
-  record.times.assign(times.begin(), times.begin() + n_analysed);
+  record.times.assign(times.begin() + first_analysed, times.begin() + first_analysed + n_analysed);
   const auto analysed = [this](const std::vector<double> &history, const double sign)
   {
-    std::vector<double> result(history.begin(), history.begin() + n_analysed);
+    const auto begin = history.begin() + first_analysed;
+    std::vector<double> result(begin, begin + n_analysed);
+    // From the start of the run on a history begins at rest.
+    const double before = first_analysed > 0 ? result.front() : 0.;
     for (double &value : result)
-      value *= sign;
+      value = sign * (value - before);
     return result;
   };
   std::vector<unsigned int> order; // in which the pulse passes

@@ -9,6 +9,7 @@ namespace Continua
 const std::vector<std::string> &output_files()
 {
   static const std::vector<std::string> names = {"amplification.csv",
+                                                 "beats.csv",
                                                  "checkpoint",
                                                  "citation.bib",
                                                  "comparison.csv",

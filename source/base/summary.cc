@@ -232,6 +232,18 @@ void Summary::set(const std::string &key, const std::vector<std::string> &values
   implementation->entries[key] = values;
 }
 
+void Summary::set(const std::string &key, const Columns &columns)
+{
+  Json object = Json::object();
+  for (const auto &[name, values] : columns)
+  {
+    Json &list = object[name] = Json::array();
+    for (const double value : values)
+      list.push_back(number(value));
+  }
+  implementation->entries[key] = object;
+}
+
 void Summary::add(const Quantity &quantity)
 {
   std::vector<Quantity> &all = implementation->quantities;
@@ -264,6 +276,19 @@ std::map<std::string, double> Summary::numbers_of(const std::string &key) const
       if (value.is_number())
         values[name] = value.get<double>();
   return values;
+}
+
+Summary::Columns Summary::columns_of(const std::string &key) const
+{
+  Columns columns;
+  if (const auto entry = implementation->entries.find(key); entry != implementation->entries.end())
+    for (const auto &[name, list] : entry->items())
+    {
+      columns.emplace_back(name, std::vector<double>());
+      for (const Json &value : list)
+        columns.back().second.push_back(value.is_number() ? value.get<double>() : std::nan(""));
+    }
+  return columns;
 }
 
 void Summary::set_possible(const QuantityNames &names)

@@ -212,6 +212,12 @@ const std::vector<double> &FlowProfile::amplitudes(const double time) const
   present[0] = mean_velocity(time);
   if (rates.empty())
     return present;
+  if (time == mean_over_period)
+  {
+    // A steady flow has the first shape alone.
+    std::fill(present.begin() + 1, present.end(), 0.);
+    return present;
+  }
   // Before the start the liquid is at rest, but what the scheme asks for just before t = 0 is meant
   // to be the value there.
   const double since_start = std::max(0., time);

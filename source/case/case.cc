@@ -4,6 +4,7 @@
 
 #include <continua/boundary/flow_rates.h>
 #include <continua/boundary/outlets.h>
+#include <continua/case/periodic_loads.h>
 #include <continua/case/preflight_input.h>
 #include <continua/continuum/field_list.h>
 #include <continua/mesh/distortion.h>
@@ -184,12 +185,11 @@ Case<dim>::Case(ParameterFile &file,
   else
     rest.read(root.subsection("Steady"), problem.convection.is_on);
   if (analysis.is_transient() && problem.interior.starts_at_rest_under_loads)
-    // The steps of a search before the start grow: what comes after it has another matrix anyway.
-    rest.read(root.subsection("Steady"), true);
+    rest.read(root.subsection("Steady"), problem.convection.is_on);
   else if (analysis.is_transient() && root.has_subsection("Steady"))
     root.subsection("Steady").refuse(
         "", "Analysis = transient reads this section for a start from a steady state only",
-        "Remove it, or set Initial state/Type = steady, or Analysis = steady");
+        "Remove it, or set Initial state/Type = steady or mean, or Analysis = steady");
   if (!analysis.is_modal())
   {
     ParameterSection section = root.subsection("Adaptivity");
@@ -200,6 +200,8 @@ Case<dim>::Case(ParameterFile &file,
   }
   if (in_time)
     wave_theory.read(root.subsection("Wave theory"));
+  if (in_time && root.has_subsection("Periodic state"))
+    periodic_state.read(root.subsection("Periodic state"));
   output.read(root.subsection("Output"));
   probes.read(root.subsection("Probes"), problem.boundaries, problem.regions, geometry->branches());
   read_measured_waves(probes, in_time, measured_waves);
@@ -229,6 +231,8 @@ Case<dim>::Case(ParameterFile &file,
   // Before the checks across entries: a misspelt key is the likelier reason for them to fail.
   file.refuse_unknown();
   check_case(*this, root);
+  if (analysis.is_transient())
+    set_periodic_loads(*this, root);
   // Wave theory takes the laws themselves, and a run that goes on has its branches in a checkpoint.
   if (analysis.is_transient() && !restart)
     power_laws.fit(problem, time, materials);
@@ -241,6 +245,8 @@ Case<dim>::Case(ParameterFile &file,
   probes.check_limits(problem.conditions,
                       {discretisation.is_cell_wise(), analysis.is_modal(), in_time, are_solid},
                       field_names<dim>(problem.model));
+  if (analysis.is_transient() && periodic_state.is_on)
+    check_compared_probes(*this, root.subsection("Periodic state"));
   set_further_fields(*this, root.subsection("Output"), in_time);
   power_laws.name_quantities(quantities);
   analysis.name_quantities(*this, quantities);

@@ -104,6 +104,8 @@ std::string read_far_end(const Case<dim> &input, const Ends &ends, TubeWaveProbl
   const BoundaryCondition *const condition = find_condition(input, ends.outlet, 0);
   if (condition == nullptr)
     return "the mesh has no '" + ends.outlet + "'";
+  if (input.analysis.is_transient() && input.problem.interior.starts_under_mean_loads)
+    return "the run starts under the mean of its loads, and the theory from rest";
   if (input.wave_theory.far_end == FarEnd::matched)
     problem.outlet = TubeWaveProblem::Outlet::matched;
   else if (input.wave_theory.far_end == FarEnd::branches)

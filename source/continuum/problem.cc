@@ -30,14 +30,19 @@ void InteriorData::read(ParameterSection body_force_section,
   enum class Start
   {
     given,
-    steady
+    steady,
+    mean
   };
   Start start = Start::given;
-  add_choice(initial_state, "Type", start, {{"given", Start::given}, {"steady", Start::steady}},
+  add_choice(initial_state, "Type", start,
+             {{"given", Start::given}, {"steady", Start::steady}, {"mean", Start::mean}},
              "Where a run in time starts: given - from rest, or from the fields of this section; "
              "steady - from the steady flow, with all solids at rest, under the loads at t = 0, "
-             "which is found first, as the section Steady says.");
-  starts_at_rest_under_loads = start == Start::steady;
+             "which is found first, as the section Steady says; mean - from that under the mean "
+             "of the loads over the period of the section Periodic state, so that vessels and "
+             "outlets have their mean pressure.");
+  starts_at_rest_under_loads = start != Start::given;
+  starts_under_mean_loads = start == Start::mean;
 
   const auto read_vector =
       [&](const std::string &key, const Dimension &dimension, const std::string &text)
@@ -73,10 +78,10 @@ void InteriorData::read(ParameterSection body_force_section,
   {
     for (const char *const key : {"Velocity", "Displacement", "Pressure"})
       if (initial_state.given(key))
-        initial_state.refuse(key, "with Type = steady the state at t = 0 is found from the loads",
+        initial_state.refuse(key, "with this Type the state at t = 0 is found from the loads",
                              "Remove the entry, or set Type = given");
     if (!initial_pressure.empty())
-      by_region.refuse("", "with Type = steady the pressure at t = 0 is found from the loads",
+      by_region.refuse("", "with this Type the pressure at t = 0 is found from the loads",
                        "Remove the subsection, or set Type = given");
   }
   for (const auto *components : {&initial_velocity, &initial_displacement, &initial_pressure})

@@ -349,6 +349,45 @@ std::vector<std::string> Probes<dim>::finish(Summary &summary)
 }
 
 template <int dim>
+ProbeColumnName Probes<dim>::name_of(const unsigned int column) const
+{
+  const Column &of = columns[column];
+  return {probes[of.probe].section.name(), of.name, of.field.name, of.alone};
+}
+
+template <int dim>
+std::vector<ProbeColumnName>
+Probes<dim>::expected_columns(const std::vector<FieldComponent> &fields) const
+{
+  std::vector<ProbeColumnName> all;
+  for (const ProbeEntries<dim> &probe : probes)
+    for (const ProbeColumnName &column : columns_of(probe, fields))
+      all.push_back(column);
+  return all;
+}
+
+template <int dim>
+std::vector<ProbeColumnName>
+Probes<dim>::columns_of(const ProbeEntries<dim> &probe,
+                        const std::vector<FieldComponent> &fields) const
+{
+  // As attach() makes them.
+  const std::string &name = probe.section.name();
+  std::vector<ProbeColumnName> result;
+  if (probe.stations.given())
+    for (const typename Stations<dim>::Column &column : probe.stations.columns())
+      result.push_back({name, name + " " + probe.stations.label(column.station), column.field.name,
+                        probe.stations.fields().size() == 1});
+  else
+    for (const auto &entry : probe.recorded(fields, Model::plane_strain))
+      result.push_back({name, name, entry.field.name, true});
+  if (!probe.stations.given() && result.size() > 1)
+    for (ProbeColumnName &column : result)
+      column.alone = false;
+  return result;
+}
+
+template <int dim>
 void Probes<dim>::name_quantities(const std::vector<FieldComponent> &fields,
                                   const bool at_rest,
                                   QuantityNames &names) const
@@ -357,20 +396,9 @@ void Probes<dim>::name_quantities(const std::vector<FieldComponent> &fields,
   {
     if (!probe.signal_analysis)
       continue;
-    // As attach() makes them: the name of the probe or station, and the field.
-    std::vector<std::pair<std::string, std::string>> recorded;
-    if (probe.stations.given())
-      for (const typename Stations<dim>::Column &column : probe.stations.columns())
-        recorded.emplace_back(probe.section.name() + " " + probe.stations.label(column.station),
-                              column.field.name);
-    else
-      for (const auto &entry : probe.recorded(fields, Model::plane_strain))
-        recorded.emplace_back(probe.section.name(), entry.field.name);
-    const bool alone =
-        probe.stations.given() ? probe.stations.fields().size() == 1 : recorded.size() == 1;
-    for (const auto &[name, field] : recorded)
+    for (const ProbeColumnName &column : columns_of(probe, fields))
     {
-      const std::string label = name + (alone ? std::string() : ": " + field);
+      const std::string &field = column.field, label = column.label();
       names.add("final " + field, label);
       if (at_rest)
         continue;

@@ -49,7 +49,8 @@ AnalysisRow row_of_theory()
 {
   AnalysisRow row = row_of_case<LinearWaveTheory>(
       "linear wave theory", "Linear waves of a tube at its stations, without a mesh.",
-      {"Time", "Adaptivity", "Wave theory", "Exact solution"}, Motion::in_time, false, false);
+      {"Time", "Periodic state", "Adaptivity", "Wave theory", "Exact solution"}, Motion::in_time,
+      false, false);
   row.traits_2d.name_others = &Transient<2>::name_quantities;
   row.traits_3d.name_others = &Transient<3>::name_quantities;
   return row;
@@ -60,9 +61,10 @@ const AnalysisTable &analyses()
 {
   // The flags of a case: whether it has fields, and checkpoints.
   static const AnalysisTable table(
-      {row_of_case<Transient>("transient", "Steps through time.",
-                              {"Time", "Steady", "Adaptivity", "Wave theory", "Exact solution"},
-                              Motion::in_time, true, true),
+      {row_of_case<Transient>(
+           "transient", "Steps through time.",
+           {"Time", "Steady", "Periodic state", "Adaptivity", "Wave theory", "Exact solution"},
+           Motion::in_time, true, true),
        row_of_case<Steady>(
            "steady",
            "State at rest: one solve for a body that is all solid or all fluid, steps to rest for "

@@ -163,6 +163,13 @@ std::vector<Source> sources()
        [](Root &root, const General &) { RestParameters().read(root.subsection("Steady"), false); },
        "",
        {}},
+      {"Periodic state",
+       "A run of several beats, which are compared one with the next.",
+       {},
+       [](Root &root, const General &)
+       { PeriodicStateParameters().read(root.subsection("Periodic state")); },
+       "",
+       {}},
       {"Modal",
        "Which of a body's modes of vibration are sought.",
        {},

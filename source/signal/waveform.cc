@@ -2,6 +2,7 @@
 #include <continua/signal/time_table.h>
 #include <continua/signal/waveform.h>
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
@@ -17,6 +18,22 @@ using dealii::numbers::PI;
 
 namespace
 {
+/// Times at which a mean over time takes a function of time alone, and one of place and time, at
+/// each of its many points.
+constexpr unsigned int n_times_of_mean = 1 << 14, n_times_of_mean_at_point = 1 << 8;
+
+/// By the midpoint rule: the ends of a period, where a function may jump, are no points of it.
+double mean_of(const std::function<double(double)> &function,
+               const double begin,
+               const double length,
+               const unsigned int n_times)
+{
+  double sum = 0.;
+  for (unsigned int i = 0; i < n_times; ++i)
+    sum += function(begin + (i + 0.5) * length / n_times);
+  return sum / n_times;
+}
+
 /// The name of an entry in the section: `prefix` comes before it, where there is one.
 std::string named(const std::string &prefix, std::string entry)
 {
@@ -35,6 +52,7 @@ struct TableEntries
   double offset = 0.;    ///< in SI
   std::string held_file; ///< the path, if the user does not say what holds after the table
 
+  bool is_repeated() const { return after == TimeTable::After::repeat; }
   /// Null without a path.
   std::shared_ptr<const TimeTable> table(const Dimension &dimension,
                                          const std::string &column) const
@@ -216,7 +234,8 @@ std::shared_ptr<const Waveform::TimeFunction> Waveform::read_pulse(ParameterSect
 
 std::shared_ptr<const Waveform::TimeFunction>
 Waveform::function_of_table(const std::shared_ptr<const TimeTable> &table,
-                            const std::string &held_file)
+                            const std::string &held_file,
+                            const bool is_repeated)
 {
   if (!table)
     return nullptr;
@@ -224,6 +243,8 @@ Waveform::function_of_table(const std::shared_ptr<const TimeTable> &table,
   function.value = [table](const double time) { return (*table)(time); };
   function.held_file = held_file;
   function.last_time = table->last_time();
+  if (is_repeated)
+    function.period = table->last_time() - table->first_time();
   return std::make_shared<const TimeFunction>(function);
 }
 
@@ -249,8 +270,8 @@ Waveform Waveform::read(ParameterSection &section,
     if (kind == "table")
     {
       const TableEntries table = read_table(section, "", key, dimension);
-      waveform.of_time =
-          function_of_table(table.table(dimension, read_column(section, "")), table.held_file);
+      waveform.of_time = function_of_table(table.table(dimension, read_column(section, "")),
+                                           table.held_file, table.is_repeated());
     }
     else
       waveform.of_time = read_pulse(section, "", key, dimension, kind);
@@ -291,7 +312,7 @@ std::vector<Waveform> Waveform::read_vector(ParameterSection &section,
       if (columns.empty())
         of_time.assign(n_components,
                        function_of_table(table.table(dimension, read_column(section, prefix)),
-                                         table.held_file));
+                                         table.held_file, table.is_repeated()));
       else
       {
         for (const std::string &entry : {named(prefix, "Column"), direction_key})
@@ -304,7 +325,8 @@ std::vector<Waveform> Waveform::read_vector(ParameterSection &section,
                              std::to_string(n_components) + " components",
                          "Name one column for each direction");
         for (unsigned int c = 0; c < n_components; ++c)
-          of_time[c] = function_of_table(table.table(dimension, columns[c]), table.held_file);
+          of_time[c] = function_of_table(table.table(dimension, columns[c]), table.held_file,
+                                         table.is_repeated());
       }
     }
     else
@@ -330,17 +352,53 @@ std::vector<Waveform> Waveform::read_vector(ParameterSection &section,
   return waveforms;
 }
 
+double Waveform::value(const double *point, const double time) const
+{
+  const double value = expression(point, time);
+  return of_time ? value * of_time->value(time) : value;
+}
+
 double Waveform::operator()(const double *point, const double time) const
 {
-  double value = expression(point, time);
-  if (of_time)
-    value *= of_time->value(time);
+  if (time == mean_over_period)
+    return mean(point);
   if (ramp > 0. && time < ramp)
   {
     const double sine = time > 0. ? std::sin(0.5 * PI * time / ramp) : 0.;
-    value *= sine * sine;
+    return value(point, time) * (sine * sine);
   }
-  return value;
+  return value(point, time);
+}
+
+void Waveform::set_period(const double length, const double end)
+{
+  period = length;
+  period_begin = end - length;
+  if (of_time && !expression.depends_on_time())
+    mean_of_time = mean_of(of_time->value, period_begin, period, n_times_of_mean);
+  else if (depends_on_time() && !depends_on_space())
+  {
+    const double origin[3] = {0., 0., 0.};
+    mean_of_time = mean_of([&](const double time) { return value(origin, time); }, period_begin,
+                           period, n_times_of_mean);
+  }
+}
+
+double Waveform::mean(const double *point) const
+{
+  Assert(period > 0. || !depends_on_time(),
+         dealii::ExcMessage("A waveform has a mean over time once it has a period."));
+  if (!expression.depends_on_time())
+    return expression(point, 0.) * mean_of_time;
+  if (!depends_on_space())
+    return mean_of_time;
+  return mean_of([&](const double time) { return value(point, time); }, period_begin, period,
+                 n_times_of_mean_at_point);
+}
+
+double Waveform::table_period() const
+{
+  return of_time ? of_time->period : 0.;
 }
 
 bool Waveform::depends_on_time() const

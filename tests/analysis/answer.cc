@@ -60,6 +60,20 @@ UNIT_TEST(answer)
                                  !pulse.checks()[3].passed);
   check::is_true("a quantity that is missing has no value", std::isnan(pulse.checks()[3].value));
 
+  // The last beat by probe, and all beats.
+  Summary heart;
+  heart.add({"systolic pressure of the last beat", 15092.25, "Pa", "outlet"});
+  heart.add({"diastolic pressure of the last beat", 8153.17, "Pa", "outlet"});
+  heart.add({"mean pressure of the last beat", 10987.02, "Pa", "outlet"});
+  heart.add({"pulse pressure of the last beat", 6939.08, "Pa", "outlet"});
+  heart.add({"difference of pressure of the last beat", 0.2838, "1", "outlet"});
+  heart.add({"largest flow rate of the last beat", 4.67e-4, "m^3/s", "tube 0.1 m: flow rate"});
+  heart.add({"range of flow rate of the last beat", 5.02e-4, "m^3/s", "tube 0.1 m: flow rate"});
+  heart.set("beats", Summary::Columns{{"time [s]", {0.8, 1.6, 2.4}},
+                                      {"beat [1]", {1., 2., 3.}},
+                                      {"largest difference [1]", {std::nan(""), 0.5312, 0.2838}}});
+  print(heart);
+
   // A steady state has final values; of many probes the first ones are shown.
   Summary steady;
   for (unsigned int i = 0; i < 14; ++i)

@@ -125,6 +125,34 @@ UNIT_TEST(wave_report)
   check::absolute("from the end: reflected pulse time",
                   find(of_the_end, "reflected pulse time", "tube 0.9 m"), 0.42, 1e-7);
 
+  // The same in the second of two beats, on a pressure and a flow that have been there: they are no
+  // part of the pulse.
+  std::vector<double> of_two_beats = times;
+  WaveReport::Histories second = simulated;
+  for (std::size_t i = 1; i < times.size(); ++i)
+    of_two_beats.push_back(times.back() + times[i]);
+  for (auto &station : second)
+    for (unsigned int f = 0; f < 2; ++f)
+    {
+      const double before = f == 0 ? 8000. : 9e-5;
+      std::vector<double> values(times.size() - 1, before);
+      for (const double value : station[f])
+        values.push_back(before + value);
+      station[f] = values;
+    }
+  WaveReport of_beat(stations, of_two_beats);
+  of_beat.set(WaveReport::Source::simulated, second);
+  of_beat.set_beat(times.back(), 2. * times.back());
+  Summary of_second;
+  of_beat.add_quantities(of_second);
+  check::relative("second beat: wave speed", find(of_second, "wave speed", "tube"), 5., 1e-6);
+  check::absolute("second beat: first pulse time",
+                  find(of_second, "first pulse time", "tube 0.3 m"), times.back() + 0.1, 1e-7);
+  check::relative("second beat: first pulse height",
+                  find(of_second, "first pulse height", "tube 0.5 m"), 1000., 1e-6);
+  check::relative("second beat: reflection coefficient",
+                  find(of_second, "reflection coefficient", "tube 0.1 m"), 1., 1e-6);
+
   const std::string file = "wave_report.csv";
   report.write(file);
   const CsvTable table(file, "");

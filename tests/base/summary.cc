@@ -193,6 +193,14 @@ UNIT_TEST(summary)
                                                   again.quantities()[0].value == 3.2 &&
                                                   again.quantities()[0].probe == "tip" &&
                                                   std::isnan(again.quantities()[1].value));
+  Summary beats;
+  beats.set("beats", Summary::Columns{{"time [s]", {0.8, 1.6}}, {"a, range", {std::nan(""), 2.5}}});
+  const Summary::Columns table = Summary::read(written(beats)).columns_of("beats");
+  check::is_true("a table, in its order",
+                 table.size() == 2 && table[0].first == "time [s]" && table[0].second[1] == 1.6 &&
+                     table[1].second.size() == 2 && std::isnan(table[1].second[0]) &&
+                     table[1].second[1] == 2.5);
+  check::is_true("no table", beats.columns_of("waves").empty());
   check::throws<RunError>(
       "no folder", [&small]() { small.write("no-such-folder/summary.json"); }, "No such file");
 }

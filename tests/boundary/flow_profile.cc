@@ -122,6 +122,12 @@ void pasts()
   const FlowProfile constant(FlowProfile::Shape::womersley, 2., {2., 1.},
                              {4., 1., 1e-3, FlowPast::steady, 0.});
   check::relative("steady for ever", relative_velocity(constant, 0.5, 0.7), 3., 1e-14);
+  Waveform of_period = flow;
+  of_period.set_period(period, 2. * period);
+  const FlowProfile with_mean(FlowProfile::Shape::womersley, of_period, {2., 1.},
+                              {4., 1., 1e-3, FlowPast::periodic, period});
+  check::relative("mean over a period", relative_velocity(with_mean, 0.5, mean_over_period), 3.,
+                  1e-10);
 }
 } // namespace
 

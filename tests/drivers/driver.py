@@ -96,8 +96,8 @@ def fresh_folder(path):
     return os.path.abspath(path)
 
 
-def read_table(path):
-    """(column names, rows of numbers) of a csv file that a run wrote."""
+def read_table(path, gaps=False):
+    """(column names, rows of numbers) of a csv file that a run wrote; with `gaps` a number may be missing, as nan."""
     with open(path, encoding="utf-8", newline="") as stream:
         rows = list(csv.reader(stream))
     if not rows:
@@ -105,7 +105,7 @@ def read_table(path):
     table = [[float(cell) for cell in row] for row in rows[1:]]
     if not table:
         raise TestFailure(f"{path} has a header but no rows")
-    if any(not math.isfinite(value) for row in table for value in row):
+    if any(not math.isfinite(value) and not (gaps and math.isnan(value)) for row in table for value in row):
         raise TestFailure(f"{path} holds a number that is not finite")
     return rows[0], table
 
@@ -114,17 +114,22 @@ def unit_of(name):
     return name[name.rfind("["):] if "[" in name else ""
 
 
-def compare_tables(first, second, tolerance, floor=0.0, left_out=(), floor_share=0.0, of_fields=()):
+def compare_tables(first, second, tolerance, floor=0.0, left_out=(), floor_share=0.0, of_fields=(), gaps=False):
     """Column by column, the deviation relative to the largest magnitude in the column of the first table, or to the
     floor where the whole column is below it (a quantity that is zero but for round-off). The floor is at least
     `floor_share` of the largest magnitude among all columns of the same unit. Columns that are `left_out` need not
-    agree. `of_fields`: {field: tolerance} for the columns 'PROBE: FIELD [UNIT]' that have one of their own."""
-    names, rows = read_table(first)
-    other_names, other_rows = read_table(second)
+    agree. `of_fields`: {field: tolerance} for the columns 'PROBE: FIELD [UNIT]' that have one of their own. `gaps`: as in
+    read_table(); both tables then lack the same numbers."""
+    names, rows = read_table(first, gaps)
+    other_names, other_rows = read_table(second, gaps)
     if names != other_names:
         raise TestFailure(f"columns differ: {names} in {first}, {other_names} in {second}")
     if len(rows) != len(other_rows):
         raise TestFailure(f"{len(rows)} rows in {first}, {len(other_rows)} in {second}")
+    if any(math.isnan(a) != math.isnan(b) for row, other in zip(rows, other_rows) for a, b in zip(row, other)):
+        raise TestFailure(f"{first} and {second} do not lack the same numbers")
+    rows, other_rows = ([[0.0 if math.isnan(value) else value for value in row] for row in table]
+                        for table in (rows, other_rows))
     largest = [max(abs(row[column]) for row in rows) for column in range(len(names))]
     for column, name in enumerate(names):
         if name in left_out:

@@ -5,7 +5,7 @@ Header comments of the case, all optional:
 
     # ranks: 1, 2, 3        the numbers of ranks; the first is what the others are compared with
     # others: KEY = VALUE   none or more; what all runs but the first have besides
-    # tolerance: 1e-8       relative to the largest magnitude of each column of probes.csv (and power.csv if there)
+    # tolerance: 1e-8       relative to the largest magnitude of each column of probes.csv (and beats.csv, power.csv if there)
     # floor: 1e-12          magnitude below which a column counts as zero (default 0)
     # power tolerance: 1e-6 for power.csv
     # power floor share: 1   the tolerance of a column of power.csv is at least relative to this share of the largest
@@ -44,6 +44,9 @@ def case(program, parameter_file, folder):
         print(f"{n} ranks against {ranks[0]}")
         driver.compare_tables(os.path.join(outputs[0], "probes.csv"), os.path.join(output, "probes.csv"), tolerance,
                               floor)
+        if os.path.exists(os.path.join(outputs[0], "beats.csv")):
+            driver.compare_tables(os.path.join(outputs[0], "beats.csv"), os.path.join(output, "beats.csv"), tolerance,
+                                  floor, gaps=True)
         if os.path.exists(os.path.join(outputs[0], "power.csv")):
             driver.compare_tables(os.path.join(outputs[0], "power.csv"), os.path.join(output, "power.csv"),
                                   power_tolerance, floor, floor_share=power_floor_share,

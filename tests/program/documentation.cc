@@ -115,10 +115,11 @@ UNIT_TEST(documentation)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  for (const char *title : {"General", "Geometry and mesh", "Painted regions", "Materials",
-                            "Boundaries", "Body force and initial state", "Discretisation", "Time",
-                            "Steady", "Modal", "Spin coating", "Laboratory", "Wave theory",
-                            "Adaptivity", "Output", "Probes", "Exact solution", "Expected"})
+  for (const char *title :
+       {"General", "Geometry and mesh", "Painted regions", "Materials", "Boundaries",
+        "Body force and initial state", "Discretisation", "Time", "Steady", "Periodic state",
+        "Modal", "Spin coating", "Laboratory", "Wave theory", "Adaptivity", "Output", "Probes",
+        "Exact solution", "Expected"})
     check::is_true(title, contains(markdown(), std::string("## ") + title + "\n"));
   check_types("Geometry and mesh", geometry_types<2>());
   check_types("Materials", material_types());

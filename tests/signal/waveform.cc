@@ -1,5 +1,5 @@
 // Vectors from tables and pulses, with and without a prefix; a table that ends before the run: what
-// is said of it, and when nothing is.
+// is said of it, and when nothing is; means over a period.
 
 #include <continua/base/parameter_file.h>
 #include <continua/signal/waveform.h>
@@ -98,11 +98,41 @@ void test_vectors()
   std::filesystem::remove("waveform-test.prm");
   std::filesystem::remove("waveform-test.csv");
 }
+
+/// Means over the second period of 2 s.
+void test_means()
+{
+  const double point[3] = {3., 0., 0.};
+  const std::string table = "set Waveform = table\nset Table = waveform-test.csv\nset Column = b\n"
+                            "set Direction = 1, x\n";
+  // 0 to 6 Pa in 2 s, and again.
+  std::vector<Waveform> traction = vector(table + "set After the table = repeat\n", "");
+  check::relative("period of a table", traction[0].table_period(), 2., 1e-15);
+  for (Waveform &component : traction)
+    component.set_period(2., 4.);
+  check::relative("mean of a table", traction[0](point, mean_over_period), 3., 1e-7);
+  check::relative("mean of a table, by place", traction[1](point, mean_over_period), 9., 1e-7);
+  check::relative("its value stays", traction[1](point, 3.), 9., 1e-12);
+  traction = vector(table, "");
+  check::absolute("no period of a table that is held", traction[0].table_period(), 0., 0.);
+
+  // A ramp is no part of the mean; a formula of place and time is averaged at each point.
+  traction = vector("set Traction = 5 + sin(pi*t), x*(1 + step(t - 3))\nset Ramp = 4 s\n", "");
+  for (Waveform &component : traction)
+    component.set_period(2., 4.);
+  check::relative("mean of a formula", traction[0](point, mean_over_period), 5., 1e-10);
+  check::relative("mean of a formula of place", traction[1](point, mean_over_period), 4.5, 1e-2);
+  check::relative("the ramp stays", traction[0](point, 2.), 2.5, 1e-12);
+  check::relative("of a constant without a period", Waveform(7.)(point, mean_over_period), 7., 0.);
+  std::filesystem::remove("waveform-test.prm");
+  std::filesystem::remove("waveform-test.csv");
+}
 } // namespace
 
 UNIT_TEST(waveform)
 {
   test_vectors();
+  test_means();
   check::equal(
       "held without a word", warning(""),
       "the table 'waveform-test.csv' ends at t = 1 s, the run at 2 s: its last value holds "

@@ -9,9 +9,9 @@
 namespace Continua
 {
 /**
- * Brings a body to rest, or a flow to its steady state, under the loads at t = 0: steps of backward
- * Euler that grow until nothing changes, as the section Steady says, the first of them with a part
- * of the loads where it asks for load steps.
+ * Brings a body to rest, or a flow to its steady state, under the loads at one time: steps of
+ * backward Euler that grow until nothing changes, as the section Steady says, the first of them
+ * with a part of the loads where it asks for load steps.
  */
 template <int dim>
 class RestSearch
@@ -25,8 +25,8 @@ public:
   RestSearch(Run<dim> &run, const Sink &sink, const std::string &interrupted);
 
   /// `loads_come`: whether they come in the load steps; else the present state has them already.
-  /// Throws RunError if the body does not come to rest.
-  void perform(bool loads_come);
+  /// `time_of_loads` [s], or `mean_over_period`. Throws RunError if the body does not come to rest.
+  void perform(bool loads_come, double time_of_loads = 0.);
 
   /// Whether the body of a case has a state at rest, and something that holds it. Throws
   /// InputError; `remedy` is what the user can do instead.
@@ -37,6 +37,7 @@ private:
   const Sink sink;
   const std::string interrupted;
   unsigned int n_steps = 0, n_load_steps = 0, n_halved = 0;
+  double time_of_loads = 0.;
   double load = 1.;      ///< part of the loads that the last step had [1]
   double load_part = 1.; ///< by which it grew
 

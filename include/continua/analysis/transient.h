@@ -3,6 +3,7 @@
 
 #include <continua/analysis/checkpoint.h>
 #include <continua/analysis/flow_report.h>
+#include <continua/analysis/periodic_state.h>
 #include <continua/analysis/record_table.h>
 #include <continua/analysis/run.h>
 #include <continua/time_integration/time_control.h>
@@ -30,6 +31,7 @@ private:
   TimeControl time_control;
   std::vector<ScheduledRecord<dim>> records;
   FlowReport<dim> flow;
+  PeriodicState<dim> beats;
   Checkpoint checkpoint;
   Schedule probe_schedule, checkpoint_schedule;
   bool mesh_has_changed = false;
@@ -44,8 +46,10 @@ private:
   double earlier_wall_time = 0.; ///< [s] of the run before the restart
   std::chrono::steady_clock::time_point last_checkpoint = std::chrono::steady_clock::now();
 
+  /// Whether the end time has come, or the beats have settled.
+  bool at_end() const { return time_control.at_end() || beats.ends_run(); }
   void start();
-  /// Finds the steady state that the file asks for at t = 0.
+  /// Finds the steady state that the file asks for at t = 0, under the loads there or their mean.
   void start_from_rest_under_loads();
   /// Changes the mesh before the first step, as often as the file asks.
   void adapt_before_start();
@@ -58,6 +62,8 @@ private:
   /// Starts the scheme anew if something jumps in the step that comes next.
   void find_jumps();
   StepReport advance(const Step &part);
+  /// Writes the probes' row of the end of a step.
+  void record_probes();
   /// The next time step in parts, in reverse.
   std::vector<Step> next_parts();
   /// Makes the last of the parts, which becomes `last_part`. A part without a solution is halved,

@@ -69,6 +69,9 @@ public:
   /// Pulses, speeds and reflections are those until this time [s] only: the first one of several
   /// beats. The table has all times.
   void set_end_of_first_beat(double end_time);
+  /// Or they are those of the beat between these two times [s]: what pressure and flow rate are
+  /// more than at its start.
+  void set_beat(double begin_time, double end_time);
   /// The names of what add_quantities() adds when the `sources` are there.
   static void name_quantities(const WaveStations &stations,
                               const std::set<Source> &sources,
@@ -88,8 +91,8 @@ private:
   WaveStations stations;
   std::vector<double> times;
   Data sources[3];
-  std::size_t
-      n_analysed; ///< number of the times, from the first on, in which pulses are looked for
+  /// The times in which pulses are looked for: the first one, and their number.
+  std::size_t first_analysed = 0, n_analysed;
 
   const Data &data(Source source) const { return sources[static_cast<int>(source)]; }
   int field(const std::string &name) const;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace Continua
@@ -49,6 +50,9 @@ public:
   void set(const std::string &key, const std::map<std::string, std::string> &values);
   void set(const std::string &key, const std::vector<std::string> &values);
 
+  /// A table: the names of its columns and their values.
+  using Columns = std::vector<std::pair<std::string, std::vector<double>>>;
+  void set(const std::string &key, const Columns &columns);
   /// A quantity of the same name and probe replaces the earlier one.
   void add(const Quantity &quantity);
   const std::vector<Quantity> &quantities() const;
@@ -56,6 +60,8 @@ public:
   double number_of(const std::string &key) const;
   /// What was set as numbers with names under this key; none if nothing was.
   std::map<std::string, double> numbers_of(const std::string &key) const;
+  /// What was set as a table under this key; none if nothing was.
+  Columns columns_of(const std::string &key) const;
   /// The names that Expected was checked with before the run.
   void set_possible(const QuantityNames &names);
 

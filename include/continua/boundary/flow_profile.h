@@ -90,7 +90,8 @@ public:
   std::vector<double> shapes(double relative_radius) const;
   /// S_m at a point of the section; coordinates [m], those that a model does not have are zero.
   std::vector<double> shapes_at(const std::array<double, 3> &point) const;
-  /// a_m [m/s]; the vector stays valid until the next call.
+  /// a_m [m/s]; the vector stays valid until the next call. At `mean_over_period`: of a steady flow
+  /// with the mean flow rate.
   const std::vector<double> &amplitudes(double time) const;
   bool depends_on_time() const;
   /// Of the part of the section that the mesh has [m^2]; of a channel its length [m].

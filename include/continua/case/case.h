@@ -10,6 +10,7 @@
 #include <continua/case/discretisation.h>
 #include <continua/case/measured_waves.h>
 #include <continua/case/modal_parameters.h>
+#include <continua/case/periodic_state_parameters.h>
 #include <continua/case/power_laws.h>
 #include <continua/case/wave_theory_parameters.h>
 #include <continua/continuum/problem.h>
@@ -106,6 +107,7 @@ struct Case
   DiscretisationParameters discretisation;
   TimeParameters time;
   RestParameters rest;
+  PeriodicStateParameters periodic_state; ///< of a run in time
   WaveTheoryParameters wave_theory;
   OutputParameters output;
   std::vector<ExpectedValue> expected;

@@ -28,8 +28,9 @@ struct InteriorData
   std::vector<Expression> initial_velocity;     ///< [m/s]; empty is rest
   std::vector<Expression> initial_displacement; ///< [m] of branches that never relax; empty is none
   std::vector<Expression> initial_pressure;     ///< [Pa] one for each region; empty is none
-  /// Whether a run in time starts from the state at rest under the loads at t = 0.
-  bool starts_at_rest_under_loads = false;
+  /// Whether a run in time starts from a state at rest under its loads: those at t = 0, or their
+  /// mean over a period.
+  bool starts_at_rest_under_loads = false, starts_under_mean_loads = false;
 
   /// Reads the sections `Body force` and `Initial state`. Throws InputError.
   void read(ParameterSection body_force_section,

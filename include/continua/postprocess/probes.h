@@ -22,6 +22,24 @@
 
 namespace Continua
 {
+/// What a column of probes.csv is called.
+struct ProbeColumnName
+{
+  std::string probe; ///< in the parameter file
+  std::string name;  ///< of the probe, with the station
+  std::string field;
+  bool alone; ///< the only field of that name
+
+  /// What the summary calls it.
+  std::string label() const { return alone ? name : name + ": " + field; }
+  /// Whether "PROBE" or "PROBE: FIELD" names it, of a probe with stations also all of them.
+  bool is_meant_by(const std::string &text) const
+  {
+    return text == probe || text == name || text == probe + ": " + field ||
+           text == name + ": " + field;
+  }
+};
+
 /// A probe with stations, for what looks at waves along a tube.
 struct StationsProbe
 {
@@ -70,6 +88,8 @@ public:
   void check_limits(const std::vector<BoundaryCondition> &conditions,
                     const ProbeLimits &limits,
                     const std::vector<FieldComponent> &fields) const;
+  /// The columns that attach() will make, in their order. After check(), with the same `fields`.
+  std::vector<ProbeColumnName> expected_columns(const std::vector<FieldComponent> &fields) const;
   /// Whether any has a mean over time. After check(), with the same `fields`.
   bool asks_for_averages(const std::vector<FieldComponent> &fields) const;
   /// Asks the solver, which must live as long as this, for the values. Throws InputError for a
@@ -117,6 +137,8 @@ public:
   /// "NAME: FIELD [UNIT]" of every column.
   std::vector<std::string> column_names() const;
   unsigned int n_columns() const { return static_cast<unsigned int>(columns.size()); }
+  ProbeColumnName name_of(unsigned int column) const;
+  const std::string &unit_of(const unsigned int column) const { return columns[column].field.unit; }
   /// The history: times [s], and the values of a column [SI].
   const std::vector<double> &times() const { return record_times; }
   const std::vector<double> &values(unsigned int column) const { return columns[column].values; }
@@ -135,6 +157,8 @@ private:
     std::vector<double> values;
   };
 
+  std::vector<ProbeColumnName> columns_of(const ProbeEntries<dim> &probe,
+                                          const std::vector<FieldComponent> &fields) const;
   void attach_fields(unsigned int probe, Model model);
   void attach_stations(unsigned int probe);
   /// Asks the solver; what it cannot tell is refused as the probe's place.

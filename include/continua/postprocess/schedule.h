@@ -23,6 +23,8 @@ public:
   /// Whether to write the state at `time` [s] that a step of `step_size` [s] has led to; the
   /// initial state, to which no step has led, has size 0.
   bool due(double time, double step_size) const;
+  /// Whether the state at the end counts, at whatever time a run ends.
+  bool takes_end() const { return last; }
 
 private:
   double interval;

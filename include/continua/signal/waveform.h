@@ -5,6 +5,7 @@
 #include <continua/signal/expression.h>
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,6 +13,9 @@
 namespace Continua
 {
 class TimeTable;
+
+/// In the place of a time [s]: the mean over the period that was given to Waveform::set_period().
+constexpr double mean_over_period = -std::numeric_limits<double>::infinity();
 
 /**
  * A value over time and space. In a section, `Waveform` says where it comes from:
@@ -54,8 +58,13 @@ public:
                                            bool required = true,
                                            const std::string &prefix = "");
 
-  /// The value in SI at a point with three coordinates [m] and a time [s].
+  /// The value in SI at a point with three coordinates [m] and a time [s], or the mean over time.
   double operator()(const double *point, double time) const;
+  /// Gives `mean_over_period` its meaning: the mean, without the ramp, over the period [s] that
+  /// ends at `end` [s]. Until then it means the value of a waveform that does not depend on time.
+  void set_period(double period, double end);
+  /// The period [s] of a table that is repeated after its end; else 0.
+  double table_period() const;
   /// The value at t = 0: where it is not zero, a body at rest meets it as a jump.
   double initial_value(const double *point) const { return (*this)(point, 0.); }
   /// A table or pulse depends on time, and counts as not zero, whatever its values are.
@@ -73,12 +82,20 @@ private:
     /// A table whose last value holds after its end by default, and its last time [s]; else empty.
     std::string held_file;
     double last_time = 0.;
+    double period = 0.; ///< [s] of a table that is repeated; else 0
   };
 
   /// The value, or what the function of time is multiplied by.
   Expression expression;
   std::shared_ptr<const TimeFunction> of_time; ///< a table or pulse, or null
   double ramp = 0.;                            ///< [s]
+  // For the mean over time:
+  double period = 0., period_begin = 0.; ///< [s]
+  double mean_of_time = 1.; ///< of `of_time`, or of all if the expression depends on time alone
+
+  /// Without the ramp.
+  double value(const double *point, double time) const;
+  double mean(const double *point) const;
 
   static std::shared_ptr<const TimeFunction> read_pulse(ParameterSection &section,
                                                         const std::string &prefix,
@@ -86,7 +103,9 @@ private:
                                                         const Dimension &dimension,
                                                         const std::string &kind);
   static std::shared_ptr<const TimeFunction>
-  function_of_table(const std::shared_ptr<const TimeTable> &table, const std::string &held_file);
+  function_of_table(const std::shared_ptr<const TimeTable> &table,
+                    const std::string &held_file,
+                    bool is_repeated);
 };
 } // namespace Continua
 
