@@ -32,8 +32,11 @@ class Fields(Sequence):
         except (OSError, xml.etree.ElementTree.ParseError) as error:
             raise ResultsError(path, f"cannot be read: {error}", _DAMAGED) from error
         files = {}
-        for element in tree.iter("DataSet"):
-            files.setdefault(float(element.get("timestep")), []).append(os.path.join(os.path.dirname(self.path), element.get("file")))
+        try:
+            for element in tree.iter("DataSet"):
+                files.setdefault(float(element.attrib["timestep"]), []).append(os.path.join(os.path.dirname(self.path), element.attrib["file"]))
+        except (KeyError, ValueError) as error:
+            raise ResultsError(path, f"has a state without a time or a file: {error}", _DAMAGED) from error
         self.times = numpy.array(sorted(files))
         self._files = [files[time] for time in self.times]
 

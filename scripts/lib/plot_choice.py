@@ -48,15 +48,14 @@ class Choice:
 
 
 def entries_of(path):
-    """[(time, files)] of a .pvd file, in the order of time."""
-    try:
-        tree = xml.etree.ElementTree.parse(path)
-    except xml.etree.ElementTree.ParseError as error:
-        raise continua.ResultError(f"cannot read {path}: {error}") from error
+    """[(time, files)] of a .pvd file, in the order of time. Without VTK, which continua.fields needs: a run may have no picture of it."""
     entries = {}
-    for element in tree.iter("DataSet"):
-        at = float(element.get("timestep", "0"))
-        entries.setdefault(at, []).append(os.path.join(os.path.dirname(path), element.get("file")))
+    try:
+        for element in xml.etree.ElementTree.parse(path).iter("DataSet"):
+            at = float(element.attrib["timestep"])
+            entries.setdefault(at, []).append(os.path.join(os.path.dirname(path), element.attrib["file"]))
+    except (xml.etree.ElementTree.ParseError, KeyError, ValueError) as error:
+        raise continua.ResultsError(path, f"cannot be read: {error}", "The file is damaged: copy it again, or repeat the run") from error
     return sorted(entries.items())
 
 

@@ -59,6 +59,7 @@ UNITS = {"mmHg": ("Pa", 133.322387415), "cmH2O": ("Pa", 98.0665), "bar": ("Pa", 
 # Of a flow rate and a volume, from small to large: what their size is best read in.
 VOLUMES = ((1e-9, "µl"), (1e-6, "ml"), (1e-3, "l"), (1.0, "m^3"))
 chosen_units = {}  # --units: name of a field, or a word of it -> unit
+used_units = set()  # names of these that a field was drawn with
 
 
 class PlotError(Exception):
@@ -115,6 +116,7 @@ def chosen_unit(field, unit):
     for name, wanted in chosen_units.items():
         if name != " ".join(words) and not set(name.split()) <= set(words):
             continue
+        used_units.add(name)
         si, size = unit_in_si(wanted)
         if si != unit:
             raise UnitError(f"--units {name}={wanted}: '{field}' is in {unit}, and {wanted} is a unit of another kind")

@@ -61,8 +61,9 @@ void Analysis::perform(const OutputDirectory &directory, Log &log, Summary &summ
   log.detail("version " + version() + ", revision " + revision());
   describe(summary);
   compute(directory, log, summary);
-  for (const std::string &text : answer_lines(summary))
-    log.note(text);
+  if (!has_own_table())
+    for (const std::string &text : answer_lines(summary))
+      log.note(text);
   log.note("Wall time " + duration_text(log.wall_times().at("total")) + "; results in " +
            directory.path());
 }

@@ -18,10 +18,10 @@ using Table = std::vector<std::vector<std::string>>;
 
 /// Of probes that are shown; a run can have hundreds.
 constexpr std::size_t most_probes = 12;
-/// Of a run that are shown.
+/// The answer shows no more beats than these, the last ones.
 constexpr std::size_t most_beats = 12;
 constexpr int n_digits = 5;
-/// Of a damped oscillation to a history, above which its frequency means little [1].
+/// A fit of a damped oscillation that is worse says little of a frequency [1].
 constexpr double largest_fit_residual = 0.1;
 
 std::string cell(const double value, const std::string &unit = "")
@@ -37,6 +37,11 @@ std::optional<std::string> after(const std::string &text, const std::string &beg
   if (text.compare(0, beginning.size(), beginning) != 0)
     return std::nullopt;
   return text.substr(beginning.size());
+}
+
+bool ends_with(const std::string &text, const std::string &end)
+{
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
 /// A row for each speed of each probe.
@@ -76,7 +81,11 @@ Table waves(const std::vector<Quantity> &quantities)
         table.push_back({"  " + probe + ": " + name});
         for (std::size_t source = 0; source < prefixes.size(); ++source)
           if (is_there[source])
-            table.back().push_back(cell(found->second[source], units[name]));
+            // Stations that lie near each other, or near an end that throws waves back, give a
+            // wave that grows: no property of the tube.
+            table.back().push_back(name == "attenuation" && found->second[source] < 0.
+                                       ? "-"
+                                       : cell(found->second[source], units[name]));
       }
   return table;
 }
@@ -87,7 +96,7 @@ struct History
   std::string label, unit;
   double largest = undefined, time_of_largest = undefined, smallest = undefined,
          time_of_smallest = undefined, frequency = undefined, final = undefined;
-  bool is_other_motion = false; ///< than an oscillation, such as a pulse that comes back
+  bool is_oscillation = false; ///< by its fit; a pulse that comes back is none
 };
 
 /// "tip: pressure" of a probe of one field, whose name the quantity has, or of several, whose name
@@ -139,11 +148,11 @@ std::vector<History> histories(const std::vector<Quantity> &quantities)
       History &history = result[found->second.front()];
       if (quantity.name == "frequency")
         history.frequency = quantity.value;
-      if (quantity.name == "fit residual" && quantity.value > largest_fit_residual)
-        history.is_other_motion = true;
+      if (quantity.name == "fit residual" && quantity.value <= largest_fit_residual)
+        history.is_oscillation = true;
     }
   for (History &history : result)
-    if (history.is_other_motion)
+    if (!history.is_oscillation)
       history.frequency = undefined;
   return result;
 }
@@ -187,9 +196,15 @@ Table probes(const std::vector<Quantity> &quantities)
   return table;
 }
 
-/// What an analysis without probes and waves has found, such as a mode's frequency.
-Table results(const std::vector<Quantity> &quantities)
+/// What an analysis without probes and waves has found: of vibrations the frequencies alone.
+Table results(const std::vector<Quantity> &all)
 {
+  std::vector<Quantity> quantities;
+  for (const Quantity &quantity : all)
+    if (after(quantity.name, "mode ") && ends_with(quantity.name, " frequency"))
+      quantities.push_back(quantity);
+  if (quantities.empty())
+    quantities = all;
   Table table;
   if (quantities.empty())
     return table;

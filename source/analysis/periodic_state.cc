@@ -125,14 +125,16 @@ void PeriodicState<dim>::evaluate(const std::size_t number)
                              undefined};
   largest_difference = undefined;
   place_of_largest.clear();
-  bool all_are_known = number > 1;
+  // A beat before the loads repeat themselves is compared with none, nor is the one after it.
+  const std::size_t first = parameters().first_of_loads + 1;
+  bool all_are_known = number > first;
   for (unsigned int column = 0; column < probes.n_columns(); ++column)
   {
     const BeatValues values =
         beat_values(probes.times(), probes.values(column), n_intervals, number);
     for (const BeatColumn &of_beat : beat_columns())
       row.push_back(values.*of_beat.member);
-    if (number == 1 || !is_compared[column] || !all_are_known)
+    if (number <= first || !is_compared[column] || !all_are_known)
       continue;
     // A position that is not there at some times has not settled.
     all_are_known = !std::isnan(values.difference);
@@ -165,12 +167,12 @@ void PeriodicState<dim>::add_beat(const double time)
   evaluate(rows.size() + 1);
   is_at_end_of_beat = true;
   table_file.row(rows.back());
-  if (rows.size() == 1)
+  if (rows.size() <= parameters().first_of_loads + 1)
     return;
   std::ostringstream text;
   text << "t = " << time << " s: " << text_of_difference();
   run.log.line(text.str());
-  if (!had_settled && has_settled())
+  if ((!had_settled && has_settled()) || ends_run())
     run.log.line("The beats have settled within " + shortest_number(parameters().tolerance) +
                  (ends_run() ? ": the run ends" : ""));
 }
@@ -213,7 +215,8 @@ void PeriodicState<dim>::finish()
   if (has_settled())
     return;
   run.log.warning(
-      "the beats have not settled: " + (rows.size() > 1 ? text_of_difference() : "there is one") +
+      "the beats have not settled: " +
+      (std::isnan(largest_difference) ? "there are too few" : text_of_difference()) +
       ", and Periodic state/Tolerance is " + shortest_number(parameters().tolerance) +
       ". Give a later Time/End time" +
       (run.input.problem.interior.starts_under_mean_loads ? "" : ", or Initial state/Type = mean"));
@@ -236,7 +239,8 @@ void PeriodicState<dim>::name_quantities(const Case<dim> &input, QuantityNames &
 template <int dim>
 void PeriodicState<dim>::save(ArchiveWriter &archive, const double time) const
 {
-  archive.add(difference_in_archive, ends_beat(time) ? largest_difference : undefined);
+  archive.add(difference_in_archive,
+              ends_beat(time) && ends_run() ? largest_difference : undefined);
 }
 
 template <int dim>

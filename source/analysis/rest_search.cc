@@ -133,6 +133,7 @@ StepReport RestSearch<dim>::step_of(const double last_size, double &size)
     Step euler = euler_step(0., size, Update::implicit);
     // Loads are those of one time and pictures those of t = 0, however long it takes.
     euler.balance_time = time_of_loads;
+    euler.is_towards_rest = true;
     euler.time = 0.;
     // Round-off of the sum is no part of its own.
     const double next_load = load + load_part < 1. - 1e-12 ? load + load_part : 1.;

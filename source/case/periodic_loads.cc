@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <memory>
+#include <utility>
 
 namespace Continua
 {
@@ -21,6 +23,8 @@ constexpr unsigned int n_times_of_repetition = 256;
 constexpr std::size_t most_places = 8;
 /// Of a step, by which a number of steps may differ from a whole one.
 constexpr double count_slack = 1e-6;
+/// A beat of fewer rows has no shape.
+constexpr double fewest_rows_of_beat = 16.;
 
 using Places = std::vector<std::array<double, 3>>;
 
@@ -61,7 +65,7 @@ Places places_inside(const Case<dim> &input)
   return some_of(all);
 }
 
-/// All loads that depend on time but the pressures behind outlets, which are shared.
+/// All loads that depend on time but the pressures behind outlets.
 template <int dim>
 std::vector<PeriodicLoad> loads_of(Case<dim> &input)
 {
@@ -108,7 +112,7 @@ double period_of_tables(const std::vector<PeriodicLoad> &loads, const ParameterS
   if (period == 0.)
     section.refuse("",
                    "no table of a load is repeated, from which the length of a beat would follow",
-                   "Set 'After the table = repeat' for the table of the inlet, or give Period");
+                   "Set 'After the table = repeat' for a table of a load, or give Period");
   return period;
 }
 
@@ -158,38 +162,61 @@ void check_times(const Case<dim> &input, ParameterSection root, const bool perio
         "the rows of probes.csv are those that Periodic state compares, and the beats of " + beat +
             " would not have the same ones",
         "Give a whole number of time steps that divides the beat, or remove the entry");
+  const double n_rows = interval > 0. ? period / interval : n_steps;
+  if (n_rows < fewest_rows_of_beat - 0.5)
+    (interval > 0. ? root.subsection("Output") : of_time)
+        .refuse(interval > 0. ? "Probe interval" : "Time step",
+                "a beat of " + beat + " would have " + shortest_number(std::round(n_rows)) +
+                    " rows in probes.csv, too few to compare beats",
+                "Give a shorter one, with " + shortest_number(fewest_rows_of_beat) +
+                    " rows in a beat or more");
 }
 
-/// Whether the load varies within a beat. Throws InputError unless it does the same in the last two
-/// beats of the run.
+struct Repetition
+{
+  bool varies = false;   ///< the load, within a beat
+  std::size_t first = 0; ///< the first beat, counted from 0, from which on all are the same
+};
+
+/// Throws InputError unless the load does the same in the last two beats of the run.
 template <int dim>
-bool varies(const Case<dim> &input,
-            const std::string &name,
-            const std::function<double(double)> &load,
-            const ParameterSection &section,
-            const bool period_is_given)
+Repetition repetition_of(const Case<dim> &input,
+                         const std::string &name,
+                         const std::function<double(double)> &load,
+                         const ParameterSection &section,
+                         const bool period_is_given)
 {
   const double period = input.periodic_state.period;
-  const double start = (std::floor(input.time.end_time / period * (1. + 1e-9)) - 2.) * period;
-  double largest = 0., difference = 0., low = load(start + 0.5 * period / n_times_of_repetition),
-         high = low;
+  // The ends of a beat, where a table may jump, are none of these times.
+  const auto value = [&](const std::size_t beat, const unsigned int i)
+  { return load((static_cast<double>(beat) + (i + 0.5) / n_times_of_repetition) * period); };
+  const auto last = static_cast<std::size_t>(input.time.end_time / period * (1. + 1e-9)) - 1;
+  double largest = 0., low = value(last, 0), high = low;
   for (unsigned int i = 0; i < n_times_of_repetition; ++i)
   {
-    // The ends of a beat, where a table may jump, are none of these times.
-    const double time = start + (i + 0.5) * period / n_times_of_repetition;
-    const double value = load(time);
-    largest = std::max(largest, std::abs(value));
-    low = std::min(low, value);
-    high = std::max(high, value);
-    difference = std::max(difference, std::abs(load(time + period) - value));
+    largest = std::max({largest, std::abs(value(last, i)), std::abs(value(last - 1, i))});
+    low = std::min(low, value(last, i));
+    high = std::max(high, value(last, i));
   }
-  if (difference > repetition_slack * largest)
+  const auto is_as_the_last = [&](const std::size_t beat)
+  {
+    for (unsigned int i = 0; i < n_times_of_repetition; ++i)
+      if (std::abs(value(beat, i) - value(last, i)) > repetition_slack * largest)
+        return false;
+    return true;
+  };
+  Repetition result;
+  result.varies = high - low > repetition_slack * largest;
+  result.first = last;
+  while (result.first > 0 && is_as_the_last(result.first - 1))
+    --result.first;
+  if (result.first == last)
     section.refuse(period_is_given ? "Period" : "",
                    "the load of " + name + " does not repeat itself after " +
                        shortest_number(period) + " s in the last two beats of the run",
                    "Give the period of the loads (with a table: After the table = repeat), and a "
                    "later Time/End time where a Ramp is longer than the run without two beats");
-  return high - low > repetition_slack * largest;
+  return result;
 }
 } // namespace
 
@@ -214,40 +241,52 @@ void set_periodic_loads(Case<dim> &input, ParameterSection root)
     return;
   }
   std::vector<PeriodicLoad> loads = loads_of(input);
-  double &period = input.periodic_state.period;
-  const bool period_is_given = section.given("Period");
-  if (!period_is_given)
-    period = period_of_tables(loads, section);
-  check_times(input, root, period_is_given);
-  bool any_varies = false;
-  for (const PeriodicLoad &load : loads)
-    for (const std::array<double, 3> &place : load.places)
-      any_varies = varies(
-                       input, load.name,
-                       [&](const double time) { return (*load.waveform)(place.data(), time); },
-                       section, period_is_given) ||
-                   any_varies;
-  // The second one, whenever the run ends: a later end changes nothing of what was.
-  const double end = 2. * period;
+  // Outlets are shared and never change: copies take the place of those with a load behind them.
+  std::vector<std::pair<BoundaryCondition *, std::shared_ptr<Outlet>>> shared;
   for (BoundaryCondition &condition : input.problem.conditions)
     if (condition.outlet && condition.outlet->pressure_behind.depends_on_time())
     {
-      const double origin[3] = {0., 0., 0.};
-      Outlet outlet = *condition.outlet;
-      any_varies = varies(
-                       input, "the boundary '" + condition.name + "'",
-                       [&](const double time) { return outlet.pressure_behind(origin, time); },
-                       section, period_is_given) ||
-                   any_varies;
-      outlet.pressure_behind.set_period(period, end);
-      condition.outlet = std::make_shared<const Outlet>(outlet);
+      shared.emplace_back(&condition, std::make_shared<Outlet>(*condition.outlet));
+      loads.push_back({&shared.back().second->pressure_behind,
+                       "the boundary '" + condition.name + "'",
+                       {{{0., 0., 0.}}}});
+    }
+  PeriodicStateParameters &periodic_state = input.periodic_state;
+  const bool period_is_given = section.given("Period");
+  if (!period_is_given)
+    periodic_state.period = period_of_tables(loads, section);
+  check_times(input, root, period_is_given);
+  bool any_varies = false;
+  std::string latest;
+  for (const PeriodicLoad &load : loads)
+    for (const std::array<double, 3> &place : load.places)
+    {
+      const Repetition repetition = repetition_of(
+          input, load.name, [&](const double time) { return (*load.waveform)(place.data(), time); },
+          section, period_is_given);
+      any_varies = any_varies || repetition.varies;
+      if (repetition.first > periodic_state.first_of_loads)
+      {
+        periodic_state.first_of_loads = repetition.first;
+        latest = load.name;
+      }
     }
   if (!any_varies)
     section.refuse("", "no load varies in time, so that there are no beats",
                    "Give the inlet a formula of t, or a table with After the table = repeat, or "
                    "remove the section");
+  if (input.problem.interior.starts_under_mean_loads && periodic_state.first_of_loads > 0)
+    root.subsection("Initial state")
+        .refuse("Type",
+                "the load of " + latest +
+                    " does not repeat itself from t = 0 on, as a start from the mean asks for",
+                "Remove its Ramp, or let its table or formula begin at t = 0, or set Type = given");
+  // Any one, since all are the same.
+  const double end = 2. * periodic_state.period;
   for (const PeriodicLoad &load : loads)
-    load.waveform->set_period(period, end);
+    load.waveform->set_period(periodic_state.period, end);
+  for (const auto &[condition, outlet] : shared)
+    condition->outlet = outlet;
 }
 
 template <int dim>

@@ -46,6 +46,13 @@ bool OutletModel::linearise(const Step &step, const double *const flow_rates_old
   {
     const Impedance::Term &term = outlet.impedance.terms[k];
     Response &response = responses[k];
+    if (step.is_towards_rest && term.rate > 0.)
+    {
+      // In a steady flow x_k = Q / rate.
+      new_coefficients.push_back(1. / term.rate);
+      response.balanced = 0.;
+      continue;
+    }
     const BranchCoefficients of_step = step.branch(relaxation_time(term));
     new_coefficients.push_back(of_step.velocity);
     for (unsigned int j = 0; j < n_ports(); ++j)

@@ -8,6 +8,25 @@
 
 namespace Continua
 {
+namespace
+{
+/// Of the comment that a file begins with.
+std::string first_sentence(const std::filesystem::path &file)
+{
+  std::ifstream text(file);
+  std::string sentence, line;
+  while (std::getline(text, line) && line.compare(0, 2, "# ") == 0)
+  {
+    sentence += (sentence.empty() ? "" : " ") + line.substr(2);
+    for (std::size_t stop = sentence.find('.'); stop != std::string::npos;
+         stop = sentence.find('.', stop + 1))
+      if (stop + 1 == sentence.size() || sentence[stop + 1] == ' ')
+        return sentence.substr(0, stop + 1);
+  }
+  return sentence;
+}
+} // namespace
+
 std::string examples_folder()
 {
   // Where the program itself is, wherever it was called from.
@@ -40,13 +59,9 @@ void print_examples(std::ostream &out, const std::string &folder)
   out << "Parameter files in " << folder << ":\n\n";
   for (const std::filesystem::path &file : files)
   {
-    std::ifstream text(file);
-    std::string line;
-    std::getline(text, line);
-    const std::size_t begin = line.find_first_not_of("# ");
     out << "  " << std::filesystem::relative(file, folder).string() << "\n";
-    if (line.compare(0, 1, "#") == 0 && begin != std::string::npos)
-      out << "      " << line.substr(begin) << "\n";
+    if (const std::string sentence = first_sentence(file); !sentence.empty())
+      out << "      " << sentence << "\n";
   }
 }
 } // namespace Continua

@@ -111,6 +111,10 @@ std::vector<std::string> write_template(const std::string &name, const std::stri
   std::vector<std::pair<std::string, std::string>> files = {{file, entry.text}};
   for (const auto &[other, text] : entry.files)
     files.emplace_back((folder / other).string(), text);
+  for (std::size_t i = 1; i < files.size(); ++i)
+    if (files[i].first == file)
+      throw InputError({file, 0}, "", "the template '" + entry.name + "' reads a file of this name",
+                       "Name the parameter file otherwise, such as my.prm");
   for (const auto &one : files)
     if (std::filesystem::exists(std::filesystem::symlink_status(one.first)))
       throw InputError({one.first, 0}, "", "the file exists, and --new overwrites nothing",

@@ -376,7 +376,7 @@ void Waveform::set_period(const double length, const double end)
   period_begin = end - length;
   if (of_time && !expression.depends_on_time())
     mean_of_time = mean_of(of_time->value, period_begin, period, n_times_of_mean);
-  else if (depends_on_time() && !depends_on_space())
+  else if (expression.depends_on_time() && !depends_on_space())
   {
     const double origin[3] = {0., 0., 0.};
     mean_of_time = mean_of([&](const double time) { return value(origin, time); }, period_begin,

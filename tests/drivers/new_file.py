@@ -65,6 +65,7 @@ def check_list(program, folder):
 
     refused(program, ["--new", "tub"], folder, "'--new tub'", "Did you mean 'tube'?")
     refused(program, ["--new", "tube", "--overwrite"], folder, "no other option")
+    refused(program, ["--new", "curved-vessel", "curved-vessel.csv"], folder, "reads a file of this name")
     for existing in ("my.prm", "gmsh.geo"):
         path = os.path.join(folder, existing)
         with open(path, "w", encoding="utf-8") as stream:

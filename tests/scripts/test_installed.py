@@ -29,7 +29,10 @@ class Installed(unittest.TestCase):
                    if name.endswith(".prm") and os.path.basename(at) != "common"}
         self.assertEqual(listed, shipped)
         self.assertIn(os.path.join("examples", "own-tube.prm"), listed)
-        self.assertIn("      A silicone tube and a pressure pulse that was measured at its inlet", text)
+        self.assertIn("      A silicone tube and a pressure pulse that was measured at its inlet: copy this file to begin with a tube of your own.\n", text)
+        # A sentence of two lines.
+        self.assertIn("      A pressure pulse in an artery with an aneurysm whose wall is stiffer: a mesh of one's own, drawn in own-mesh.geo and meshed by "
+                      "gmsh as the run begins.\n", text)
 
 
 if __name__ == "__main__":

@@ -113,6 +113,25 @@ class Refused(Run):
         self.refused("there are pressure and wall distension", "--movie", "waves", "--gif", "--fields", "velocity")
         self.refused("no state has velocity x; there are pressure", "--movie", "field", "--gif", "--fields", "velocity x")
 
+    def test_unit_of_no_field(self):
+        write_run(self.folder)
+        done = plot(self.folder, "--units", "presure=kPa")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("no picture shows a field 'presure'", done.stderr)
+
+    def test_damaged_list_of_states(self):
+        write_run(self.folder)
+        path = os.path.join(self.folder, "fields.pvd")
+        with open(path, encoding="utf-8") as stream:
+            text = stream.read()
+        for damaged in (text[:len(text) // 2], text.replace('timestep="0.01"', 'timestep="soon"')):
+            with open(path, "w", encoding="utf-8") as stream:
+                stream.write(damaged)
+            done = plot(self.folder, "--fields", "pressure")
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("fields.pvd: cannot be read", done.stderr)
+            self.assertNotIn("Traceback", done.stderr)
+
     def test_no_names_of_regions(self):
         write_run(self.folder, summary={"regions": []})
         self.refused("has no names of regions; give their numbers", "--region", "wall")

@@ -122,6 +122,13 @@ void test_means()
     component.set_period(2., 4.);
   check::relative("mean of a formula", traction[0](point, mean_over_period), 5., 1e-10);
   check::relative("mean of a formula of place", traction[1](point, mean_over_period), 4.5, 1e-2);
+  // A constant with a ramp has no shape over time but the ramp's.
+  std::vector<Waveform> constant = vector("set Traction = 5, x\nset Ramp = 1 s\n", "");
+  for (Waveform &component : constant)
+    component.set_period(2., 4.);
+  check::relative("mean of a constant with a ramp", constant[0](point, mean_over_period), 5.,
+                  1e-15);
+  check::relative("by place", constant[1](point, mean_over_period), 3., 1e-15);
   check::relative("the ramp stays", traction[0](point, 2.), 2.5, 1e-12);
   check::relative("of a constant without a period", Waveform(7.)(point, mean_over_period), 7., 0.);
   std::filesystem::remove("waveform-test.prm");

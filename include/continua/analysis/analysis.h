@@ -53,6 +53,9 @@ public:
   /// Writes the mesh that perform() would begin with to a .vtu file, on one rank. Throws InputError
   /// where there is no mesh, or several.
   virtual void write_mesh(const std::string &mesh_file);
+  /// Whether the screen has its results in a table of its own, which the answer at the end need not
+  /// repeat.
+  virtual bool has_own_table() const { return false; }
   /// Opens the log in the folder, leaves there the resolved parameters and the user's files, and
   /// performs the analysis. `summary` is filled on the way, also of an analysis that fails; rank 0
   /// has all of it. Collective; throws RunError or Interrupted.

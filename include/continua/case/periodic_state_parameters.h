@@ -3,6 +3,7 @@
 
 #include <continua/base/parameter_section.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct PeriodicStateParameters
   std::vector<std::string> probes; ///< that are compared: "PROBE" or "PROBE: FIELD"
   double tolerance = 0.01;         ///< of their differences [1]
   bool stops = true;               ///< whether the run ends when the beats have settled
+  /// The first beat, counted from 0, from which on all loads repeat themselves.
+  std::size_t first_of_loads = 0;
 
   /// Declares and reads; throws InputError.
   void read(ParameterSection section);

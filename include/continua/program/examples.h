@@ -13,8 +13,8 @@ namespace Continua
  */
 std::string examples_folder();
 
-/// Lists the parameter files of the folder and its subfolders, each with the first line of its
-/// comment. Pieces that several files include (`common`) are left out.
+/// Lists the parameter files of the folder and its subfolders, each with the first sentence
+/// of its comment. Pieces that several files include (`common`) are left out.
 void print_examples(std::ostream &out, const std::string &folder);
 } // namespace Continua
 

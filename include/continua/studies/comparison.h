@@ -25,6 +25,7 @@ class Comparison : public Analysis
 public:
   /// Reads the case by either way, without its finer meshes. Throws InputError.
   explicit Comparison(const AnalysisInput &input);
+  bool has_own_table() const override { return true; }
 
 private:
   /// One of the two ways to compute the case.

@@ -21,6 +21,7 @@ class RefinementStudy : public Analysis
 public:
   /// Reads the case by each way, without its finer meshes. Throws InputError.
   explicit RefinementStudy(const AnalysisInput &input);
+  bool has_own_table() const override { return true; }
 
 private:
   /// The file by one of the ways.

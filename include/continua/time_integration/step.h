@@ -55,6 +55,9 @@ struct Step
   Update update = Update::implicit;
   /// Of all loads and prescribed velocities [1]; what outlets stand against has no part of it.
   double load_factor = 1.;
+  /// Whether it is one on the way to rest: outlets then stand as in a steady flow, however long
+  /// they take to fill.
+  bool is_towards_rest = false;
 
   double size() const { return duration; }
   /// The coefficients of a branch of relaxation time tau [s]; infinite tau is allowed.
