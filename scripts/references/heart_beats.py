@@ -99,6 +99,8 @@ def show_windkessel():
     model.show("periodic", volume, 1.0, 2)
     model.show("from an empty compliance, to 1 %", 0.0, 0.01)
     model.show("from the mean pressure, to 1 %", model.compliance * model.distal * model.mean_flow, 0.01)
+    slow = Windkessel(8e6, 120e6, 1000e-9)
+    slow.show("from the mean pressure, a compliance of 1000 mm^3/Pa, two beats", slow.compliance * slow.distal * slow.mean_flow, 0.0, 3)
 
 
 RADIUS, LENGTH, DENSITY, VISCOSITY = 10e-3, 0.4, 1060.0, 4e-3
