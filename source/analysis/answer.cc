@@ -300,11 +300,10 @@ Table checks(const std::vector<Summary::Check> &all)
 std::vector<std::string> answer_lines(const Summary &summary)
 {
   std::vector<std::string> lines;
-  std::vector<Table> tables = {waves(summary.quantities()), probes(summary.quantities())};
-  if (tables[0].empty() && tables[1].empty())
+  std::vector<Table> tables = {waves(summary.quantities()), probes(summary.quantities()),
+                               last_beat(summary.quantities()), beats(summary.columns_of("beats"))};
+  if (std::all_of(tables.begin(), tables.end(), [](const Table &table) { return table.empty(); }))
     tables.push_back(results(summary.quantities()));
-  tables.push_back(last_beat(summary.quantities()));
-  tables.push_back(beats(summary.columns_of("beats")));
   tables.push_back(checks(summary.checks()));
   for (const Table &table : tables)
   {
