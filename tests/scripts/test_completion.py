@@ -28,10 +28,13 @@ class Completion(unittest.TestCase):
     def test_templates(self):
         self.assertEqual(offered("--new", "channel"), ["channel-with-cylinder"])
         self.assertEqual(offered("--new", "t"), ["transient", "tube"])
+        self.assertEqual(offered("--new", '"linear w'), ["linear-wave-theory"])
 
     def test_keys(self):
         self.assertEqual(offered("tube.prm", "--set", "Time/End"), ["Time/End\\ time="])
         self.assertEqual(offered("tube.prm", "--set", '"Time/End'), ["Time/End time="])
+        self.assertEqual(offered("tube.prm", "--set", "'Materials/wall/You"), ["Materials/wall/Young'\\''s modulus="])
+        self.assertEqual(offered("tube.prm", "--set", "Materials/wall/You"), ["Materials/wall/Young\\'s\\ modulus="])
         self.assertIn("Materials/wall/Density=", offered("tube.prm", "--set", "Materials/w"))
         # Without a file the keys of all that exists.
         self.assertIn("Materials/<region>/Density=", offered("--set", '"Materials/<region>/D'))
