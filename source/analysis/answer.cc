@@ -78,7 +78,7 @@ Table waves(const std::vector<Quantity> &quantities)
     for (const std::string &name : names)
       if (const auto found = values.find({probe, name}); found != values.end())
       {
-        table.push_back({"  " + probe + ": " + name});
+        table.push_back({std::string("  ").append(probe).append(": ").append(name)});
         for (std::size_t source = 0; source < prefixes.size(); ++source)
           if (is_there[source])
             // Stations that lie near each other, or near an end that throws waves back, give a

@@ -300,6 +300,7 @@ void check_compared_probes(const Case<dim> &input, const ParameterSection &secti
                      { return column.is_meant_by(collapse_blanks(text)); }))
     {
       std::vector<std::string> labels;
+      labels.reserve(columns.size());
       for (const ProbeColumnName &column : columns)
         labels.push_back(column.label());
       section.refuse("Probes", "there is no probe '" + text + "'", choices(text, labels));
