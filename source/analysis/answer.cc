@@ -81,11 +81,7 @@ Table waves(const std::vector<Quantity> &quantities)
         table.push_back({std::string("  ").append(probe).append(": ").append(name)});
         for (std::size_t source = 0; source < prefixes.size(); ++source)
           if (is_there[source])
-            // Stations that lie near each other, or near an end that throws waves back, give a
-            // wave that grows: no property of the tube.
-            table.back().push_back(name == "attenuation" && found->second[source] < 0.
-                                       ? "-"
-                                       : cell(found->second[source], units[name]));
+            table.back().push_back(cell(found->second[source], units[name]));
       }
   return table;
 }
