@@ -2,7 +2,6 @@
 
 import csv
 import io
-import os
 import re
 import warnings
 
@@ -134,8 +133,3 @@ def _column(path, name, cells):
         return [float(text) if text else numpy.nan for _, text in cells]
     except ValueError as error:
         raise ResultsError(path, f"the column '{name}' has what is no number: {error}") from error
-
-
-def names_of_tables(folder):
-    """Names, without ".csv", of the tables in a folder, sorted."""
-    return sorted(os.path.splitext(name)[0] for name in os.listdir(folder) if name.endswith(".csv"))
