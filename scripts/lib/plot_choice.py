@@ -67,6 +67,11 @@ def header(path):
         return []
 
 
+def columns(path):
+    """Names of the columns of a table, without their units; none if there is no table."""
+    return [continua.tables.split_unit(column)[0] for column in header(path)]
+
+
 def fields_of_tables(run):
     """The fields of probes.csv and of the waves' tables."""
     found = []

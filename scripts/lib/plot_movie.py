@@ -384,7 +384,10 @@ def write_gif(figure, show_frame, n_frames, path, seconds):
     palette = common_palette([frames[i] for i in evenly(n_frames, 8)])
     frames = [in_colours(frame, palette) for frame in frames]
     each = max(20, round(100 * seconds / n_frames) * 10)  # ms; browsers show no shorter ones
-    frames[0].save(path, save_all=True, append_images=frames[1:], duration=each, loop=0, optimize=False)
+    try:
+        frames[0].save(path, save_all=True, append_images=frames[1:], duration=each, loop=0, optimize=False)
+    except OSError as error:
+        raise plot_style.cannot_write(path, error) from error
 
 
 def common_palette(frames):

@@ -63,11 +63,16 @@ used_units = set()  # names of these that a field was drawn with
 
 
 class PlotError(Exception):
-    """Something that is there cannot be read."""
+    """Something that is there cannot be read, or a picture cannot be written."""
 
 
 class UnitError(PlotError):
     """--units asks for what a field cannot be in."""
+
+
+def cannot_write(path, error):
+    """The PlotError for an OSError."""
+    return PlotError(f"cannot write {path}: {error.strerror or error}. --output DIR writes into another folder")
 
 
 def unit_in_si(unit):
@@ -197,10 +202,14 @@ def legend_above(figure, handles, width):
 
 
 class Sheet:
-    """Where figures go: the folder, the width and the formats; which fields, regions and times; remembers what was written and
-    what left out."""
+    """Where figures go: the folder, which is made, the width and the formats; which fields, regions and times; remembers what was
+    written and what left out. Raises PlotError if something cannot be written."""
 
     def __init__(self, folder, width, pdf, choice=None):
+        try:
+            os.makedirs(folder, exist_ok=True)
+        except OSError as error:
+            raise cannot_write(folder, error) from error
         self.choice = choice or plot_choice.Choice()
         self.folder = folder
         self.width = width
@@ -236,16 +245,22 @@ class Sheet:
         metadata = {"png": {"Software": None}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}
         for kind in self.formats:
             path = os.path.join(self.folder, f"{name}.{kind}")
-            figure.savefig(path, metadata=metadata[kind])
+            try:
+                figure.savefig(path, metadata=metadata[kind])
+            except OSError as error:
+                raise cannot_write(path, error) from error
             self.written.append(path)
         plt.close(figure)
 
     def save_data(self, name, header, columns):
         """Columns of different length are filled up with empty cells."""
         path = os.path.join(self.folder, f"{name}.csv")
-        with open(path, "w", encoding="utf-8", newline="") as stream:
-            writer = csv.writer(stream, lineterminator="\n")
-            writer.writerow(header)
-            for i in range(max((len(column) for column in columns), default=0)):
-                writer.writerow([repr(float(column[i])) if i < len(column) else "" for column in columns])
+        try:
+            with open(path, "w", encoding="utf-8", newline="") as stream:
+                writer = csv.writer(stream, lineterminator="\n")
+                writer.writerow(header)
+                for i in range(max((len(column) for column in columns), default=0)):
+                    writer.writerow([repr(float(column[i])) if i < len(column) else "" for column in columns])
+        except OSError as error:
+            raise cannot_write(path, error) from error
         self.written.append(path)

@@ -63,6 +63,19 @@ class EditorSupport(unittest.TestCase):
         time = self.schema["properties"]["Time"]["properties"]["End time"]
         self.assertIn("[s]", time["description"])
 
+    def test_no_program(self):
+        script = os.path.join(ROOT, "scripts", "editor-support")
+        with tempfile.TemporaryDirectory() as folder:
+            empty = {**os.environ, "PATH": folder, "CONTINUA_BUILD_ROOT": folder}
+            empty.pop("CONTINUA_PROGRAM", None)
+            for program, message in (([], "there is no program of Continua"), (["--program", "missing"], "missing cannot be run: No such file"),
+                                     (["--program", shutil.which("true")], "is no program of Continua")):
+                done = subprocess.run(["/usr/bin/python3", script, os.path.join(folder, "editor"), *program], env=empty, capture_output=True,
+                                      text=True, check=False)
+                self.assertEqual(done.returncode, 1)
+                self.assertRegex(done.stderr, rf"\Aerror: .*{message}")
+                self.assertFalse(os.path.exists(os.path.join(folder, "editor")))
+
     @unittest.skipUnless(shutil.which("vim") and b"+syntax" in subprocess.run(["vim", "--version"], capture_output=True, check=False).stdout,
                          "needs vim with +syntax")
     def test_vim(self):

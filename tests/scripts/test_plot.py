@@ -440,6 +440,64 @@ class Files(unittest.TestCase):
             self.assertEqual(done.returncode, 1)
             self.assertIn("probes.csv:3: 'oops' in the column 'tip: pressure' is no number", done.stderr)
 
+    def test_no_room(self):
+        """A folder that cannot be made and a file that cannot be written: also for root, who may write everywhere."""
+        with tempfile.TemporaryDirectory() as folder:
+            write(os.path.join(folder, "probes.csv"), "time [s],tip: pressure [Pa]\n0,1\n1,2\n")
+            done = plot(folder, "--output", os.path.join(folder, "probes.csv", "plots"))
+            self.assertEqual(done.returncode, 1)
+            self.assertRegex(done.stderr, r"\Aerror: cannot write .*probes.csv/plots: Not a directory. --output DIR writes into another folder\n\Z")
+            for name in ("history-pressure.png", "history-pressure.csv"):
+                plots = os.path.join(folder, name.replace(".", "-"))
+                os.makedirs(os.path.join(plots, name))
+                done = plot(folder, "--output", plots)
+                self.assertEqual(done.returncode, 1)
+                self.assertRegex(done.stderr, rf"\Aerror: cannot write {plots}/{name}: Is a directory. --output DIR writes into another folder\n\Z")
+
+    def test_no_reader(self):
+        """All pictures are drawn, quietly, when the reader of the output goes (| head)."""
+        with tempfile.TemporaryDirectory() as folder:
+            write(os.path.join(folder, "probes.csv"), "time [s],tip: pressure [Pa]\n0,1\n1,2\n")
+            for arguments, status in (([folder], 0), ([folder, "--fields", "speed"], 2)):
+                reading, writing = os.pipe()
+                os.close(reading)
+                done = subprocess.run([os.path.join(SCRIPTS, "plot"), *arguments], stdout=writing, stderr=subprocess.PIPE, text=True, check=False)
+                os.close(writing)
+                self.assertEqual(done.returncode, status, done.stderr)
+                self.assertEqual("Broken pipe" in done.stderr or "Traceback" in done.stderr, False, done.stderr)
+            self.assertTrue(os.path.exists(os.path.join(folder, "plots", "history-pressure.png")))
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "needs /dev/full")
+    def test_full_disk(self):
+        with tempfile.TemporaryDirectory() as folder, open("/dev/full", "w", encoding="utf-8") as full:
+            write(os.path.join(folder, "probes.csv"), "time [s],tip: pressure [Pa]\n0,1\n1,2\n")
+            done = subprocess.run([os.path.join(SCRIPTS, "plot"), folder], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+            self.assertEqual(done.stderr, "error: cannot write: No space left on device\n")
+            self.assertEqual(done.returncode, 1)
+
+    def test_studies(self):
+        """The message names the script that draws the study, and a run that is there."""
+        for script, columns in (("refinement", "way,relative error [1]"), ("comparison", "quantity,verdict")):
+            with tempfile.TemporaryDirectory() as folder:
+                write(os.path.join(folder, f"{script}.csv"), columns + "\n")
+                write(os.path.join(folder, "other-files.txt"), "run-1/\n")
+                write(os.path.join(folder, "run-1", "log.txt"), "")
+                done = plot(folder)
+                self.assertEqual(done.returncode, 2)
+                self.assertIn(f"scripts/plot-{script} ", done.stderr)
+                self.assertTrue(done.stderr.endswith(f"such as {folder}/run-1\n"), done.stderr)
+                self.assertFalse(os.path.exists(os.path.join(folder, "plots")))
+        # The cycles of an adaptive mesh are no study.
+        with tempfile.TemporaryDirectory() as folder:
+            write(os.path.join(folder, "refinement.csv"), "cycle [1],cells [1]\n")
+            self.assertIn("nothing to draw", plot(folder).stderr)
+
+    def test_options_of_movies(self):
+        for option in (["--gif"], ["--frames", "10"], ["--seconds", "3"]):
+            done = plot(".", *option)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(f"{option[0]} is for movies: add --movie field or --movie waves", done.stderr)
+
     def test_width(self):
         self.assertEqual(plot(".", "--width", "wide").returncode, 2)
 
