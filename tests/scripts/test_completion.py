@@ -21,6 +21,13 @@ class Completion(unittest.TestCase):
         self.assertEqual(offered("--val"), ["--validate"])
         self.assertIn("--restart", offered("tube.prm", "--"))
 
+    def test_styles(self):
+        """The equals sign is a word of its own, or not: COMP_WORDBREAKS says so."""
+        self.assertEqual(offered("--print-parameters", "="), ["prm", "json", "markdown"])
+        self.assertEqual(offered("tube.prm", "--print-parameters", "=", "j"), ["json"])
+        self.assertEqual(offered("--print-parameters=m"), ["--print-parameters=markdown"])
+        self.assertEqual(offered("--print-parameters", "tu"), ["tube.prm"])
+
     def test_files(self):
         self.assertEqual(offered("tu"), ["tube.prm"])
         self.assertEqual(offered("gmsh.g"), [])
