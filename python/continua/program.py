@@ -1,5 +1,6 @@
 """Runs the program."""
 
+import collections.abc
 import os
 import re
 import shutil
@@ -80,6 +81,8 @@ def run(parameter_file, sets=None, output=None, program=None, ranks=1, overwrite
     """
     if ranks < 1 or ranks != int(ranks):
         raise ValueError(f"ranks is {ranks!r}; it needs a whole number from 1 on")
+    if sets is not None and not isinstance(sets, collections.abc.Mapping):
+        raise TypeError(f"sets is a {type(sets).__name__}; it needs a dictionary such as {{\"Time/End time\": \"1 s\"}}")
     parameter_file = os.fspath(parameter_file)
     program = find_program() if program is None else _executable(os.fspath(program), "program=... names it")
     command = [program, parameter_file]

@@ -67,11 +67,11 @@ class Results:
 
     @property
     def status(self):
-        """"finished"; "failed" or "interrupted" with a `reason`; "running" while a process works in the folder; "killed" if there is neither
-        a summary nor such a process."""
+        """"finished"; "failed" or "interrupted" with a `reason`; "running" while a process works in the folder; "killed" if the last process
+        did not end by itself: it left its lock, or there is neither a summary nor a process."""
         if self._holder():
             return "running"
-        if not self.has("summary.json"):
+        if self._killed() or not self.has("summary.json"):
             return "killed"
         return self.summary.get("status", "unknown")
 
@@ -81,25 +81,41 @@ class Results:
         status = self.status
         if status == "running":
             return f"{self._holder()} works in the folder"
+        if status == "killed" and self._killed():
+            return (f"{self._killed()} left its lock in the folder and works no more: the program was killed, or the machine went down. "
+                    "continua --restart goes on from a checkpoint if there is one")
         if status == "killed":
             return ("there is no summary, and no process has the lock of the folder: the program was killed, the machine went down, or the copy "
                     "is not complete. continua --restart goes on from a checkpoint if there is one")
         return self.summary.get("failure") or self.summary.get("interruption") or ""
 
-    def _holder(self):
-        """The process that works in the folder, as the file `lock` has it; "" if there is none."""
+    def _lock(self):
+        """What the file `lock` says: (process, its number, its machine); None if there is no such file."""
         try:
             with open(os.path.join(self.folder, "lock"), encoding="utf-8", errors="replace") as stream:
                 text = stream.readline()
         except OSError:
-            return ""
+            return None
         match = re.match(r"Continua: (process (\d+) on (\S+) since .*)", text)
-        if match is None:
+        return match.groups() if match else None
+
+    def _holder(self):
+        """The process that works in the folder; "" if there is none."""
+        lock = self._lock()
+        if lock is None:
             return ""
-        if match.group(3) != socket.gethostname():
-            return match.group(1) + " (another machine: whether it still runs cannot be seen from here)"
-        # A killed run leaves its file.
-        return match.group(1) if _has_lock(match.group(2)) else ""
+        process, number, machine = lock
+        if machine != socket.gethostname():
+            return process + " (another machine: whether it still runs cannot be seen from here)"
+        return process if _has_lock(number) else ""
+
+    def _killed(self):
+        """The process that was killed in the folder after all others had ended, which left its file `lock`; "" if there is none."""
+        lock = self._lock()
+        # A run that ends removes the file before it gives up the lock.
+        if lock is None or lock[2] != socket.gethostname() or _has_lock(lock[1]) or self._lock() != lock:
+            return ""
+        return lock[0]
 
     # What is there.
 
@@ -153,10 +169,12 @@ class Results:
     @functools.cached_property
     def summary(self):
         """summary.json as a dictionary; the page of the manual on what a run writes has its entries. Values are in SI units, None for no
-        finite number. A ContinuaWarning says so if the run goes on and this is the summary of its part before a restart."""
+        finite number. A ContinuaWarning says so if this is the summary of the part before a restart, and the restarted run goes on or was
+        killed."""
         path = self._path("summary.json", "")
-        if self._holder():
-            warnings.warn(f"{path} is of an earlier part of the run: {self._holder()} works in the folder", ContinuaWarning, stacklevel=2)
+        later = f"{self._holder()} works in the folder" if self._holder() else f"{self._killed()} was killed" if self._killed() else ""
+        if later:
+            warnings.warn(f"{path} is of an earlier part of the run: {later}", ContinuaWarning, stacklevel=2)
         try:
             with open(path, encoding="utf-8") as stream:
                 summary = json.load(stream)

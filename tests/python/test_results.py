@@ -229,6 +229,8 @@ class Ends(WithFolder):
         self.assertEqual((several.status, several.message), (2, error.message))
         self.assert_raises(continua.RunFailed, "does not exist", continua.run, self.path("none.prm"))
         self.assert_raises(TypeError, "the value None of 'Mesh/Cells'", continua.run, SHEAR, {"Mesh/Cells": None})
+        self.assert_raises(TypeError, 'sets is a list; it needs a dictionary such as {"Time/End time": "1 s"}', continua.run, SHEAR,
+                           ["Mesh/Cells=4"])
         self.assert_raises(ValueError, "ranks is 0", continua.run, SHEAR, ranks=0)
         self.assert_raises(continua.ProgramNotFound, "/nowhere/continua is no program", continua.run, SHEAR, program="/nowhere/continua")
 
@@ -249,14 +251,14 @@ class Ends(WithFolder):
         self.assert_raises(continua.RunFailed, "In Python these are overwrite=True", continua.run, SHEAR, output=self.path("run"))
         self.assertEqual(continua.run(SHEAR, {"Time/End time": "0.6 s"}, output=self.path("run"), overwrite=True).status, "finished")
 
-    def start_long_run(self):
-        process = subprocess.Popen([program_module.find_program(), SHEAR, "--set", "Time/End time=100 s", "--output", self.path("run")],
+    def start_long_run(self, *options, longer_than=2000):
+        process = subprocess.Popen([program_module.find_program(), SHEAR, "--set", "Time/End time=100 s", "--output", self.path("run"), *options],
                                    env=program_module.environment(), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.addCleanup(process.wait)
         self.addCleanup(process.kill)
         table = self.path("run/probes.csv")
         end = time.monotonic() + 120
-        while not os.path.exists(table) or os.path.getsize(table) < 2000:
+        while not os.path.exists(table) or os.path.getsize(table) < longer_than:
             self.assertTrue(process.poll() is None and time.monotonic() < end, "the run writes no table")
             time.sleep(0.05)
         return process
@@ -271,6 +273,9 @@ class Ends(WithFolder):
         process.wait()
         run = continua.open(self.path("run"))
         self.assertEqual(run.status, "killed")
+        self.assert_raises(continua.ResultsError, f"there is no summary.json; the run was killed. Process {process.pid} on ",
+                           lambda: run.summary)
+        os.remove(self.path("run/lock"))  # as in a copy
         self.assert_raises(continua.ResultsError, "there is no summary.json; the run was killed. There is no summary, and no process",
                            lambda: run.summary)
         self.assertIn("no summary", str(run))
@@ -278,6 +283,23 @@ class Ends(WithFolder):
             warnings.simplefilter("ignore")  # the last line may be cut
             stress = run.probes["bottom: wall shear stress x"]
         self.assertLess(abs(stress.iloc[1:] - 20 * plate(stress.index[1:])).max(), 1e-6)
+
+    def test_killed_after_a_restart(self):
+        """The summary of the interrupted part stays in the folder of the killed run."""
+        def press(line):
+            if line.startswith("t ="):
+                raise KeyboardInterrupt
+
+        with self.assertRaises(KeyboardInterrupt):
+            continua.run(SHEAR, {"Time/End time": "100 s"}, output=self.path("run"), progress=press)
+        reached = os.path.getsize(self.path("run/probes.csv"))
+        process = self.start_long_run("--restart", longer_than=reached + 2000)
+        process.kill()
+        process.wait()
+        with self.assertWarnsRegex(continua.ContinuaWarning, "of an earlier part of the run"):
+            run = continua.open(self.path("run"))
+        self.assertEqual(run.status, "killed")
+        self.assertIn(f"process {process.pid} on ", run.reason)
 
     def test_keyboard(self):
         """The run ends by itself, with its summary and a checkpoint, and goes on later."""
@@ -364,15 +386,20 @@ class Damaged(WithFolder):
         self.write("summary.json", '{"version": "' + continua.__version__ + '", "status": "interrupted", "interruption": "by a test"}')
         run = continua.open(self.folder)
         own, other = f"Continua: process {os.getpid()} on {socket.gethostname()} since today\n", "Continua: process 1 on elsewhere since today\n"
-        self.write("lock", own)
         self.assertEqual((run.status, run.reason), ("interrupted", "by a test"))
+        # A restart of it that was killed.
+        self.write("lock", own)
+        self.assertEqual(run.status, "killed")
+        self.assertIn(own[10:-1] + " left its lock", run.reason)
+        with self.assertWarnsRegex(continua.ContinuaWarning, "summary.json is of an earlier part of the run: process .* was killed"):
+            self.assertEqual(continua.open(self.folder).summary["status"], "interrupted")
         with open(self.path("lock"), encoding="utf-8") as stream:
             fcntl.flock(stream, fcntl.LOCK_EX)
             self.assertEqual((run.status, run.reason), ("running", own[10:-1] + " works in the folder"))
             with self.assertWarnsRegex(continua.ContinuaWarning, "summary.json is of an earlier part of the run"):
                 self.assertEqual(continua.open(self.folder).summary["status"], "interrupted")
         self.write("lock", own.replace(str(os.getpid()), "4194305"))  # above the largest number there can be
-        self.assertEqual(run.status, "interrupted")
+        self.assertEqual(run.status, "killed")
         self.write("lock", other)
         self.assertEqual(run.status, "running")
         self.assertIn("process 1 on elsewhere since today (another machine: whether it still runs cannot be seen from here)", run.reason)
