@@ -82,12 +82,26 @@ def factor_of(solids, times, bounds):
     return 1.0 if 0.5 <= factor <= 2 else factor
 
 
-def unit_of(field):
+def summary():
+    """summary.json, or nothing before the end of the run."""
     try:
         with open(os.path.join(FOLDER, "summary.json"), encoding="utf-8") as stream:
-            return json.load(stream).get("field units", {}).get(field, "")
+            return json.load(stream)
     except (OSError, ValueError):
-        return ""
+        return {}
+
+
+def unit_of(field):
+    return summary().get("field units", {}).get(field, "")
+
+
+def annotate(fields, further):
+    """A note of each state: its time, or of a modal analysis, whose states are modes, the mode and its frequency."""
+    if summary().get("analysis") == "modal":
+        # "Mode 1: 3.36 Hz, moves along y: ..."
+        notes = [mode.split(", ")[0] + further for mode in summary()["modes"]]
+        return pv.PythonAnnotation(registrationName="note", Input=fields, Expression=f"{notes}[int(round(time_value)) - 1]")
+    return pv.AnnotateTimeFilter(registrationName="note", Input=fields, Format="Time: {time:.6g} s" + further)
 
 
 def colour(display, view, source, times, field, what, of_both_signs, of_one_sign, place):
@@ -166,9 +180,7 @@ def main():
             display.Opacity = 0.3  # or the liquid inside would not be seen
         colour(display, view, part, chosen, field, name, *maps[name])
 
-    words = ["Time: {time:.6g} s"] + ([f"displacement of the solids times {factor:g}"] if factor else [])
-    note = pv.AnnotateTimeFilter(registrationName="note", Input=fields, Format=", ".join(words))
-    note_display = pv.Show(note, view)
+    note_display = pv.Show(annotate(fields, f", displacement of the solids times {factor:g}" if factor else ""), view)
     note_display.Color = [0.0, 0.0, 0.0]
     note_display.FontSize = 16
 

@@ -229,17 +229,37 @@ class ParaView(unittest.TestCase):
             del sys.modules["paraview"], sys.modules["paraview.simple"]
         self.assertEqual(asked, ["/run of mine/fields.pvd", os.path.join(os.getcwd(), "fields.pvd")])
 
-    def test_states(self):
+    def functions(self):
+        """The names of the script, which is not run, and the module in the place of ParaView's."""
         source = os.path.join(SCRIPTS, "..", "source", "postprocess", "view_in_paraview.cc")
         with open(source, encoding="utf-8") as stream:
             text = stream.read().split('R"PYTHON(')[1].split(')PYTHON"')[0]
         names = {}
-        sys.modules["paraview"], sys.modules["paraview.simple"] = type(sys)("paraview"), type(sys)("paraview.simple")
-        sys.modules["paraview"].simple = sys.modules["paraview.simple"]
+        simple = type(sys)("paraview.simple")
+        sys.modules["paraview"], sys.modules["paraview.simple"] = type(sys)("paraview"), simple
+        sys.modules["paraview"].simple = simple
         try:
             exec(text.rpartition("main()")[0], names)
         finally:
             del sys.modules["paraview"], sys.modules["paraview.simple"]
+        return names, simple
+
+    def test_notes(self):
+        """Of a mode its number and frequency; of a state its time."""
+        names, simple = self.functions()
+        simple.PythonAnnotation = lambda Expression, **_: Expression
+        simple.AnnotateTimeFilter = lambda Format, **_: Format
+        with tempfile.TemporaryDirectory() as folder:
+            names["FOLDER"] = folder
+            self.assertEqual(names["annotate"](None, ", times 2"), "Time: {time:.6g} s, times 2")
+            with open(os.path.join(folder, "summary.json"), "w", encoding="utf-8") as stream:
+                json.dump({"analysis": "modal", "modes": ["Mode 1: 3.36 Hz, moves along y: 99 %", "Mode 2: 21 Hz, turns about z: 1 %"]}, stream)
+            expression = names["annotate"](None, ", times 2")
+            self.assertEqual([eval(expression, {"time_value": number}) for number in (1.0, 2.0)],
+                             ["Mode 1: 3.36 Hz, times 2", "Mode 2: 21 Hz, times 2"])
+
+    def test_states(self):
+        names, _ = self.functions()
         self.assertEqual(names["states_of"]([3.0]), [3.0])
         chosen = names["states_of"]([float(i) for i in range(101)])
         self.assertEqual((len(chosen), chosen[0], chosen[-1]), (20, 0.0, 100.0))
