@@ -53,7 +53,7 @@ Table waves(const std::vector<Quantity> &quantities)
   std::vector<std::string> probes;
   std::map<std::pair<std::string, std::string>, std::vector<double>> values;
   std::map<std::string, std::string> units;
-  std::vector<bool> is_there = {true, false, false};
+  std::vector<bool> is_there = {false, false, false};
   for (const Quantity &quantity : quantities)
     for (std::size_t source = 0; source < prefixes.size(); ++source)
       for (const std::string &name : names)
@@ -69,11 +69,11 @@ Table waves(const std::vector<Quantity> &quantities)
   Table table;
   if (probes.empty())
     return table;
-  table.push_back({"waves", "simulated"});
-  if (is_there[1])
-    table.back().push_back("theory");
-  if (is_there[2])
-    table.back().push_back("measured");
+  const std::vector<std::string> headings = {"simulated", "theory", "measured"};
+  table.push_back({"waves"});
+  for (std::size_t source = 0; source < prefixes.size(); ++source)
+    if (is_there[source])
+      table.back().push_back(headings[source]);
   for (const std::string &probe : probes)
     for (const std::string &name : names)
       if (const auto found = values.find({probe, name}); found != values.end())
@@ -192,6 +192,30 @@ Table probes(const std::vector<Quantity> &quantities)
   return table;
 }
 
+/// A row for the material of the laboratory and for each harmonic test of it.
+Table moduli(const std::vector<Quantity> &quantities)
+{
+  const std::vector<std::string> names = {"storage modulus", "loss modulus", "tan delta",
+                                          "mean modulus"};
+  Table table;
+  for (const Quantity &quantity : quantities)
+    for (std::size_t column = 0; column < names.size(); ++column)
+      if (quantity.name == names[column])
+      {
+        if (column == 0)
+        {
+          if (table.empty())
+            table.push_back({"moduli", "storage", "loss", "tan delta", "mean"});
+          table.push_back({"  " + quantity.probe});
+        }
+        table.back().push_back(cell(quantity.value, quantity.unit));
+        // The material itself, which alone has a mean, not one of its tests.
+        if (names[column] == "mean modulus")
+          table.back().front() += " at the fundamental frequency";
+      }
+  return table;
+}
+
 /// What an analysis without probes and waves has found: of vibrations the frequencies alone.
 Table results(const std::vector<Quantity> &all)
 {
@@ -296,8 +320,9 @@ Table checks(const std::vector<Summary::Check> &all)
 std::vector<std::string> answer_lines(const Summary &summary)
 {
   std::vector<std::string> lines;
-  std::vector<Table> tables = {waves(summary.quantities()), probes(summary.quantities()),
-                               last_beat(summary.quantities()), beats(summary.columns_of("beats"))};
+  std::vector<Table> tables = {waves(summary.quantities()), moduli(summary.quantities()),
+                               probes(summary.quantities()), last_beat(summary.quantities()),
+                               beats(summary.columns_of("beats"))};
   if (std::all_of(tables.begin(), tables.end(), [](const Table &table) { return table.empty(); }))
     tables.push_back(results(summary.quantities()));
   tables.push_back(checks(summary.checks()));

@@ -80,6 +80,24 @@ UNIT_TEST(answer)
     steady.add({"final velocity x", 0.1 * i, "m/s", "point " + std::to_string(i)});
   print(steady);
 
+  // Waves by theory alone have no column of simulated ones.
+  Summary theory;
+  theory.add({"theoretical wave speed", 8.869, "m/s", "stations"});
+  print(theory);
+
+  // A material: its moduli at the fundamental frequency and those of the tests.
+  Summary material;
+  material.add({"storage modulus", 1.147588e6, "Pa", "wall"});
+  material.add({"loss modulus", 8.493e4, "Pa", "wall"});
+  material.add({"tan delta", 0.0740074, "1", "wall"});
+  material.add({"mean modulus", 1.279198e6, "Pa", "wall"});
+  material.add({"final stress", 30030.04, "Pa", "relaxation"});
+  material.add({"storage modulus", 1.042584e6, "Pa", "harmonic at 0.1 Hz"});
+  material.add({"loss modulus", 7.593944e4, "Pa", "harmonic at 0.1 Hz"});
+  material.add({"tan delta", 0.07283774, "1", "harmonic at 0.1 Hz"});
+  material.add({"storage modulus of the law", 1.042501e6, "Pa", "harmonic at 0.1 Hz"});
+  print(material);
+
   // Neither probes nor waves: what there is, twelve of them; of vibrations the frequencies.
   Summary coating;
   coating.add({"volume of solution", 1.03e-5, "m^3", ""});
