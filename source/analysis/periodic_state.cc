@@ -131,7 +131,8 @@ void PeriodicState<dim>::evaluate(const std::size_t number)
   for (unsigned int column = 0; column < probes.n_columns(); ++column)
   {
     const BeatValues values =
-        beat_values(probes.times(), probes.values(column), n_intervals, number);
+        beat_values(probes.times(), probes.values(column), n_intervals, number,
+                    run.input.problem.interior.starts_under_mean_loads);
     for (const BeatColumn &of_beat : beat_columns())
       row.push_back(values.*of_beat.member);
     if (number <= first || !is_compared[column] || !all_are_known)

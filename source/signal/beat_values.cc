@@ -13,7 +13,8 @@ namespace Continua
 BeatValues beat_values(const std::vector<double> &times,
                        const std::vector<double> &values,
                        const std::size_t n_intervals,
-                       const std::size_t number)
+                       const std::size_t number,
+                       const bool jumps_at_start)
 {
   if (number == 0 || n_intervals == 0 || times.size() != values.size() ||
       values.size() <= number * n_intervals)
@@ -34,7 +35,7 @@ BeatValues beat_values(const std::vector<double> &times,
   if (number == 1)
     return result;
   double difference = 0.;
-  for (std::size_t i = 0; i <= n_intervals; ++i)
+  for (std::size_t i = number == 2 && jumps_at_start ? 1 : 0; i <= n_intervals; ++i)
     difference = std::max(difference, std::abs(beat[i] - values[begin - n_intervals + i]));
   // A history that does not vary at all has not changed, or has changed without measure.
   result.difference = difference == 0. ? 0. : difference / result.range;

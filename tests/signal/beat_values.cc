@@ -17,7 +17,9 @@ constexpr double pi = 3.14159265358979323846;
 constexpr std::size_t n_intervals = 40;
 
 /// Beats of 0.8 s, of a function of the time.
-BeatValues of(const std::function<double(double)> &function, const std::size_t number)
+BeatValues of(const std::function<double(double)> &function,
+              const std::size_t number,
+              const bool jumps_at_start = false)
 {
   std::vector<double> times, values;
   for (std::size_t i = 0; i <= 3 * n_intervals; ++i)
@@ -25,7 +27,7 @@ BeatValues of(const std::function<double(double)> &function, const std::size_t n
     times.push_back(0.8 * i / n_intervals);
     values.push_back(function(times.back()));
   }
-  return beat_values(times, values, n_intervals, number);
+  return beat_values(times, values, n_intervals, number, jumps_at_start);
 }
 } // namespace
 
@@ -50,6 +52,14 @@ UNIT_TEST(beat_values)
   const auto decay = [](const double t) { return std::exp(-t / 0.4); };
   check::relative("difference of a decay", of(decay, 3).difference,
                   (std::exp(-2.) - std::exp(-4.)) / (std::exp(-4.) - std::exp(-6.)), 1e-12);
+
+  // A first sample from before a jump of the loads: not compared, and in no later beat.
+  const auto jump = [&](const double t) { return t == 0. ? 10. : growing(t); };
+  check::is_true("a jump at the start", of(jump, 2).difference > 1.);
+  check::relative("a jump at the start that is left out", of(jump, 2, true).difference,
+                  of(growing, 2).difference, 1e-12);
+  check::relative("of later beats nothing is left out", of(decay, 3, true).difference,
+                  of(decay, 3).difference, 1e-12);
 
   check::absolute("a constant has settled", of([](double) { return 3.; }, 2).difference, 0., 0.);
   check::is_true("steps of a constant have not",

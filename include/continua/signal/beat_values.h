@@ -23,6 +23,8 @@ struct BeatValues
  * `n_intervals` of them in a beat: beat n goes from the sample (n - 1) n_intervals to the sample n
  * n_intervals, both included. Largest and smallest values are those of a parabola through three
  * samples; the mean is that of the trapezoidal rule. `times` [s] and `values` are equally long.
+ * If `jumps_at_start` the loads jump as the history begins: its first sample is no part of the
+ * first beat where the second one is compared with it.
  * Where the history has a value that is not a number all of the beat's are NaN.
  *
  * Throws std::invalid_argument if the history ends before the beat does.
@@ -30,7 +32,8 @@ struct BeatValues
 BeatValues beat_values(const std::vector<double> &times,
                        const std::vector<double> &values,
                        std::size_t n_intervals,
-                       std::size_t number);
+                       std::size_t number,
+                       bool jumps_at_start = false);
 } // namespace Continua
 
 #endif
