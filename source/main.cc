@@ -1,3 +1,4 @@
+#include <continua/base/atomic_file.h>
 #include <continua/base/command_line.h>
 #include <continua/base/input_error.h>
 #include <continua/base/input_file.h>
@@ -14,7 +15,13 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -67,6 +74,21 @@ make_analysis(ParameterFile &file, const CommandLine &command_line, const MPI_Co
   }
 }
 
+/// For what is there to be printed. Throws RunError if it does not arrive, as on a full disk;
+/// whoever reads it may have enough of it (| head).
+void print_all(const std::string &text)
+{
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0)
+    return;
+  const int error = errno;
+  // What is kept of it would fail again as the libraries end, which flush the output, too.
+  const int nothing = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (nothing >= 0)
+    ::dup2(nothing, STDOUT_FILENO);
+  if (error != EPIPE)
+    throw RunError(std::string("cannot write to the standard output: ") + std::strerror(error));
+}
+
 /// Reads what the file asks for and performs it; --print-parameters and --validate only read.
 void perform_file(const CommandLine &command_line, const MPI_Comm communicator)
 {
@@ -76,13 +98,17 @@ void perform_file(const CommandLine &command_line, const MPI_Comm communicator)
   if (given.entries.empty() && given.sections.empty())
     throw InputError(given.origin, "", "the parameter file is empty: it sets nothing",
                      "Begin with one of the shipped files of parameter_files");
+  if (!command_line.mesh_file.empty())
+    require_folder_of(command_line.mesh_file);
   if (command_line.allow_mesh_commands)
     allow_mesh_commands();
   const std::unique_ptr<Analysis> analysis = make_analysis(file, command_line, communicator);
   if (!command_line.print_parameters.empty())
   {
+    std::ostringstream text;
+    file.print(text, style_of(command_line.print_parameters));
     if (is_writer)
-      file.print(std::cout, style_of(command_line.print_parameters));
+      print_all(text.str());
     return;
   }
   if (command_line.validate)
@@ -90,15 +116,16 @@ void perform_file(const CommandLine &command_line, const MPI_Comm communicator)
     const std::vector<std::string> outline = analysis->outline();
     if (!is_writer)
       return;
-    std::cout << printable(command_line.parameter_file) << ": valid" << std::endl;
+    std::string text = printable(command_line.parameter_file) + ": valid\n";
     for (const std::string &line : outline)
-      std::cout << "  " << printable(line) << std::endl;
+      text += "  " + printable(line) + "\n";
+    print_all(text);
     return;
   }
   if (!command_line.mesh_file.empty())
   {
     analysis->write_mesh(command_line.mesh_file);
-    std::cout << printable(command_line.mesh_file) << ": written" << std::endl;
+    print_all(printable(command_line.mesh_file) + ": written\n");
     return;
   }
   // Until here a signal ends the program at once: nothing is written.
@@ -119,18 +146,20 @@ void perform_file(const CommandLine &command_line, const MPI_Comm communicator)
 /// --new: lists the templates, prints one, or writes it with the files that it reads.
 void perform_new(const CommandLine &command_line)
 {
+  std::ostringstream text;
   if (command_line.template_name.empty())
-    print_templates(std::cout);
+    print_templates(text);
   else if (command_line.parameter_file.empty())
-    print_template(command_line.template_name, std::cout, std::cerr);
+    print_template(command_line.template_name, text, std::cerr);
   else
   {
     const std::vector<std::string> written =
         write_template(command_line.template_name, command_line.parameter_file);
     for (const std::string &file : written)
-      std::cout << printable(file) << ": written" << std::endl;
-    std::cout << "Run it: continua " << printable(written.front()) << std::endl;
+      text << printable(file) << ": written\n";
+    text << "Run it: continua " << printable(written.front()) << "\n";
   }
+  print_all(text.str());
 }
 
 void perform(const CommandLine &command_line, const MPI_Comm communicator)
@@ -139,12 +168,14 @@ void perform(const CommandLine &command_line, const MPI_Comm communicator)
   if (command_line.help || command_line.version)
   {
     if (is_writer)
-      std::cout << (command_line.help ? CommandLine::usage() : version_text());
+      print_all(command_line.help ? CommandLine::usage() : version_text());
   }
   else if (command_line.examples)
   {
+    std::ostringstream text;
+    print_examples(text, examples_folder());
     if (is_writer)
-      print_examples(std::cout, examples_folder());
+      print_all(text.str());
   }
   else if (command_line.new_file)
   {
@@ -153,8 +184,10 @@ void perform(const CommandLine &command_line, const MPI_Comm communicator)
   }
   else if (command_line.parameter_file.empty())
   {
+    std::ostringstream text;
+    print_documentation(text, style_of(command_line.print_parameters));
     if (is_writer)
-      print_documentation(std::cout, style_of(command_line.print_parameters));
+      print_all(text.str());
   }
   else
     perform_file(command_line, communicator);

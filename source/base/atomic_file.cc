@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 namespace Continua
 {
@@ -33,6 +34,13 @@ std::string folder_of(const std::string &file)
 {
   const std::size_t slash = file.rfind('/');
   return slash == std::string::npos ? "." : file.substr(0, slash + 1);
+}
+
+void require_folder_of(const std::string &file)
+{
+  if (!std::filesystem::is_directory(folder_of(file)))
+    throw InputError({file, 0}, "", "the folder '" + folder_of(file) + "' does not exist",
+                     "Make this folder, or name another one");
 }
 
 void flush_to_disk(const std::string &path)

@@ -4,6 +4,7 @@
 #include <continua/program/parameter_templates.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 namespace Continua
@@ -53,6 +54,26 @@ std::vector<ParameterTemplate> make_templates()
       result.push_back(entry);
     }
   return result;
+}
+
+/// The name of a file that a template reads, beside a parameter file with this stem: my.geo for my,
+/// but the template's name for a stem that an entry might not give back.
+std::string own_name_of(const std::string &name, const std::string &stem)
+{
+  const bool is_plain =
+      std::all_of(stem.begin(), stem.end(),
+                  [](const unsigned char letter)
+                  { return std::isalnum(letter) != 0 || letter == '-' || letter == '_'; });
+  return is_plain ? stem + std::filesystem::path(name).extension().string() : name;
+}
+
+/// The text with each occurrence of the name replaced by the other one.
+std::string with_name(std::string text, const std::string &name, const std::string &other)
+{
+  for (std::size_t at = text.find(name); at != std::string::npos;
+       at = text.find(name, at + other.size()))
+    text.replace(at, name.size(), other);
+  return text;
 }
 
 const ParameterTemplate &find_template(const std::string &name)
@@ -107,10 +128,16 @@ void print_template(const std::string &name, std::ostream &out, std::ostream &no
 std::vector<std::string> write_template(const std::string &name, const std::string &file)
 {
   const ParameterTemplate &entry = find_template(name);
-  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  require_folder_of(file);
+  const std::filesystem::path path = file;
   std::vector<std::pair<std::string, std::string>> files = {{file, entry.text}};
   for (const auto &[other, text] : entry.files)
-    files.emplace_back((folder / other).string(), text);
+  {
+    // Named after the parameter file, so that two files of one template can stand in a folder.
+    const std::string own_name = own_name_of(other, path.stem().string());
+    files.front().second = with_name(files.front().second, other, own_name);
+    files.emplace_back((path.parent_path() / own_name).string(), text);
+  }
   for (std::size_t i = 1; i < files.size(); ++i)
     if (files[i].first == file)
       throw InputError({file, 0}, "", "the template '" + entry.name + "' reads a file of this name",

@@ -9,6 +9,7 @@ MEASURES has the template, `--mesh` writes its mesh, and the boundaries have the
 import json
 import math
 import os
+import subprocess
 
 import driver
 
@@ -47,6 +48,22 @@ def refused(program, arguments, folder, *texts):
         raise driver.TestFailure(f"{arguments}: status {done.returncode}, {done.stderr}; expected status 2 and {texts}")
 
 
+def full_disk(program, arguments, folder):
+    """What is there to be printed, into a full disk: exit status 1. Into a pipe that nobody reads any more: no error."""
+    with open("/dev/full", "w", encoding="utf-8") as full:
+        done = subprocess.run([program, *arguments], cwd=folder, env=driver.environment(), stdout=full, stderr=subprocess.PIPE, text=True,
+                              check=False)
+    if done.returncode != 1 or "error: cannot write to the standard output: No space left on device" not in done.stderr:
+        raise driver.TestFailure(f"{arguments} > /dev/full: status {done.returncode}, {done.stderr}")
+    reading, writing = os.pipe()
+    os.close(reading)
+    done = subprocess.run([program, *arguments], cwd=folder, env=driver.environment(), stdout=writing, stderr=subprocess.PIPE, text=True,
+                          check=False)
+    os.close(writing)
+    if done.returncode != 0 or "error" in done.stderr:
+        raise driver.TestFailure(f"{arguments} without a reader: status {done.returncode}, {done.stderr}")
+
+
 def check_list(program, folder):
     text = driver.run_to_the_end(program, ["--new"]).stdout
     geometries, analyses = listed(program)
@@ -66,7 +83,8 @@ def check_list(program, folder):
     refused(program, ["--new", "tub"], folder, "'--new tub'", "Did you mean 'tube'?")
     refused(program, ["--new", "tube", "--overwrite"], folder, "no other option")
     refused(program, ["--new", "curved-vessel", "curved-vessel.csv"], folder, "reads a file of this name")
-    for existing in ("my.prm", "gmsh.geo"):
+    refused(program, ["--new", "tube", "none/my.prm"], folder, "none/my.prm", "the folder 'none/' does not exist")
+    for existing in ("my.prm", "my.geo"):
         path = os.path.join(folder, existing)
         with open(path, "w", encoding="utf-8") as stream:
             stream.write("mine\n")
@@ -75,7 +93,22 @@ def check_list(program, folder):
             raise driver.TestFailure(f"something was written beside {existing}")
         os.remove(path)
 
+    # Beside the files of another user's template, and with a name that an entry cannot have.
+    with open(os.path.join(folder, "gmsh.geo"), "w", encoding="utf-8") as stream:
+        stream.write("mine\n")
+    driver.run_to_the_end(program, ["--new", "gmsh", "other.prm"], folder=folder)
+    if sorted(os.listdir(folder)) != ["gmsh.geo", "other.geo", "other.prm"]:
+        raise driver.TestFailure(f"--new gmsh other.prm wrote {os.listdir(folder)}")
+    driver.run_to_the_end(program, ["other.prm", "--mesh", "other.vtu"], folder=folder)
+    os.remove(os.path.join(folder, "gmsh.geo"))
+    driver.run_to_the_end(program, ["--new", "gmsh", "# mine.prm"], folder=folder)
+    driver.run_to_the_end(program, ["# mine.prm", "--mesh", "mine.vtu"], folder=folder)
+
     driver.run_to_the_end(program, ["--new", "beam", "my.prm"], folder=folder)
+    for arguments in (["--new"], ["--new", "tube"], ["--print-parameters"], ["my.prm", "--print-parameters=json"], ["my.prm", "--validate"],
+                      ["--examples"], ["--version"], ["--help"]):
+        full_disk(program, arguments, folder)
+    refused(program, ["my.prm", "--mesh", "none/mesh.vtu"], folder, "none/mesh.vtu", "the folder 'none/' does not exist")
     refused(program, ["my.prm", "--mesh", "mesh.vtk"], folder, ".vtu")
     refused(program, ["my.prm", "--mesh", "mesh.vtu", "--validate"], folder, "excludes --validate")
     refused(program, ["--mesh", "mesh.vtu"], folder, "the parameter file is missing")

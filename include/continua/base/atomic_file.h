@@ -30,6 +30,9 @@ void flush_to_disk(const std::string &path);
 
 /// The folder of a file, "." where its path has none.
 std::string folder_of(const std::string &file);
+
+/// Refuses a file that the command line names if its folder does not exist: throws InputError.
+void require_folder_of(const std::string &file);
 } // namespace Continua
 
 #endif

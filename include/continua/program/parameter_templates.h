@@ -34,9 +34,9 @@ void print_templates(std::ostream &out);
 void print_template(const std::string &name, std::ostream &out, std::ostream &notes);
 
 /**
- * Writes the template `name` to `file`, and the files that it reads into the same folder; returns
- * what was written. Throws InputError if there is no such template, and if one of the files exists:
- * then nothing is written.
+ * Writes the template `name` to `file`, and the files that it reads beside it, named after `file`:
+ * my.geo for my.prm. Returns what was written. Throws InputError if there is no such template, if
+ * the folder does not exist, and if one of the files exists: then nothing is written.
  */
 std::vector<std::string> write_template(const std::string &name, const std::string &file);
 } // namespace Continua
