@@ -20,8 +20,8 @@ MEASURES = {
     "box": ({"left": 20, "right": 20, "bottom": 40, "top": 40}, 1e-12),
     "beam": ({"clamped end": 10, "free end": 10, "bottom": 100, "top": 100}, 1e-12),
     "layered channel": ({"inlet": 5, "wall inlet end": 1, "bottom": 100, "top": 100}, 1e-12),
-    # 0.41 m high, a circle of 50 mm.
-    "channel with cylinder": ({"inlet": 410, "bottom": 1200, "cylinder": 2 * math.pi * 50}, 2e-2),
+    # 0.41 m high, a circle of 50 mm, a beam 20 mm high.
+    "channel with cylinder": ({"inlet": 410, "bottom": 1200, "cylinder": 2 * 50 * (math.pi - math.asin(10 / 50)), "beam root": 20}, 2e-2),
     "tube": ({"inlet": 5, "wall inlet end": 1, "axis": 500, "outside": 500}, 1e-12),
     # A circle of 4 mm as a polygon, and a ring of 0.8 mm around it along a quarter of a circle of 50 mm.
     "curved vessel": ({"inlet": math.pi * 4**2, "wall outlet end": math.pi * (4.8**2 - 4**2),
