@@ -40,6 +40,8 @@ class WithFolder(unittest.TestCase):
         self.addCleanup(temporary.cleanup)
         self.folder = temporary.name
         warnings.simplefilter("error")  # none of these runs may give a warning that is not expected
+        # xarray imports it where python3-sparse is installed.
+        warnings.filterwarnings("ignore", category=DeprecationWarning, module=r"llvmlite\.")
 
     def path(self, name):
         return os.path.join(self.folder, name)
