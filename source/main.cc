@@ -54,7 +54,7 @@ std::string version_text()
   std::string text = "Continua " + version() + " (" + revision() +
                      (revision_is_dirty() ? ", with uncommitted changes" : "") + ")\n";
   for (const auto &[library, its_version] : library_versions())
-    text += "  " + library + " " + its_version + "\n";
+    text.append("  ").append(library).append(" ").append(its_version).append("\n");
   return text;
 }
 
