@@ -1,4 +1,5 @@
-"""Figures of the material laboratory: relaxation, creep, the complex modulus over frequency and the loops of harmonic tests."""
+"""Figures of the material laboratory: relaxation, creep, the complex modulus over frequency, the loops of harmonic tests
+and curves of stress over stretch."""
 
 import glob
 import os
@@ -9,6 +10,7 @@ import plot_style
 import tables
 
 REFERENCES = (("closed solution", "--", "#000000"), ("power law", ":", "#D55E00"))
+CURVES = ("uniaxial", "equibiaxial", "planar", "shear")
 
 
 def draw(sheet, runs):
@@ -17,6 +19,7 @@ def draw(sheet, runs):
     draw_history(sheet, runs, "creep", "strain")
     draw_modulus(sheet, runs)
     draw_loops(sheet, runs)
+    draw_curves(sheet, runs)
 
 
 def read_all(runs, file):
@@ -197,3 +200,30 @@ def draw_loops(sheet, runs):
     sheet.legend(axes, len(loops))
     sheet.save(figure, "hysteresis")
     sheet.save_data("hysteresis", header, columns)
+
+
+def draw_curves(sheet, runs):
+    """Nominal stress over stretch or shear of each test at large strains, with the measured rows of a fit."""
+    for test in CURVES:
+        shown, fitted = read_all(runs, f"{test}.csv"), read_all(runs, f"fit-{test}.csv")
+        if not shown and not fitted:
+            continue
+        figure, axes = sheet.figure()
+        header, columns = [], []
+        stresses = [column(names, data, "nominal stress") for _, names, data in shown] + [
+            column(names, data, "measured stress") for _, names, data in fitted]
+        factor, unit = plot_style.readable(max(numpy.abs(stress).max() for stress in stresses), "Pa")
+        for i, (run, names, data) in enumerate(shown):
+            axes.plot(data[:, 0], factor * column(names, data, "nominal stress"), label=f"{prefix(shown, run)}law",
+                      **look_of(shown, i, len(data)))
+        for i, (run, names, data) in enumerate(fitted):
+            axes.plot(data[:, 0], factor * column(names, data, "measured stress"), "o", color=plot_style.of_run(i)["color"],
+                      markersize=3, fillstyle="none", label=f"{prefix(fitted, run)}table")
+        for run, names, data in shown + fitted:
+            header += [f"{prefix(runs, run)}{name} [{unit}]" for name, unit in names]
+            columns += list(data.T)
+        axes.set_xlabel("Amount of shear" if test == "shear" else "Stretch")
+        axes.set_ylabel(plot_style.axis_label(f"nominal stress ({test})", unit))
+        legend_above(sheet, figure, axes)
+        sheet.save(figure, f"stress-{test}")
+        sheet.save_data(f"stress-{test}", header, columns)

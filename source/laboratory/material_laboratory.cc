@@ -2,8 +2,10 @@
 #include <continua/base/table_writer.h>
 #include <continua/case/power_laws.h>
 #include <continua/laboratory/laboratory_tests.h>
+#include <continua/laboratory/large_strain_tests.h>
 #include <continua/laboratory/material_laboratory.h>
 #include <continua/materials/mean_modulus.h>
+#include <continua/materials/strain_law_types.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
@@ -27,10 +29,10 @@ MaterialLaboratory::MaterialLaboratory(const AnalysisInput &input) : Analysis(in
   if (general.discretisation != GeneralParameters().discretisation)
     root.refuse("Discretisation", "the specimen of the laboratory is one finite element",
                 "Remove it");
-  read_material_of(root.subsection("Materials"));
   ParameterSection section = root.subsection("Laboratory");
   laboratory.read(section);
-  if (!laboratory.tests.empty())
+  read_material_of(root.subsection("Materials"));
+  if (laboratory.has_steps())
   {
     time.read(root.subsection("Time"));
     if (time.is_adaptive())
@@ -42,7 +44,8 @@ MaterialLaboratory::MaterialLaboratory(const AnalysisInput &input) : Analysis(in
   file.refuse_unknown();
   name_quantities();
   quantities.refuse_others(root.subsection("Expected"), expected);
-  if (laboratory.has("relaxation"))
+  if (laboratory.has("relaxation") ||
+      (laboratory.has_steps() && laboratory.large_strain.loading_time > 0.))
     check_loading_time(section);
   if (is_power_law())
     fit(root.subsection("Materials").subsection(name));
@@ -58,7 +61,12 @@ void MaterialLaboratory::read_material_of(ParameterSection materials)
                                          " materials, and the laboratory has one specimen",
                      "Give one subsection, of any name, with a Type");
   name = names.front();
-  const std::vector<std::string> tests = LaboratoryParameters::test_names();
+  std::vector<std::string> tests = LaboratoryParameters::test_names();
+  if (laboratory.is_large_strain)
+  {
+    tests = LargeStrainParameters::test_names();
+    tests.push_back("fit");
+  }
   if (std::find(tests.begin(), tests.end(), name) != tests.end())
     materials.subsection(name).refuse("",
                                       "the summary calls what a test finds '" + name +
@@ -71,11 +79,43 @@ void MaterialLaboratory::read_material_of(ParameterSection materials)
                    "Give the law of a solid");
   if (is_power_law())
     table = read_relaxation_test(section);
+  if (laboratory.is_large_strain)
+    read_strain_law(section);
+}
+
+void MaterialLaboratory::read_strain_law(ParameterSection section)
+{
+  strain_law.read(section, material.is_incompressible());
+  if (material.shear.viscosity > 0.)
+    section.refuse("Viscosity", "tests at finite deformations know no viscosity beside the law",
+                   "Take branches that relax (Type = prony), or Laboratory/Deformation = small");
+  // The springs of a power law are there after its fit.
+  if (!is_power_law() && material.long_term_shear_modulus() == 0.)
+    section.refuse("Type",
+                   "'" + material.type +
+                       "' has no spring that holds, to which the strain law "
+                       "would belong",
+                   "Take Type = prony with a small Young's modulus");
+  if (!laboratory.large_strain.tables.empty() && is_power_law())
+    section.refuse("Type", "the constants of a power law are not fitted to curves",
+                   "Take Type = hookean for the fit, or remove the tables of the laboratory");
+  std::size_t n_rows = 0;
+  for (const StretchTable &measured : laboratory.large_strain.tables)
+    n_rows += measured.measures.size();
+  const std::size_t n_constants = 1 + strain_law_type(strain_law.type).constants.size();
+  if (n_rows > 0 && n_rows < n_constants)
+    section.refuse("Strain law",
+                   "the law has " + std::to_string(n_constants) +
+                       " constants, and the tables of "
+                       "the laboratory have " +
+                       std::to_string(n_rows) + " rows",
+                   "Give tables with more rows");
 }
 
 void MaterialLaboratory::check_loading_time(const ParameterSection &section) const
 {
-  const double loading_time = laboratory.loading_time;
+  const double loading_time =
+      laboratory.is_large_strain ? laboratory.large_strain.loading_time : laboratory.loading_time;
   TimeControl control(time);
   while (!control.at_end() && control.time() < loading_time * (1. - 1e-6))
     control.next();
@@ -97,7 +137,8 @@ void MaterialLaboratory::fit(const ParameterSection &section)
       lowest = std::min(lowest, frequency);
       highest = std::max(highest, frequency);
     }
-  if (laboratory.has("relaxation") || laboratory.has("creep"))
+  if (laboratory.has("relaxation") || laboratory.has("creep") ||
+      (laboratory.is_large_strain && laboratory.has_steps()))
   {
     lowest = std::min(lowest, 1. / (2. * PI * time.end_time));
     highest = std::max(highest, 1. / (10. * time.smallest_step()));
@@ -120,7 +161,11 @@ void MaterialLaboratory::name_quantities()
       quantities.add(quantity, name);
   if (!table.file.empty())
     quantities.add("misfit of the relaxation table", name);
-  LaboratoryTests<2>::name_quantities(laboratory, is_power_law(), quantities);
+  if (laboratory.is_large_strain)
+    LargeStrainTests::name_quantities(strain_law, laboratory.large_strain, laboratory.tests,
+                                      quantities);
+  else
+    LaboratoryTests<2>::name_quantities(laboratory, is_power_law(), quantities);
 }
 
 void MaterialLaboratory::compute(const OutputDirectory &directory, Log &log, Summary &summary)
@@ -128,7 +173,9 @@ void MaterialLaboratory::compute(const OutputDirectory &directory, Log &log, Sum
   const bool is_writer = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   summary.set_possible(quantities);
   summary.set("status", "finished");
-  summary.set("specimen", word_of(specimen_words(), laboratory.specimen));
+  summary.set("specimen", laboratory.is_large_strain
+                              ? "a point"
+                              : word_of(specimen_words(), laboratory.specimen));
   summary.set("material", name + ", " + material.type);
   report(log, summary);
   if (is_writer)
@@ -138,7 +185,11 @@ void MaterialLaboratory::compute(const OutputDirectory &directory, Log &log, Sum
     if (!table.file.empty())
       write_table(directory);
   }
-  if (laboratory.specimen == SpecimenShape::cylinder)
+  if (laboratory.is_large_strain)
+    LargeStrainTests(material, strain_law, laboratory.large_strain, time, directory, communicator,
+                     log, summary)
+        .perform(laboratory.tests);
+  else if (laboratory.specimen == SpecimenShape::cylinder)
     simulate<2>(directory, log, summary);
   else
     simulate<3>(directory, log, summary);

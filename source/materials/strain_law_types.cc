@@ -78,16 +78,37 @@ std::unique_ptr<StrainLaw> make_holzapfel_gasser_ogden(const StrainLawParameters
 const std::vector<StrainLawType> &strain_law_types()
 {
   static const std::vector<StrainLawType> rows = {
-      {"neo hookean", "Rubber at moderate strains: energy by the first invariant.", false, false,
-       read_no_entries, make_neo_hookean},
-      {"mooney rivlin", "Rubber: energy by both invariants.", false, false, read_mooney_rivlin,
+      {"neo hookean",
+       "Rubber at moderate strains: energy by the first invariant.",
+       false,
+       false,
+       {},
+       read_no_entries,
+       make_neo_hookean},
+      {"mooney rivlin",
+       "Rubber: energy by both invariants.",
+       false,
+       false,
+       {{"Mooney-Rivlin share", Dimensions::none, &StrainLawParameters::mooney_rivlin_share, true,
+         0.5}},
+       read_mooney_rivlin,
        make_mooney_rivlin},
       {"st venant kirchhoff",
-       "Large rotations and small strains: linear in Green's strain, the pressure included.", false,
-       true, read_no_entries, make_saint_venant_kirchhoff},
+       "Large rotations and small strains: linear in Green's strain, the pressure included.",
+       false,
+       true,
+       {},
+       read_no_entries,
+       make_saint_venant_kirchhoff},
       {"holzapfel gasser ogden",
-       "Wall of an artery: neo-Hookean with two families of fibres that stiffen.", true, false,
-       read_fibres, make_holzapfel_gasser_ogden}};
+       "Wall of an artery: neo-Hookean with two families of fibres that stiffen.",
+       true,
+       false,
+       {{"Fibre stiffness", Dimensions::pressure, &StrainLawParameters::fibre_stiffness, false,
+         1e3},
+        {"Fibre exponent", Dimensions::none, &StrainLawParameters::fibre_exponent, false, 1.}},
+       read_fibres,
+       make_holzapfel_gasser_ogden}};
   return rows;
 }
 

@@ -1,4 +1,5 @@
-"""Tables (csv) with changes by chance: of an inlet, of a relaxation test, of measured curves, of a tube's shape."""
+"""Tables (csv) with changes by chance: of an inlet, of a relaxation test, of measured waves, of a tube's shape, of a stretched
+rubber."""
 
 import os
 import random
@@ -11,12 +12,12 @@ from program import HERE, Verdict, judge_reading
 
 # Table: the case that reads it, and how many of its columns it reads. The first is run, too.
 CASES = {"pulse.csv": ("channel.prm", 2), "relaxation.csv": ("relaxation.prm", 2), "measured.csv": ("measured.prm", 2),
-         "shape.csv": ("shape.prm", 3)}
+         "shape.csv": ("shape.prm", 3), "stretch.csv": ("stretch.prm", 2)}
 
 
 class Attack:
     name = "tables"
-    summary = "tables of inlets, relaxation tests, measured curves and tubes with changes by chance"
+    summary = "tables of inlets, relaxation tests, measured waves, tubes and stretches with changes by chance"
 
     def __init__(self, program, options):
         self.program = program

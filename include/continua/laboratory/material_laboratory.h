@@ -8,6 +8,7 @@
 #include <continua/laboratory/laboratory_parameters.h>
 #include <continua/materials/prony_series.h>
 #include <continua/materials/relaxation_test.h>
+#include <continua/materials/strain_law_parameters.h>
 
 #include <string>
 #include <vector>
@@ -18,7 +19,8 @@ namespace Continua
  * `Analysis = material`: one solid of the section Materials without a body. Reports its complex
  * modulus over a band (modulus.csv), its mean modulus and its branches (prony.csv), for a power law
  * those that are fitted to it, beside a relaxation table the law found (relaxation-table.csv), and
- * simulates material tests with one element (LaboratoryTests).
+ * simulates material tests with one element (LaboratoryTests), or those of a hyperelastic law at a
+ * point (LargeStrainTests).
  */
 class MaterialLaboratory : public Analysis
 {
@@ -29,8 +31,9 @@ public:
 private:
   std::string name; ///< of the material
   Material material;
-  RelaxationTest table; ///< of a power law, if it has one
-  PronySeries series;   ///< of a power law
+  RelaxationTest table;           ///< of a power law, if it has one
+  PronySeries series;             ///< of a power law
+  StrainLawParameters strain_law; ///< of tests at large strains
   LaboratoryParameters laboratory;
   TimeParameters time;
   std::vector<ExpectedValue> expected;
@@ -40,6 +43,7 @@ private:
   void compute(const OutputDirectory &directory, Log &log, Summary &summary) override;
   bool is_power_law() const { return material.has_power_law(); }
   void read_material_of(ParameterSection materials);
+  void read_strain_law(ParameterSection section);
   void check_loading_time(const ParameterSection &section) const;
   void fit(const ParameterSection &section);
   /// The names of what report() and the tests add.

@@ -11,6 +11,16 @@
 
 namespace Continua
 {
+/// A constant of a law that a measured curve determines.
+struct StrainLawConstant
+{
+  std::string key; ///< of the parameter file
+  Dimension dimension;
+  double StrainLawParameters::*member;
+  bool is_share; ///< whether it lies between 0 and 1; else it is positive
+  double usual;  ///< where the search for it begins if the parameter file has 0
+};
+
 /// A row of the table of hyperelastic laws.
 struct StrainLawType
 {
@@ -18,6 +28,8 @@ struct StrainLawType
   std::string description; ///< one line, for the manual
   bool has_fibres;         ///< whether it has directions of fibres
   bool needs_bulk_modulus; ///< whether the material must be compressible
+  /// Beside the shear modulus.
+  std::vector<StrainLawConstant> constants;
   /// Declares and reads the entries of this law. Throws InputError.
   std::function<void(ParameterSection &, StrainLawParameters &)> read;
   /// From the parameters, the shear modulus mu and the bulk modulus K [Pa].
