@@ -94,6 +94,12 @@ UNIT_TEST(strain_law_fit)
     check::relative("holzapfel gasser ogden: exponent", fit.parameters.fibre_exponent, 0.7, 1e-5);
     check::absolute("holzapfel gasser ogden: angle stays", fit.parameters.fibre_angle, 0.6, 0.);
   }
+  // The fibres lie closer to the axis.
+  check::relative("an axial strip: along its fibres", fibres_of_specimen(artery, along)[0][0],
+                  std::cos(0.6), 1e-15);
+  check::relative("a circumferential strip: across its fibres",
+                  fibres_of_specimen(artery, CuttingDirection::circumferential)[0][0],
+                  std::sin(0.6), 1e-15);
   StrainLawParameters stiff = artery;
   stiff.fibre_stiffness = 1e5;
   stiff.fibre_exponent = 1e6;
