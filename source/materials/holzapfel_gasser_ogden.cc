@@ -76,7 +76,7 @@ void HolzapfelGasserOgden::set_tangent(const PointStrain &strain,
     fictitious += 2. * stiffness * e * growth * fibre.structure;
     const SymmetricTensor<2, 3> deviatoric = deviator(fibre.structure);
     of_fibres += 4. * stiffness * (1. + 2. * exponent * e * e) * growth *
-                 outer_product(deviatoric, deviatoric);
+                 dyadic_product(deviatoric, deviatoric);
   }
   stress = deviator(fictitious);
   tangent = isochoric_tangent(trace(fictitious), stress) + of_fibres;

@@ -27,7 +27,7 @@ void MooneyRivlin::set_tangent(const PointStrain &strain,
       (first_modulus + second_modulus * trace(b)) * b - second_modulus * square(b);
   stress = deviator(fictitious);
   tangent = isochoric_tangent(trace(fictitious), stress) +
-            2. * second_modulus * deviator_of_both(outer_product(b, b) - both_sides_product(b));
+            2. * second_modulus * deviator_of_both(dyadic_product(b, b) - both_sides_product(b));
 }
 
 double MooneyRivlin::energy(const PointStrain &strain) const

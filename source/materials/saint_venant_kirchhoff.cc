@@ -52,10 +52,10 @@ void SaintVenantKirchhoff::set_tangent(const PointStrain &strain,
   stress = deviator(whole);
   // What the mean of T takes from g T + T g^T comes back, and the mean itself changes.
   tangent =
-      lambda * outer_product(b, b) + 2. * modulus * both_sides_product(b) +
+      lambda * dyadic_product(b, b) + 2. * modulus * both_sides_product(b) +
       2. / 3. * trace(whole) * identity_tensor<3>() -
       1. / 3. *
-          outer_product(unit_symmetric_tensor<3>(), trace_derivative(b, whole, modulus, lambda));
+          dyadic_product(unit_symmetric_tensor<3>(), trace_derivative(b, whole, modulus, lambda));
 }
 
 double SaintVenantKirchhoff::energy(const PointStrain &strain) const

@@ -16,6 +16,10 @@ namespace Continua
 dealii::SymmetricTensor<4, 3> isochoric_tangent(double fictitious_trace,
                                                 const dealii::SymmetricTensor<2, 3> &stress);
 
+/// a x b; deal.II's outer_product() takes three times as long.
+dealii::SymmetricTensor<4, 3> dyadic_product(const dealii::SymmetricTensor<2, 3> &a,
+                                             const dealii::SymmetricTensor<2, 3> &b);
+
 /// P : c : P of a tensor with major symmetry.
 dealii::SymmetricTensor<4, 3> deviator_of_both(const dealii::SymmetricTensor<4, 3> &tensor);
 
