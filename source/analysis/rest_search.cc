@@ -114,9 +114,9 @@ void RestSearch<dim>::perform(const bool loads_come, const double time)
   else
     text << rest.time_step << " s";
   text << "; raise Steady/Maximum steps or Steady/Time step";
-  if (run.input.problem.convection.is_on)
+  if (run.input.problem.is_nonlinear())
     text << (run.input.analysis.is_steady()
-                 ? ", or find out with Analysis = transient whether the flow becomes steady"
+                 ? ", or find out with Analysis = transient whether the motion becomes steady"
                  : ", or set Initial state/Type = given");
   throw RunError(text.str());
 }

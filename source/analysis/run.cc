@@ -43,6 +43,8 @@ void Run<dim>::describe_run()
 {
   summary.set("model", input.general.model);
   summary.set("discretisation", input.general.discretisation);
+  if (input.problem.deformation == Deformation::finite)
+    summary.set("deformation", word_of(deformation_words(), input.problem.deformation));
   summary.set("libraries", library_versions());
   if (!input.problem.regions.empty())
     summary.set("regions", input.problem.regions); // in the order of material_id

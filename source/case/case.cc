@@ -45,9 +45,13 @@ void GeneralParameters::read(ParameterSection root,
       "Convective terms of the equations: none - linear waves and creeping flow; navier "
       "stokes - momentum and pressure of the liquids are convected, on a mesh that "
       "stays, and their density follows the pressure.");
+  add_choice(root, "Deformation", deformation, deformation_words(),
+             "How large the deformation of the solids may be: small - linear; finite - the "
+             "equations are those of the deformed body, by the Strain law of each material. All "
+             "regions are solids then.");
 }
 
-void RestParameters::read(ParameterSection section, const bool with_convection)
+void RestParameters::read(ParameterSection section, const bool is_nonlinear)
 {
   section.add("Time step", time_step, Dimensions::time,
               "Backward Euler step by which a body of fluid and solid is brought to rest.",
@@ -58,17 +62,19 @@ void RestParameters::read(ParameterSection section, const bool with_convection)
               "Time step.",
               Range::positive());
   section.add("Maximum steps", maximum_steps, "Steps after which the run gives up [1].", 1);
-  if (with_convection)
+  if (is_nonlinear)
     time_step_growth = 2.;
   section.add("Time step growth", time_step_growth, Dimensions::none,
               "Largest ratio of a step to the one before it; 1 keeps them at one size, with one "
-              "matrix. With convection a step grows where Newton's iteration needed no more than "
+              "matrix. With convection or finite deformation a step grows where Newton's iteration "
+              "needed no more than "
               "half of its maximum, and a step without a solution is made anew at half its size.",
               Range{1., 100.});
   section.add("Load steps", load_steps,
               "Steps in which loads and prescribed velocities come, by equal parts, one for each "
               "time step; with a long Time step it is a continuation in the load, that is in the "
-              "Reynolds number. A part without a solution is halved. With convection alone [1].",
+              "Reynolds number. A part without a solution is halved. With convection or finite "
+              "deformation alone [1].",
               1);
 }
 
@@ -142,6 +148,7 @@ Case<dim>::Case(ParameterFile &file,
   general.analysis = analysis.name;
   problem.communicator = communicator;
   problem.model = model_of(general.model);
+  problem.deformation = general.deformation;
   const bool axisymmetric = problem.model == Model::axisymmetric;
   const bool in_time = analysis.motion == Motion::in_time;
 
@@ -162,6 +169,8 @@ Case<dim>::Case(ParameterFile &file,
                                "Add 'subsection " + region + "' with a Type to Materials");
     }
     problem.materials.push_back(read_material(materials.subsection(region), problem.model));
+    if (problem.deformation == Deformation::finite)
+      read_strain_law(materials.subsection(region), problem.materials.back());
     if (problem.model == Model::plane_stress)
       problem.plane_stress_factors.push_back(
           read_plane_stress_factors(materials.subsection(region)));
@@ -176,16 +185,20 @@ Case<dim>::Case(ParameterFile &file,
   problem.convection.is_on = general.convection != "none";
   if (problem.convection.is_on || root.has_subsection("Flow"))
     problem.convection.read(root.subsection("Flow"));
-  if (problem.convection.is_on || root.has_subsection("Newton"))
+  if (problem.is_nonlinear() || root.has_subsection("Newton"))
     problem.newton.read(root.subsection("Newton"));
   if (in_time)
+  {
     time.read(root.subsection("Time"));
+    if (problem.deformation == Deformation::finite)
+      time.take_implicit_update();
+  }
   else if (analysis.is_modal())
     modal.read(root.subsection("Modal"));
   else
-    rest.read(root.subsection("Steady"), problem.convection.is_on);
+    rest.read(root.subsection("Steady"), problem.is_nonlinear());
   if (analysis.is_transient() && problem.interior.starts_at_rest_under_loads)
-    rest.read(root.subsection("Steady"), problem.convection.is_on);
+    rest.read(root.subsection("Steady"), problem.is_nonlinear());
   else if (analysis.is_transient() && root.has_subsection("Steady"))
     root.subsection("Steady").refuse(
         "", "Analysis = transient reads this section for a start from a steady state only",

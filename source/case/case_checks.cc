@@ -1,5 +1,6 @@
 #include <continua/case/case_checks.h>
 
+#include <continua/case/deformation_checks.h>
 #include <continua/finite_volume/cell_wise_checks.h>
 
 #include <deal.II/base/mpi.h>
@@ -157,7 +158,7 @@ void refuse_what_convection_uses(const Problem &problem, ParameterSection root)
 {
   const std::string remedy = "Remove it, or set Convection = navier stokes";
   for (const char *const name : {"Flow", "Newton"})
-    if (root.has_subsection(name))
+    if (root.has_subsection(name) && !(name == std::string("Newton") && problem.is_nonlinear()))
       root.subsection(name).refuse("", "without convection nothing uses the section", remedy);
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
     if (problem.materials[region].shear.flow_curve)
@@ -223,9 +224,10 @@ void check_convection(const Case<dim> &input, ParameterSection root)
 {
   const Problem &problem = input.problem;
   ParameterSection steady = root.subsection("Steady");
-  if (input.rest.load_steps > 1 && !problem.convection.is_on)
+  if (input.rest.load_steps > 1 && !problem.is_nonlinear())
     steady.refuse("Load steps",
-                  "without convection the equations are linear: one solve has all loads",
+                  "without convection and finite deformation the equations are linear: one solve "
+                  "has all loads",
                   "Remove it, or set Convection = navier stokes");
   if (input.rest.load_steps > 1 && input.rest.load_steps >= input.rest.maximum_steps)
     steady.refuse("Load steps", "there have to be steps with all loads after the load steps",
@@ -304,6 +306,7 @@ bool is_held(const Problem &problem)
 template <int dim>
 void check_case(const Case<dim> &input, ParameterSection root)
 {
+  check_deformation(input, root);
   input.analysis.check(input, root);
   if (!input.analysis.has_fields)
     return;

@@ -80,7 +80,7 @@ double fill_of(const CostInput &input, const Bar &bar, const double n_unknowns)
   if (input.segregated)
     return 4.;
   // L and U are both kept of an unsymmetric matrix.
-  const double both = input.cell_wise ? 1.6 : !input.convection ? 1. : bar.is_plane ? 3.6 : 2.;
+  const double both = input.cell_wise ? 1.6 : !input.is_nonlinear ? 1. : bar.is_plane ? 3.6 : 2.;
   const double pivots = input.pivots && !input.cell_wise ? 1.3 : 1.;
   if (!bar.is_plane)
     return both * pivots * 1.6 * std::pow(unknowns_per_layer, 0.805) * bar.aspect() /
@@ -114,7 +114,7 @@ constexpr NewtonCounts counts_to_rest{30., 9.}; ///< of all steps on the way
 
 bool chooses_iterative(const CostInput &input, const double n_unknowns)
 {
-  if (input.cell_wise || input.convection || input.solver == LinearSolverType::direct)
+  if (input.cell_wise || input.is_nonlinear || input.solver == LinearSolverType::direct)
     return false;
   const double limit =
       input.dim == 2 ? StepSystem<2>::largest_direct_system : StepSystem<3>::largest_direct_system;
@@ -138,7 +138,7 @@ CostEstimate::CostEstimate(const CostInput &input)
                                    : is_iterative  ? (is_plane ? 4500. : 11500.)
                                                    : (is_plane ? 2900. : 7400.);
   memory = input.n_ranks * memory_of_program + bytes_per_unknown * n_unknowns +
-           input.n_factors * (input.convection ? bytes_per_unsymmetric_entry : bytes_per_entry) *
+           input.n_factors * (input.is_nonlinear ? bytes_per_unsymmetric_entry : bytes_per_entry) *
                factor_entries;
 
   const double second = 1., nanosecond = 1e-9 * second, microsecond = 1e-6 * second;
@@ -156,7 +156,7 @@ CostEstimate::CostEstimate(const CostInput &input)
     factor_time = 240. * nanosecond * factor_entries;
     solve_time = (factor_entries < 4e5 ? 0.7 : 1.6) * nanosecond * factor_entries;
   }
-  else if (input.convection)
+  else if (input.is_nonlinear)
   {
     factor_time = 130. * nanosecond * factor_entries;
     solve_time =
@@ -175,7 +175,7 @@ CostEstimate::CostEstimate(const CostInput &input)
   }
   const double assembly = input.cell_wise ? 56. : is_plane ? 12. : 48.;
   set_up_time = 0.4 * second + assembly * microsecond * n_unknowns + input.n_factors * factor_time;
-  if (input.convection)
+  if (input.is_nonlinear)
   {
     const NewtonCounts &counts = input.to_rest ? counts_to_rest : counts_of_step;
     solve_time = counts.corrections * solve_time + counts.new_factors * factor_time;

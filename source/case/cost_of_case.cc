@@ -60,7 +60,7 @@ CostInput cost_input(const Case<dim> &input)
   cost.segregated = input.discretisation.cell_wise.is_segregated();
   cost.pivots = std::any_of(input.problem.materials.begin(), input.problem.materials.end(),
                             [](const Material &material) { return material.is_incompressible(); });
-  cost.convection = input.problem.convection.is_on;
+  cost.is_nonlinear = input.problem.is_nonlinear();
   cost.solver = taylor_hood.linear_solver.type;
   cost.direct_solver = taylor_hood.linear_solver.direct_solver;
   cost.n_ranks = Utilities::MPI::n_mpi_processes(input.communicator);
@@ -68,7 +68,8 @@ CostInput cost_input(const Case<dim> &input)
   {
     cost.n_steps = steps_of(input.time);
     // Its start has a matrix of its own.
-    cost.n_factors = input.time.scheme == Scheme::backward_differencing && !cost.convection ? 2 : 1;
+    cost.n_factors =
+        input.time.scheme == Scheme::backward_differencing && !cost.is_nonlinear ? 2 : 1;
   }
   else
   {

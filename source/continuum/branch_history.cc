@@ -200,6 +200,18 @@ bool BranchHistory::predict(const unsigned int region,
   return true;
 }
 
+void BranchHistory::predict_displacement(const Step &step,
+                                         const DistributedVector &velocity_old,
+                                         DistributedVector &displacement) const
+{
+  const BranchCoefficients c = step.branch(branches[0].relaxation_time);
+  displacement.equ(c.old, branches[0].present);
+  if (c.older != 0.)
+    displacement.add(c.older, branches[0].older);
+  if (c.velocity_old != 0.)
+    displacement.add(c.velocity_old, velocity_old);
+}
+
 void BranchHistory::advance(const Step &step,
                             const DistributedVector &velocity_old,
                             const DistributedVector &velocity)

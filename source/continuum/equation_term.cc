@@ -23,7 +23,7 @@ public:
              (square(region, step.end, context) - square(region, step.start, context));
     context.operators.multiply_mass(region, context.force, step.balanced.acceleration);
     context.force *= density;
-    if (context.operators.is_nonlinear_in(region))
+    if (context.problem.convection.is_on && context.operators.is_nonlinear_in(region))
       context.force.add(1., context.nonlinear_forces.inertia);
     if (forces != nullptr)
       forces->add(1., context.force);
@@ -55,10 +55,13 @@ public:
                TermContext &context,
                DistributedVector *const forces) const override
   {
-    if (!context.history.mix_balanced(region, step.balanced.step, context.mixture))
+    if (context.problem.deformation == Deformation::finite)
+      context.force.equ(1., context.nonlinear_forces.strain);
+    else if (context.history.mix_balanced(region, step.balanced.step, context.mixture))
+      context.operators.set_reported_stress_force(region, step.balanced, context.mixture,
+                                                  context.force);
+    else
       return 0.;
-    context.operators.set_reported_stress_force(region, step.balanced, context.mixture,
-                                                context.force);
     if (forces != nullptr)
       forces->add(1., context.force);
     return local_product(context.force, step.balanced.velocity);
@@ -81,6 +84,8 @@ public:
   }
   double energy(const unsigned int region, const State &state, TermContext &context) const override
   {
+    if (context.problem.deformation == Deformation::finite)
+      return context.nonlinear_energy.strain;
     double sum = 0.;
     for (const Branch &branch : context.problem.materials[region].shear.branches)
     {
@@ -105,10 +110,15 @@ public:
     const Shear &shear = context.problem.materials[region].shear;
     if (shear.viscosity == 0.)
       return 0.;
-    context.operators.multiply_stiffness(region, context.force, step.balanced.velocity);
-    context.force *= shear.viscosity;
-    if (shear.flow_curve)
-      context.force.add(1., context.nonlinear_forces.viscosity);
+    if (context.problem.deformation == Deformation::finite)
+      context.force.equ(1., context.nonlinear_forces.viscosity);
+    else
+    {
+      context.operators.multiply_stiffness(region, context.force, step.balanced.velocity);
+      context.force *= shear.viscosity;
+      if (shear.flow_curve)
+        context.force.add(1., context.nonlinear_forces.viscosity);
+    }
     if (forces != nullptr)
       forces->add(1., context.force);
     return local_product(context.force, step.balanced.velocity);
@@ -124,11 +134,16 @@ public:
                TermContext &context,
                DistributedVector *const forces) const override
   {
-    if (forces == nullptr)
+    const bool is_finite = context.problem.deformation == Deformation::finite;
+    if (forces == nullptr && !is_finite)
       return context.operators.pressure_power(region, step.balanced.velocity,
                                               step.balanced.pressure);
-    context.operators.multiply_gradient(region, context.force, step.balanced.pressure);
-    forces->add(1., context.force);
+    if (is_finite)
+      context.force.equ(1., context.nonlinear_forces.compression);
+    else
+      context.operators.multiply_gradient(region, context.force, step.balanced.pressure);
+    if (forces != nullptr)
+      forces->add(1., context.force);
     return local_product(context.force, step.balanced.velocity);
   }
   double relaxation_power(const unsigned int region,

@@ -45,6 +45,11 @@ void Ledger::reinit()
           &context.nonlinear_forces.stabilisation, &context.nonlinear_forces.viscosity,
           &context.nonlinear_forces.inflow})
       vector->reinit(forces);
+  if (problem.deformation == Deformation::finite)
+    for (DistributedVector *vector :
+         {&context.nonlinear_forces.strain, &context.nonlinear_forces.viscosity,
+          &context.nonlinear_forces.compression})
+      vector->reinit(forces);
   for (DistributedVector *vector : {&context.dilatation, &context.forgotten_rate})
     *vector = operators.pressure_vector();
   forces_are_current = true;
@@ -74,6 +79,7 @@ PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
   const bool reactions = forces_are_wanted || !operators.is_homogeneous();
   forces = 0.;
   operators.loads().add(balance.time, forces);
+  operators.add_load_changes(balanced, {}, forces);
   sums.push_back(local_product(forces, balanced.velocity));
   if (reactions)
   {
@@ -97,6 +103,7 @@ PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
       forces.add(1., found->second);
       found->second *= -1.;
       operators.loads_of(region).add(balance.time, found->second);
+      operators.add_load_changes(balanced, region, found->second);
       outlets.add_forces_of(region, 1., found->second);
       found->second *= -1.;
     }
@@ -139,7 +146,7 @@ Energy Ledger::energy(const State &state)
   for (unsigned int region = 0; region < n_regions; ++region)
   {
     if (operators.is_nonlinear_in(region))
-      context.nonlinear_energy = operators.nonlinear_energy(region, state.velocity, state.pressure);
+      context.nonlinear_energy = operators.nonlinear_energy(region, state);
     for (const auto &term : terms)
       sums.push_back(term->energy(region, state, context));
   }

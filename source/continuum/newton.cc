@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace Continua
@@ -38,6 +39,12 @@ private:
   dealii::TimerOutput &timer;
 };
 
+/// b of D = D_plus + b U [s].
+double displacement_by_velocity(const Step &step)
+{
+  return step.branch(std::numeric_limits<double>::infinity()).velocity;
+}
+
 /// Its largest entry; no number if one of them is none, over which a maximum may pass.
 double largest_of(const DistributedVector &residual)
 {
@@ -64,6 +71,8 @@ void Newton::reinit()
     vector->reinit(zero_velocity);
   for (DistributedVector *vector : {&shifted.pressure, &shifted.pressure_rate})
     vector->reinit(mass);
+  if (problem.deformation == Deformation::finite)
+    shifted.displacement.reinit(zero_velocity);
   has_factor = false;
 }
 
@@ -74,6 +83,10 @@ void Newton::set_rates(const NewtonInput &input, BalancedStep &balanced) const
   const double factor = 1. / input.step.pressure_time;
   balanced.pressure_rate.equ(factor, balanced.pressure);
   balanced.pressure_rate.add(-factor, input.predicted_pressure);
+  if (problem.deformation == Deformation::small)
+    return;
+  balanced.displacement.equ(1., input.predicted_displacement);
+  balanced.displacement.add(displacement_by_velocity(input.step), balanced.velocity);
 }
 
 void Newton::subtract_linear_terms(const SystemCoefficients &coefficients,
@@ -167,6 +180,9 @@ void Newton::add_differences(const BalancedStep &balanced,
     shift(shifted.pressure, balanced.pressure, 1., of_pressure);
     shift(shifted.pressure_rate, balanced.pressure_rate, 1. / balanced.step.pressure_time,
           of_pressure);
+    if (problem.deformation == Deformation::finite)
+      shift(shifted.displacement, balanced.displacement, displacement_by_velocity(balanced.step),
+            of_velocity);
     momentum_work = 0.;
     mass_work = 0.;
     operators.add_nonlinear_terms(shifted, momentum_work, mass_work);

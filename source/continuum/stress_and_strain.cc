@@ -1,5 +1,7 @@
 #include <continua/continuum/stress_and_strain.h>
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <cmath>
 
 namespace Continua
@@ -81,6 +83,40 @@ double q_criterion(const Tensor<2, dim> &gradient, const double hoop, const Mode
     for (unsigned int j = 0; j < dim; ++j)
       sum += gradient[i][j] * gradient[j][i];
   return -0.5 * sum;
+}
+
+namespace
+{
+std::array<double, 6> components_of(const SymmetricTensor<2, 3> &tensor)
+{
+  std::array<double, 6> result;
+  for (unsigned int k = 0; k < result.size(); ++k)
+    result[k] = tensor[stress_pairs[k][0]][stress_pairs[k][1]];
+  return result;
+}
+} // namespace
+
+std::array<double, 6> finite_stress(const Material &material,
+                                    PointStrain &strain,
+                                    const Kinematics &kinematics,
+                                    const Tensor<2, 3> &velocity_gradient,
+                                    const double pressure)
+{
+  const double ratio = kinematics.volume_ratio();
+  strain.gradient = kinematics.deformation_gradient();
+  strain.determinant = ratio;
+  SymmetricTensor<2, 3> stress;
+  material.strain_law->set_stress(strain, stress);
+  stress /= ratio;
+  stress +=
+      2. * material.shear.viscosity * deviator(symmetrize(kinematics.gradient(velocity_gradient)));
+  return components_of(stress - pressure * unit_symmetric_tensor<3>());
+}
+
+std::array<double, 6> green_strain(const Kinematics &kinematics)
+{
+  const Tensor<2, 3> &f = kinematics.deformation_gradient();
+  return components_of(0.5 * (symmetrize(transpose(f) * f) - unit_symmetric_tensor<3>()));
 }
 
 template <int dim>

@@ -12,15 +12,19 @@ bool SystemCoefficients::operator==(const SystemCoefficients &other) const
          nearly_equal(compressibility, other.compressibility);
 }
 
-void SystemCoefficients::set(const std::vector<Material> &materials, const Step &step)
+void SystemCoefficients::set(const std::vector<Material> &materials,
+                             const Deformation deformation,
+                             const Step &step)
 {
+  const bool is_linear = deformation == Deformation::small;
   for (std::vector<double> *list : {&mass, &stiffness, &compressibility})
     list->clear();
   for (const Material &material : materials)
   {
     mass.push_back(step.a0 * material.density);
-    stiffness.push_back(material.shear.viscosity + BranchHistory::step_stiffness(material, step));
-    compressibility.push_back(BulkHistory::step_compressibility(material, step));
+    stiffness.push_back(
+        is_linear ? material.shear.viscosity + BranchHistory::step_stiffness(material, step) : 0.);
+    compressibility.push_back(is_linear ? BulkHistory::step_compressibility(material, step) : 0.);
   }
 }
 

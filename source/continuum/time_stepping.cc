@@ -97,6 +97,8 @@ void TimeStepping::setup()
   for (DistributedVector *vector :
        {&balanced.pressure, &balanced.pressure_rate, &mass, &pressure_work, &mass_work})
     vector->reinit(zero_pressure);
+  if (problem.deformation == Deformation::finite)
+    balanced.displacement.reinit(zero_velocity);
   StateSizes sizes(zero_velocity, zero_pressure);
   visit(sizes);
   pressures_without_history = operators.pressures_without_history();
@@ -205,14 +207,17 @@ void TimeStepping::iterate(const Step &step, const bool system_is_new, StepRepor
   operators.set_prescribed(balanced.prescribed, balanced.velocity);
   balanced.pressure.equ(1., pressure);
   balanced.step = step;
-  newton.solve({step, coefficients, system_is_new, momentum, mass, pressure_work, velocity},
-               balanced, report);
+  if (problem.deformation == Deformation::finite)
+    history.predict_displacement(step, velocity, mixture);
+  newton.solve(
+      {step, coefficients, system_is_new, momentum, mass, pressure_work, velocity, mixture},
+      balanced, report);
 }
 
 SystemChange TimeStepping::prepare(const Step &step, StepReport &report)
 {
   TimerOutput::Scope scope(log.timer(), "factor");
-  coefficients.set(problem.materials, step);
+  coefficients.set(problem.materials, problem.deformation, step);
   const SystemChange change = operators.prepare(coefficients, step.pressure_time);
   if (change != SystemChange::none && !operators.is_nonlinear())
     outlets.respond(report);
@@ -235,7 +240,8 @@ void TimeStepping::set_momentum(const Step &step)
   {
     operators.multiply_mass(region, balanced.velocity, velocity_work);
     momentum.add(problem.materials[region].density, balanced.velocity);
-    if (history.predict(region, step, velocity, mixture))
+    if (problem.deformation == Deformation::small &&
+        history.predict(region, step, velocity, mixture))
     {
       operators.multiply_past_stiffness(region, balanced.velocity, mixture);
       momentum.add(-1., balanced.velocity);

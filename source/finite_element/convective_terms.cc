@@ -13,33 +13,14 @@ namespace Continua
 {
 using namespace dealii;
 
-namespace
-{
-/// The unknowns that an unknown of a cell stands for, with their weights.
-using Masters = std::vector<std::pair<int, double>>;
-
-void set_masters(const AffineConstraints<double> &constraints,
-                 const types::global_dof_index index,
-                 const int first,
-                 Masters &masters)
-{
-  masters.clear();
-  if (!constraints.is_constrained(index))
-    masters.emplace_back(first + static_cast<int>(index), 1.);
-  else
-    for (const auto &entry : *constraints.get_constraint_entries(index))
-      masters.emplace_back(first + static_cast<int>(entry.first), entry.second);
-}
-} // namespace
-
 template <int dim>
 ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space, const Problem &problem)
-    : space(space),
-      problem(problem),
-      // Products of three functions and of the radius are integrated exactly on parallelograms,
-      // where density and compressibility are constant.
-      quadrature((3 * space.degree() + 2 + (space.is_axisymmetric() ? 1 : 0)) / 2),
-      cells(space, problem, quadrature),
+    // Products of three functions and of the radius are integrated exactly on parallelograms, where
+    // density and compressibility are constant.
+    : Base(space,
+           problem,
+           QGauss<dim>((3 * space.degree() + 2 + (space.is_axisymmetric() ? 1 : 0)) / 2),
+           PhaseShare::liquid),
       inflow_terms(space, problem),
       streamline_terms(space, problem, quadrature)
 {
@@ -50,8 +31,6 @@ ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space, const Problem &pr
     forces.reinit(n_velocity);
   for (Vector<double> *vector : {&cell_pressure, &cell_pressure_rate, &cell_volume})
     vector->reinit(n_pressure);
-  for (Vector<double> *vector : {&cell_change, &cell_product})
-    vector->reinit(n_velocity + n_pressure);
   functions.gradients.resize(cells.n_functions());
   functions.pressure_gradients.resize(n_pressure);
   along.resize(cells.n_functions());
@@ -64,22 +43,9 @@ ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space, const Problem &pr
 template <int dim>
 void ConvectiveTerms<dim>::reinit()
 {
-  for (DistributedVector *vector : {&velocity, &acceleration})
-    vector->reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
-  for (DistributedVector *vector : {&pressure, &pressure_rate})
-    vector->reinit(space.pressure_owned, space.pressure_relevant, space.communicator);
-  velocity_work = space.velocity_vector();
-  pressure_work = space.pressure_vector();
-  cell_derivatives.clear();
-  cells.reinit();
-}
-
-template <int dim>
-void ConvectiveTerms<dim>::take(const DistributedVector &of_velocity,
-                                const DistributedVector &of_pressure)
-{
-  space.copy_velocity(of_velocity, velocity_work, velocity);
-  space.copy_pressure(of_pressure, pressure_work, pressure);
+  Base::reinit();
+  acceleration.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
+  pressure_rate.reinit(space.pressure_owned, space.pressure_relevant, space.communicator);
 }
 
 template <int dim>
@@ -95,17 +61,10 @@ template <int dim>
 void ConvectiveTerms<dim>::visit(const Cell &cell)
 {
   present = &cell;
-  const auto set =
-      [](const std::vector<int> &places, const DistributedVector &from, Vector<double> &values)
-  {
-    const double *const entries = from.begin();
-    for (std::size_t i = 0; i < places.size(); ++i)
-      values[i] = entries[places[i]];
-  };
-  set(cell.velocity_places, velocity, cell_velocity);
-  set(cell.velocity_places, acceleration, cell_acceleration);
-  set(cell.pressure_places, pressure, cell_pressure);
-  set(cell.pressure_places, pressure_rate, cell_pressure_rate);
+  Base::set_entries(cell.velocity_places, velocity, cell_velocity);
+  Base::set_entries(cell.velocity_places, acceleration, cell_acceleration);
+  Base::set_entries(cell.pressure_places, pressure, cell_pressure);
+  Base::set_entries(cell.pressure_places, pressure_rate, cell_pressure_rate);
 }
 
 template <int dim>
@@ -383,14 +342,12 @@ void ConvectiveTerms<dim>::set_forces_of(const unsigned int region,
 }
 
 template <int dim>
-NonlinearEnergy ConvectiveTerms<dim>::energy_of(const unsigned int region,
-                                                const DistributedVector &of_velocity,
-                                                const DistributedVector &of_pressure)
+NonlinearEnergy ConvectiveTerms<dim>::energy_of(const unsigned int region, const State &state)
 {
   NonlinearEnergy energy;
   const double density = problem.materials[region].density;
   const VolumeLaw law = problem.materials[region].volume_law();
-  take(of_velocity, of_pressure);
+  take(state.velocity, state.pressure);
   for (const Cell &cell : cells.all())
     if (cell.region == region)
     {
@@ -492,40 +449,11 @@ void ConvectiveTerms<dim>::integrate_derivative(FullMatrix<double> &matrix)
 }
 
 template <int dim>
-void ConvectiveTerms<dim>::add_derivative(const BalancedStep &state,
-                                          const AffineConstraints<double> &constraints,
-                                          Triplets &matrix)
+typename ConvectiveTerms<dim>::PressureEntries
+ConvectiveTerms<dim>::pressure_entries(const Cell &cell) const
 {
-  take(state);
-  const int first_pressure = static_cast<int>(space.velocity_dofs.n_dofs());
-  FullMatrix<double> local;
-  std::vector<Masters> masters;
-  for (const Cell &cell : cells.all())
-  {
-    set_derivative(cell, local);
-    masters.resize(local.m());
-    const unsigned int n_velocity = cell.velocity_indices.size();
-    for (unsigned int i = 0; i < n_velocity; ++i)
-      set_masters(constraints, cell.velocity_indices[i], 0, masters[i]);
-    for (unsigned int k = 0; k < cell.pressure_indices.size(); ++k)
-      set_masters(space.pressure_hanging, cell.pressure_indices[k], first_pressure,
-                  masters[n_velocity + k]);
-    // The same places for any state, so that an analysis of the matrix can be kept. Pressures of a
-    // liquid that is incompressible enter by SUPG alone.
-    const bool is_compressible = !material().is_incompressible();
-    const unsigned int n_rows = is_compressible ? local.m() : n_velocity;
-    const unsigned int n_columns =
-        is_compressible || streamline_terms.are_on() ? local.n() : n_velocity;
-    for (unsigned int i = 0; i < n_rows; ++i)
-      for (unsigned int j = 0; j < n_columns; ++j)
-        for (const auto &[row, row_weight] : masters[i])
-          for (const auto &[column, column_weight] : masters[j])
-          {
-            matrix.rows.push_back(row);
-            matrix.columns.push_back(column);
-            matrix.values.push_back(row_weight * column_weight * local(i, j));
-          }
-  }
+  const bool is_compressible = !problem.materials[cell.region].is_incompressible();
+  return {is_compressible, is_compressible || streamline_terms.are_on()};
 }
 
 template <int dim>
@@ -535,45 +463,6 @@ void ConvectiveTerms<dim>::set_derivative(const Cell &cell, FullMatrix<double> &
   integrate_derivative(matrix);
   if (inflow_terms.has_face(cell.pressure_cell))
     inflow_terms.add_derivative(cell.pressure_cell, cell_state(), matrix);
-}
-
-template <int dim>
-void ConvectiveTerms<dim>::keep_derivative(const BalancedStep &state)
-{
-  take(state);
-  cell_derivatives.resize(cells.all().size());
-  for (std::size_t k = 0; k < cell_derivatives.size(); ++k)
-    set_derivative(cells.all()[k], cell_derivatives[k]);
-}
-
-template <int dim>
-void ConvectiveTerms<dim>::add_derivative_product(const DistributedVector &of_velocity,
-                                                  const DistributedVector &of_pressure,
-                                                  DistributedVector &momentum,
-                                                  DistributedVector &volume)
-{
-  take(of_velocity, of_pressure);
-  const double *const velocities = velocity.begin(), *const pressures = pressure.begin();
-  for (std::size_t k = 0; k < cell_derivatives.size(); ++k)
-  {
-    const Cell &cell = cells.all()[k];
-    const unsigned int n_velocity = cell.velocity_places.size(),
-                       n_pressure = cell.pressure_places.size();
-    for (unsigned int i = 0; i < n_velocity; ++i)
-      cell_change[i] = velocities[cell.velocity_places[i]];
-    for (unsigned int i = 0; i < n_pressure; ++i)
-      cell_change[n_velocity + i] = pressures[cell.pressure_places[i]];
-    cell_derivatives[k].vmult(cell_product, cell_change);
-    for (unsigned int i = 0; i < n_velocity; ++i)
-      cell_forces[0][i] = cell_product[i];
-    for (unsigned int i = 0; i < n_pressure; ++i)
-      cell_volume[i] = -cell_product[n_velocity + i];
-    space.velocity_hanging.distribute_local_to_global(cell_forces[0], cell.velocity_indices,
-                                                      momentum);
-    space.pressure_hanging.distribute_local_to_global(cell_volume, cell.pressure_indices, volume);
-  }
-  momentum.compress(VectorOperation::add);
-  volume.compress(VectorOperation::add);
 }
 
 template class ConvectiveTerms<2>;

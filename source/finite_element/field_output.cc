@@ -1,5 +1,8 @@
 #include <continua/finite_element/field_output.h>
 
+#include <continua/continuum/fibre_directions.h>
+#include <continua/continuum/stress_and_strain.h>
+
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -91,6 +94,7 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
   std::vector<Vector<double>> pressures(nodes.size(),
                                         Vector<double>(space.pressure_elements.n_components()));
   std::vector<types::global_dof_index> indices(cell_element.n_dofs_per_cell());
+  std::vector<std::array<double, 6>> finite_stresses(nodes.size());
 
   const unsigned int n_cells = space.triangulation.n_active_cells();
   phase.reinit(n_cells);
@@ -115,6 +119,8 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
       hp_pressure_values.reinit(typename DoFHandler<dim>::active_cell_iterator(
           &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs));
       hp_pressure_values.get_present_fe_values().get_function_values(pressure, pressures);
+      if (problem.deformation == Deformation::finite)
+        set_finite_stresses(values, pressures, region, finite_stresses);
       typename DoFHandler<dim>::active_cell_iterator(&space.triangulation, cell->level(),
                                                      cell->index(), &cell_dofs)
           ->get_dof_indices(indices);
@@ -143,6 +149,11 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
           cell_fields[indices[i]] =
               is_vorticity ? vorticity<dim>(gradient)[dim == 2 ? 2 : component - n_always]
                            : q_criterion<dim>(gradient, hoop, problem.model);
+          continue;
+        }
+        if (problem.deformation == Deformation::finite)
+        {
+          cell_fields[indices[i]] = finite_stresses[q][component - 1];
           continue;
         }
         if (material.shear.flow_curve)
@@ -182,6 +193,45 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
     units_of_fields[names[i]] = units[i];
   add_wall_fields(state, data_out, units_of_fields);
   return units_of_fields;
+}
+
+template <int dim>
+void FieldOutput<dim>::set_finite_stresses(const FEValuesBase<dim> &values,
+                                           const std::vector<Vector<double>> &pressures,
+                                           const unsigned int region,
+                                           std::vector<std::array<double, 6>> &stresses) const
+{
+  const Material &material = problem.materials[region];
+  std::vector<std::vector<Tensor<1, dim>>> gradients(stresses.size(),
+                                                     std::vector<Tensor<1, dim>>(dim));
+  std::vector<Vector<double>> entries(stresses.size(), Vector<double>(dim));
+  std::vector<Tensor<2, 3>> of_displacement(stresses.size()), of_velocity(stresses.size());
+  const auto set = [&](const DistributedVector &vector, std::vector<Tensor<2, 3>> &target)
+  {
+    values.get_function_values(vector, entries);
+    values.get_function_gradients(vector, gradients);
+    for (unsigned int q = 0; q < target.size(); ++q)
+    {
+      Tensor<2, dim> gradient;
+      for (unsigned int c = 0; c < dim; ++c)
+        gradient[c] = gradients[q][c];
+      const double r = values.quadrature_point(q)[1];
+      double hoop = 0.;
+      // On the axis the hoop strain is the radial one.
+      if (space.is_axisymmetric())
+        hoop = r > 0. ? entries[q][1] / r : gradient[1][1];
+      target[q] = whole_gradient<dim>(gradient, hoop);
+    }
+  };
+  set(displacement, of_displacement);
+  set(velocity, of_velocity);
+  PointStrain strain;
+  for (unsigned int q = 0; q < stresses.size(); ++q)
+  {
+    strain.fibres = fibres_at<dim>(material, problem.model, values.quadrature_point(q));
+    stresses[q] = finite_stress(material, strain, Kinematics(of_displacement[q]), of_velocity[q],
+                                pressures[q][space.pressure_component(region)]);
+  }
 }
 
 template <int dim>

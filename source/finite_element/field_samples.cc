@@ -1,5 +1,6 @@
 #include <continua/finite_element/field_samples.h>
 
+#include <continua/continuum/fibre_directions.h>
 #include <continua/continuum/stress_and_strain.h>
 
 #include <numeric>
@@ -18,6 +19,8 @@ void SampledState<dim>::reinit()
   velocity = space.ghosted_velocity(velocity_work);
   pressure = space.ghosted_pressure(pressure_work);
   mixtures.assign(problem.regions.size(), velocity);
+  if (problem.deformation == Deformation::finite)
+    displacement = velocity;
   if (problem.wall_shear_window.is_kept)
     for (DistributedVector *vector : {&shear_integral, &magnitude_integral})
       *vector = space.ghosted_velocity(velocity_work);
@@ -33,19 +36,14 @@ void SampledState<dim>::take(const State &state)
     set_mixture(state, region, problem.materials[region], mixture);
     space.copy_velocity(mixture, velocity_work, mixtures[region]);
   }
+  if (problem.deformation == Deformation::finite)
+    space.copy_velocity(state.history.displacement(), velocity_work, displacement);
   averaged_time = 0.;
   if (state.wall_shear == nullptr)
     return;
   space.copy_velocity(state.wall_shear->integral(), velocity_work, shear_integral);
   space.copy_velocity(state.wall_shear->integral_of_magnitude(), velocity_work, magnitude_integral);
   averaged_time = state.wall_shear->duration();
-}
-
-template <int dim>
-bool FieldSamples<dim>::can_tell(const FieldDefinition<dim> &field)
-{
-  using Quantity = typename FieldDefinition<dim>::Quantity;
-  return field.quantity != Quantity::displacement && field.quantity != Quantity::strain;
 }
 
 template <int dim>
@@ -127,9 +125,28 @@ double FieldSamples<dim>::hoop(const SamplePoint &point,
 }
 
 template <int dim>
+Kinematics FieldSamples<dim>::kinematics_at(const SamplePoint &point,
+                                            const SampledState<dim> &state) const
+{
+  const Tensor<2, dim> of_displacement = gradient(point, state.displacement);
+  return Kinematics(
+      whole_gradient<dim>(of_displacement, hoop(point, state.displacement, of_displacement)));
+}
+
+template <int dim>
 std::array<double, 6> FieldSamples<dim>::stress_at(const SamplePoint &point,
                                                    const SampledState<dim> &state) const
 {
+  if (problem.deformation == Deformation::finite)
+  {
+    const Material &material = problem.materials[point.region];
+    const Tensor<2, dim> of_velocity = gradient(point, state.velocity);
+    PointStrain strain;
+    strain.fibres = fibres_at<dim>(material, problem.model, point.place);
+    return finite_stress(material, strain, kinematics_at(point, state),
+                         whole_gradient<dim>(of_velocity, hoop(point, state.velocity, of_velocity)),
+                         pressure_at(point, state));
+  }
   const DistributedVector &mixture = state.mixtures[point.region];
   Tensor<2, dim> of_mixture = gradient(point, mixture);
   double of_hoop = hoop(point, mixture, of_mixture);
@@ -188,6 +205,14 @@ double FieldSamples<dim>::value(const FieldDefinition<dim> &field,
   {
     const Tensor<2, dim> of_velocity = gradient(point, state.velocity);
     return q_criterion<dim>(of_velocity, hoop(point, state.velocity, of_velocity), problem.model);
+  }
+  case Quantity::strain:
+  {
+    const Kinematics kinematics = kinematics_at(point, state);
+    if (field.combination == FieldDefinition<dim>::Combination::trace)
+      return kinematics.volume_ratio() - 1.;
+    const std::array<double, 6> components = green_strain(kinematics);
+    return std::inner_product(components.begin(), components.end(), point.factors.begin(), 0.);
   }
   case Quantity::wall_shear_stress:
     return shear_on_wall(state, number)[field.component];

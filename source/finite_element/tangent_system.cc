@@ -27,7 +27,7 @@ void TangentSystem<dim>::reinit()
 template <int dim>
 void TangentSystem<dim>::factorize(const SystemCoefficients &coefficients,
                                    const BalancedStep &state,
-                                   ConvectiveTerms<dim> &terms)
+                                   NonlinearCellTerms<dim> &terms)
 {
   std::vector<int> owned;
   owned.reserve(packed.size());

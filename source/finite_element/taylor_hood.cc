@@ -3,6 +3,8 @@
 #include <continua/base/interruption.h>
 #include <continua/base/memory_limit.h>
 #include <continua/continuum/local_product.h>
+#include <continua/finite_element/convective_terms.h>
+#include <continua/finite_element/deformation_terms.h>
 #include <continua/finite_element/flow_shapes.h>
 #include <continua/finite_element/initial_state.h>
 #include <continua/finite_element/kelly_indicator.h>
@@ -25,6 +27,17 @@ namespace
 {
 /// A factor of this size takes some ten seconds [bytes].
 constexpr double least_announced_factor = 0.5e9;
+
+template <int dim>
+std::unique_ptr<NonlinearCellTerms<dim>> make_nonlinear_terms(const Space<dim> &space,
+                                                              const Problem &problem)
+{
+  if (problem.deformation == Deformation::finite)
+    return std::make_unique<DeformationTerms<dim>>(space, problem);
+  if (problem.convection.is_on)
+    return std::make_unique<ConvectiveTerms<dim>>(space, problem);
+  return nullptr;
+}
 } // namespace
 
 template <int dim>
@@ -39,7 +52,7 @@ TaylorHood<dim>::TaylorHood(parallel::TriangulationBase<dim> &triangulation,
       constraints(space, problem.conditions),
       load_list(space, problem),
       system(space, operators, constraints, parameters.linear_solver),
-      convective_terms(space, problem),
+      terms(make_nonlinear_terms(space, problem)),
       tangent(space, operators, constraints, parameters.linear_solver.direct_solver),
       mesh_transfer(space),
       evaluation(space, problem),
@@ -71,7 +84,7 @@ void TaylorHood<dim>::setup()
   loads_of_regions.clear();
   system.reinit();
   if (is_nonlinear())
-    convective_terms.reinit();
+    terms->reinit();
   tangent.reinit();
   evaluation.rebuild();
   wall_shear.reinit();
@@ -316,7 +329,7 @@ void TaylorHood<dim>::add_nonlinear_terms(const BalancedStep &state,
                                           DistributedVector &momentum,
                                           DistributedVector &mass)
 {
-  convective_terms.add(state, momentum, mass);
+  terms->add(state, momentum, mass);
 }
 
 template <int dim>
@@ -324,21 +337,30 @@ void TaylorHood<dim>::set_nonlinear_forces(const unsigned int region,
                                            const BalancedStep &state,
                                            NonlinearForces &forces)
 {
-  convective_terms.set_forces_of(region, state, forces);
+  terms->set_forces_of(region, state, forces);
 }
 
 template <int dim>
 bool TaylorHood<dim>::is_nonlinear_in(const unsigned int region) const
 {
+  if (problem.deformation == Deformation::finite)
+    return true;
   return is_nonlinear() && problem.materials[region].phase() < 1.;
 }
 
 template <int dim>
-NonlinearEnergy TaylorHood<dim>::nonlinear_energy(const unsigned int region,
-                                                  const DistributedVector &velocity,
-                                                  const DistributedVector &pressure)
+NonlinearEnergy TaylorHood<dim>::nonlinear_energy(const unsigned int region, const State &state)
 {
-  return convective_terms.energy_of(region, velocity, pressure);
+  return terms->energy_of(region, state);
+}
+
+template <int dim>
+void TaylorHood<dim>::add_load_changes(const BalancedStep &state,
+                                       const std::optional<unsigned int> region,
+                                       DistributedVector &forces)
+{
+  if (is_nonlinear())
+    terms->add_loads(state, region, forces);
 }
 
 template <int dim>
@@ -354,7 +376,7 @@ template <int dim>
 void TaylorHood<dim>::linearise(const BalancedStep &state)
 {
   const bool is_first = tangent.factor() == nullptr;
-  tangent.factorize(system.present_coefficients(), state, convective_terms);
+  tangent.factorize(system.present_coefficients(), state, *terms);
   if (is_first)
     log.detail("Linear solver: direct, of the tangent; " + tangent.factor()->name());
 }
@@ -362,7 +384,7 @@ void TaylorHood<dim>::linearise(const BalancedStep &state)
 template <int dim>
 void TaylorHood<dim>::keep_derivative(const BalancedStep &state)
 {
-  convective_terms.keep_derivative(state);
+  terms->keep_derivative(state);
 }
 
 template <int dim>
@@ -371,7 +393,7 @@ void TaylorHood<dim>::add_derivative_product(const DistributedVector &velocity,
                                              DistributedVector &momentum,
                                              DistributedVector &mass)
 {
-  convective_terms.add_derivative_product(velocity, pressure, momentum, mass);
+  terms->add_derivative_product(velocity, pressure, momentum, mass);
 }
 
 template <int dim>
@@ -387,7 +409,9 @@ ResidualScales TaylorHood<dim>::residual_scales(const DistributedVector &velocit
 {
   // B U of a motion without change of volume and B^T p of a uniform pressure are nothing but
   // round-off of their terms.
-  return {gradient_norm * pressure.linfty_norm(), divergence_norm * velocity.linfty_norm()};
+  const typename NonlinearCellTerms<dim>::Sizes of_terms = terms->sizes_of_terms();
+  return {gradient_norm * std::max(pressure.linfty_norm(), of_terms.stress),
+          divergence_norm * std::max(velocity.linfty_norm(), of_terms.velocity)};
 }
 
 template <int dim>
@@ -452,7 +476,8 @@ SolverSizes TaylorHood<dim>::sizes() const
     sizes.factor_entries = tangent.factor()->n_entries();
     sizes.factor_memory = tangent.factor()->memory();
     sizes.linear_solver = tangent.factor()->name();
-    sizes.reason_of_linear_solver = "convection is on";
+    sizes.reason_of_linear_solver =
+        problem.convection.is_on ? "convection is on" : "the deformation is finite";
     return sizes;
   }
   if (system.factor() != nullptr)

@@ -5,6 +5,7 @@
 #include <continua/materials/bulk_relaxation.h>
 #include <continua/materials/elastic_constants.h>
 #include <continua/materials/relaxation_test.h>
+#include <continua/materials/strain_law_types.h>
 
 #include <algorithm>
 #include <cmath>
@@ -428,5 +429,15 @@ Material read_material(ParameterSection section, const Model model)
       return material;
     }
   section.refuse("Type", "unknown law '" + type + "'", "Choose one of the laws of the manual");
+}
+
+void read_strain_law(ParameterSection section, Material &material)
+{
+  if (!material.is_solid())
+    return;
+  material.strain_law_parameters.read(section, material.is_incompressible());
+  material.strain_law =
+      make_strain_law(material.strain_law_parameters, material.instantaneous_shear_modulus(),
+                      1. / material.inverse_bulk_modulus());
 }
 } // namespace Continua

@@ -10,6 +10,7 @@
 #include <continua/laboratory/amplification_parameters.h>
 #include <continua/laboratory/laboratory_parameters.h>
 #include <continua/materials/material.h>
+#include <continua/materials/strain_law_types.h>
 #include <continua/mesh/geometry.h>
 #include <continua/program/analyses.h>
 #include <continua/studies/comparison_parameters.h>
@@ -67,6 +68,21 @@ void read_region(ParameterSection &root, const GeneralParameters &general)
   read_material(root.subsection("Materials").subsection("<region>"), model_of(general.model));
 }
 
+void read_strain_law_of_region(ParameterSection &root, const GeneralParameters &)
+{
+  ParameterSection region = root.subsection("Materials").subsection("<region>");
+  StrainLawParameters().read(region, false);
+}
+
+/// Name and line of the laws of finite deformation.
+std::vector<std::pair<std::string, std::string>> strain_law_names()
+{
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const StrainLawType &row : strain_law_types())
+    names.emplace_back(row.name, row.description);
+  return names;
+}
+
 void read_boundary(ParameterSection &root, const GeneralParameters &general)
 {
   const Model model = model_of(general.model);
@@ -122,6 +138,12 @@ std::vector<Source> sources()
        read_region,
        "Materials/<region>/Type",
        material_types()},
+      {"Laws of finite deformation",
+       "Entries of the solids among the materials with `Deformation = finite`.",
+       {},
+       read_strain_law_of_region,
+       "Materials/<region>/Strain law",
+       strain_law_names()},
       {"Boundaries",
        "A family: one subsection for each boundary of the geometry, called after it.",
        {},

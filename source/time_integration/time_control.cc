@@ -32,8 +32,9 @@ void TimeParameters::read(ParameterSection section)
       section, "Update", update, update_words(),
       "How displacement and pressure follow the velocity: trapezoidal (the thesis's), implicit (by "
       "the "
-      "formula of the velocity), automatic: trapezoidal for euler implicit, implicit for backward "
-      "differencing. Crank-Nicolson has its own.");
+      "formula of the velocity), automatic: trapezoidal for euler implicit with small deformation, "
+      "else "
+      "implicit. Crank-Nicolson has its own.");
   section.add("Time step", time_step, Dimensions::time,
               "Time step; of an adaptive one the first. Required.", Range::positive());
   section.add("End time", end_time, Dimensions::time, "Time at which the run ends. Required.",
@@ -139,6 +140,12 @@ double TimeParameters::smallest_step() const
   for (const auto &change : changes)
     smallest = std::min(smallest, change.second);
   return smallest;
+}
+
+void TimeParameters::take_implicit_update()
+{
+  if (!update && scheme == Scheme::euler_implicit)
+    update = Update::implicit;
 }
 
 Update TimeParameters::update_type() const

@@ -194,7 +194,7 @@ template <int dim>
 NonlinearForces make_forces(const Space<dim> &space)
 {
   const DistributedVector zero = space.velocity_vector();
-  return {zero, zero, zero, zero, zero};
+  return {zero, zero, zero, zero, zero, {}, {}};
 }
 
 /// The power of convection in a flow that is zero at the boundary of the liquid.
@@ -220,13 +220,14 @@ rate_of_kinetic_energy(const Space<dim> &space, const Problem &problem, const Ba
 {
   ConvectiveTerms<dim> terms(space, problem);
   terms.reinit();
+  const BranchHistory history(problem.materials);
   const double h = 1e-5;
   const auto energy_at = [&](const double time)
   {
     DistributedVector velocity = state.velocity, pressure = state.pressure;
     velocity.add(time, state.acceleration);
     pressure.add(time, state.pressure_rate);
-    return terms.energy_of(0, velocity, pressure).kinetic;
+    return terms.energy_of(0, {velocity, pressure, history}).kinetic;
   };
   return (energy_at(h) - energy_at(-h)) / (2. * h);
 }

@@ -38,6 +38,7 @@ struct GeneralParameters
   std::string model = "plane strain";
   std::string discretisation = "taylor hood";
   std::string convection = "none";
+  Deformation deformation = Deformation::small;
 
   /// `analyses`: name and description of those that exist. Throws InputError.
   void read(ParameterSection root,

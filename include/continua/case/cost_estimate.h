@@ -21,12 +21,13 @@ struct CostInput
   bool has_pressure = true;     ///< of the cell-wise one: whether it is an unknown
   bool segregated = false;      ///< of the cell-wise one: solved component by component
   bool pivots = false;          ///< the factor does: a material is incompressible
-  bool convection = false;      ///< the matrix is unsymmetric, and steps are iterated
+  bool is_nonlinear = false;    ///< the matrix is unsymmetric, and steps are iterated
   LinearSolverType solver = LinearSolverType::automatic;
   DirectSolver direct_solver = DirectSolver::automatic;
   unsigned int n_factors = 1; ///< kept at one time
   double n_steps = 1.;        ///< solves of the step's system
-  /// The run looks for a state at rest: with convection by some steps, which are not n_steps.
+  /// The run looks for a state at rest: where it is not linear by some steps, which are not
+  /// n_steps.
   bool to_rest = false;
   unsigned int n_ranks = 1;
 };

@@ -10,11 +10,13 @@ namespace Continua
 struct BalancedStep
 {
   Step step;
-  DistributedVector velocity;      ///< [m/s]
-  DistributedVector pressure;      ///< the unknown p [Pa]
-  DistributedVector acceleration;  ///< dU/dt as the scheme has it [m/s^2]
-  DistributedVector pressure_rate; ///< dp/dt as the scheme has it, where convection is on [Pa/s]
-  DistributedVector prescribed;    ///< prescribed velocities where there are any, else 0 [m/s]
+  DistributedVector velocity;     ///< [m/s]
+  DistributedVector pressure;     ///< the unknown p [Pa]
+  DistributedVector acceleration; ///< dU/dt as the scheme has it [m/s^2]
+  DistributedVector
+      pressure_rate; ///< dp/dt as the scheme has it, of steps that are not linear [Pa/s]
+  DistributedVector displacement; ///< with Deformation::finite, else empty [m]
+  DistributedVector prescribed;   ///< prescribed velocities where there are any, else 0 [m/s]
 };
 } // namespace Continua
 

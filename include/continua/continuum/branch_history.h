@@ -37,6 +37,10 @@ public:
                const Step &step,
                const DistributedVector &velocity_old,
                DistributedVector &mixture) const;
+  /// D_plus of the displacement [m]: what it is at the balanced level without the velocity there.
+  void predict_displacement(const Step &step,
+                            const DistributedVector &velocity_old,
+                            DistributedVector &displacement) const;
   /// Carries all branches to the end of the step, from the velocity at its start and at the
   /// balanced level.
   void advance(const Step &step,

@@ -21,6 +21,8 @@ struct NewtonInput
   const DistributedVector &mass;     ///< g of them [m^3/s]
   const DistributedVector &predicted_pressure; ///< p_plus [Pa]
   const DistributedVector &velocity_old;       ///< at the step's start [m/s]
+  /// D_plus of the displacement with Deformation::finite, else unused [m].
+  const DistributedVector &predicted_displacement;
 };
 
 /**
@@ -74,7 +76,7 @@ private:
   DistributedVector past_acceleration, momentum, momentum_work, velocity_change, zero_velocity;
   DistributedVector mass, mass_work, pressure_change;
 
-  /// dU/dt and dp/dt of the iterate.
+  /// dU/dt and dp/dt of the iterate, and in finite deformation its displacement.
   void set_rates(const NewtonInput &input, BalancedStep &balanced) const;
   /// Takes A U + G p and B U + C p from the rows; raises the scales to the largest entries.
   void subtract_linear_terms(const SystemCoefficients &coefficients,

@@ -11,15 +11,20 @@ struct NonlinearForces
   DistributedVector inertia;       ///< of a density that is not that of the material
   DistributedVector convection;    ///< with the skew form's part
   DistributedVector stabilisation; ///< of grad-div and supg
-  DistributedVector viscosity;     ///< of a viscosity that is not that at rest
+  DistributedVector viscosity;     ///< of a viscosity that is not that at rest; in finite
+                                   ///< deformation of the whole viscosity
   DistributedVector inflow;        ///< at open ends that have the total pressure
+  DistributedVector strain;        ///< in finite deformation: of the law's stress
+  DistributedVector compression;   ///< in finite deformation: of the pressure
 };
 
-/// Energies of a region whose density and compressibility follow the pressure [J].
+/// Energies of a region whose density and compressibility follow the pressure, or in finite
+/// deformation [J].
 struct NonlinearEnergy
 {
   double kinetic = 0.;     ///< int rho(p)/2 U^2
-  double compressive = 0.; ///< of VolumeLaw::energy()
+  double compressive = 0.; ///< of VolumeLaw::energy(); in finite deformation of the volume
+  double strain = 0.;      ///< in finite deformation: of the law
 };
 } // namespace Continua
 

@@ -11,6 +11,7 @@
 #include <continua/continuum/system_coefficients.h>
 #include <continua/linear_algebra/distributed_vector.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -156,12 +157,14 @@ public:
   }
   /// Whether a region has such terms, and its energies are those of nonlinear_energy().
   virtual bool is_nonlinear_in(unsigned int /*region*/) const { return false; }
-  /// This rank's part of the energies of such a region, of velocity [m/s] and pressure [Pa].
-  virtual NonlinearEnergy nonlinear_energy(unsigned int /*region*/,
-                                           const DistributedVector & /*velocity*/,
-                                           const DistributedVector & /*pressure*/)
+  /// This rank's part of the energies of such a region.
+  virtual NonlinearEnergy nonlinear_energy(unsigned int /*region*/, const State &) { return {}; }
+  /// Adds what the loads that a step has balanced have besides those on the body at rest [N], of
+  /// one region or of all: they follow a body in finite deformation.
+  virtual void add_load_changes(const BalancedStep &,
+                                std::optional<unsigned int> /*region*/,
+                                DistributedVector & /*forces*/)
   {
-    return {};
   }
   /// Adds what the left side of the mass equation has of the pressure besides C p, whose rows may
   /// be others than those of a volume [m^3/s].

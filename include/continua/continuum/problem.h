@@ -4,6 +4,7 @@
 #include <continua/boundary/boundary_condition.h>
 #include <continua/boundary/outlet.h>
 #include <continua/continuum/convection.h>
+#include <continua/materials/deformation.h>
 #include <continua/materials/material.h>
 #include <continua/materials/model.h>
 #include <continua/materials/plane_stress.h>
@@ -72,10 +73,13 @@ struct Problem
   std::vector<Outlet> outlets;
   InteriorData interior;
   Convection convection;
+  Deformation deformation = Deformation::small;
   NewtonParameters newton;
   FurtherFields further_fields;
   WallShearWindow wall_shear_window;
 
+  /// Whether Newton's iteration makes the steps.
+  bool is_nonlinear() const { return convection.is_on || deformation == Deformation::finite; }
   /// Of a region in any model.
   PlaneStressFactors plane_stress(const unsigned int region) const
   {

@@ -1,7 +1,9 @@
 #ifndef continua_continuum_stress_and_strain_h
 #define continua_continuum_stress_and_strain_h
 
+#include <continua/continuum/kinematics.h>
 #include <continua/materials/flow_curve.h>
+#include <continua/materials/material.h>
 #include <continua/materials/model.h>
 #include <continua/materials/plane_stress.h>
 
@@ -60,6 +62,17 @@ std::array<double, 6> vorticity(const dealii::Tensor<2, dim> &velocity_gradient)
 /// 193-208). [1/s^2]
 template <int dim>
 double q_criterion(const dealii::Tensor<2, dim> &velocity_gradient, double hoop, Model model);
+
+/// Cauchy's stress of a solid in finite deformation, in the same order, from the gradients of
+/// displacement [1] and velocity [1/s] by the reference place and from the pressure [Pa].
+std::array<double, 6> finite_stress(const Material &material,
+                                    PointStrain &strain,
+                                    const Kinematics &kinematics,
+                                    const dealii::Tensor<2, 3> &velocity_gradient,
+                                    double pressure);
+
+/// Green's strain (F^T F - I)/2, in the same order [1].
+std::array<double, 6> green_strain(const Kinematics &kinematics);
 
 /// n.sigma from the stress [Pa].
 template <int dim>

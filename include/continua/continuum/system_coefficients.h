@@ -1,6 +1,7 @@
 #ifndef continua_continuum_system_coefficients_h
 #define continua_continuum_system_coefficients_h
 
+#include <continua/materials/deformation.h>
 #include <continua/materials/material.h>
 #include <continua/time_integration/step.h>
 
@@ -18,8 +19,9 @@ struct SystemCoefficients
   /// But for round-off: time steps of one size are not equal to the last bit.
   bool operator==(const SystemCoefficients &other) const;
 
-  /// Takes those of a step.
-  void set(const std::vector<Material> &materials, const Step &step);
+  /// Takes those of a step. In finite deformation stress and compression are no part of the linear
+  /// system.
+  void set(const std::vector<Material> &materials, Deformation deformation, const Step &step);
   /// Takes those of a body at rest that is all solid (displacement for velocity, mu for alpha, 1/K
   /// for compressibility) or of a steady flow, where dp/dt = 0 and compressibility has no part.
   void set_steady(const std::vector<Material> &materials);

@@ -4,9 +4,9 @@
 #include <continua/continuum/balanced_step.h>
 #include <continua/continuum/nonlinear_terms.h>
 #include <continua/continuum/problem.h>
-#include <continua/finite_element/flow_cells.h>
 #include <continua/finite_element/flow_point.h>
 #include <continua/finite_element/inflow_terms.h>
+#include <continua/finite_element/nonlinear_cell_terms.h>
 #include <continua/finite_element/space.h>
 #include <continua/finite_element/streamline_terms.h>
 #include <continua/linear_algebra/unsymmetric_factor.h>
@@ -37,47 +37,37 @@ namespace Continua
  * the boundary, less that of rho0.
  */
 template <int dim>
-class ConvectiveTerms
+class ConvectiveTerms : public NonlinearCellTerms<dim>
 {
 public:
   /// Both must outlive it.
   ConvectiveTerms(const Space<dim> &space, const Problem &problem);
 
-  /// The mesh has changed.
-  void reinit();
+  void reinit() override;
 
-  /// Adds the terms to the rows of momentum [N] and of volume [m^3/s], with the hanging nodes
-  /// condensed. Collective. Throws StepFailure where the exponent leaves a bulk modulus that is not
-  /// positive.
-  void add(const BalancedStep &state, DistributedVector &momentum, DistributedVector &volume);
-  /// The terms of momentum of one region alone, by kind [N].
-  void set_forces_of(unsigned int region, const BalancedStep &state, NonlinearForces &forces);
-  /// This rank's part of the energies of one region, with the density and the compressibility that
-  /// follow the pressure. Collective.
-  NonlinearEnergy energy_of(unsigned int region,
-                            const DistributedVector &velocity,
-                            const DistributedVector &pressure);
-
-  /// Adds the derivative by U and p, with the acceleration and the rate of p following as the step
-  /// has them, to a matrix whose unknowns are the velocities and then the pressures and whose rows
-  /// of volume are multiplied by -1. `constraints`: of the velocity, homogeneous, hanging nodes
-  /// included; rows and columns of what they constrain stay empty.
-  void add_derivative(const BalancedStep &state,
-                      const dealii::AffineConstraints<double> &constraints,
-                      Triplets &matrix);
-  /// Keeps the same derivative as one matrix a cell, without constraints.
-  void keep_derivative(const BalancedStep &state);
-  /// Adds its product with changes of velocity [m/s] and pressure [Pa], which obey their
-  /// constraints, to the rows of momentum [N] and of volume [m^3/s], with the hanging nodes
-  /// condensed. Collective.
-  void add_derivative_product(const DistributedVector &of_velocity,
-                              const DistributedVector &of_pressure,
-                              DistributedVector &momentum,
-                              DistributedVector &volume);
+  /// Throws StepFailure where the exponent leaves a bulk modulus that is not positive.
+  void
+  add(const BalancedStep &state, DistributedVector &momentum, DistributedVector &volume) override;
+  void
+  set_forces_of(unsigned int region, const BalancedStep &state, NonlinearForces &forces) override;
+  /// With the density and the compressibility that follow the pressure.
+  NonlinearEnergy energy_of(unsigned int region, const State &state) override;
 
 private:
+  using Base = NonlinearCellTerms<dim>;
+  using Base::cells;
+  using Base::pressure;
+  using Base::pressure_work;
+  using Base::problem;
+  using Base::quadrature;
+  using Base::space;
+  using Base::step;
+  using Base::take;
+  using Base::velocity;
+  using Base::velocity_work;
+  using typename Base::Cell;
+  using typename Base::PressureEntries;
   using Point = FlowPoint<dim>;
-  using Cell = FlowCell<dim>;
 
   /// What tests the rows of momentum at a point: the values and the gradients of test functions.
   struct Tested
@@ -95,19 +85,10 @@ private:
     n_kinds
   };
 
-  const Space<dim> &space;
-  const Problem &problem;
-  const dealii::QGauss<dim> quadrature;
-  FlowCells<dim> cells;
   InflowTerms<dim> inflow_terms;
   StreamlineTerms<dim> streamline_terms;
-  Step step; ///< of the state that was taken
-  /// The kept derivative of each cell, and work space for its product.
-  std::vector<dealii::FullMatrix<double>> cell_derivatives;
-  dealii::Vector<double> cell_change, cell_product;
-  // The state with ghost entries, and work space for it.
-  DistributedVector velocity, acceleration, pressure, pressure_rate;
-  DistributedVector velocity_work, pressure_work;
+  // Of the state, with ghost entries.
+  DistributedVector acceleration, pressure_rate;
   // Of the present cell; velocities component by component.
   const Cell *present = nullptr;
   dealii::Vector<double> cell_velocity, cell_acceleration, cell_pressure, cell_pressure_rate;
@@ -118,10 +99,10 @@ private:
   // Derivatives by the unknowns at a point: of the divergence, of the source m, along the flow.
   std::vector<double> traces, sources, along, pressure_sources, pressure_rates, densities;
 
-  void take(const DistributedVector &of_velocity, const DistributedVector &of_pressure);
-  void take(const BalancedStep &state);
-  /// The derivative of the rows of the cell at the state that was taken.
-  void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix);
+  void take(const BalancedStep &state) override;
+  void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix) override;
+  /// Pressures of a liquid that is incompressible enter by SUPG alone.
+  PressureEntries pressure_entries(const Cell &cell) const override;
   /// Makes the state's entries those of the cell.
   void visit(const Cell &cell);
   const Material &material() const { return problem.materials[present->region]; }

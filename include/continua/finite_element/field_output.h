@@ -35,6 +35,12 @@ private:
                        dealii::DataOut<dim> &data_out,
                        std::map<std::string, std::string> &units_of_fields);
 
+  /// Sets Cauchy's stresses at the points of a cell in finite deformation [Pa].
+  void set_finite_stresses(const dealii::FEValuesBase<dim> &values,
+                           const std::vector<dealii::Vector<double>> &pressures,
+                           unsigned int region,
+                           std::vector<std::array<double, 6>> &stresses) const;
+
   /// Sets a field of numbers, with ghosts, to the first component at each node.
   void set_numbers(const DistributedVector &vectors, DistributedVector &numbers);
 

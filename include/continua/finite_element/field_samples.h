@@ -28,6 +28,7 @@ public:
   void take(const State &state);
 
   DistributedVector velocity, pressure;
+  DistributedVector displacement;          ///< with Deformation::finite
   std::vector<DistributedVector> mixtures; ///< by region, see set_mixture()
   /// Of the WallShearAverage, if the run keeps it.
   DistributedVector shear_integral, magnitude_integral;
@@ -50,8 +51,6 @@ public:
 
   void clear() { points.clear(); }
   unsigned int size() const { return points.size(); }
-  /// The fields that value() knows: all but displacements and strains.
-  static bool can_tell(const FieldDefinition<dim> &field);
   /// Adds a point of a cell of this rank or of a ghost. `normal`: out of the cell, for fields of
   /// walls; `factors`: of the components of a stress.
   void add(const typename dealii::Triangulation<dim>::cell_iterator &cell,
@@ -98,6 +97,7 @@ private:
   dealii::Tensor<1, dim> vector_value(const SamplePoint &point,
                                       const DistributedVector &vector) const;
   double pressure_at(const SamplePoint &point, const SampledState<dim> &state) const;
+  Kinematics kinematics_at(const SamplePoint &point, const SampledState<dim> &state) const;
   std::array<double, 6> stress_at(const SamplePoint &point, const SampledState<dim> &state) const;
 };
 } // namespace Continua

@@ -3,7 +3,7 @@
 
 #include <continua/continuum/system_coefficients.h>
 #include <continua/finite_element/boundary_constraints.h>
-#include <continua/finite_element/convective_terms.h>
+#include <continua/finite_element/nonlinear_cell_terms.h>
 #include <continua/finite_element/region_operators.h>
 #include <continua/finite_element/space.h>
 #include <continua/linear_algebra/unsymmetric_factor.h>
@@ -15,8 +15,8 @@
 namespace Continua
 {
 /**
- * The tangent of a step's equations where convection is on: the matrix of the linear terms (see
- * StepSystem) and the derivative of the convective ones at a state, unsymmetric, with boundary
+ * The tangent of a step's equations that are not linear: the matrix of the linear terms (see
+ * StepSystem) and the derivative of the others at a state, unsymmetric, with boundary
  * constraints and hanging nodes eliminated on both sides, and its factor.
  */
 template <int dim>
@@ -33,7 +33,7 @@ public:
   /// Factors the tangent at the state. Throws RunError.
   void factorize(const SystemCoefficients &coefficients,
                  const BalancedStep &state,
-                 ConvectiveTerms<dim> &terms);
+                 NonlinearCellTerms<dim> &terms);
   /// The next factor is made as the first one.
   void forget_analysis();
   /// Solves for free dofs; constrained and hanging entries of the result are 0. The right-hand

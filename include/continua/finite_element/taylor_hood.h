@@ -5,11 +5,11 @@
 #include <continua/continuum/discretisation.h>
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/boundary_constraints.h>
-#include <continua/finite_element/convective_terms.h>
 #include <continua/finite_element/field_evaluation.h>
 #include <continua/finite_element/field_output.h>
 #include <continua/finite_element/loads.h>
 #include <continua/finite_element/mesh_transfer.h>
+#include <continua/finite_element/nonlinear_cell_terms.h>
 #include <continua/finite_element/region_operators.h>
 #include <continua/finite_element/space.h>
 #include <continua/finite_element/step_system.h>
@@ -18,6 +18,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -97,7 +98,7 @@ public:
              DistributedVector &velocity,
              DistributedVector &pressure,
              StepReport &report) override;
-  bool is_nonlinear() const override { return problem.convection.is_on; }
+  bool is_nonlinear() const override { return terms != nullptr; }
   void add_nonlinear_terms(const BalancedStep &state,
                            DistributedVector &momentum,
                            DistributedVector &mass) override;
@@ -105,9 +106,10 @@ public:
                             const BalancedStep &state,
                             NonlinearForces &forces) override;
   bool is_nonlinear_in(unsigned int region) const override;
-  NonlinearEnergy nonlinear_energy(unsigned int region,
-                                   const DistributedVector &velocity,
-                                   const DistributedVector &pressure) override;
+  NonlinearEnergy nonlinear_energy(unsigned int region, const State &state) override;
+  void add_load_changes(const BalancedStep &state,
+                        std::optional<unsigned int> region,
+                        DistributedVector &forces) override;
   std::string place_of_largest(const DistributedVector &momentum,
                                const DistributedVector &mass,
                                bool of_momentum) const override;
@@ -171,8 +173,8 @@ private:
   Loads<dim> load_list;
   std::map<unsigned int, Loads<dim>> loads_of_regions; ///< that were asked for on this mesh
   StepSystem<dim> system;
-  ConvectiveTerms<dim> convective_terms;
-  TangentSystem<dim> tangent; ///< in the system's place where convection is on
+  std::unique_ptr<NonlinearCellTerms<dim>> terms; ///< null where the equations are linear
+  TangentSystem<dim> tangent; ///< in the system's place where there are such terms
   MeshTransfer<dim> mesh_transfer;
   FieldEvaluation<dim> evaluation;
   WallShearStress<dim> wall_shear;

@@ -112,11 +112,9 @@ public:
     convection.set_forces_of(region, state, forces);
   }
   bool is_nonlinear_in(unsigned int region) const override;
-  NonlinearEnergy nonlinear_energy(unsigned int region,
-                                   const DistributedVector &velocity,
-                                   const DistributedVector &pressure) override
+  NonlinearEnergy nonlinear_energy(unsigned int region, const State &state) override
   {
-    return convection.energy_of(region, velocity, pressure);
+    return convection.energy_of(region, state.velocity, state.pressure);
   }
   void add_flux_correction(const DistributedVector &pressure, DistributedVector &mass) override
   {

@@ -5,9 +5,12 @@
 #include <continua/materials/compression.h>
 #include <continua/materials/model.h>
 #include <continua/materials/shear.h>
+#include <continua/materials/strain_law.h>
+#include <continua/materials/strain_law_parameters.h>
 #include <continua/materials/volume_law.h>
 
 #include <complex>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +31,9 @@ struct Material
   Shear shear;
   double volume_exponent = 0.;    ///< n of the VolumeLaw [1]
   double reference_pressure = 0.; ///< p0 of it [Pa]
+  /// Of a solid with Deformation::finite, else null. The branches are those of a small deformation.
+  std::shared_ptr<const StrainLaw> strain_law;
+  StrainLawParameters strain_law_parameters; ///< of it
 
   /// Of a fluid that is convected.
   VolumeLaw volume_law() const
@@ -73,6 +79,9 @@ std::vector<std::pair<std::string, std::string>> material_types();
 /// Reads a child of the section Materials; only the entries of its `Type` are declared. Throws
 /// InputError.
 Material read_material(ParameterSection section, Model model);
+/// Reads the law of finite deformation of a solid that was read, whose shear modulus it takes;
+/// leaves a liquid as it is. Throws InputError.
+void read_strain_law(ParameterSection section, Material &material);
 } // namespace Continua
 
 #endif

@@ -45,8 +45,6 @@ struct Shear
   std::optional<FlowCurve> flow_curve;
   std::vector<Branch> branches;
   std::optional<PowerLaw> power_law;
-  // A hyperelastic law becomes a further kind of shear here, beside `power_law`: a law at a point
-  // that gives the stress and its tangent from the deformation gradient. is_solid() counts it, too.
 
   /// Whether shear is resisted by more than viscosity.
   bool is_solid() const { return !branches.empty() || power_law; }

@@ -54,6 +54,8 @@ struct TimeParameters
   /// The smallest of the run's time steps, or what an adaptive one may become [s].
   double smallest_step() const;
   StepSizeParameters step_sizes() const;
+  /// Where the scheme sets the update and it is the trapezoidal one, takes the implicit one.
+  void take_implicit_update();
   /// `update`, or what the scheme sets.
   Update update_type() const;
 };

@@ -1,5 +1,5 @@
-#ifndef continua_finite_element_flow_cells_h
-#define continua_finite_element_flow_cells_h
+#ifndef continua_finite_element_quadrature_cells_h
+#define continua_finite_element_quadrature_cells_h
 
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/space.h>
@@ -14,14 +14,14 @@
 
 namespace Continua
 {
-/// A cell that has a liquid, as FlowCells keeps it.
+/// A cell as QuadratureCells keeps it.
 template <int dim>
-struct FlowCell
+struct QuadratureCell
 {
   /// The geometry at a quadrature point.
   struct Point
   {
-    double weight = 0.; ///< in an integral over the body, times 1 - phase
+    double weight = 0.; ///< in an integral over the body, times the share of the cell
     double hoop = 0.;   ///< 1/r in axisymmetry, else 0 [1/m]
     /// [d][e]: the derivative of the coordinate d of the reference cell by the place along e [1/m].
     dealii::Tensor<2, dim> inverse_jacobian;
@@ -37,25 +37,33 @@ struct FlowCell
   std::vector<Point> points;
 };
 
+/// The part of the continuum that an integral is over: its cells count with their share.
+enum class PhaseShare
+{
+  liquid, ///< 1 - phase
+  solid   ///< the phase
+};
+
 /**
- * The owned cells of the liquids, with all that integrals over them need besides the state: made
- * once for a mesh. Shape functions are kept for the reference cell alone; a gradient there times
- * the inverse of the Jacobian is that in the body.
+ * The owned cells of the liquids or of the solids, with all that integrals over them need besides
+ * the state: made once for a mesh. Shape functions are kept for the reference cell alone; a
+ * gradient there times the inverse of the Jacobian is that in the body.
  */
 template <int dim>
-class FlowCells
+class QuadratureCells
 {
 public:
   /// The first two must outlive it.
-  FlowCells(const Space<dim> &space,
-            const Problem &problem,
-            const dealii::Quadrature<dim> &quadrature);
+  QuadratureCells(const Space<dim> &space,
+                  const Problem &problem,
+                  const dealii::Quadrature<dim> &quadrature,
+                  PhaseShare share);
 
   /// The mesh has changed.
   void reinit();
 
   /// In the order of the tree.
-  const std::vector<FlowCell<dim>> &all() const { return cells; }
+  const std::vector<QuadratureCell<dim>> &all() const { return cells; }
   unsigned int n_points() const { return quadrature.size(); }
   /// Shape functions of one component of the velocity, and of the pressure in one region.
   unsigned int n_functions() const { return shapes.size(1); }
@@ -74,10 +82,11 @@ private:
   const Space<dim> &space;
   const Problem &problem;
   const dealii::Quadrature<dim> quadrature;
+  const PhaseShare share;
   // [point][function]
   dealii::Table<2, double> shapes, pressure_shapes;
   dealii::Table<2, dealii::Tensor<1, dim>> slopes, pressure_slopes;
-  std::vector<FlowCell<dim>> cells;
+  std::vector<QuadratureCell<dim>> cells;
 };
 } // namespace Continua
 

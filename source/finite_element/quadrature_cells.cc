@@ -1,4 +1,4 @@
-#include <continua/finite_element/flow_cells.h>
+#include <continua/finite_element/quadrature_cells.h>
 
 #include <continua/mesh/cells_in_tree_order.h>
 
@@ -25,10 +25,11 @@ std::vector<int> places_of(const std::vector<types::global_dof_index> &indices,
 } // namespace
 
 template <int dim>
-FlowCells<dim>::FlowCells(const Space<dim> &space,
-                          const Problem &problem,
-                          const Quadrature<dim> &quadrature)
-    : space(space), problem(problem), quadrature(quadrature)
+QuadratureCells<dim>::QuadratureCells(const Space<dim> &space,
+                                      const Problem &problem,
+                                      const Quadrature<dim> &quadrature,
+                                      const PhaseShare share)
+    : space(space), problem(problem), quadrature(quadrature), share(share)
 {
   const FE_Q<dim> velocity(space.degree()), pressure(space.degree() - 1);
   const auto set =
@@ -48,7 +49,7 @@ FlowCells<dim>::FlowCells(const Space<dim> &space,
 }
 
 template <int dim>
-void FlowCells<dim>::reinit()
+void QuadratureCells<dim>::reinit()
 {
   const DistributedVector velocity(space.velocity_owned, space.velocity_relevant,
                                    space.communicator),
@@ -62,11 +63,12 @@ void FlowCells<dim>::reinit()
   {
     if (!cell->is_locally_owned())
       continue;
-    const double share = 1. - problem.materials[cell->material_id()].phase();
-    if (!(share > 0.))
+    const double phase = problem.materials[cell->material_id()].phase(),
+                 share_of_cell = share == PhaseShare::liquid ? 1. - phase : phase;
+    if (!(share_of_cell > 0.))
       continue;
     cells.emplace_back();
-    FlowCell<dim> &kept = cells.back();
+    QuadratureCell<dim> &kept = cells.back();
     kept.velocity_cell = cell;
     kept.pressure_cell = typename DoFHandler<dim>::active_cell_iterator(
         &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs);
@@ -90,13 +92,13 @@ void FlowCells<dim>::reinit()
     for (unsigned int q = 0; q < quadrature.size(); ++q)
     {
       const Point<dim> &place = geometry.quadrature_point(q);
-      kept.points[q].weight = share * geometry.JxW(q) * space.measure(place);
+      kept.points[q].weight = share_of_cell * geometry.JxW(q) * space.measure(place);
       kept.points[q].hoop = space.is_axisymmetric() ? 1. / place[1] : 0.;
       kept.points[q].inverse_jacobian = Tensor<2, dim>(geometry.inverse_jacobian(q));
     }
   }
 }
 
-template class FlowCells<2>;
-template class FlowCells<3>;
+template class QuadratureCells<2>;
+template class QuadratureCells<3>;
 } // namespace Continua

@@ -1,0 +1,135 @@
+#ifndef continua_finite_element_deformation_terms_h
+#define continua_finite_element_deformation_terms_h
+
+#include <continua/continuum/kinematics.h>
+#include <continua/finite_element/follower_pressure.h>
+#include <continua/finite_element/nonlinear_cell_terms.h>
+#include <continua/materials/strain_law.h>
+
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * The solids in finite deformation: what the equations of a step have in the place of the linear
+ * stress and compression. For test functions v and q, on the reference mesh with gradients by the
+ * present place,
+ *
+ *   int ( tau(F) + J 2 eta dev sym grad U - J p I ) : grad v dV
+ *   int q (1/b) ( ln J + p/K ) J dV
+ *
+ * with F = I + Grad D, D = D_plus + b U, J = det F and tau the law's deviatoric Kirchhoff stress.
+ * In the middle of a step (Crank-Nicolson) the row of volume is its rate, int q ( div U + (dp/dt)/K
+ * ) J dV, which keeps the energy; the closed one keeps the volume. A law with a mean stress s of
+ * its own has (p + s(F))/K in the place of ln J + p/K.
+ *
+ * The linear equations keep the inertia, -int p Div v dV and int q Div U dV (by the reference
+ * place), which are therefore taken off here.
+ */
+template <int dim>
+class DeformationTerms : public NonlinearCellTerms<dim>
+{
+public:
+  /// Both must outlive it.
+  DeformationTerms(const Space<dim> &space, const Problem &problem);
+
+  void reinit() override;
+
+  /// Throws StepFailure where the body is turned inside out.
+  void
+  add(const BalancedStep &state, DistributedVector &momentum, DistributedVector &volume) override;
+  void
+  set_forces_of(unsigned int region, const BalancedStep &state, NonlinearForces &forces) override;
+  /// By the law, and of the pressure K (J ln J - J + 1) with J = exp(-p/K), per reference volume.
+  NonlinearEnergy energy_of(unsigned int region, const State &state) override;
+  void add_loads(const BalancedStep &state,
+                 std::optional<unsigned int> region,
+                 DistributedVector &forces) override;
+  typename NonlinearCellTerms<dim>::Sizes sizes_of_terms() const override { return sizes; }
+
+private:
+  using Base = NonlinearCellTerms<dim>;
+  using Base::cells;
+  using Base::pressure;
+  using Base::problem;
+  using Base::quadrature;
+  using Base::space;
+  using Base::step;
+  using Base::take;
+  using Base::velocity;
+  using Base::velocity_work;
+  using typename Base::Cell;
+  using typename Base::PressureEntries;
+  using typename Base::Sizes;
+
+  /// The state at a quadrature point.
+  struct Point
+  {
+    Kinematics kinematics;
+    dealii::Tensor<2, 3> reference_velocity_gradient; ///< Grad U [1/s]
+    dealii::Tensor<2, 3> velocity_gradient;           ///< grad U [1/s]
+    double weight, hoop, pressure, pressure_rate;
+  };
+  /// The kinds of NonlinearForces.
+  enum Kind
+  {
+    strain,
+    viscosity,
+    compression,
+    n_kinds
+  };
+
+  FollowerPressure<dim> follower_pressure;
+  // Of the state, with ghost entries.
+  DistributedVector displacement, pressure_rate;
+  double displacement_by_velocity = 0.; ///< b [s]
+  Sizes sizes;
+  // Of the present cell; vectors component by component.
+  const Cell *present = nullptr;
+  dealii::Vector<double> cell_velocity, cell_displacement, cell_pressure, cell_pressure_rate;
+  dealii::Vector<double> cell_volume, cell_load;
+  std::array<dealii::Vector<double>, n_kinds> cell_forces;
+  PointStrain strain_at_point;
+  /// Of each cell and point, where a law has fibres; else empty.
+  std::vector<std::vector<std::vector<dealii::Tensor<1, 3>>>> fibres;
+  /// The shape functions of a component at a point: gradients by the present place [1/m], and those
+  /// along the circumference, of the radial component alone.
+  std::vector<dealii::Tensor<1, 3>> slopes, reference_slopes;
+  std::vector<double> hoops, reference_hoops;
+
+  void take(const BalancedStep &state) override;
+  void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix) override;
+  PressureEntries pressure_entries(const Cell &) const override { return {true, true}; }
+  void set_fibres();
+  void visit(const Cell &cell);
+  const Material &material() const { return problem.materials[present->region]; }
+  Point point(unsigned int q) const;
+  /// Of a vector of the present cell, by the reference place.
+  dealii::Tensor<2, 3> gradient(const dealii::Vector<double> &entries, unsigned int q) const;
+  /// Makes `strain_at_point` that of the point.
+  void set_strain(const Point &point, unsigned int q);
+  void set_functions(const Point &point, unsigned int q);
+  dealii::SymmetricTensor<2, 3> viscous_stress(const Point &point) const;
+  /// Adds rows of momentum: of a stress per reference volume [Pa], and of a pressure of the linear
+  /// equations.
+  void add_stress(const dealii::SymmetricTensor<2, 3> &stress,
+                  double weight,
+                  dealii::Vector<double> &rows) const;
+  void add_reference_pressure(double factor, dealii::Vector<double> &rows) const;
+  /// Sets the rows of the present cell without its loads: cell_volume, and cell_forces by kind, or
+  /// their sum in the first one, less what the linear equations have of the pressure. The least
+  /// volume ratio.
+  double integrate(bool by_kind);
+  /// The left side of the row of volume at a point [1/s].
+  double volume_row(const Point &point) const;
+  void integrate_derivative(dealii::FullMatrix<double> &matrix);
+  /// Throws StepFailure where a volume ratio of some rank is not positive. Collective.
+  void refuse_inversion(double least_ratio, const Cell *worst) const;
+};
+} // namespace Continua
+
+#endif

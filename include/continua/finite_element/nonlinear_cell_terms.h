@@ -1,0 +1,115 @@
+#ifndef continua_finite_element_nonlinear_cell_terms_h
+#define continua_finite_element_nonlinear_cell_terms_h
+
+#include <continua/continuum/balanced_step.h>
+#include <continua/continuum/nonlinear_terms.h>
+#include <continua/continuum/problem.h>
+#include <continua/continuum/state.h>
+#include <continua/finite_element/quadrature_cells.h>
+#include <continua/finite_element/space.h>
+#include <continua/linear_algebra/unsymmetric_factor.h>
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <optional>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * What the equations of a step have beside their linear terms, as integrals over cells and faces of
+ * the reference mesh: rows of momentum N_u(U, p) [N] and of volume N_p(U, p) [m^3/s], and their
+ * derivative. The part that does not depend on what is integrated: the sums over the cells, the
+ * derivative as one matrix, and as one matrix a cell.
+ */
+template <int dim>
+class NonlinearCellTerms
+{
+public:
+  /// The first two must outlive it.
+  NonlinearCellTerms(const Space<dim> &space,
+                     const Problem &problem,
+                     const dealii::Quadrature<dim> &quadrature,
+                     PhaseShare share);
+  virtual ~NonlinearCellTerms() = default;
+
+  /// The mesh has changed.
+  virtual void reinit();
+
+  /// Adds the terms to the rows of momentum [N] and of volume [m^3/s], with the hanging nodes
+  /// condensed. Collective. Throws StepFailure where the state has no meaning.
+  virtual void
+  add(const BalancedStep &state, DistributedVector &momentum, DistributedVector &volume) = 0;
+  /// The terms of momentum of one region alone, by kind [N]. Collective.
+  virtual void
+  set_forces_of(unsigned int region, const BalancedStep &state, NonlinearForces &forces) = 0;
+  /// This rank's part of the energies of one region. Collective.
+  virtual NonlinearEnergy energy_of(unsigned int region, const State &state) = 0;
+  /// Adds what the loads of the step have besides those on the body at rest [N], of one region or
+  /// of all. Collective.
+  virtual void add_loads(const BalancedStep &, std::optional<unsigned int>, DistributedVector &) {}
+  /// Of what cancels in the rows that were added last.
+  struct Sizes
+  {
+    double stress = 0.;   ///< [Pa]
+    double velocity = 0.; ///< [m/s]
+  };
+  virtual Sizes sizes_of_terms() const { return {}; }
+
+  /// Adds the derivative by U and p, with all that follows from them as the step has it, to a
+  /// matrix whose unknowns are the velocities and then the pressures and whose rows of volume are
+  /// multiplied by -1. `constraints`: of the velocity, homogeneous, hanging nodes included; rows
+  /// and columns of what they constrain stay empty.
+  void add_derivative(const BalancedStep &state,
+                      const dealii::AffineConstraints<double> &constraints,
+                      Triplets &matrix);
+  /// Keeps the same derivative as one matrix a cell, without constraints.
+  void keep_derivative(const BalancedStep &state);
+  /// Adds its product with changes of velocity [m/s] and pressure [Pa], which obey their
+  /// constraints, to the rows of momentum [N] and of volume [m^3/s], with the hanging nodes
+  /// condensed. Collective.
+  void add_derivative_product(const DistributedVector &of_velocity,
+                              const DistributedVector &of_pressure,
+                              DistributedVector &momentum,
+                              DistributedVector &volume);
+
+protected:
+  using Cell = QuadratureCell<dim>;
+
+  /// Whether the derivative has entries in the rows, and in the columns, of a cell's pressures: the
+  /// same for any state, so that an analysis of the matrix can be kept.
+  struct PressureEntries
+  {
+    bool in_rows, in_columns;
+  };
+
+  const Space<dim> &space;
+  const Problem &problem;
+  const dealii::Quadrature<dim> quadrature;
+  QuadratureCells<dim> cells;
+  Step step; ///< of the state that was taken
+  // The velocity and the pressure with ghost entries, and work space.
+  DistributedVector velocity, pressure, velocity_work, pressure_work;
+
+  /// Takes a state, with ghost entries.
+  virtual void take(const BalancedStep &state) = 0;
+  /// The derivative of the rows of a cell at the state that was taken, velocities first, rows of
+  /// volume times -1.
+  virtual void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix) = 0;
+  virtual PressureEntries pressure_entries(const Cell &cell) const = 0;
+
+  void take(const DistributedVector &of_velocity, const DistributedVector &of_pressure);
+  /// The entries of a vector with ghosts at a cell's places.
+  static void set_entries(const std::vector<int> &places,
+                          const DistributedVector &from,
+                          dealii::Vector<double> &values);
+
+private:
+  /// The kept derivative of each cell, and work space for its product.
+  std::vector<dealii::FullMatrix<double>> cell_derivatives;
+  dealii::Vector<double> cell_change, cell_product, cell_momentum, cell_volume;
+};
+} // namespace Continua
+
+#endif

@@ -1,0 +1,99 @@
+#include <continua/case/deformation_checks.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Continua
+{
+namespace
+{
+/// Materials that have no place in finite deformation.
+void check_materials(const Problem &problem, ParameterSection root)
+{
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+  {
+    const Material &material = problem.materials[region];
+    ParameterSection section = root.subsection("Materials").subsection(problem.regions[region]);
+    if (!material.is_solid())
+      section.refuse("Type",
+                     "a liquid needs a mesh that moves with the solid, which Continua does not "
+                     "have yet",
+                     "Leave the liquid out and give its pressure as a boundary condition, or set "
+                     "Deformation = small");
+    if (material.relaxes())
+      section.refuse("Type", "a wall that relaxes has no law of finite deformation yet",
+                     "Use 'hookean' or 'kelvin-voigt', or set Deformation = small");
+  }
+}
+
+template <int dim>
+void check_scheme(const Case<dim> &input, ParameterSection root)
+{
+  if (input.analysis.motion == Motion::in_time && input.time.update_type() == Update::trapezoidal)
+    root.subsection("Time").refuse(
+        "Update",
+        "finite deformation needs displacement and pressure at the level at which the step "
+        "balances, which the trapezoidal update does not have",
+        "Set Update = implicit");
+  if (input.discretisation.taylor_hood.linear_solver.type == LinearSolverType::iterative)
+    root.subsection("Linear solver")
+        .refuse("Type",
+                "the iterative solver is for symmetric matrices, and finite deformation makes the "
+                "matrix unsymmetric",
+                "Set Type = direct, or Deformation = small");
+  if (input.discretisation.taylor_hood.linear_solver.direct_solver == DirectSolver::cholmod)
+    root.subsection("Linear solver")
+        .refuse("Direct solver",
+                "cholmod is for symmetric matrices, and finite deformation makes the matrix "
+                "unsymmetric",
+                "Use automatic, umfpack or mumps");
+  ParameterSection solver = root.subsection("Linear solver");
+  for (const char *const key : {"Refinement steps", "Kept factors"})
+    if (solver.given(key))
+      solver.refuse(key, "with finite deformation Newton's iteration refines, and keeps one factor",
+                    "Remove it, or set Deformation = small");
+}
+} // namespace
+
+template <int dim>
+void check_deformation(const Case<dim> &input, ParameterSection root)
+{
+  const Problem &problem = input.problem;
+  if (problem.deformation == Deformation::small)
+    return;
+  if (!input.analysis.has_fields)
+    root.refuse("Deformation", "wave theory is linear",
+                "Set Deformation = small, or Analysis = transient");
+  if (input.analysis.is_modal())
+    root.refuse("Deformation", "vibrations are linear", "Set Deformation = small");
+  if (problem.model == Model::plane_stress)
+    root.refuse("Deformation",
+                "plane stress with finite deformation would need the strain across the plane as an "
+                "unknown",
+                "Set Model = plane strain or three-dimensional, or Deformation = small");
+  if (input.discretisation.is_cell_wise())
+    root.refuse("Deformation", "the cell-wise path is for small deformation",
+                "Set Discretisation = taylor hood, or Deformation = small");
+  if (problem.convection.is_on)
+    root.refuse("Convection",
+                "with finite deformation all regions are solids, which are not "
+                "convected",
+                "Set Convection = none");
+  check_materials(problem, root);
+  check_scheme(input, root);
+  if (!problem.interior.initial_displacement.empty() && problem.interior.initial_pressure.empty())
+    root.subsection("Initial state")
+        .refuse("Displacement", "without a pressure the one of a small deformation would be taken",
+                "Give the pressure, too, or set Initial state/Type = steady");
+  if (input.adaptation.changes_mesh() && input.adaptation.uses(Indicator::traction_jump))
+    root.subsection("Adaptivity")
+        .refuse("Indicator", "the jump of the traction is that of a small deformation",
+                "Set Indicator = kelly or a geometric one");
+  if (ParameterSection exact = root.subsection("Exact solution"); exact.given("Stress"))
+    exact.refuse("Stress", "the error of the stress is that of a small deformation",
+                 "Compare the displacement or the pressure");
+}
+
+template void check_deformation(const Case<2> &, ParameterSection);
+template void check_deformation(const Case<3> &, ParameterSection);
+} // namespace Continua

@@ -1,0 +1,338 @@
+// Solids in finite deformation: the derivative against differences in all models, laws and schemes;
+// a rigid rotation, a homogeneous stretch by hand, the power of stress against the rate of the
+// energy, and the pressure that follows a turned body; on hanging nodes, in axisymmetry and in
+// space.
+
+#include <continua/finite_element/deformation_terms.h>
+
+#include <continua/base/input_error.h>
+#include <continua/materials/strain_law_types.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <limits>
+
+#include "../unit_test.h"
+#include "small_problem.h"
+
+using namespace Continua;
+using namespace dealii;
+
+namespace
+{
+Problem make_problem(const Model model, const std::string &law, const double viscosity)
+{
+  Problem problem;
+  problem.model = model;
+  problem.deformation = Deformation::finite;
+  problem.regions = {"body"};
+  problem.materials.resize(1);
+  Material &material = problem.materials[0];
+  material.density = 3.;
+  material.compression = Compression::elastic(1. / 7.);
+  material.shear.branches = {{2., std::numeric_limits<double>::infinity()}};
+  material.shear.viscosity = viscosity;
+  StrainLawParameters &parameters = material.strain_law_parameters;
+  parameters.type = law;
+  parameters.mooney_rivlin_share = 0.3;
+  parameters.fibre_stiffness = 1.5;
+  parameters.fibre_exponent = 0.7;
+  parameters.fibre_dispersion = 0.1;
+  parameters.fibre_angle = 0.6;
+  material.strain_law = make_strain_law(parameters, 2., 7.);
+  return problem;
+}
+
+/// A pressure on the left, which grows with y.
+void add_pressure(Problem &problem)
+{
+  BoundaryCondition condition;
+  condition.type = BoundaryType::pressure;
+  condition.boundary_id = 0;
+  condition.region_ids = {0};
+  condition.normal.negative = true;
+  condition.normal.along_normal = Waveform(Expression("1.7 + 0.4*y", Dimensions::none));
+  problem.conditions.push_back(condition);
+}
+
+template <int dim>
+double wave(const Point<dim> &x, const double phase)
+{
+  double sum = phase;
+  for (unsigned int c = 0; c < dim; ++c)
+    sum += (0.9 + 0.4 * c + 0.2 * phase) * x[c];
+  return std::sin(sum);
+}
+
+double displacement_by_velocity(const Step &step)
+{
+  return step.branch(std::numeric_limits<double>::infinity()).velocity;
+}
+
+/// A state without any symmetry.
+template <int dim>
+BalancedStep make_state(const Space<dim> &space, const Step &step)
+{
+  const auto vector = [&](const double size, const double phase)
+  {
+    return small_problem::interpolated<dim>(space,
+                                            [=](const Point<dim> &x)
+                                            {
+                                              Tensor<1, dim> value;
+                                              for (unsigned int c = 0; c < dim; ++c)
+                                                value[c] = size * wave(x, phase + 2. * c);
+                                              return value;
+                                            });
+  };
+  const auto scalar = [&](const double phase)
+  {
+    return small_problem::interpolated_pressure<dim>(
+        space, [phase](const Point<dim> &x, unsigned int) { return wave(x, phase); });
+  };
+  BalancedStep state;
+  state.step = step;
+  state.velocity = vector(1., 0.);
+  state.displacement = vector(0.12, 1.);
+  state.pressure = scalar(2.);
+  state.pressure_rate = scalar(3.);
+  return state;
+}
+
+/// The rows of momentum and of the negative of volume, one after the other.
+template <int dim>
+std::vector<double>
+rows_of(const Space<dim> &space, DeformationTerms<dim> &terms, const BalancedStep &state)
+{
+  DistributedVector momentum = space.velocity_vector(), volume = space.pressure_vector();
+  terms.add(state, momentum, volume);
+  std::vector<double> rows(momentum.begin(), momentum.end());
+  for (unsigned int k = 0; k < volume.locally_owned_size(); ++k)
+    rows.push_back(-volume.begin()[k]);
+  return rows;
+}
+
+/// state + factor times a change, with what follows from it.
+BalancedStep
+changed(const BalancedStep &state, const std::vector<double> &change, const double factor)
+{
+  BalancedStep result = state;
+  const unsigned int n_velocity = state.velocity.locally_owned_size();
+  for (unsigned int i = 0; i < n_velocity; ++i)
+  {
+    result.velocity.begin()[i] += factor * change[i];
+    result.displacement.begin()[i] += factor * displacement_by_velocity(state.step) * change[i];
+  }
+  for (unsigned int k = 0; k < state.pressure.locally_owned_size(); ++k)
+  {
+    result.pressure.begin()[k] += factor * change[n_velocity + k];
+    result.pressure_rate.begin()[k] += factor / state.step.pressure_time * change[n_velocity + k];
+  }
+  return result;
+}
+
+template <int dim>
+void check_derivative(const std::string &name,
+                      const Space<dim> &space,
+                      const std::string &law,
+                      const Step &step)
+{
+  const Model model = dim == 3                  ? Model::three_dimensional
+                      : space.is_axisymmetric() ? Model::axisymmetric
+                                                : Model::plane_strain;
+  Problem problem = make_problem(model, law, 0.8);
+  add_pressure(problem);
+  DeformationTerms<dim> terms(space, problem);
+  terms.reinit();
+  const BalancedStep state = make_state(space, step);
+  // Any change, nothing at hanging nodes.
+  const DistributedVector velocity = small_problem::interpolated<dim>(
+      space,
+      [](const Point<dim> &x) { return wave(x, 7.) * Point<dim>::unit_vector(dim - 1) + 0.3 * x; });
+  const DistributedVector pressure = small_problem::interpolated_pressure<dim>(
+      space, [](const Point<dim> &x, unsigned int) { return wave(x, 9.); });
+  std::vector<double> change(velocity.begin(), velocity.end());
+  change.insert(change.end(), pressure.begin(), pressure.end());
+
+  const double h = 1e-5;
+  const std::vector<double> above = rows_of(space, terms, changed(state, change, h)),
+                            below = rows_of(space, terms, changed(state, change, -h));
+  Triplets matrix;
+  terms.add_derivative(state, space.velocity_hanging, matrix);
+  std::vector<double> product(change.size(), 0.);
+  for (std::size_t k = 0; k < matrix.values.size(); ++k)
+    product[matrix.rows[k]] += matrix.values[k] * change[matrix.columns[k]];
+  DistributedVector momentum = space.velocity_vector(), volume = space.pressure_vector();
+  terms.keep_derivative(state);
+  terms.add_derivative_product(velocity, pressure, momentum, volume);
+  std::vector<double> kept(momentum.begin(), momentum.end());
+  for (unsigned int k = 0; k < volume.locally_owned_size(); ++k)
+    kept.push_back(-volume.begin()[k]);
+  const unsigned int n_velocity = velocity.locally_owned_size();
+  double largest = 0., largest_volume = 0., difference = 0., of_volume = 0., between = 0.;
+  for (std::size_t i = 0; i < product.size(); ++i)
+  {
+    const double error = std::abs(product[i] - (above[i] - below[i]) / (2. * h));
+    between = std::max(between, std::abs(product[i] - kept[i]));
+    (i < n_velocity ? largest : largest_volume) =
+        std::max(i < n_velocity ? largest : largest_volume, std::abs(product[i]));
+    (i < n_velocity ? difference : of_volume) =
+        std::max(i < n_velocity ? difference : of_volume, error);
+  }
+  check::is_true(name + ": there is a derivative", largest > 0.1 && largest_volume > 0.01);
+  check::absolute(name + ": derivative of momentum", difference / largest, 0., 1e-8);
+  // The rate of a mean stress leaves out the change of its own derivative.
+  if (law != "st venant kirchhoff" || !step.extrapolate)
+    check::absolute(name + ": derivative of volume", of_volume / largest_volume, 0., 1e-8);
+  check::absolute(name + ": kept derivative", between / largest, 0., 1e-13);
+}
+
+/// The displacement (F - 1) x.
+template <int dim>
+DistributedVector homogeneous(const Space<dim> &space, const Tensor<2, dim> &deformation_gradient)
+{
+  return small_problem::interpolated<dim>(space, [&](const Point<dim> &x)
+                                          { return deformation_gradient * x - x; });
+}
+
+DistributedVector constant(const Space<2> &space, const double value)
+{
+  return small_problem::interpolated_pressure<2>(space, [value](const Point<2> &, unsigned int)
+                                                 { return value; });
+}
+} // namespace
+
+UNIT_TEST(deformation_terms)
+{
+  const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  small_problem::Mesh<2> mesh(MPI_COMM_WORLD);
+  small_problem::make_box<2>(mesh, {3, 2});
+  small_problem::refine<2>(mesh, [](const Point<2> &x) { return x[0] < 1. || x[1] > 1.; });
+  Space<2> space(mesh, SpaceParameters(), Model::plane_strain, 1);
+  space.distribute();
+  small_problem::Mesh<2> round_mesh(MPI_COMM_WORLD);
+  small_problem::make_box<2>(round_mesh, {2, 2}, Point<2>(0., 0.5));
+  Space<2> round_space(round_mesh, SpaceParameters(), Model::axisymmetric, 1);
+  round_space.distribute();
+  small_problem::Mesh<3> solid_mesh(MPI_COMM_WORLD);
+  small_problem::make_box<3>(solid_mesh, {2, 1, 1}, Point<3>(0., 0.3, 0.2));
+  Space<3> solid_space(solid_mesh, SpaceParameters(), Model::three_dimensional, 1);
+  solid_space.distribute();
+
+  const Step implicit = backward_differencing_step(0., 0.3, 0.3, Update::implicit),
+             middle = crank_nicolson_step(0., 0.3);
+  for (const StrainLawType &row : strain_law_types())
+    for (const Step &step : {implicit, middle})
+    {
+      const std::string name = row.name + (step.extrapolate ? ", middle" : ", implicit");
+      check_derivative(name + ", plane", space, row.name, step);
+      check_derivative(name + ", axisymmetric", round_space, row.name, step);
+      check_derivative(name + ", in space", solid_space, row.name, step);
+    }
+
+  // A body that is turned has no stress, and keeps its volume.
+  {
+    Problem problem = make_problem(Model::plane_strain, "neo hookean", 0.);
+    DeformationTerms<2> terms(space, problem);
+    terms.reinit();
+    Tensor<2, 2> rotation;
+    rotation[0][0] = rotation[1][1] = std::cos(1.2);
+    rotation[1][0] = std::sin(1.2);
+    rotation[0][1] = -rotation[1][0];
+    BalancedStep state = make_state(space, implicit);
+    state.velocity = 0.;
+    state.pressure = 0.;
+    state.displacement = homogeneous<2>(space, rotation);
+    // At hanging nodes the vectors have no values of their own.
+    const std::vector<double> rows = rows_of(space, terms, state);
+    double largest = 0.;
+    for (const double row : rows)
+      largest = std::max(largest, std::abs(row));
+    check::absolute("a turned body has no stress", largest, 0., 1e-13);
+    // A pressure on its left side, whose outward normal (-1, 0) is turned by 1.2.
+    add_pressure(problem);
+    problem.conditions[0].normal.along_normal = Waveform(1.7);
+    DeformationTerms<2> loaded(space, problem);
+    loaded.reinit();
+    DistributedVector forces = space.velocity_vector();
+    loaded.add_loads(state, {}, forces);
+    const auto total = [&](const unsigned int component)
+    {
+      return forces * small_problem::interpolated<2>(space, [&](const Point<2> &)
+                                                     { return Point<2>::unit_vector(component); });
+    };
+    check::relative("a pressure follows a turned body, x", total(0),
+                    2. * 1.7 * (std::cos(1.2) - 1.), 1e-12);
+    check::relative("a pressure follows a turned body, y", total(1), 2. * 1.7 * std::sin(1.2),
+                    1e-12);
+  }
+
+  // Stretched by 1.5 along x and 0.8 along y: J = 1.2, tau = mu J^(-2/3) dev(F F^T), and the force
+  // on the right side is P_xx = (tau_xx - J p)/1.5 on its height 2.
+  {
+    const Problem problem = make_problem(Model::plane_strain, "neo hookean", 0.);
+    DeformationTerms<2> terms(space, problem);
+    terms.reinit();
+    Tensor<2, 2> stretch;
+    stretch[0][0] = 1.5;
+    stretch[1][1] = 0.8;
+    BalancedStep state = make_state(space, implicit);
+    state.velocity = 0.;
+    state.displacement = homogeneous<2>(space, stretch);
+    state.pressure = constant(space, 0.9);
+    NonlinearForces forces;
+    for (DistributedVector *vector : {&forces.strain, &forces.viscosity, &forces.compression})
+      *vector = space.velocity_vector();
+    terms.set_forces_of(0, state, forces);
+    const DistributedVector along =
+        small_problem::interpolated<2>(space,
+                                       [](const Point<2> &x) {
+                                         return Tensor<1, 2>({x[0] / 3., 0.});
+                                       });
+    const double mean = (2.25 + 0.64 + 1.) / 3., tau = 2. * std::pow(1.2, -2. / 3.) * (2.25 - mean);
+    check::relative("stretch: force of the law", forces.strain * along, 2. * tau / 1.5, 1e-12);
+    check::relative("stretch: force of the pressure", forces.compression * along,
+                    -2. * 1.2 * 0.9 / 1.5, 1e-12);
+    // Rows of volume, by the pressure 1 everywhere: (ln J + p/K)/b J times the area.
+    const std::vector<double> rows = rows_of(space, terms, state);
+    double sum = 0.;
+    for (std::size_t i = forces.strain.locally_owned_size(); i < rows.size(); ++i)
+      sum -= rows[i];
+    check::relative("stretch: rows of volume", sum,
+                    6. * 1.2 * (std::log(1.2) + 0.9 / 7.) / displacement_by_velocity(implicit),
+                    1e-12);
+    // A body that is turned inside out.
+    stretch[1][1] = -0.8;
+    state.displacement = homogeneous<2>(space, stretch);
+    check::throws<StepFailure>(
+        "a body turned inside out", [&]() { rows_of(space, terms, state); },
+        "turned inside out in the region 'body'");
+  }
+
+  // The power of the law's stress is the rate of its energy.
+  for (const StrainLawType &row : strain_law_types())
+  {
+    // The energy of such a law has that of the volume, too.
+    if (row.needs_bulk_modulus)
+      continue;
+    const Problem problem = make_problem(Model::axisymmetric, row.name, 0.);
+    DeformationTerms<2> terms(round_space, problem);
+    terms.reinit();
+    const BalancedStep state = make_state(round_space, implicit);
+    NonlinearForces forces;
+    for (DistributedVector *vector : {&forces.strain, &forces.viscosity, &forces.compression})
+      *vector = round_space.velocity_vector();
+    terms.set_forces_of(0, state, forces);
+    BranchHistory history(problem.materials);
+    history.reinit(state.velocity, {{}});
+    const double h = 1e-5;
+    const auto energy_at = [&](const double time)
+    {
+      history.displacement() = state.displacement;
+      history.displacement().add(time, state.velocity);
+      return terms.energy_of(0, {state.velocity, state.pressure, history}).strain;
+    };
+    check::relative(row.name + ": power and rate of the energy", forces.strain * state.velocity,
+                    (energy_at(h) - energy_at(-h)) / (2. * h), 1e-8);
+  }
+}
