@@ -94,7 +94,7 @@ def render(sheet, run, states, field, folder):
     for pieces in states:
         check_pieces(pieces)
     request = {"states": states, "field": field, "folder": folder, "flattest": FLATTEST, "pixels": int(sheet.width * 200),
-               "regions": plot_choice.numbers_of_regions(sheet.choice, run)}
+               "regions": plot_choice.numbers_of_regions(sheet.choice, run), "deformation": run["summary"].get("deformation", "small")}
     if not rendered(request, sheet):
         return None
     with open(os.path.join(folder, "picture.json"), encoding="utf-8") as stream:

@@ -411,6 +411,8 @@ class Scale:
         self.field, self.label, self.liquid = request["field"], "", False
         grids = (self.read_state(pieces, found) for pieces in request["states"])
         self.deformation = factor_of(grids)
+        if request.get("deformation") == "finite":  # its equations are those of the body as it is
+            self.deformation = 1
         self.ranges = ranges_of(found)
         bounds = self.undeformed
         self.plane = bounds[5] - bounds[4] < 1e-9 * max(bounds[1] - bounds[0], bounds[3] - bounds[2])

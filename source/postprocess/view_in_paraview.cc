@@ -34,7 +34,7 @@ both signs has white at zero. The second command writes the last state as a pict
 """
 
 FIELD = None  # that gives the colours, such as "velocity"; None: the pressure, or of a body that is all solid the displacement
-FACTOR = None  # of the displacement; None: a round number that makes it visible, or 1
+FACTOR = None  # of the displacement; None: a round number that makes it visible, or 1 in finite deformation
 MOST_STATES = 20  # that the ranges and the factor are taken from
 
 import json
@@ -71,7 +71,10 @@ def nice(number):
 
 
 def factor_of(solids, times, bounds):
-    """A tenth of the body's length, but not more than 0.4 of its width along it: a thin body must not fold over itself."""
+    """A tenth of the body's length, but not more than 0.4 of its width along it: a thin body must not fold over itself. In finite
+    deformation 1."""
+    if summary().get("deformation") == "finite":
+        return 1.0
     size = [bounds[2 * d + 1] - bounds[2 * d] for d in range(3)]
     ranges = [range_of(solids, times, "displacement", d) for d in range(3)]
     largest = [max(-low, high) for low, high in ranges]

@@ -123,6 +123,9 @@ sys.exit(STATUS)
         self.assertEqual([(what, round(low, 9), round(high, 9)) for what, _, low, high in scale.ranges], [("", 0, 0.03)])
         # 5 um of the wall in a tube of 12 mm: 0.1 m / 10 / 5 um = 2000, and not more than 0.4 * 12 mm / 5 um = 960.
         self.assertEqual(scale.deformation, 500)
+        # In finite deformation the body is drawn as it is.
+        scale = render_field.Scale({"states": states, "field": "velocity", "regions": None, "deformation": "finite"})
+        self.assertEqual(scale.deformation, 1)
 
     def test_nothing_is_cut(self):
         write_run(self.folder)
