@@ -61,10 +61,11 @@ void Transient<dim>::name_quantities(const Case<dim> &input, QuantityNames &name
   name_quantities_of_records(input, names);
   LinearWaveTheory<dim>::name_quantities_of_comparison(input, names);
   StreamReport<dim>::name_quantities(input, names);
-  names.add("weak divergence at the end");
+  if (input.problem.deformation == Deformation::small)
+    names.add("weak divergence at the end");
   FlowReport<dim>::name_quantities(input, names);
   PeriodicState<dim>::name_quantities(input, names);
-  if (input.problem.convection.is_on)
+  if (input.problem.is_nonlinear())
     names.add("steps halved");
 }
 
@@ -104,10 +105,12 @@ void Transient<dim>::perform()
   LinearWaveTheory<dim>(run).compare();
   StreamReport<dim>::add(run);
   StreamReport<dim>::add_difference(run);
-  run.summary.add({"weak divergence at the end", run.solver->divergence(), "1/s", ""});
+  // In finite deformation that of the body at rest says nothing.
+  if (run.input.problem.deformation == Deformation::small)
+    run.summary.add({"weak divergence at the end", run.solver->divergence(), "1/s", ""});
   flow.finish();
   beats.finish();
-  if (run.input.problem.convection.is_on)
+  if (run.input.problem.is_nonlinear())
     run.summary.add({"steps halved", static_cast<double>(n_halved), "1", ""});
   if (run.input.time.scheme == Scheme::crank_nicolson && run.input.time.smooth_start)
     run.citations.add("rannacher1984");

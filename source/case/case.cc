@@ -72,7 +72,7 @@ void RestParameters::read(ParameterSection section, const bool is_nonlinear)
               Range{1., 100.});
   section.add("Load steps", load_steps,
               "Steps in which loads and prescribed velocities come, by equal parts, one for each "
-              "time step; with a long Time step it is a continuation in the load, that is in the "
+              "time step; with a long Time step it is a continuation in the load, of a flow in the "
               "Reynolds number. A part without a solution is halved. With convection or finite "
               "deformation alone [1].",
               1);
@@ -256,7 +256,8 @@ Case<dim>::Case(ParameterFile &file,
   absorbing_ends.add(*this, root, restart);
   probes.check(*triangulation, field_names<dim>(problem.model), pairs);
   probes.check_limits(problem.conditions,
-                      {discretisation.is_cell_wise(), analysis.is_modal(), in_time, are_solid},
+                      {discretisation.is_cell_wise(), analysis.is_modal(), in_time,
+                       problem.deformation == Deformation::finite, are_solid},
                       field_names<dim>(problem.model));
   if (analysis.is_transient() && periodic_state.is_on)
     check_compared_probes(*this, root.subsection("Periodic state"));

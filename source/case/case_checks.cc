@@ -159,7 +159,9 @@ void refuse_what_convection_uses(const Problem &problem, ParameterSection root)
   const std::string remedy = "Remove it, or set Convection = navier stokes";
   for (const char *const name : {"Flow", "Newton"})
     if (root.has_subsection(name) && !(name == std::string("Newton") && problem.is_nonlinear()))
-      root.subsection(name).refuse("", "without convection nothing uses the section", remedy);
+      root.subsection(name).refuse(
+          "", "without convection nothing uses the section",
+          name == std::string("Newton") ? remedy + ", or Deformation = finite" : remedy);
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
     if (problem.materials[region].shear.flow_curve)
       root.subsection("Materials")
@@ -228,7 +230,7 @@ void check_convection(const Case<dim> &input, ParameterSection root)
     steady.refuse("Load steps",
                   "without convection and finite deformation the equations are linear: one solve "
                   "has all loads",
-                  "Remove it, or set Convection = navier stokes");
+                  "Remove it, or set Convection = navier stokes or Deformation = finite");
   if (input.rest.load_steps > 1 && input.rest.load_steps >= input.rest.maximum_steps)
     steady.refuse("Load steps", "there have to be steps with all loads after the load steps",
                   "Set Maximum steps to more than Load steps");

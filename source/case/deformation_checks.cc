@@ -85,6 +85,15 @@ void check_deformation(const Case<dim> &input, ParameterSection root)
     root.subsection("Initial state")
         .refuse("Displacement", "without a pressure the one of a small deformation would be taken",
                 "Give the pressure, too, or set Initial state/Type = steady");
+  if (problem.interior.initial_displacement.empty() && !problem.interior.initial_pressure.empty())
+    root.subsection("Initial state")
+        .refuse("Pressure",
+                "a body without displacement has the volume of rest, and so no pressure of its own",
+                "Leave it out, give the displacement to which it belongs (p = -K ln J), or set "
+                "Initial state/Type = steady");
+  if (ParameterSection output = root.subsection("Output"); output.given("Further fields"))
+    output.refuse("Further fields", "these are fields of liquids, and all regions are solids",
+                  "Leave the entry out");
   if (input.adaptation.changes_mesh() && input.adaptation.uses(Indicator::traction_jump))
     root.subsection("Adaptivity")
         .refuse("Indicator", "the jump of the traction is that of a small deformation",

@@ -46,7 +46,7 @@ private:
   }
 };
 
-/// The stress of the branches, 2 mu_k dev sym grad D_k.
+/// The stress of the branches, 2 mu_k dev sym grad D_k, or in finite deformation that of the law.
 class BranchTerm : public EquationTerm
 {
 public:

@@ -130,7 +130,6 @@ typename DeformationTerms<dim>::Point DeformationTerms<dim>::point(const unsigne
               gradient(cell_velocity, q),
               {},
               present->points[q].weight,
-              present->points[q].hoop,
               0.,
               0.};
   point.velocity_gradient = point.kinematics.gradient(point.reference_velocity_gradient);

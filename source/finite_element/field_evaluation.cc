@@ -52,9 +52,9 @@ bool FieldEvaluation<dim>::needs_samples(const ProbeRequest<dim> &request,
   using Quantity = typename FieldDefinition<dim>::Quantity;
   if (request.kind == ProbeRequest<dim>::Kind::sign_change)
     return true;
-  if (problem.deformation == Deformation::finite &&
-      (field.quantity == Quantity::stress || field.quantity == Quantity::strain))
-    return true;
+  if (problem.deformation == Deformation::finite)
+    return field.quantity != Quantity::velocity && field.quantity != Quantity::displacement &&
+           field.quantity != Quantity::pressure;
   if (field.quantity == Quantity::stress || field.quantity == Quantity::wall_shear_stress)
   {
     // A viscosity that follows the rate of shear.

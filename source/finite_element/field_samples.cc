@@ -175,8 +175,43 @@ Tensor<1, dim> FieldSamples<dim>::shear_on_wall(const SampledState<dim> &state,
                                                 const unsigned int number) const
 {
   const SamplePoint &point = points[number];
-  const Tensor<1, dim> whole = traction<dim>(stress_at(point, state), point.normal);
-  return (whole * point.normal) * point.normal - whole;
+  const Tensor<1, dim> normal = normal_at(point, state);
+  const Tensor<1, dim> whole = traction<dim>(stress_at(point, state), normal);
+  return (whole * normal) * normal - whole;
+}
+
+template <int dim>
+Tensor<1, dim> FieldSamples<dim>::normal_at(const SamplePoint &point,
+                                            const SampledState<dim> &state) const
+{
+  if (problem.deformation == Deformation::small)
+    return point.normal;
+  Tensor<1, 3> at_rest;
+  for (unsigned int c = 0; c < dim; ++c)
+    at_rest[c] = point.normal[c];
+  const Tensor<1, 3> area = kinematics_at(point, state).area(at_rest);
+  Tensor<1, dim> normal;
+  for (unsigned int c = 0; c < dim; ++c)
+    normal[c] = area[c] / area.norm();
+  return normal;
+}
+
+template <int dim>
+std::pair<Tensor<2, dim>, double>
+FieldSamples<dim>::velocity_gradient_at(const SamplePoint &point,
+                                        const SampledState<dim> &state) const
+{
+  const Tensor<2, dim> by_reference = gradient(point, state.velocity);
+  const double of_hoop = hoop(point, state.velocity, by_reference);
+  if (problem.deformation == Deformation::small)
+    return {by_reference, of_hoop};
+  const Tensor<2, 3> whole =
+      kinematics_at(point, state).gradient(whole_gradient<dim>(by_reference, of_hoop));
+  Tensor<2, dim> present;
+  for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int d = 0; d < dim; ++d)
+      present[c][d] = whole[c][d];
+  return {present, dim == 2 ? whole[2][2] : 0.};
 }
 
 template <int dim>
@@ -200,11 +235,11 @@ double FieldSamples<dim>::value(const FieldDefinition<dim> &field,
   case Quantity::pressure:
     return problem.plane_stress(point.region).pressure_factor * pressure_at(point, state);
   case Quantity::vorticity:
-    return vorticity<dim>(gradient(point, state.velocity))[field.component];
+    return vorticity<dim>(velocity_gradient_at(point, state).first)[field.component];
   case Quantity::q_criterion:
   {
-    const Tensor<2, dim> of_velocity = gradient(point, state.velocity);
-    return q_criterion<dim>(of_velocity, hoop(point, state.velocity, of_velocity), problem.model);
+    const auto [of_velocity, of_hoop] = velocity_gradient_at(point, state);
+    return q_criterion<dim>(of_velocity, of_hoop, problem.model);
   }
   case Quantity::strain:
   {

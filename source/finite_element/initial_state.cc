@@ -182,6 +182,10 @@ void set_initial_state(const Space<dim> &space,
   space.set_hanging_velocities_to_zero(velocity);
   space.set_hanging_velocities_to_zero(displacement);
   space.set_hanging_pressures_to_zero(pressure);
+  // What follows is of a small deformation; in a finite one the closed row of the volume takes the
+  // pressure to its displacement.
+  if (problem.deformation == Deformation::finite)
+    return;
   warn_of_volume_change(space, problem, operators, velocity, "velocity", log);
   if (data.initial_displacement.empty())
     return;

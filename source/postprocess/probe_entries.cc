@@ -521,6 +521,9 @@ void ProbeEntries<dim>::check_limits(const std::vector<BoundaryCondition> &condi
     if (limits.is_cell_wise && (is_wall_field || field.name == "Q criterion"))
       section.refuse("Fields", "the cell-wise path has no field '" + field.name + "'",
                      "Leave it out, or set Discretisation = taylor hood");
+    if (limits.is_finite && field.name == volume_change)
+      section.refuse("Fields", "'volume change' is that of a small deformation",
+                     "Ask for the integral of 'dilatation' over the Volume");
     if (!limits.is_in_time && is_average(field.name))
       section.refuse("Fields", "a state without time has no '" + field.name + "'",
                      "Leave it out, or set Analysis = transient");

@@ -72,7 +72,7 @@ private:
     Kinematics kinematics;
     dealii::Tensor<2, 3> reference_velocity_gradient; ///< Grad U [1/s]
     dealii::Tensor<2, 3> velocity_gradient;           ///< grad U [1/s]
-    double weight, hoop, pressure, pressure_rate;
+    double weight, pressure, pressure_rate;
   };
   /// The kinds of NonlinearForces.
   enum Kind

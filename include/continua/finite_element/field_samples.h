@@ -10,6 +10,7 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace Continua
@@ -97,6 +98,11 @@ private:
   dealii::Tensor<1, dim> vector_value(const SamplePoint &point,
                                       const DistributedVector &vector) const;
   double pressure_at(const SamplePoint &point, const SampledState<dim> &state) const;
+  /// By the present place, with v_r/r of it.
+  std::pair<dealii::Tensor<2, dim>, double>
+  velocity_gradient_at(const SamplePoint &point, const SampledState<dim> &state) const;
+  /// That of the deformed body.
+  dealii::Tensor<1, dim> normal_at(const SamplePoint &point, const SampledState<dim> &state) const;
   Kinematics kinematics_at(const SamplePoint &point, const SampledState<dim> &state) const;
   std::array<double, 6> stress_at(const SamplePoint &point, const SampledState<dim> &state) const;
 };

@@ -25,6 +25,7 @@ struct ProbeLimits
   bool is_cell_wise = false;       ///< no samples of fields
   bool is_modal = false;           ///< no step
   bool is_in_time = true;          ///< else no mean over time
+  bool is_finite = false;          ///< deformation, in which the volume is no linear function
   std::vector<bool> is_solid = {}; ///< by material id: a mean is that of liquids on their walls
 };
 
