@@ -100,7 +100,7 @@ Tensor<2, 3> DeformationTerms<dim>::gradient(const Vector<double> &entries,
                                              const unsigned int q) const
 {
   const typename Cell::Point &geometry = present->points[q];
-  const unsigned int n_functions = cells.n_functions();
+  const std::size_t n_functions = cells.n_functions();
   const Tensor<1, dim> *const gradients = cells.gradients(q);
   Tensor<2, dim> result;
   for (unsigned int c = 0; c < dim; ++c)
@@ -178,7 +178,7 @@ void DeformationTerms<dim>::add_stress(const SymmetricTensor<2, 3> &stress,
                                        const double weight,
                                        Vector<double> &rows) const
 {
-  const unsigned int n_functions = cells.n_functions();
+  const std::size_t n_functions = cells.n_functions();
   for (unsigned int c = 0; c < dim; ++c)
   {
     Tensor<1, 3> by_slope;
@@ -194,7 +194,7 @@ void DeformationTerms<dim>::add_stress(const SymmetricTensor<2, 3> &stress,
 template <int dim>
 void DeformationTerms<dim>::add_reference_pressure(const double factor, Vector<double> &rows) const
 {
-  const unsigned int n_functions = cells.n_functions();
+  const std::size_t n_functions = cells.n_functions();
   for (unsigned int c = 0; c < dim; ++c)
   {
     double *const of_component = rows.begin() + c * n_functions;
