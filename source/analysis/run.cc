@@ -44,7 +44,19 @@ void Run<dim>::describe_run()
   summary.set("model", input.general.model);
   summary.set("discretisation", input.general.discretisation);
   if (input.problem.deformation == Deformation::finite)
+  {
     summary.set("deformation", word_of(deformation_words(), input.problem.deformation));
+    for (std::size_t region = 0; region < input.problem.regions.size(); ++region)
+    {
+      const Material &material = input.problem.materials[region];
+      if (!material.shear.relaxes())
+        continue;
+      log.line(input.problem.regions[region] + ": " + material.strain_law_parameters.type +
+               " by the long-term modulus, with " +
+               std::to_string(material.shear.branches.size() - 1) +
+               " neo-Hookean branches that relax by internal metrics");
+    }
+  }
   summary.set("libraries", library_versions());
   if (!input.problem.regions.empty())
     summary.set("regions", input.problem.regions); // in the order of material_id

@@ -20,9 +20,17 @@ void check_materials(const Problem &problem, ParameterSection root)
                      "have yet",
                      "Leave the liquid out and give its pressure as a boundary condition, or set "
                      "Deformation = small");
-    if (material.relaxes())
-      section.refuse("Type", "a wall that relaxes has no law of finite deformation yet",
-                     "Use 'hookean' or 'kelvin-voigt', or set Deformation = small");
+    if (material.compression.relaxes() ||
+        (material.has_power_law() && material.shear.power_law->poissons_ratio))
+      section.refuse("Volumetric relaxation",
+                     "in finite deformation the volume change does not relax",
+                     "Set Volumetric relaxation = none, or Deformation = small");
+    if (!material.has_power_law() && material.long_term_shear_modulus() == 0.)
+      section.refuse("Type",
+                     "'" + material.type +
+                         "' has no spring that holds: such a body flows until its mesh is turned "
+                         "inside out",
+                     "Take Type = prony with a small Young's modulus, or set Deformation = small");
   }
 }
 

@@ -66,7 +66,8 @@ void advance_entries(const BranchCoefficients &c,
 }
 } // namespace
 
-BranchHistory::BranchHistory(const std::vector<Material> &materials) : materials(materials)
+BranchHistory::BranchHistory(const std::vector<Material> &materials, const Deformation deformation)
+    : materials(materials)
 {
   branches.push_back({std::numeric_limits<double>::infinity(), {}, {}});
   for (const Material &material : materials)
@@ -79,6 +80,8 @@ BranchHistory::BranchHistory(const std::vector<Material> &materials) : materials
         region.spring += branch.shear_modulus;
         continue;
       }
+      if (deformation == Deformation::finite)
+        continue;
       unsigned int number = 0;
       while (number < branches.size() && branches[number].relaxation_time != branch.relaxation_time)
         ++number;

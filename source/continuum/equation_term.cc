@@ -70,6 +70,8 @@ public:
                           const BalancedStep &step,
                           TermContext &context) const override
   {
+    if (context.problem.deformation == Deformation::finite)
+      return context.operators.nonlinear_relaxation(region);
     double sum = 0.;
     for (const Branch &branch : context.problem.materials[region].shear.branches)
       if (!std::isinf(branch.relaxation_time))

@@ -60,8 +60,7 @@ private:
 
   void save(const std::string &name, const StateKind kind, const DistributedVector &vector)
   {
-    (kind == StateKind::velocity ? numbering.velocities : numbering.pressures)
-        .save(archive, name, vector);
+    numbering.of(kind).save(archive, name, vector);
   }
 };
 
@@ -111,8 +110,7 @@ private:
 
   void load(const std::string &name, const StateKind kind, DistributedVector &vector)
   {
-    (kind == StateKind::velocity ? numbering.velocities : numbering.pressures)
-        .load(archive, name, vector);
+    numbering.of(kind).load(archive, name, vector);
   }
   void load(const std::string &name, double *const numbers, const std::size_t n)
   {
@@ -124,10 +122,25 @@ private:
 };
 } // namespace
 
+const VectorNumbering &StateNumbering::of(const StateKind kind) const
+{
+  switch (kind)
+  {
+  case StateKind::velocity:
+    return velocities;
+  case StateKind::pressure:
+    return pressures;
+  default:
+    return *internal_metrics;
+  }
+}
+
 void save_state(ArchiveWriter &archive, const StateNumbering &numbering, const KeptState &state)
 {
   numbering.velocities.save(archive);
   numbering.pressures.save(archive);
+  if (numbering.internal_metrics)
+    numbering.internal_metrics->save(archive);
   StateWriter writer(archive, numbering, false), writer_of_eldest(archive, numbering, true);
   state.visit(writer);
   state.save(archive, writer_of_eldest);

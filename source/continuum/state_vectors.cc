@@ -4,11 +4,33 @@ namespace Continua
 {
 void StateSizes::vector(const StateName &, const StateKind kind, DistributedVector &vector)
 {
-  vector.reinit(kind == StateKind::velocity ? velocity : pressure);
+  switch (kind)
+  {
+  case StateKind::velocity:
+    vector.reinit(velocity);
+    break;
+  case StateKind::pressure:
+    vector.reinit(pressure);
+    break;
+  case StateKind::internal_metric:
+    vector.reinit(internal_metric);
+    break;
+  }
 }
 
 void StateVectors::vector(const StateName &, const StateKind kind, DistributedVector &vector)
 {
-  (kind == StateKind::velocity ? velocities : pressures).push_back(&vector);
+  switch (kind)
+  {
+  case StateKind::velocity:
+    velocities.push_back(&vector);
+    break;
+  case StateKind::pressure:
+    pressures.push_back(&vector);
+    break;
+  case StateKind::internal_metric:
+    internal_metrics.push_back(&vector);
+    break;
+  }
 }
 } // namespace Continua

@@ -1,5 +1,7 @@
 #include <continua/continuum/stress_and_strain.h>
 
+#include <continua/materials/metric_stress.h>
+
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <cmath>
@@ -100,13 +102,16 @@ std::array<double, 6> finite_stress(const Material &material,
                                     PointStrain &strain,
                                     const Kinematics &kinematics,
                                     const Tensor<2, 3> &velocity_gradient,
-                                    const double pressure)
+                                    const double pressure,
+                                    const SymmetricTensor<2, 3> &metric)
 {
   const double ratio = kinematics.volume_ratio();
   strain.gradient = kinematics.deformation_gradient();
   strain.determinant = ratio;
-  SymmetricTensor<2, 3> stress;
+  SymmetricTensor<2, 3> stress, of_branches;
   material.strain_law->set_stress(strain, stress);
+  MetricStress(metric).set_stress(strain, of_branches);
+  stress += of_branches;
   stress /= ratio;
   stress +=
       2. * material.shear.viscosity * deviator(symmetrize(kinematics.gradient(velocity_gradient)));

@@ -28,7 +28,7 @@ TimeStepping::TimeStepping(const Problem &problem, Operators &operators, Log &lo
     : problem(problem),
       operators(operators),
       log(log),
-      history(problem.materials),
+      history(problem.materials, problem.deformation),
       bulk_history(problem.materials),
       outlets(problem, operators),
       wall_shear(problem, operators),
@@ -99,7 +99,8 @@ void TimeStepping::setup()
     vector->reinit(zero_pressure);
   if (problem.deformation == Deformation::finite)
     balanced.displacement.reinit(zero_velocity);
-  StateSizes sizes(zero_velocity, zero_pressure);
+  const DistributedVector zero_metric = operators.internal_metric_vector();
+  StateSizes sizes(zero_velocity, zero_pressure, zero_metric);
   visit(sizes);
   pressures_without_history = operators.pressures_without_history();
   // Copies are collective: a rank without such a pressure makes them, too.
@@ -137,6 +138,7 @@ void TimeStepping::report_exponential_branches(const Step &step)
 StepReport TimeStepping::advance(const Step &given_step)
 {
   const Step step = operators.own_step(given_step);
+  operators.begin_step(step);
   StepReport report;
   try
   {
@@ -512,7 +514,7 @@ void TimeStepping::prepare_refinement()
 {
   StateVectors vectors;
   visit(vectors);
-  operators.prepare_transfer(vectors.velocities, vectors.pressures);
+  operators.prepare_transfer(vectors);
 }
 
 void TimeStepping::transfer()
@@ -520,7 +522,7 @@ void TimeStepping::transfer()
   setup();
   StateVectors vectors;
   visit(vectors);
-  operators.finish_transfer(vectors.velocities, vectors.pressures);
+  operators.finish_transfer(vectors);
   for ([[maybe_unused]] const DistributedVector *vector : vectors.velocities)
     Assert(have_same_layout(*vector, velocity_work), ExcInternalError());
   for ([[maybe_unused]] const DistributedVector *vector : vectors.pressures)

@@ -2,6 +2,7 @@
 
 #include <continua/base/input_error.h>
 #include <continua/continuum/fibre_directions.h>
+#include <continua/materials/metric_stress.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -26,9 +27,13 @@ constexpr double share_of_rest = 0.1;
 } // namespace
 
 template <int dim>
-DeformationTerms<dim>::DeformationTerms(const Space<dim> &space, const Problem &problem)
+DeformationTerms<dim>::DeformationTerms(const Space<dim> &space,
+                                        const Problem &problem,
+                                        MetricHistory<dim> *const metrics)
     // As the linear stress, to which the terms come close where the deformation is small.
     : Base(space, problem, QGauss<dim>(space.n_quadrature_points()), PhaseShare::solid),
+      metrics(metrics),
+      heat(problem.regions.size(), 0.),
       follower_pressure(space, problem)
 {
   const unsigned int n_functions = cells.n_functions(), n_velocity = dim * n_functions,
@@ -167,6 +172,67 @@ void DeformationTerms<dim>::set_functions(const Point &here, const unsigned int 
 }
 
 template <int dim>
+void DeformationTerms<dim>::add_metric_stress(const unsigned int q,
+                                              SymmetricTensor<2, 3> &stress) const
+{
+  if (!relaxes())
+    return;
+  SymmetricTensor<2, 3> of_branches;
+  MetricStress(metrics->predicted(cell_number(), q)).set_stress(strain_at_point, of_branches);
+  stress += of_branches;
+}
+
+template <int dim>
+template <typename Visit>
+void DeformationTerms<dim>::visit_relaxing_points(const DistributedVector &of_displacement,
+                                                  const Visit &visit_point)
+{
+  space.copy_velocity(of_displacement, velocity_work, displacement);
+  for (const Cell &cell : cells.all())
+    if (metrics->relaxes(cell.region))
+    {
+      visit(cell);
+      for (unsigned int q = 0; q < cells.n_points(); ++q)
+      {
+        set_strain(point(q), q);
+        visit_point(q);
+      }
+    }
+}
+
+template <int dim>
+void DeformationTerms<dim>::start_from(const DistributedVector &of_displacement)
+{
+  if (metrics == nullptr)
+    return;
+  visit_relaxing_points(
+      of_displacement, [this](const unsigned int q)
+      { metrics->start(cell_number(), q, inverse_isochoric_metric(strain_at_point)); });
+}
+
+template <int dim>
+void DeformationTerms<dim>::finish_step(const BalancedStep &balanced, const State &state)
+{
+  if (metrics == nullptr)
+    return;
+  std::fill(heat.begin(), heat.end(), 0.);
+  visit_relaxing_points(balanced.displacement,
+                        [this](const unsigned int q)
+                        {
+                          heat[present->region] +=
+                              present->points[q].weight * metrics->dissipation(present->region,
+                                                                               cell_number(), q,
+                                                                               strain_at_point);
+                        });
+  visit_relaxing_points(state.history.displacement(),
+                        [this](const unsigned int q)
+                        {
+                          metrics->advance(present->region, cell_number(), q,
+                                           inverse_isochoric_metric(strain_at_point));
+                        });
+}
+
+template <int dim>
 SymmetricTensor<2, 3> DeformationTerms<dim>::viscous_stress(const Point &here) const
 {
   return 2. * material().shear.viscosity * here.kinematics.volume_ratio() *
@@ -246,6 +312,7 @@ double DeformationTerms<dim>::integrate(const bool by_kind)
     set_strain(here, q);
     set_functions(here, q);
     law.set_stress(strain_at_point, stress);
+    add_metric_stress(q, stress);
     sizes.stress = std::max(sizes.stress, stress.norm() + std::abs(ratio * here.pressure));
     const SymmetricTensor<2, 3> of_pressure = -ratio * here.pressure * unit;
     if (by_kind)
@@ -288,7 +355,8 @@ void DeformationTerms<dim>::add(const BalancedStep &state,
     // that of the deformation gradient 1, from which it takes its stress.
     const StrainLaw &law = *material().strain_law;
     const double way = cell_displacement.linfty_norm(), of_rest = share_of_rest * cell.size;
-    sizes.stress = std::max(sizes.stress, law.shear_modulus() * std::max(way, of_rest) / cell.size);
+    sizes.stress = std::max(sizes.stress, material().instantaneous_shear_modulus() *
+                                              std::max(way, of_rest) / cell.size);
     // ln J has no round-off of that kind.
     largest_way = std::max(largest_way, law.has_own_mean_stress() ? std::max(way, of_rest) : way);
     if (!(ratio >= least_ratio))
@@ -387,6 +455,8 @@ NonlinearEnergy DeformationTerms<dim>::energy_of(const unsigned int region, cons
         energy.kinetic += here.weight * 0.5 * of_region.density * of_velocity.norm_square();
         set_strain(here, q);
         energy.strain += here.weight * law.energy(strain_at_point);
+        if (relaxes())
+          energy.strain += here.weight * metrics->energy(region, cell_number(), q, strain_at_point);
         if (law.has_own_mean_stress())
         {
           // The pressure is not -s at each point, but in the mean over its shape functions.
@@ -445,8 +515,8 @@ void DeformationTerms<dim>::integrate_derivative(FullMatrix<double> &matrix)
   const unsigned int n_functions = cells.n_functions(), n_velocity = dim * n_functions,
                      n_pressure = cells.n_pressures();
   matrix.reinit(n_velocity + n_pressure, n_velocity + n_pressure);
-  SymmetricTensor<2, 3> stress, mean_derivative;
-  SymmetricTensor<4, 3> tangent;
+  SymmetricTensor<2, 3> stress, metric_stress, mean_derivative;
+  SymmetricTensor<4, 3> tangent, metric_tangent;
   const SymmetricTensor<4, 3> of_pressure = outer_product(unit, unit) - 2. * identity_tensor<3>();
   for (unsigned int q = 0; q < cells.n_points(); ++q)
   {
@@ -455,6 +525,13 @@ void DeformationTerms<dim>::integrate_derivative(FullMatrix<double> &matrix)
     set_strain(here, q);
     set_functions(here, q);
     law.set_tangent(strain_at_point, stress, tangent);
+    if (relaxes())
+    {
+      MetricStress(metrics->predicted(cell_number(), q))
+          .set_tangent(strain_at_point, metric_stress, metric_tangent);
+      stress += metric_stress;
+      tangent += metric_tangent;
+    }
     const double scaled_pressure = ratio * here.pressure;
     stress -= scaled_pressure * unit;
     tangent -= scaled_pressure * of_pressure;

@@ -40,8 +40,13 @@ std::array<double, 6> wall_shear_factors(const Tensor<1, dim> &normal, const uns
 } // namespace
 
 template <int dim>
-FieldEvaluation<dim>::FieldEvaluation(const Space<dim> &space, const Problem &problem)
-    : FieldProbes<dim>(problem), space(space), sampled_state(space, problem)
+FieldEvaluation<dim>::FieldEvaluation(const Space<dim> &space,
+                                      const Problem &problem,
+                                      const MetricHistory<dim> *const metrics)
+    : FieldProbes<dim>(problem),
+      space(space),
+      metrics(metrics),
+      sampled_state(space, problem, metrics)
 {
 }
 
@@ -74,10 +79,10 @@ void FieldEvaluation<dim>::begin_samples(const unsigned int probe)
   sampled_state.reinit();
   const auto &[request, field] = this->definition(probe);
   samples_of_probes.erase(probe);
-  samples_to_fill =
-      &samples_of_probes
-           .emplace(probe, Samples{field, request.component, FieldSamples<dim>(space, problem)})
-           .first->second.points;
+  samples_to_fill = &samples_of_probes
+                         .emplace(probe, Samples{field, request.component,
+                                                 FieldSamples<dim>(space, problem, metrics)})
+                         .first->second.points;
 }
 
 template <int dim>

@@ -46,11 +46,13 @@ template <int dim>
 FieldOutput<dim>::FieldOutput(const Space<dim> &space,
                               const Problem &problem,
                               const FieldEvaluation<dim> &evaluation,
-                              WallShearStress<dim> &wall_shear)
+                              WallShearStress<dim> &wall_shear,
+                              const MetricHistory<dim> *const metrics)
     : space(space),
       problem(problem),
       evaluation(evaluation),
       wall_shear(wall_shear),
+      metrics(metrics),
       names(cell_field_names<dim>()),
       units(names.size(), "Pa"),
       cell_element(FE_DGQ<dim>(space.degree() - 1),
@@ -95,6 +97,8 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
                                         Vector<double>(space.pressure_elements.n_components()));
   std::vector<types::global_dof_index> indices(cell_element.n_dofs_per_cell());
   std::vector<std::array<double, 6>> finite_stresses(nodes.size());
+  const DistributedVector metric_mixture =
+      metrics != nullptr ? metrics->ghosted_mixture() : DistributedVector();
 
   const unsigned int n_cells = space.triangulation.n_active_cells();
   phase.reinit(n_cells);
@@ -120,7 +124,7 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
           &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs));
       hp_pressure_values.get_present_fe_values().get_function_values(pressure, pressures);
       if (problem.deformation == Deformation::finite)
-        set_finite_stresses(values, pressures, region, finite_stresses);
+        set_finite_stresses(values, pressures, region, metric_mixture, finite_stresses);
       typename DoFHandler<dim>::active_cell_iterator(&space.triangulation, cell->level(),
                                                      cell->index(), &cell_dofs)
           ->get_dof_indices(indices);
@@ -196,9 +200,10 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
 }
 
 template <int dim>
-void FieldOutput<dim>::set_finite_stresses(const FEValuesBase<dim> &values,
+void FieldOutput<dim>::set_finite_stresses(const FEValues<dim> &values,
                                            const std::vector<Vector<double>> &pressures,
                                            const unsigned int region,
+                                           const DistributedVector &metric_mixture,
                                            std::vector<std::array<double, 6>> &stresses) const
 {
   const Material &material = problem.materials[region];
@@ -229,8 +234,12 @@ void FieldOutput<dim>::set_finite_stresses(const FEValuesBase<dim> &values,
   for (unsigned int q = 0; q < stresses.size(); ++q)
   {
     strain.fibres = fibres_at<dim>(material, problem.model, values.quadrature_point(q));
+    SymmetricTensor<2, 3> of_branches;
+    if (metrics != nullptr)
+      of_branches = MetricHistory<dim>::mixture_at(
+          metrics->weights_at(values.get_cell(), values.get_quadrature().point(q)), metric_mixture);
     stresses[q] = finite_stress(material, strain, Kinematics(of_displacement[q]), of_velocity[q],
-                                pressures[q][space.pressure_component(region)]);
+                                pressures[q][space.pressure_component(region)], of_branches);
   }
 }
 

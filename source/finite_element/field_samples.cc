@@ -38,6 +38,8 @@ void SampledState<dim>::take(const State &state)
   }
   if (problem.deformation == Deformation::finite)
     space.copy_velocity(state.history.displacement(), velocity_work, displacement);
+  if (metrics != nullptr)
+    metric_mixture = metrics->ghosted_mixture();
   averaged_time = 0.;
   if (state.wall_shear == nullptr)
     return;
@@ -87,6 +89,9 @@ void FieldSamples<dim>::add(const typename Triangulation<dim>::cell_iterator &ce
   pressure_cell->get_dof_indices(point.pressure_indices);
   for (unsigned int i = 0; i < point.pressure_indices.size(); ++i)
     point.pressure_values.push_back(of_pressure.shape_value(i, q));
+  if (metrics != nullptr)
+    point.metric_weights =
+        metrics->weights_at(cell, space.mapping.transform_real_to_unit_cell(cell, point.place));
   points.push_back(std::move(point));
 }
 
@@ -143,9 +148,11 @@ std::array<double, 6> FieldSamples<dim>::stress_at(const SamplePoint &point,
     const Tensor<2, dim> of_velocity = gradient(point, state.velocity);
     PointStrain strain;
     strain.fibres = fibres_at<dim>(material, problem.model, point.place);
-    return finite_stress(material, strain, kinematics_at(point, state),
-                         whole_gradient<dim>(of_velocity, hoop(point, state.velocity, of_velocity)),
-                         pressure_at(point, state));
+    return finite_stress(
+        material, strain, kinematics_at(point, state),
+        whole_gradient<dim>(of_velocity, hoop(point, state.velocity, of_velocity)),
+        pressure_at(point, state),
+        MetricHistory<dim>::mixture_at(point.metric_weights, state.metric_mixture));
   }
   const DistributedVector &mixture = state.mixtures[point.region];
   Tensor<2, dim> of_mixture = gradient(point, mixture);

@@ -30,10 +30,11 @@ constexpr double least_announced_factor = 0.5e9;
 
 template <int dim>
 std::unique_ptr<NonlinearCellTerms<dim>> make_nonlinear_terms(const Space<dim> &space,
-                                                              const Problem &problem)
+                                                              const Problem &problem,
+                                                              MetricHistory<dim> *const metrics)
 {
   if (problem.deformation == Deformation::finite)
-    return std::make_unique<DeformationTerms<dim>>(space, problem);
+    return std::make_unique<DeformationTerms<dim>>(space, problem, metrics);
   if (problem.convection.is_on)
     return std::make_unique<ConvectiveTerms<dim>>(space, problem);
   return nullptr;
@@ -52,12 +53,13 @@ TaylorHood<dim>::TaylorHood(parallel::TriangulationBase<dim> &triangulation,
       constraints(space, problem.conditions),
       load_list(space, problem),
       system(space, operators, constraints, parameters.linear_solver),
-      terms(make_nonlinear_terms(space, problem)),
+      metrics(MetricHistory<dim>::make(space, problem)),
+      terms(make_nonlinear_terms(space, problem, metrics.get())),
       tangent(space, operators, constraints, parameters.linear_solver.direct_solver),
       mesh_transfer(space),
-      evaluation(space, problem),
+      evaluation(space, problem, metrics.get()),
       wall_shear(space, problem),
-      output(space, problem, evaluation, wall_shear)
+      output(space, problem, evaluation, wall_shear, metrics.get())
 {
   system.announce = [&log](const double n_unknowns, const double bytes)
   {
@@ -83,6 +85,8 @@ void TaylorHood<dim>::setup()
   load_list.build();
   loads_of_regions.clear();
   system.reinit();
+  if (metrics != nullptr)
+    metrics->reinit();
   if (is_nonlinear())
     terms->reinit();
   tangent.reinit();
@@ -97,6 +101,12 @@ void TaylorHood<dim>::setup()
     divergence_norm += region.divergence.linfty_norm();
     gradient_norm += region.divergence.l1_norm();
   }
+}
+
+template <int dim>
+DistributedVector TaylorHood<dim>::internal_metric_vector() const
+{
+  return metrics != nullptr ? metrics->vector() : DistributedVector();
 }
 
 template <int dim>
@@ -133,8 +143,12 @@ std::vector<unsigned int> TaylorHood<dim>::pressures_without_history() const
 template <int dim>
 StateNumbering TaylorHood<dim>::numbering() const
 {
-  return {VectorNumbering(space.communicator, "velocity", numbers_of_dofs(space.velocity_dofs)),
-          VectorNumbering(space.communicator, "pressure", numbers_of_dofs(space.pressure_dofs))};
+  StateNumbering numbering{
+      VectorNumbering(space.communicator, "velocity", numbers_of_dofs(space.velocity_dofs)),
+      VectorNumbering(space.communicator, "pressure", numbers_of_dofs(space.pressure_dofs))};
+  if (metrics != nullptr)
+    numbering.internal_metrics = metrics->numbering();
+  return numbering;
 }
 
 template <int dim>
@@ -259,6 +273,8 @@ void TaylorHood<dim>::set_initial_state(DistributedVector &velocity,
                                         DistributedVector &pressure)
 {
   Continua::set_initial_state(space, problem, operators, log, velocity, displacement, pressure);
+  if (is_nonlinear())
+    terms->start_from(displacement);
 }
 
 template <int dim>
@@ -352,6 +368,12 @@ template <int dim>
 NonlinearEnergy TaylorHood<dim>::nonlinear_energy(const unsigned int region, const State &state)
 {
   return terms->energy_of(region, state);
+}
+
+template <int dim>
+double TaylorHood<dim>::nonlinear_relaxation(const unsigned int region) const
+{
+  return is_nonlinear() ? terms->relaxation_power(region) : 0.;
 }
 
 template <int dim>
@@ -451,17 +473,40 @@ void TaylorHood<dim>::add_divergence(const DistributedVector &velocity, Distribu
 }
 
 template <int dim>
-void TaylorHood<dim>::prepare_transfer(const std::vector<DistributedVector *> &velocities,
-                                       const std::vector<DistributedVector *> &pressures)
+void TaylorHood<dim>::prepare_transfer(const StateVectors &vectors)
 {
-  mesh_transfer.prepare(velocities, pressures);
+  mesh_transfer.prepare(vectors.velocities, vectors.pressures);
+  if (metrics != nullptr)
+    metrics->prepare_transfer(vectors.internal_metrics);
 }
 
 template <int dim>
-void TaylorHood<dim>::finish_transfer(const std::vector<DistributedVector *> &velocities,
-                                      const std::vector<DistributedVector *> &pressures)
+void TaylorHood<dim>::finish_transfer(const StateVectors &vectors)
 {
-  mesh_transfer.finish(velocities, pressures);
+  mesh_transfer.finish(vectors.velocities, vectors.pressures);
+  if (metrics != nullptr)
+    metrics->finish_transfer(vectors.internal_metrics);
+}
+
+template <int dim>
+void TaylorHood<dim>::visit(StateVisitor &visitor)
+{
+  if (metrics != nullptr)
+    metrics->visit(visitor);
+}
+
+template <int dim>
+void TaylorHood<dim>::begin_step(const Step &step)
+{
+  if (metrics != nullptr)
+    metrics->predict(step);
+}
+
+template <int dim>
+void TaylorHood<dim>::finish_step(const BalancedStep &balanced, const State &state)
+{
+  if (is_nonlinear())
+    terms->finish_step(balanced, state);
 }
 
 template <int dim>

@@ -443,17 +443,15 @@ void CellWise<dim>::set_reaction(const DistributedVector &profile,
 }
 
 template <int dim>
-void CellWise<dim>::prepare_transfer(const std::vector<DistributedVector *> &velocities,
-                                     const std::vector<DistributedVector *> &pressures)
+void CellWise<dim>::prepare_transfer(const StateVectors &vectors)
 {
-  cell_transfer.prepare(velocities, pressures);
+  cell_transfer.prepare(vectors.velocities, vectors.pressures);
 }
 
 template <int dim>
-void CellWise<dim>::finish_transfer(const std::vector<DistributedVector *> &velocities,
-                                    const std::vector<DistributedVector *> &pressures)
+void CellWise<dim>::finish_transfer(const StateVectors &vectors)
 {
-  cell_transfer.finish(velocities, pressures);
+  cell_transfer.finish(vectors.velocities, vectors.pressures);
   // The flux corrections of the new mesh belong to the next step's equations.
   dilatation_rate_is_current = false;
 }

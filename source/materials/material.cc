@@ -393,6 +393,12 @@ std::complex<double> Material::complex_young_modulus(const std::complex<double> 
   return 9. * mu / (3. + mu * complex_inverse_bulk_modulus(omega));
 }
 
+void Material::set_strain_law()
+{
+  strain_law = make_strain_law(strain_law_parameters, long_term_shear_modulus(),
+                               1. / inverse_bulk_modulus());
+}
+
 double Material::longitudinal_speed() const
 {
   if (is_incompressible())
@@ -436,8 +442,6 @@ void read_strain_law(ParameterSection section, Material &material)
   if (!material.is_solid())
     return;
   material.strain_law_parameters.read(section, material.is_incompressible());
-  material.strain_law =
-      make_strain_law(material.strain_law_parameters, material.instantaneous_shear_modulus(),
-                      1. / material.inverse_bulk_modulus());
+  material.set_strain_law();
 }
 } // namespace Continua

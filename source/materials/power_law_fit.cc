@@ -37,6 +37,8 @@ void take_branches(Material &material, const PronySeries &series)
   const std::optional<double> &poissons_ratio = material.shear.power_law->poissons_ratio;
   if (poissons_ratio)
     relax_volume_as_shear(material, *poissons_ratio);
+  if (material.strain_law != nullptr)
+    material.set_strain_law();
 }
 
 PronySeries

@@ -135,14 +135,8 @@ public:
     velocity = (c * f + b * g) / determinant;
     pressure = (a * g - b * f) / determinant;
   }
-  void prepare_transfer(const std::vector<DistributedVector *> &,
-                        const std::vector<DistributedVector *> &) override
-  {
-  }
-  void finish_transfer(const std::vector<DistributedVector *> &,
-                       const std::vector<DistributedVector *> &) override
-  {
-  }
+  void prepare_transfer(const StateVectors &) override {}
+  void finish_transfer(const StateVectors &) override {}
   SolverSizes sizes() const override { return {}; }
 
 private:

@@ -13,7 +13,8 @@ so that a power in the table holds in the middle of its step and dt times it is 
 Header comments of the case, both optional:
 
     # tolerance: 1e-8        of the work of the loads
-    # relaxes: wall >= 0.1   a region, and the share of the work that it must turn into heat at least
+    # relaxes: wall >= 0.1   a region (none if it is the only one), and the share of the work that it must turn into heat at
+                           least
 """
 
 import os
@@ -85,8 +86,8 @@ def case(program, parameter_file, folder):
                 driver.quantity(summary, "energy relaxed", region))
     for text in entries.get("relaxes", []):
         region, _, share = (part.strip() for part in text.partition(">="))
-        found = integral(rows, regions[region]) / work
-        print(f"{region} turns {found:.3g} of the work into heat")
+        found = integral(rows, regions[region or None]) / work
+        print(f"{region or 'the body'} turns {found:.3g} of the work into heat")
         if not found >= float(share):
             failures.append(f"{region} turns {found:.3g} of the work into heat, expected at least {share}")
     if failures:

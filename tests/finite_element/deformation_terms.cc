@@ -1,11 +1,12 @@
 // Solids in finite deformation: the derivative against differences in all models, laws and schemes;
 // a rigid rotation, a homogeneous stretch by hand, the power of stress against the rate of the
-// energy, and the pressure that follows a turned body; on hanging nodes, in axisymmetry and in
-// space.
+// energy, and the pressure that follows a turned body; branches that relax; on hanging nodes, in
+// axisymmetry and in space.
 
 #include <continua/finite_element/deformation_terms.h>
 
 #include <continua/base/input_error.h>
+#include <continua/continuum/state_vectors.h>
 #include <continua/materials/strain_law_types.h>
 
 #include <deal.II/base/mpi.h>
@@ -42,6 +43,13 @@ Problem make_problem(const Model model, const std::string &law, const double vis
   parameters.fibre_angle = 0.6;
   material.strain_law = make_strain_law(parameters, 2., 7.);
   return problem;
+}
+
+/// Two branches that relax beside the spring.
+void add_branches(Problem &problem)
+{
+  problem.materials[0].shear.branches.push_back({1.2, 0.5});
+  problem.materials[0].shear.branches.push_back({0.7, 0.1});
 }
 
 /// A pressure on the left, which grows with y.
@@ -112,6 +120,40 @@ rows_of(const Space<dim> &space, DeformationTerms<dim> &terms, const BalancedSte
   return rows;
 }
 
+/// The history of branches of which one step has been made from this displacement, and the next one
+/// is known. None without branches.
+template <int dim>
+std::unique_ptr<MetricHistory<dim>> make_metrics(const Space<dim> &space, const Problem &problem)
+{
+  std::unique_ptr<MetricHistory<dim>> metrics = MetricHistory<dim>::make(space, problem);
+  if (metrics == nullptr)
+    return metrics;
+  metrics->reinit();
+  StateSizes sizes(space.velocity_vector(), space.pressure_vector(), metrics->vector());
+  metrics->visit(sizes);
+  return metrics;
+}
+
+/// Brings it to a state that is not relaxed, and predicts the step.
+template <int dim>
+void set_history(const Space<dim> &space,
+                 const Problem &problem,
+                 MetricHistory<dim> &metrics,
+                 DeformationTerms<dim> &terms,
+                 const Step &step)
+{
+  BalancedStep state = make_state(space, step);
+  state.displacement *= 0.3;
+  terms.start_from(state.displacement);
+  metrics.predict(step);
+  state.displacement *= 2.;
+  BranchHistory history(problem.materials, problem.deformation);
+  history.reinit(state.velocity, std::vector<std::vector<unsigned int>>(1));
+  history.displacement() = state.displacement;
+  terms.finish_step(state, {state.velocity, state.pressure, history});
+  metrics.predict(step);
+}
+
 /// state + factor times a change, with what follows from it.
 BalancedStep
 changed(const BalancedStep &state, const std::vector<double> &change, const double factor)
@@ -135,15 +177,21 @@ template <int dim>
 void check_derivative(const std::string &name,
                       const Space<dim> &space,
                       const std::string &law,
-                      const Step &step)
+                      const Step &step,
+                      const bool relaxes = false)
 {
   const Model model = dim == 3                  ? Model::three_dimensional
                       : space.is_axisymmetric() ? Model::axisymmetric
                                                 : Model::plane_strain;
   Problem problem = make_problem(model, law, 0.8);
   add_pressure(problem);
-  DeformationTerms<dim> terms(space, problem);
+  if (relaxes)
+    add_branches(problem);
+  const auto metrics = make_metrics(space, problem);
+  DeformationTerms<dim> terms(space, problem, metrics.get());
   terms.reinit();
+  if (relaxes)
+    set_history(space, problem, *metrics, terms, step);
   const BalancedStep state = make_state(space, step);
   // Any change, nothing at hanging nodes.
   const DistributedVector velocity = small_problem::interpolated<dim>(
@@ -229,6 +277,13 @@ UNIT_TEST(deformation_terms)
       check_derivative(name + ", axisymmetric", round_space, row.name, step);
       check_derivative(name + ", in space", solid_space, row.name, step);
     }
+  for (const Step &step : {implicit, middle})
+  {
+    const std::string name = step.extrapolate ? "relaxing, middle" : "relaxing, implicit";
+    check_derivative(name + ", plane", space, "neo hookean", step, true);
+    check_derivative(name + ", axisymmetric", round_space, "mooney rivlin", step, true);
+    check_derivative(name + ", in space", solid_space, "holzapfel gasser ogden", step, true);
+  }
 
   // A body that is turned has no stress, and keeps its volume.
   {
@@ -309,30 +364,85 @@ UNIT_TEST(deformation_terms)
         "turned inside out in the region 'body'");
   }
 
-  // The power of the law's stress is the rate of its energy.
-  for (const StrainLawType &row : strain_law_types())
-  {
-    // The energy of such a law has that of the volume, too.
-    if (row.needs_bulk_modulus)
-      continue;
-    const Problem problem = make_problem(Model::axisymmetric, row.name, 0.);
-    DeformationTerms<2> terms(round_space, problem);
-    terms.reinit();
-    const BalancedStep state = make_state(round_space, implicit);
-    NonlinearForces forces;
-    for (DistributedVector *vector : {&forces.strain, &forces.viscosity, &forces.compression})
-      *vector = round_space.velocity_vector();
-    terms.set_forces_of(0, state, forces);
-    BranchHistory history(problem.materials);
-    history.reinit(state.velocity, {{}});
-    const double h = 1e-5;
-    const auto energy_at = [&](const double time)
+  // The power of the law's stress is the rate of its energy; with branches while their metrics
+  // stay.
+  for (const bool relaxes : {false, true})
+    for (const StrainLawType &row : strain_law_types())
     {
-      history.displacement() = state.displacement;
-      history.displacement().add(time, state.velocity);
-      return terms.energy_of(0, {state.velocity, state.pressure, history}).strain;
-    };
-    check::relative(row.name + ": power and rate of the energy", forces.strain * state.velocity,
-                    (energy_at(h) - energy_at(-h)) / (2. * h), 1e-8);
+      // The energy of such a law has that of the volume, too.
+      if (row.needs_bulk_modulus)
+        continue;
+      Problem problem = make_problem(Model::axisymmetric, row.name, 0.);
+      if (relaxes)
+        add_branches(problem);
+      const auto metrics = make_metrics(round_space, problem);
+      DeformationTerms<2> terms(round_space, problem, metrics.get());
+      terms.reinit();
+      if (relaxes)
+      {
+        set_history(round_space, problem, *metrics, terms, implicit);
+        metrics->predict(euler_step(0., 1e-300, Update::implicit));
+      }
+      const BalancedStep state = make_state(round_space, implicit);
+      NonlinearForces forces;
+      for (DistributedVector *vector : {&forces.strain, &forces.viscosity, &forces.compression})
+        *vector = round_space.velocity_vector();
+      terms.set_forces_of(0, state, forces);
+      BranchHistory history(problem.materials, problem.deformation);
+      history.reinit(state.velocity, {{}});
+      const double h = 1e-5;
+      const auto energy_at = [&](const double time)
+      {
+        history.displacement() = state.displacement;
+        history.displacement().add(time, state.velocity);
+        return terms.energy_of(0, {state.velocity, state.pressure, history}).strain;
+      };
+      check::relative(row.name + (relaxes ? ", relaxing" : "") + ": power and rate of the energy",
+                      forces.strain * state.velocity, (energy_at(h) - energy_at(-h)) / (2. * h),
+                      1e-8);
+    }
+
+  // What branches turn into heat, in a block that is sheared by 1 at once and then held: mu/(2 tau)
+  // (tr(A^-1 Cb^-1) + tr(Cb A) - 6) with A = Cb^-1 + exp(-t/tau) (1 - Cb^-1). Over the step of 0.3
+  // s, for the shear g: tr(Cb A) - 3 = g^2 exp(-t/tau) in both orders.
+  {
+    Problem problem = make_problem(Model::plane_strain, "neo hookean", 0.);
+    add_branches(problem);
+    const auto metrics = make_metrics(space, problem);
+    DeformationTerms<2> terms(space, problem, metrics.get());
+    terms.reinit();
+    BalancedStep state = make_state(space, implicit);
+    state.displacement = 0.;
+    terms.start_from(state.displacement);
+    BranchHistory history(problem.materials, problem.deformation);
+    history.reinit(state.velocity, {{}});
+    Tensor<2, 2> shear;
+    shear[0][0] = shear[1][1] = shear[0][1] = 1.;
+    const Step sudden = euler_step(0., 1e-14, Update::implicit),
+               held = euler_step(0., 0.3, Update::implicit);
+    history.displacement() = state.displacement = homogeneous<2>(space, shear);
+    const State present{state.velocity, state.pressure, history};
+    double energy[2];
+    unsigned int number = 0;
+    for (const Step &step : {sudden, held})
+    {
+      metrics->predict(step);
+      terms.finish_step(state, present);
+      energy[number++] = terms.energy_of(0, present).strain;
+    }
+    // X = Cb A - 1 has the trace s = g^2 e, e = exp(-t/tau), and the determinant of 1 + X is 1 + e
+    // (1 - e) g^2, in the plane.
+    double expected_energy = 0.5 * 2., expected_heat = 0.;
+    for (const Branch &branch : {Branch{1.2, 0.5}, Branch{0.7, 0.1}})
+    {
+      const double e = std::exp(-0.3 / branch.relaxation_time), d = 1. + e * (1. - e);
+      expected_energy += 0.5 * branch.shear_modulus * (e - std::log(d));
+      // tr(X^-1) of the 2 x 2 part is tr X / det X.
+      expected_heat +=
+          0.5 * branch.shear_modulus / branch.relaxation_time * ((2. + e) / d + 2. + e - 4.);
+    }
+    check::relative("sheared at once: energy", energy[0], 6. * 0.5 * (2. + 1.2 + 0.7), 1e-10);
+    check::relative("sheared and held: energy", energy[1], 6. * expected_energy, 1e-10);
+    check::relative("sheared and held: heat", terms.relaxation_power(0), 6. * expected_heat, 1e-10);
   }
 }

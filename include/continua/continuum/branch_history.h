@@ -3,6 +3,7 @@
 
 #include <continua/continuum/state_visitor.h>
 #include <continua/linear_algebra/distributed_vector.h>
+#include <continua/materials/deformation.h>
 #include <continua/materials/material.h>
 #include <continua/time_integration/step.h>
 
@@ -22,8 +23,10 @@ namespace Continua
 class BranchHistory
 {
 public:
-  /// `materials` by material id; they must outlive this.
-  explicit BranchHistory(const std::vector<Material> &materials);
+  /// `materials` by material id; they must outlive this. In finite deformation the displacement is
+  /// all: what relaxes has its memory at quadrature points.
+  explicit BranchHistory(const std::vector<Material> &materials,
+                         Deformation deformation = Deformation::small);
 
   /// Zero branches on the present mesh, in vectors like `prototype`, a velocity. The nodes of a
   /// region are the local indices of its entries in it; neighbours may share some.

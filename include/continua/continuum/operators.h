@@ -8,6 +8,7 @@
 #include <continua/continuum/nonlinear_terms.h>
 #include <continua/continuum/state.h>
 #include <continua/continuum/state_archive.h>
+#include <continua/continuum/state_vectors.h>
 #include <continua/continuum/system_coefficients.h>
 #include <continua/linear_algebra/distributed_vector.h>
 
@@ -60,6 +61,8 @@ public:
   /// Zeros.
   virtual DistributedVector velocity_vector() const = 0;
   virtual DistributedVector pressure_vector() const = 0;
+  /// Of internal metrics; empty where there are none.
+  virtual DistributedVector internal_metric_vector() const { return {}; }
   /// Local indices of the entries of each region.
   virtual std::vector<std::vector<unsigned int>> velocity_nodes() const = 0;
   virtual std::vector<std::vector<unsigned int>> pressure_nodes() const = 0;
@@ -159,6 +162,9 @@ public:
   virtual bool is_nonlinear_in(unsigned int /*region*/) const { return false; }
   /// This rank's part of the energies of such a region.
   virtual NonlinearEnergy nonlinear_energy(unsigned int /*region*/, const State &) { return {}; }
+  /// This rank's part of what relaxation turns into heat in such a region, at the level that the
+  /// last step has balanced [W].
+  virtual double nonlinear_relaxation(unsigned int /*region*/) const { return 0.; }
   /// Adds what the loads that a step has balanced have besides those on the body at rest [N], of
   /// one region or of all: they follow a body in finite deformation.
   virtual void add_load_changes(const BalancedStep &,
@@ -237,11 +243,9 @@ public:
 
   // Change of the mesh, and sizes.
   /// Call when cells are flagged and before the triangulation changes.
-  virtual void prepare_transfer(const std::vector<DistributedVector *> &velocities,
-                                const std::vector<DistributedVector *> &pressures) = 0;
+  virtual void prepare_transfer(const StateVectors &vectors) = 0;
   /// Call after setup() on the new mesh; fills the vectors, of the new size, in the same order.
-  virtual void finish_transfer(const std::vector<DistributedVector *> &velocities,
-                               const std::vector<DistributedVector *> &pressures) = 0;
+  virtual void finish_transfer(const StateVectors &vectors) = 0;
   virtual SolverSizes sizes() const = 0;
 
   // Hooks.
@@ -249,6 +253,8 @@ public:
   virtual void visit(StateVisitor &) {}
   /// The step as the discretisation makes it; called before each step.
   virtual Step own_step(const Step &step) { return step; }
+  /// A step begins, as own_step() has made it.
+  virtual void begin_step(const Step &) {}
   /// A step has ended, whose equations held for what is balanced.
   virtual void finish_step(const BalancedStep &, const State &) {}
   /// The state of t = 0 was set. (Not after a checkpoint is loaded or the mesh has changed: what is

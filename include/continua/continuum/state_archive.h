@@ -5,12 +5,17 @@
 #include <continua/continuum/kept_state.h>
 #include <continua/continuum/vector_numbering.h>
 
+#include <optional>
+
 namespace Continua
 {
 /// How the vectors of the state are numbered on any number of ranks.
 struct StateNumbering
 {
   VectorNumbering velocities, pressures;
+  std::optional<VectorNumbering> internal_metrics = {}; ///< where there are any
+
+  const VectorNumbering &of(StateKind kind) const;
 };
 
 /// Writes the state, and what is kept of the one before, bit by bit.

@@ -30,22 +30,24 @@ public:
 class StateSizes : public VectorsVisitor
 {
 public:
-  /// Vectors of either kind on the present mesh.
-  StateSizes(const DistributedVector &velocity, const DistributedVector &pressure)
-      : velocity(velocity), pressure(pressure)
+  /// Vectors of each kind on the present mesh.
+  StateSizes(const DistributedVector &velocity,
+             const DistributedVector &pressure,
+             const DistributedVector &internal_metric)
+      : velocity(velocity), pressure(pressure), internal_metric(internal_metric)
   {
   }
   void vector(const StateName &name, StateKind kind, DistributedVector &vector) override;
 
 private:
-  const DistributedVector &velocity, &pressure;
+  const DistributedVector &velocity, &pressure, &internal_metric;
 };
 
 /// The vectors of the state, which a change of the mesh carries over.
 class StateVectors : public VectorsVisitor
 {
 public:
-  std::vector<DistributedVector *> velocities, pressures;
+  std::vector<DistributedVector *> velocities, pressures, internal_metrics;
 
   void vector(const StateName &name, StateKind kind, DistributedVector &vector) override;
 };

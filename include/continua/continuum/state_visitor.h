@@ -12,7 +12,8 @@ namespace Continua
 enum class StateKind
 {
   velocity,
-  pressure
+  pressure,
+  internal_metric ///< at quadrature points, in finite deformation
 };
 
 /// The name of a part of the state, put together only when somebody asks for it: a step that keeps

@@ -64,12 +64,14 @@ template <int dim>
 double q_criterion(const dealii::Tensor<2, dim> &velocity_gradient, double hoop, Model model);
 
 /// Cauchy's stress of a solid in finite deformation, in the same order, from the gradients of
-/// displacement [1] and velocity [1/s] by the reference place and from the pressure [Pa].
+/// displacement [1] and velocity [1/s] by the reference place and from the pressure [Pa]; `metric`:
+/// sum_k mu_k A_k of the branches that relax, 0 if there are none [Pa] (internal_metric.h).
 std::array<double, 6> finite_stress(const Material &material,
                                     PointStrain &strain,
                                     const Kinematics &kinematics,
                                     const dealii::Tensor<2, 3> &velocity_gradient,
-                                    double pressure);
+                                    double pressure,
+                                    const dealii::SymmetricTensor<2, 3> &metric);
 
 /// Green's strain (F^T F - I)/2, in the same order [1].
 std::array<double, 6> green_strain(const Kinematics &kinematics);

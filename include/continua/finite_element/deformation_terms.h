@@ -3,6 +3,7 @@
 
 #include <continua/continuum/kinematics.h>
 #include <continua/finite_element/follower_pressure.h>
+#include <continua/finite_element/metric_history.h>
 #include <continua/finite_element/nonlinear_cell_terms.h>
 #include <continua/materials/strain_law.h>
 
@@ -25,7 +26,8 @@ namespace Continua
  * with F = I + Grad D, D = D_plus + b U, J = det F and tau the law's deviatoric Kirchhoff stress.
  * In the middle of a step (Crank-Nicolson) the row of volume is its rate, int q ( div U + (dp/dt)/K
  * ) J dV, which keeps the energy; the closed one keeps the volume. A law with a mean stress s of
- * its own has (p + s(F))/K in the place of ln J + p/K.
+ * its own has (p + s(F))/K in the place of ln J + p/K. Branches that relax add to tau the stress of
+ * a metric that the step knows beforehand (MetricHistory).
  *
  * The linear equations keep the inertia, -int p Div v dV and int q Div U dV (by the reference
  * place), which are therefore taken off here.
@@ -34,8 +36,10 @@ template <int dim>
 class DeformationTerms : public NonlinearCellTerms<dim>
 {
 public:
-  /// Both must outlive it.
-  DeformationTerms(const Space<dim> &space, const Problem &problem);
+  /// All must outlive it; `metrics`: null where nothing relaxes.
+  DeformationTerms(const Space<dim> &space,
+                   const Problem &problem,
+                   MetricHistory<dim> *metrics = nullptr);
 
   void reinit() override;
 
@@ -49,6 +53,9 @@ public:
   void add_loads(const BalancedStep &state,
                  std::optional<unsigned int> region,
                  DistributedVector &forces) override;
+  void start_from(const DistributedVector &displacement) override;
+  void finish_step(const BalancedStep &balanced, const State &state) override;
+  double relaxation_power(const unsigned int region) const override { return heat[region]; }
   typename NonlinearCellTerms<dim>::Sizes sizes_of_terms() const override { return sizes; }
 
 private:
@@ -83,6 +90,8 @@ private:
     n_kinds
   };
 
+  MetricHistory<dim> *const metrics;
+  std::vector<double> heat; ///< relaxation_power() by region
   FollowerPressure<dim> follower_pressure;
   // Of the state, with ghost entries.
   DistributedVector displacement, pressure_rate;
@@ -113,6 +122,14 @@ private:
   /// Makes `strain_at_point` that of the point.
   void set_strain(const Point &point, unsigned int q);
   void set_functions(const Point &point, unsigned int q);
+  /// Adds what the branches that relax have of it; after set_strain().
+  void add_metric_stress(unsigned int q, dealii::SymmetricTensor<2, 3> &stress) const;
+  bool relaxes() const { return metrics != nullptr && metrics->relaxes(present->region); }
+  /// The number of the present cell among the active ones.
+  unsigned int cell_number() const { return present->velocity_cell->active_cell_index(); }
+  /// Calls visit(q) at each point of the cells that relax, with its strain by this displacement.
+  template <typename Visit>
+  void visit_relaxing_points(const DistributedVector &of_displacement, const Visit &visit_point);
   dealii::SymmetricTensor<2, 3> viscous_stress(const Point &point) const;
   /// Adds rows of momentum: of a stress per reference volume [Pa], and of a pressure of the linear
   /// equations.

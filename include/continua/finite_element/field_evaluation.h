@@ -22,7 +22,10 @@ template <int dim>
 class FieldEvaluation : public FieldProbes<dim>
 {
 public:
-  FieldEvaluation(const Space<dim> &space, const Problem &problem);
+  /// As for SampledState.
+  FieldEvaluation(const Space<dim> &space,
+                  const Problem &problem,
+                  const MetricHistory<dim> *metrics = nullptr);
 
   /// The mixture eta U + sum_k mu_k D_k of a material with ghosts, for evaluation on cells [Pa m].
   DistributedVector ghosted_mixture(const State &state, unsigned int region) const;
@@ -89,6 +92,7 @@ private:
 
   using FieldProbes<dim>::problem;
   const Space<dim> &space;
+  const MetricHistory<dim> *metrics;
   mutable SampledState<dim> sampled_state;
   std::map<unsigned int, Samples> samples_of_probes;
   FieldSamples<dim> *samples_to_fill = nullptr; ///< while a probe with samples is set up

@@ -24,7 +24,8 @@ public:
   FieldOutput(const Space<dim> &space,
               const Problem &problem,
               const FieldEvaluation<dim> &evaluation,
-              WallShearStress<dim> &wall_shear);
+              WallShearStress<dim> &wall_shear,
+              const MetricHistory<dim> *metrics = nullptr);
 
   /// Adds the fields to `data_out`; they live until the next call. Returns name -> unit.
   std::map<std::string, std::string> add(const State &state, dealii::DataOut<dim> &data_out);
@@ -36,9 +37,10 @@ private:
                        std::map<std::string, std::string> &units_of_fields);
 
   /// Sets Cauchy's stresses at the points of a cell in finite deformation [Pa].
-  void set_finite_stresses(const dealii::FEValuesBase<dim> &values,
+  void set_finite_stresses(const dealii::FEValues<dim> &values,
                            const std::vector<dealii::Vector<double>> &pressures,
                            unsigned int region,
+                           const DistributedVector &metric_mixture,
                            std::vector<std::array<double, 6>> &stresses) const;
 
   /// Sets a field of numbers, with ghosts, to the first component at each node.
@@ -48,7 +50,8 @@ private:
   const Problem &problem;
   const FieldEvaluation<dim> &evaluation;
   WallShearStress<dim> &wall_shear;
-  std::vector<std::string> names; ///< of the fields cell by cell
+  const MetricHistory<dim> *metrics; ///< null where nothing relaxes in finite deformation
+  std::vector<std::string> names;    ///< of the fields cell by cell
   std::vector<std::string> units;
   dealii::FESystem<dim> cell_element;
   dealii::DoFHandler<dim> cell_dofs;

@@ -5,6 +5,7 @@
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state.h>
 #include <continua/continuum/wall_shear_average.h>
+#include <continua/finite_element/metric_history.h>
 #include <continua/finite_element/space.h>
 
 #include <deal.II/fe/fe_values.h>
@@ -20,8 +21,13 @@ template <int dim>
 class SampledState
 {
 public:
-  /// Both must outlive it.
-  SampledState(const Space<dim> &space, const Problem &problem) : space(space), problem(problem) {}
+  /// All must outlive it; `metrics`: null where nothing relaxes in finite deformation.
+  SampledState(const Space<dim> &space,
+               const Problem &problem,
+               const MetricHistory<dim> *metrics = nullptr)
+      : space(space), problem(problem), metrics(metrics)
+  {
+  }
 
   /// The mesh is another one.
   void reinit();
@@ -31,6 +37,7 @@ public:
   DistributedVector velocity, pressure;
   DistributedVector displacement;          ///< with Deformation::finite
   std::vector<DistributedVector> mixtures; ///< by region, see set_mixture()
+  DistributedVector metric_mixture;        ///< see MetricHistory::ghosted_mixture()
   /// Of the WallShearAverage, if the run keeps it.
   DistributedVector shear_integral, magnitude_integral;
   double averaged_time = 0.; ///< [s]
@@ -38,6 +45,7 @@ public:
 private:
   const Space<dim> &space;
   const Problem &problem;
+  const MetricHistory<dim> *metrics;
   DistributedVector velocity_work, pressure_work, mixture;
 };
 
@@ -47,8 +55,13 @@ template <int dim>
 class FieldSamples
 {
 public:
-  /// All must outlive it.
-  FieldSamples(const Space<dim> &space, const Problem &problem) : space(space), problem(problem) {}
+  /// As for SampledState.
+  FieldSamples(const Space<dim> &space,
+               const Problem &problem,
+               const MetricHistory<dim> *metrics = nullptr)
+      : space(space), problem(problem), metrics(metrics)
+  {
+  }
 
   void clear() { points.clear(); }
   unsigned int size() const { return points.size(); }
@@ -84,10 +97,12 @@ private:
     std::vector<dealii::Tensor<1, dim>> gradients;
     std::vector<dealii::types::global_dof_index> pressure_indices;
     std::vector<double> pressure_values;
+    typename MetricHistory<dim>::PointWeights metric_weights;
   };
 
   const Space<dim> &space;
   const Problem &problem;
+  const MetricHistory<dim> *metrics;
   std::vector<SamplePoint> points;
 
   dealii::Tensor<2, dim> gradient(const SamplePoint &point, const DistributedVector &vector) const;

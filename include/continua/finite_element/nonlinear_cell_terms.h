@@ -49,6 +49,13 @@ public:
   /// Adds what the loads of the step have besides those on the body at rest [N], of one region or
   /// of all. Collective.
   virtual void add_loads(const BalancedStep &, std::optional<unsigned int>, DistributedVector &) {}
+  /// The state of t = 0 was set. Collective.
+  virtual void start_from(const DistributedVector & /*displacement*/) {}
+  /// A step has ended. Collective.
+  virtual void finish_step(const BalancedStep &, const State &) {}
+  /// This rank's part of what relaxation in a region turns into heat at the level that the last
+  /// step has balanced [W].
+  virtual double relaxation_power(unsigned int /*region*/) const { return 0.; }
   /// Of what cancels in the rows that were added last.
   struct Sizes
   {

@@ -9,6 +9,7 @@
 #include <continua/finite_element/field_output.h>
 #include <continua/finite_element/loads.h>
 #include <continua/finite_element/mesh_transfer.h>
+#include <continua/finite_element/metric_history.h>
 #include <continua/finite_element/nonlinear_cell_terms.h>
 #include <continua/finite_element/region_operators.h>
 #include <continua/finite_element/space.h>
@@ -49,6 +50,7 @@ public:
   void setup() override;
   DistributedVector velocity_vector() const override { return space.velocity_vector(); }
   DistributedVector pressure_vector() const override { return space.pressure_vector(); }
+  DistributedVector internal_metric_vector() const override;
   std::vector<std::vector<unsigned int>> velocity_nodes() const override;
   std::vector<std::vector<unsigned int>> pressure_nodes() const override;
   std::vector<unsigned int> pressures_without_history() const override;
@@ -107,6 +109,7 @@ public:
                             NonlinearForces &forces) override;
   bool is_nonlinear_in(unsigned int region) const override;
   NonlinearEnergy nonlinear_energy(unsigned int region, const State &state) override;
+  double nonlinear_relaxation(unsigned int region) const override;
   void add_load_changes(const BalancedStep &state,
                         std::optional<unsigned int> region,
                         DistributedVector &forces) override;
@@ -143,11 +146,13 @@ public:
   void add_velocity_product(const DistributedVector &velocity, DistributedVector &result) override;
   void add_divergence(const DistributedVector &velocity, DistributedVector &result) override;
 
-  void prepare_transfer(const std::vector<DistributedVector *> &velocities,
-                        const std::vector<DistributedVector *> &pressures) override;
-  void finish_transfer(const std::vector<DistributedVector *> &velocities,
-                       const std::vector<DistributedVector *> &pressures) override;
+  void prepare_transfer(const StateVectors &vectors) override;
+  void finish_transfer(const StateVectors &vectors) override;
   SolverSizes sizes() const override;
+
+  void visit(StateVisitor &visitor) override;
+  void begin_step(const Step &step) override;
+  void finish_step(const BalancedStep &balanced, const State &state) override;
 
   const dealii::Mapping<dim> &mapping() const override { return space.mapping; }
   FieldProbes<dim> &probes() override { return evaluation; }
@@ -173,6 +178,7 @@ private:
   Loads<dim> load_list;
   std::map<unsigned int, Loads<dim>> loads_of_regions; ///< that were asked for on this mesh
   StepSystem<dim> system;
+  std::unique_ptr<MetricHistory<dim>> metrics; ///< null where nothing relaxes in finite deformation
   std::unique_ptr<NonlinearCellTerms<dim>> terms; ///< null where the equations are linear
   TangentSystem<dim> tangent; ///< in the system's place where there are such terms
   MeshTransfer<dim> mesh_transfer;

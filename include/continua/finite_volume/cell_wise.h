@@ -145,10 +145,8 @@ public:
                     DistributedVector &of_velocity,
                     DistributedVector &of_pressure) override;
 
-  void prepare_transfer(const std::vector<DistributedVector *> &velocities,
-                        const std::vector<DistributedVector *> &pressures) override;
-  void finish_transfer(const std::vector<DistributedVector *> &velocities,
-                       const std::vector<DistributedVector *> &pressures) override;
+  void prepare_transfer(const StateVectors &vectors) override;
+  void finish_transfer(const StateVectors &vectors) override;
   SolverSizes sizes() const override;
 
   void visit(StateVisitor &visitor) override;

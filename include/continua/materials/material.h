@@ -31,7 +31,8 @@ struct Material
   Shear shear;
   double volume_exponent = 0.;    ///< n of the VolumeLaw [1]
   double reference_pressure = 0.; ///< p0 of it [Pa]
-  /// Of a solid with Deformation::finite, else null. The branches are those of a small deformation.
+  /// Of a solid with Deformation::finite, else null: its spring that never relaxes, beside which
+  /// the branches are neo-Hookean (internal_metric.h).
   std::shared_ptr<const StrainLaw> strain_law;
   StrainLawParameters strain_law_parameters; ///< of it
 
@@ -69,6 +70,8 @@ struct Material
   {
     return compression.long_term_inverse_bulk_modulus();
   }
+  /// Makes the law of finite deformation by the parameters and the branches that there are.
+  void set_strain_law();
   /// Speed of longitudinal waves sqrt((K + 4/3 mu)/rho) [m/s]; infinite if incompressible.
   double longitudinal_speed() const;
 };
@@ -79,8 +82,8 @@ std::vector<std::pair<std::string, std::string>> material_types();
 /// Reads a child of the section Materials; only the entries of its `Type` are declared. Throws
 /// InputError.
 Material read_material(ParameterSection section, Model model);
-/// Reads the law of finite deformation of a solid that was read, whose shear modulus it takes;
-/// leaves a liquid as it is. Throws InputError.
+/// Reads the law of finite deformation of a solid that was read, whose long-term shear modulus it
+/// takes; leaves a liquid as it is. Throws InputError.
 void read_strain_law(ParameterSection section, Material &material);
 } // namespace Continua
 
