@@ -46,16 +46,7 @@ void Run<dim>::describe_run()
   if (input.problem.deformation == Deformation::finite)
   {
     summary.set("deformation", word_of(deformation_words(), input.problem.deformation));
-    for (std::size_t region = 0; region < input.problem.regions.size(); ++region)
-    {
-      const Material &material = input.problem.materials[region];
-      if (!material.shear.relaxes())
-        continue;
-      log.line(input.problem.regions[region] + ": " + material.strain_law_parameters.type +
-               " by the long-term modulus, with " +
-               std::to_string(material.shear.branches.size() - 1) +
-               " neo-Hookean branches that relax by internal metrics");
-    }
+    report_strain_laws();
   }
   summary.set("libraries", library_versions());
   if (!input.problem.regions.empty())
@@ -73,6 +64,21 @@ void Run<dim>::describe_run()
     log.warning("the BLAS linked is the slow reference implementation: factorisation takes 3 to 7 "
                 "times as long as "
                 "with OpenBLAS (Debian: apt-get install libopenblas0-pthread)");
+}
+
+template <int dim>
+void Run<dim>::report_strain_laws()
+{
+  for (std::size_t region = 0; region < input.problem.regions.size(); ++region)
+  {
+    const Material &material = input.problem.materials[region];
+    if (!material.shear.relaxes())
+      continue;
+    const std::size_t n_branches = material.shear.branches.size() - 1;
+    log.line(input.problem.regions[region] + ": " + material.strain_law_parameters.type +
+             " by the long-term modulus, with " + std::to_string(n_branches) + " neo-Hookean " +
+             (n_branches == 1 ? "branch that relaxes" : "branches that relax"));
+  }
 }
 
 template <int dim>

@@ -25,6 +25,12 @@ void check_materials(const Problem &problem, ParameterSection root)
       section.refuse("Volumetric relaxation",
                      "in finite deformation the volume change does not relax",
                      "Set Volumetric relaxation = none, or Deformation = small");
+    if (material.prestretch.exists() && !problem.interior.acceleration.empty())
+      root.subsection("Body force")
+          .refuse("Acceleration",
+                  "with a prestretch the mass at a place of the mesh is not its volume times the "
+                  "density, which the weight would need",
+                  "Give the weight as a Force density, or remove the prestretch");
     if (!material.has_power_law() && material.long_term_shear_modulus() == 0.)
       section.refuse("Type",
                      "'" + material.type +

@@ -23,7 +23,7 @@ public:
              (square(region, step.end, context) - square(region, step.start, context));
     context.operators.multiply_mass(region, context.force, step.balanced.acceleration);
     context.force *= density;
-    if (context.problem.convection.is_on && context.operators.is_nonlinear_in(region))
+    if (context.operators.is_nonlinear_in(region))
       context.force.add(1., context.nonlinear_forces.inertia);
     if (forces != nullptr)
       forces->add(1., context.force);

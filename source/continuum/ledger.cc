@@ -47,8 +47,8 @@ void Ledger::reinit()
       vector->reinit(forces);
   if (problem.deformation == Deformation::finite)
     for (DistributedVector *vector :
-         {&context.nonlinear_forces.strain, &context.nonlinear_forces.viscosity,
-          &context.nonlinear_forces.compression})
+         {&context.nonlinear_forces.inertia, &context.nonlinear_forces.strain,
+          &context.nonlinear_forces.viscosity, &context.nonlinear_forces.compression})
       vector->reinit(forces);
   for (DistributedVector *vector : {&context.dilatation, &context.forgotten_rate})
     *vector = operators.pressure_vector();

@@ -99,15 +99,14 @@ std::array<double, 6> components_of(const SymmetricTensor<2, 3> &tensor)
 } // namespace
 
 std::array<double, 6> finite_stress(const Material &material,
-                                    PointStrain &strain,
+                                    const RestState &rest,
                                     const Kinematics &kinematics,
                                     const Tensor<2, 3> &velocity_gradient,
                                     const double pressure,
                                     const SymmetricTensor<2, 3> &metric)
 {
-  const double ratio = kinematics.volume_ratio();
-  strain.gradient = kinematics.deformation_gradient();
-  strain.determinant = ratio;
+  const double ratio = kinematics.volume_ratio() / rest.volume_ratio;
+  const PointStrain strain{kinematics.deformation_gradient() * rest.prestretch, ratio, rest.fibres};
   SymmetricTensor<2, 3> stress, of_branches;
   material.strain_law->set_stress(strain, stress);
   MetricStress(metric).set_stress(strain, of_branches);

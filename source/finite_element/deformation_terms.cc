@@ -1,7 +1,7 @@
 #include <continua/finite_element/deformation_terms.h>
 
 #include <continua/base/input_error.h>
-#include <continua/continuum/fibre_directions.h>
+#include <continua/continuum/rest_state.h>
 #include <continua/materials/metric_stress.h>
 
 #include <deal.II/base/mpi.h>
@@ -34,11 +34,16 @@ DeformationTerms<dim>::DeformationTerms(const Space<dim> &space,
     : Base(space, problem, QGauss<dim>(space.n_quadrature_points()), PhaseShare::solid),
       metrics(metrics),
       heat(problem.regions.size(), 0.),
-      follower_pressure(space, problem)
+      follower_pressure(space, problem),
+      has_prestretch(std::any_of(problem.materials.begin(),
+                                 problem.materials.end(),
+                                 [](const Material &of_region)
+                                 { return of_region.prestretch.exists(); }))
 {
   const unsigned int n_functions = cells.n_functions(), n_velocity = dim * n_functions,
                      n_pressure = cells.n_pressures();
-  for (Vector<double> *vector : {&cell_velocity, &cell_displacement, &cell_load})
+  for (Vector<double> *vector :
+       {&cell_velocity, &cell_displacement, &cell_acceleration, &cell_load})
     vector->reinit(n_velocity);
   for (Vector<double> &forces : cell_forces)
     forces.reinit(n_velocity);
@@ -56,17 +61,19 @@ void DeformationTerms<dim>::reinit()
   Base::reinit();
   displacement.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
   pressure_rate.reinit(space.pressure_owned, space.pressure_relevant, space.communicator);
+  if (has_prestretch)
+    acceleration.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
   follower_pressure.reinit();
-  set_fibres();
+  set_rest_states();
 }
 
 template <int dim>
-void DeformationTerms<dim>::set_fibres()
+void DeformationTerms<dim>::set_rest_states()
 {
-  fibres.clear();
-  if (std::none_of(problem.materials.begin(), problem.materials.end(),
-                   [](const Material &of_region)
-                   { return of_region.strain_law_parameters.has_fibres(); }))
+  rest_states.clear();
+  if (!has_prestretch && std::none_of(problem.materials.begin(), problem.materials.end(),
+                                      [](const Material &of_region)
+                                      { return of_region.strain_law_parameters.has_fibres(); }))
     return;
   const FE_Q<dim> element(space.degree());
   FEValues<dim> places(space.mapping, element, quadrature, update_quadrature_points);
@@ -74,9 +81,10 @@ void DeformationTerms<dim>::set_fibres()
   {
     places.reinit(
         static_cast<typename Triangulation<dim>::active_cell_iterator>(cell.velocity_cell));
-    fibres.emplace_back();
+    rest_states.emplace_back();
     for (const dealii::Point<dim> &place : places.get_quadrature_points())
-      fibres.back().push_back(fibres_at<dim>(problem.materials[cell.region], problem.model, place));
+      rest_states.back().push_back(rest_state_at<dim>(problem.materials[cell.region], problem.model,
+                                                      place, prestretch_share));
   }
 }
 
@@ -88,6 +96,14 @@ void DeformationTerms<dim>::take(const BalancedStep &state)
   take(state.velocity, state.pressure);
   space.copy_velocity(state.displacement, velocity_work, displacement);
   space.copy_pressure(state.pressure_rate, Base::pressure_work, pressure_rate);
+  if (!has_prestretch)
+    return;
+  space.copy_velocity(state.acceleration, velocity_work, acceleration);
+  if (step.load_factor != prestretch_share)
+  {
+    prestretch_share = step.load_factor;
+    set_rest_states();
+  }
 }
 
 template <int dim>
@@ -96,6 +112,8 @@ void DeformationTerms<dim>::visit(const Cell &cell)
   present = &cell;
   Base::set_entries(cell.velocity_places, velocity, cell_velocity);
   Base::set_entries(cell.velocity_places, displacement, cell_displacement);
+  if (has_prestretch)
+    Base::set_entries(cell.velocity_places, acceleration, cell_acceleration);
   Base::set_entries(cell.pressure_places, pressure, cell_pressure);
   Base::set_entries(cell.pressure_places, pressure_rate, cell_pressure_rate);
 }
@@ -136,7 +154,8 @@ typename DeformationTerms<dim>::Point DeformationTerms<dim>::point(const unsigne
               {},
               present->points[q].weight,
               0.,
-              0.};
+              0.,
+              rest_states.empty() ? 1. : rest_states[present - cells.all().data()][q].volume_ratio};
   point.velocity_gradient = point.kinematics.gradient(point.reference_velocity_gradient);
   for (unsigned int k = 0; k < cells.n_pressures(); ++k)
   {
@@ -149,10 +168,14 @@ typename DeformationTerms<dim>::Point DeformationTerms<dim>::point(const unsigne
 template <int dim>
 void DeformationTerms<dim>::set_strain(const Point &here, const unsigned int q)
 {
-  if (!fibres.empty())
-    strain_at_point.fibres = fibres[present - cells.all().data()][q];
   strain_at_point.gradient = here.kinematics.deformation_gradient();
   strain_at_point.determinant = here.kinematics.volume_ratio();
+  if (rest_states.empty())
+    return;
+  const RestState &rest = rest_states[present - cells.all().data()][q];
+  strain_at_point.fibres = rest.fibres;
+  strain_at_point.gradient = strain_at_point.gradient * rest.prestretch;
+  strain_at_point.determinant /= rest.volume_ratio;
 }
 
 template <int dim>
@@ -220,9 +243,9 @@ void DeformationTerms<dim>::finish_step(const BalancedStep &balanced, const Stat
                         [this](const unsigned int q)
                         {
                           heat[present->region] +=
-                              present->points[q].weight * metrics->dissipation(present->region,
-                                                                               cell_number(), q,
-                                                                               strain_at_point);
+                              present->points[q].weight * point(q).rest_ratio *
+                              metrics->dissipation(present->region, cell_number(), q,
+                                                   strain_at_point);
                         });
   visit_relaxing_points(state.history.displacement(),
                         [this](const unsigned int q)
@@ -270,6 +293,25 @@ void DeformationTerms<dim>::add_reference_pressure(const double factor, Vector<d
 }
 
 template <int dim>
+void DeformationTerms<dim>::add_inertia(const Point &here,
+                                        const unsigned int q,
+                                        Vector<double> &rows) const
+{
+  const std::size_t n_functions = cells.n_functions();
+  const double *const values = cells.values(q);
+  const double mass = here.weight * material().density * (here.rest_ratio - 1.);
+  for (unsigned int c = 0; c < dim; ++c)
+  {
+    const double *const of_component = cell_acceleration.begin() + c * n_functions;
+    double of_point = 0.;
+    for (unsigned int a = 0; a < n_functions; ++a)
+      of_point += of_component[a] * values[a];
+    for (unsigned int a = 0; a < n_functions; ++a)
+      rows[c * n_functions + a] += mass * of_point * values[a];
+  }
+}
+
+template <int dim>
 double DeformationTerms<dim>::volume_row(const Point &here) const
 {
   const StrainLaw &law = *material().strain_law;
@@ -286,8 +328,8 @@ double DeformationTerms<dim>::volume_row(const Point &here) const
   }
   if (step.extrapolate)
     return trace(here.velocity_gradient) + inverse_bulk_modulus * here.pressure_rate;
-  return (std::log1p(here.kinematics.volume_change()) + inverse_bulk_modulus * here.pressure) /
-         displacement_by_velocity;
+  const double strain = std::log1p(here.kinematics.volume_change()) - std::log(here.rest_ratio);
+  return (strain + inverse_bulk_modulus * here.pressure) / displacement_by_velocity;
 }
 
 template <int dim>
@@ -313,6 +355,7 @@ double DeformationTerms<dim>::integrate(const bool by_kind)
     set_functions(here, q);
     law.set_stress(strain_at_point, stress);
     add_metric_stress(q, stress);
+    stress *= here.rest_ratio;
     sizes.stress = std::max(sizes.stress, stress.norm() + std::abs(ratio * here.pressure));
     const SymmetricTensor<2, 3> of_pressure = -ratio * here.pressure * unit;
     if (by_kind)
@@ -321,6 +364,8 @@ double DeformationTerms<dim>::integrate(const bool by_kind)
       if (is_viscous)
         add_stress(viscous_stress(here), here.weight, cell_forces[viscosity]);
       add_stress(of_pressure, here.weight, cell_forces[compression]);
+      if (has_prestretch)
+        add_inertia(here, q, cell_forces[inertia]);
     }
     else
     {
@@ -329,6 +374,8 @@ double DeformationTerms<dim>::integrate(const bool by_kind)
         stress += viscous_stress(here);
       add_stress(stress, here.weight, cell_forces[0]);
       add_reference_pressure(here.weight * here.pressure, cell_forces[0]);
+      if (has_prestretch)
+        add_inertia(here, q, cell_forces[0]);
     }
     const double row =
         here.weight * (ratio * volume_row(here) - trace(here.reference_velocity_gradient));
@@ -414,7 +461,7 @@ void DeformationTerms<dim>::set_forces_of(const unsigned int region,
                                           NonlinearForces &forces)
 {
   const std::array<DistributedVector *, n_kinds> targets = {
-      {&forces.strain, &forces.viscosity, &forces.compression}};
+      {&forces.strain, &forces.viscosity, &forces.compression, &forces.inertia}};
   for (DistributedVector *const target : targets)
     *target = 0.;
   take(state);
@@ -452,11 +499,12 @@ NonlinearEnergy DeformationTerms<dim>::energy_of(const unsigned int region, cons
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int a = 0; a < cells.n_functions(); ++a)
             of_velocity[c] += cell_velocity[c * cells.n_functions() + a] * cells.values(q)[a];
-        energy.kinetic += here.weight * 0.5 * of_region.density * of_velocity.norm_square();
+        const double rest_weight = here.weight * here.rest_ratio;
+        energy.kinetic += rest_weight * 0.5 * of_region.density * of_velocity.norm_square();
         set_strain(here, q);
-        energy.strain += here.weight * law.energy(strain_at_point);
+        energy.strain += rest_weight * law.energy(strain_at_point);
         if (relaxes())
-          energy.strain += here.weight * metrics->energy(region, cell_number(), q, strain_at_point);
+          energy.strain += rest_weight * metrics->energy(region, cell_number(), q, strain_at_point);
         if (law.has_own_mean_stress())
         {
           // The pressure is not -s at each point, but in the mean over its shape functions.
@@ -470,7 +518,7 @@ NonlinearEnergy DeformationTerms<dim>::energy_of(const unsigned int region, cons
         // K (J ln J - J + 1) by the pressure, whose J is exp(-p/K).
         const double log_ratio = -inverse_bulk_modulus * here.pressure;
         if (inverse_bulk_modulus > 0. && !law.has_own_mean_stress())
-          energy.compressive += here.weight *
+          energy.compressive += rest_weight *
                                 (log_ratio * std::exp(log_ratio) - std::expm1(log_ratio)) /
                                 inverse_bulk_modulus;
       }
@@ -532,6 +580,8 @@ void DeformationTerms<dim>::integrate_derivative(FullMatrix<double> &matrix)
       stress += metric_stress;
       tangent += metric_tangent;
     }
+    stress *= here.rest_ratio;
+    tangent *= here.rest_ratio;
     const double scaled_pressure = ratio * here.pressure;
     stress -= scaled_pressure * unit;
     tangent -= scaled_pressure * of_pressure;
@@ -596,6 +646,15 @@ void DeformationTerms<dim>::integrate_derivative(FullMatrix<double> &matrix)
         for (unsigned int k = 0; k < n_pressure; ++k)
           matrix(j, n_velocity + k) += by_pressure * cells.pressure_values(q)[k];
       }
+    if (has_prestretch)
+    {
+      const double mass = here.weight * material().density * (here.rest_ratio - 1.) * step.a0;
+      for (unsigned int a = 0; a < n_functions; ++a)
+        for (unsigned int f = 0; f < n_functions; ++f)
+          for (unsigned int c = 0; c < dim; ++c)
+            matrix(c * n_functions + a, c * n_functions + f) +=
+                mass * cells.values(q)[a] * cells.values(q)[f];
+    }
     const double row_by_pressure =
         here.weight * ratio * inverse_bulk_modulus * (step.extrapolate ? rate_by_pressure : 1. / b);
     for (unsigned int k = 0; k < n_pressure; ++k)

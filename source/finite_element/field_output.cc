@@ -1,6 +1,6 @@
 #include <continua/finite_element/field_output.h>
 
-#include <continua/continuum/fibre_directions.h>
+#include <continua/continuum/rest_state.h>
 #include <continua/continuum/stress_and_strain.h>
 
 #include <deal.II/base/mpi.h>
@@ -230,16 +230,16 @@ void FieldOutput<dim>::set_finite_stresses(const FEValues<dim> &values,
   };
   set(displacement, of_displacement);
   set(velocity, of_velocity);
-  PointStrain strain;
   for (unsigned int q = 0; q < stresses.size(); ++q)
   {
-    strain.fibres = fibres_at<dim>(material, problem.model, values.quadrature_point(q));
     SymmetricTensor<2, 3> of_branches;
     if (metrics != nullptr)
       of_branches = MetricHistory<dim>::mixture_at(
           metrics->weights_at(values.get_cell(), values.get_quadrature().point(q)), metric_mixture);
-    stresses[q] = finite_stress(material, strain, Kinematics(of_displacement[q]), of_velocity[q],
-                                pressures[q][space.pressure_component(region)], of_branches);
+    stresses[q] = finite_stress(
+        material, rest_state_at<dim>(material, problem.model, values.quadrature_point(q)),
+        Kinematics(of_displacement[q]), of_velocity[q],
+        pressures[q][space.pressure_component(region)], of_branches);
   }
 }
 

@@ -1,6 +1,6 @@
 #include <continua/finite_element/field_samples.h>
 
-#include <continua/continuum/fibre_directions.h>
+#include <continua/continuum/rest_state.h>
 #include <continua/continuum/stress_and_strain.h>
 
 #include <numeric>
@@ -146,10 +146,9 @@ std::array<double, 6> FieldSamples<dim>::stress_at(const SamplePoint &point,
   {
     const Material &material = problem.materials[point.region];
     const Tensor<2, dim> of_velocity = gradient(point, state.velocity);
-    PointStrain strain;
-    strain.fibres = fibres_at<dim>(material, problem.model, point.place);
     return finite_stress(
-        material, strain, kinematics_at(point, state),
+        material, rest_state_at<dim>(material, problem.model, point.place),
+        kinematics_at(point, state),
         whole_gradient<dim>(of_velocity, hoop(point, state.velocity, of_velocity)),
         pressure_at(point, state),
         MetricHistory<dim>::mixture_at(point.metric_weights, state.metric_mixture));

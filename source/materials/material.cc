@@ -442,6 +442,7 @@ void read_strain_law(ParameterSection section, Material &material)
   if (!material.is_solid())
     return;
   material.strain_law_parameters.read(section, material.is_incompressible());
+  material.prestretch.read(section);
   material.set_strain_law();
 }
 } // namespace Continua

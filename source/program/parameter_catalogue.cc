@@ -72,6 +72,7 @@ void read_strain_law_of_region(ParameterSection &root, const GeneralParameters &
 {
   ParameterSection region = root.subsection("Materials").subsection("<region>");
   StrainLawParameters().read(region, false);
+  Prestretch().read(region);
 }
 
 /// Name and line of the laws of finite deformation.

@@ -102,6 +102,7 @@ BalancedStep make_state(const Space<dim> &space, const Step &step)
   state.step = step;
   state.velocity = vector(1., 0.);
   state.displacement = vector(0.12, 1.);
+  state.acceleration = vector(0.8, 4.);
   state.pressure = scalar(2.);
   state.pressure_rate = scalar(3.);
   return state;
@@ -163,6 +164,7 @@ changed(const BalancedStep &state, const std::vector<double> &change, const doub
   for (unsigned int i = 0; i < n_velocity; ++i)
   {
     result.velocity.begin()[i] += factor * change[i];
+    result.acceleration.begin()[i] += factor * state.step.a0 * change[i];
     result.displacement.begin()[i] += factor * displacement_by_velocity(state.step) * change[i];
   }
   for (unsigned int k = 0; k < state.pressure.locally_owned_size(); ++k)
@@ -178,7 +180,8 @@ void check_derivative(const std::string &name,
                       const Space<dim> &space,
                       const std::string &law,
                       const Step &step,
-                      const bool relaxes = false)
+                      const bool relaxes = false,
+                      const Prestretch &prestretch = Prestretch())
 {
   const Model model = dim == 3                  ? Model::three_dimensional
                       : space.is_axisymmetric() ? Model::axisymmetric
@@ -187,6 +190,7 @@ void check_derivative(const std::string &name,
   add_pressure(problem);
   if (relaxes)
     add_branches(problem);
+  problem.materials[0].prestretch = prestretch;
   const auto metrics = make_metrics(space, problem);
   DeformationTerms<dim> terms(space, problem, metrics.get());
   terms.reinit();
@@ -283,6 +287,13 @@ UNIT_TEST(deformation_terms)
     check_derivative(name + ", plane", space, "neo hookean", step, true);
     check_derivative(name + ", axisymmetric", round_space, "mooney rivlin", step, true);
     check_derivative(name + ", in space", solid_space, "holzapfel gasser ogden", step, true);
+    const Prestretch prestretch{1.3, 1.1};
+    const std::string stretched = "prestretched, " + name;
+    check_derivative(stretched + ", plane", space, "neo hookean", step, true, prestretch);
+    check_derivative(stretched + ", axisymmetric", round_space, "holzapfel gasser ogden", step,
+                     false, prestretch);
+    check_derivative(stretched + ", in space", solid_space, "mooney rivlin", step, true,
+                     prestretch);
   }
 
   // A body that is turned has no stress, and keeps its volume.
@@ -336,7 +347,8 @@ UNIT_TEST(deformation_terms)
     state.displacement = homogeneous<2>(space, stretch);
     state.pressure = constant(space, 0.9);
     NonlinearForces forces;
-    for (DistributedVector *vector : {&forces.strain, &forces.viscosity, &forces.compression})
+    for (DistributedVector *vector :
+         {&forces.strain, &forces.viscosity, &forces.compression, &forces.inertia})
       *vector = space.velocity_vector();
     terms.set_forces_of(0, state, forces);
     const DistributedVector along =
@@ -364,6 +376,41 @@ UNIT_TEST(deformation_terms)
         "turned inside out in the region 'body'");
   }
 
+  // A body that is brought to its stress-free shape, 1/1.3 times as long, has no stress.
+  {
+    Problem problem = make_problem(Model::three_dimensional, "neo hookean", 0.);
+    problem.materials[0].prestretch.axial = 1.3;
+    DeformationTerms<3> terms(solid_space, problem);
+    terms.reinit();
+    BalancedStep state = make_state(solid_space, implicit);
+    for (DistributedVector *vector : {&state.velocity, &state.acceleration, &state.pressure})
+      *vector = 0.;
+    Tensor<2, 3> shortened(unit_symmetric_tensor<3>());
+    shortened[0][0] = 1. / 1.3;
+    state.displacement = homogeneous<3>(solid_space, shortened);
+    double largest = 0.;
+    for (const double row : rows_of(solid_space, terms, state))
+      largest = std::max(largest, std::abs(row));
+    check::absolute("prestretched: free of stress where it is let go", largest, 0., 1e-13);
+    // In the shape of the mesh: tau = mu 1.3^(-2/3) dev diag(1.69, 1, 1) per volume at rest, on a
+    // section of 1.
+    state.displacement = 0.;
+    NonlinearForces forces;
+    for (DistributedVector *vector :
+         {&forces.strain, &forces.viscosity, &forces.compression, &forces.inertia})
+      *vector = solid_space.velocity_vector();
+    state.acceleration = small_problem::interpolated<3>(
+        solid_space, [](const Point<3> &) { return Point<3>::unit_vector(0); });
+    terms.set_forces_of(0, state, forces);
+    const DistributedVector along = small_problem::interpolated<3>(
+        solid_space, [](const Point<3> &x) { return Tensor<1, 3>({x[0] / 2., 0., 0.}); });
+    check::relative("prestretched: axial force", forces.strain * along,
+                    2. * std::pow(1.3, -2. / 3.) * (1.69 - 3.69 / 3.) / 1.3, 1e-12);
+    // Of the mass 3 kg/m^3 x 2 m^3/1.3 the linear equations have 6 kg.
+    check::relative("prestretched: inertia", forces.inertia * state.acceleration, 6. / 1.3 - 6.,
+                    1e-12);
+  }
+
   // The power of the law's stress is the rate of its energy; with branches while their metrics
   // stay.
   for (const bool relaxes : {false, true})
@@ -374,7 +421,10 @@ UNIT_TEST(deformation_terms)
         continue;
       Problem problem = make_problem(Model::axisymmetric, row.name, 0.);
       if (relaxes)
+      {
         add_branches(problem);
+        problem.materials[0].prestretch = {1.3, 1.1};
+      }
       const auto metrics = make_metrics(round_space, problem);
       DeformationTerms<2> terms(round_space, problem, metrics.get());
       terms.reinit();
@@ -385,7 +435,8 @@ UNIT_TEST(deformation_terms)
       }
       const BalancedStep state = make_state(round_space, implicit);
       NonlinearForces forces;
-      for (DistributedVector *vector : {&forces.strain, &forces.viscosity, &forces.compression})
+      for (DistributedVector *vector :
+           {&forces.strain, &forces.viscosity, &forces.compression, &forces.inertia})
         *vector = round_space.velocity_vector();
       terms.set_forces_of(0, state, forces);
       BranchHistory history(problem.materials, problem.deformation);
@@ -397,7 +448,7 @@ UNIT_TEST(deformation_terms)
         history.displacement().add(time, state.velocity);
         return terms.energy_of(0, {state.velocity, state.pressure, history}).strain;
       };
-      check::relative(row.name + (relaxes ? ", relaxing" : "") + ": power and rate of the energy",
+      check::relative(row.name + (relaxes ? ", relaxing and prestretched" : "") + ": power and rate of the energy",
                       forces.strain * state.velocity, (energy_at(h) - energy_at(-h)) / (2. * h),
                       1e-8);
     }

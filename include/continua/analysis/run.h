@@ -60,6 +60,8 @@ private:
   /// Flags cells by the indicators; returns whether any is.
   bool flag(double time);
   void describe_run();
+  /// Lines of the log on walls that relax in finite deformation.
+  void report_strain_laws();
   void write_summary(const std::string &status);
   /// How much of the wall time probes, fields and checkpoints took, on rank 0.
   void report_output_share();

@@ -8,7 +8,8 @@ namespace Continua
 /// Forces of the terms that are not linear, by kind [N].
 struct NonlinearForces
 {
-  DistributedVector inertia;       ///< of a density that is not that of the material
+  DistributedVector inertia;       ///< of a density that is not that of the material, or of a
+                                   ///< prestretch that changes the volume at rest
   DistributedVector convection;    ///< with the skew form's part
   DistributedVector stabilisation; ///< of grad-div and supg
   DistributedVector viscosity;     ///< of a viscosity that is not that at rest; in finite

@@ -2,6 +2,7 @@
 #define continua_finite_element_deformation_terms_h
 
 #include <continua/continuum/kinematics.h>
+#include <continua/continuum/rest_state.h>
 #include <continua/finite_element/follower_pressure.h>
 #include <continua/finite_element/metric_history.h>
 #include <continua/finite_element/nonlinear_cell_terms.h>
@@ -27,7 +28,9 @@ namespace Continua
  * In the middle of a step (Crank-Nicolson) the row of volume is its rate, int q ( div U + (dp/dt)/K
  * ) J dV, which keeps the energy; the closed one keeps the volume. A law with a mean stress s of
  * its own has (p + s(F))/K in the place of ln J + p/K. Branches that relax add to tau the stress of
- * a metric that the step knows beforehand (MetricHistory).
+ * a metric that the step knows beforehand (MetricHistory). With a prestretch F0 the laws have the
+ * elastic deformation F F0^-1, and the volume at rest is det F0 dV; loads that come in steps bring
+ * it in the same share.
  *
  * The linear equations keep the inertia, -int p Div v dV and int q Div U dV (by the reference
  * place), which are therefore taken off here.
@@ -80,6 +83,7 @@ private:
     dealii::Tensor<2, 3> reference_velocity_gradient; ///< Grad U [1/s]
     dealii::Tensor<2, 3> velocity_gradient;           ///< grad U [1/s]
     double weight, pressure, pressure_rate;
+    double rest_ratio; ///< RestState::volume_ratio [1]
   };
   /// The kinds of NonlinearForces.
   enum Kind
@@ -87,6 +91,7 @@ private:
     strain,
     viscosity,
     compression,
+    inertia,
     n_kinds
   };
 
@@ -94,17 +99,19 @@ private:
   std::vector<double> heat; ///< relaxation_power() by region
   FollowerPressure<dim> follower_pressure;
   // Of the state, with ghost entries.
-  DistributedVector displacement, pressure_rate;
+  DistributedVector displacement, pressure_rate, acceleration;
   double displacement_by_velocity = 0.; ///< b [s]
   Sizes sizes;
   // Of the present cell; vectors component by component.
   const Cell *present = nullptr;
   dealii::Vector<double> cell_velocity, cell_displacement, cell_pressure, cell_pressure_rate;
-  dealii::Vector<double> cell_volume, cell_load;
+  dealii::Vector<double> cell_acceleration, cell_volume, cell_load;
   std::array<dealii::Vector<double>, n_kinds> cell_forces;
   PointStrain strain_at_point;
-  /// Of each cell and point, where a law has fibres; else empty.
-  std::vector<std::vector<std::vector<dealii::Tensor<1, 3>>>> fibres;
+  /// Of each cell and point, where a material has fibres or a prestretch; else empty.
+  std::vector<std::vector<RestState>> rest_states;
+  double prestretch_share = 1.; ///< of which they are made
+  const bool has_prestretch;
   /// The shape functions of a component at a point: gradients by the present place [1/m], and those
   /// along the circumference, of the radial component alone.
   std::vector<dealii::Tensor<1, 3>> slopes, reference_slopes;
@@ -113,7 +120,7 @@ private:
   void take(const BalancedStep &state) override;
   void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix) override;
   PressureEntries pressure_entries(const Cell &) const override { return {true, true}; }
-  void set_fibres();
+  void set_rest_states();
   void visit(const Cell &cell);
   const Material &material() const { return problem.materials[present->region]; }
   Point point(unsigned int q) const;
@@ -141,6 +148,8 @@ private:
   /// their sum in the first one, less what the linear equations have of the pressure. The least
   /// volume ratio.
   double integrate(bool by_kind);
+  /// Adds the inertia of what the mass at rest is more than that of the mesh's volume.
+  void add_inertia(const Point &point, unsigned int q, dealii::Vector<double> &rows) const;
   /// The left side of the row of volume at a point [1/s].
   double volume_row(const Point &point) const;
   void integrate_derivative(dealii::FullMatrix<double> &matrix);

@@ -4,6 +4,7 @@
 #include <continua/base/parameter_section.h>
 #include <continua/materials/compression.h>
 #include <continua/materials/model.h>
+#include <continua/materials/prestretch.h>
 #include <continua/materials/shear.h>
 #include <continua/materials/strain_law.h>
 #include <continua/materials/strain_law_parameters.h>
@@ -35,6 +36,7 @@ struct Material
   /// the branches are neo-Hookean (internal_metric.h).
   std::shared_ptr<const StrainLaw> strain_law;
   StrainLawParameters strain_law_parameters; ///< of it
+  Prestretch prestretch;                     ///< beside such a law
 
   /// Of a fluid that is convected.
   VolumeLaw volume_law() const
