@@ -79,6 +79,10 @@ void Modal<dim>::prepare()
     if (input.problem.materials[region].shear.viscosity > 0.)
       run.log.line("The viscosity of '" + input.problem.regions[region] +
                    "' is left out: modes are those without damping");
+  for (const BoundaryCondition &condition : input.problem.conditions)
+    if (condition.normal.damping > 0. || condition.tangential.damping > 0.)
+      run.log.line("The damping of the support '" + condition.name +
+                   "' is left out: modes are those without damping");
   directions = vibration->directions();
   motions = rigid_motions<dim>(*input.triangulation, run.solver->mapping(), input.problem);
   for (const RigidMotion<dim> &motion : motions)
@@ -319,11 +323,12 @@ void Modal<dim>::check(const Case<dim> &input, ParameterSection root)
                  "material they have no bound",
                  "Set Discretisation = cell-wise, or Which = lowest");
   if (!input.modal.highest() && input.modal.shift == 0. && !is_held(input.problem))
-    boundaries.refuse("",
-                      "nothing holds the body, so that it can move without vibrating: the "
-                      "frequency 0 Hz is a mode's",
-                      "Make a boundary 'fixed' or 'roller', or give Modal/Shift a frequency, such "
-                      "as half of the first mode's");
+    boundaries.refuse(
+        "",
+        "nothing holds the body, so that it can move without vibrating: the "
+        "frequency 0 Hz is a mode's",
+        "Make a boundary 'fixed', 'roller' or 'support', or give Modal/Shift a frequency, such "
+        "as half of the first mode's");
   ParameterSection linear_solver = root.subsection("Linear solver");
   if (!input.discretisation.is_cell_wise() &&
       input.discretisation.taylor_hood.linear_solver.type == LinearSolverType::iterative)

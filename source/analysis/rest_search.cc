@@ -54,8 +54,10 @@ void RestSearch<dim>::check(const Case<dim> &input,
       }
   if (!is_held(input.problem))
     root.subsection("Boundaries")
-        .refuse("", "nothing holds the body: no boundary has a prescribed velocity",
-                "Make one boundary 'fixed' or 'roller'");
+        .refuse("",
+                "nothing holds the body: no boundary has a prescribed velocity or a support that "
+                "is stiff",
+                "Make one boundary 'fixed', 'roller' or 'support'");
 }
 
 template <int dim>

@@ -214,7 +214,7 @@ bool Dimension::operator==(const Dimension &other) const
 std::string Dimension::unit() const
 {
   // What people do not write in kilogram, metre and second.
-  const std::array<std::pair<Dimension, const char *>, 9> derived{
+  const std::array<std::pair<Dimension, const char *>, 10> derived{
       {{Dimensions::pressure, "Pa"},
        {Dimensions::viscosity, "Pa s"},
        {Dimensions::force_density, "N/m^3"},
@@ -223,7 +223,8 @@ std::string Dimension::unit() const
        {Dimensions::compliance, "m^3/Pa"},
        {force, "N"},
        {energy, "J"},
-       {{1, 0, -2}, "N/m"}}};
+       {{1, 0, -2}, "N/m"},
+       {{1, -2, -1}, "Pa s/m"}}};
   for (const auto &[dimension, name] : derived)
     if (*this == dimension)
       return name;
@@ -295,14 +296,14 @@ double parse_quantity(const std::string &text, const Dimension &dimension)
 std::string usual_units(const Dimension &dimension)
 {
   const std::vector<std::string> units{
-      "m",       "cm",     "mm",  "um",       "m^2",       "cm^2",      "mm^2",       "s",
-      "ms",      "min",    "h",   "Hz",       "kHz",       "m/s",       "cm/s",       "mm/s",
-      "m/s^2",   "mm/s^2", "kg",  "g",        "kg/m^3",    "g/cm^3",    "Pa",         "kPa",
-      "MPa",     "GPa",    "bar", "mmHg",     "cmH2O",     "Pa s",      "mPa s",      "cP",
-      "m^3",     "l",      "ml",  "m^3/s",    "l/min",     "ml/s",      "m^2/s",      "mm^2/s",
-      "N",       "kN",     "N/m", "mN/m",     "N/m^3",     "kN/m^3",    "W",          "mW",
-      "J",       "mJ",     "%",   "Pa s/m^3", "MPa s/m^3", "mmHg s/ml", "dyn s/cm^5", "m^3/Pa",
-      "mm^3/Pa", "ml/mmHg"};
+      "m",       "cm",      "mm",   "um",       "m^2",       "cm^2",      "mm^2",       "s",
+      "ms",      "min",     "h",    "Hz",       "kHz",       "m/s",       "cm/s",       "mm/s",
+      "m/s^2",   "mm/s^2",  "kg",   "g",        "kg/m^3",    "g/cm^3",    "Pa",         "kPa",
+      "MPa",     "GPa",     "bar",  "mmHg",     "cmH2O",     "Pa s",      "mPa s",      "cP",
+      "m^3",     "l",       "ml",   "m^3/s",    "l/min",     "ml/s",      "m^2/s",      "mm^2/s",
+      "N",       "kN",      "N/m",  "mN/m",     "N/m^3",     "kN/m^3",    "W",          "mW",
+      "J",       "mJ",      "%",    "Pa s/m^3", "MPa s/m^3", "mmHg s/ml", "dyn s/cm^5", "m^3/Pa",
+      "mm^3/Pa", "ml/mmHg", "Pa/m", "kPa/m",    "MPa/m",     "kPa s/m"};
   const std::string si = dimension.unit();
   std::string text = si == "1" ? "" : si;
   for (const std::string &unit : units)

@@ -19,6 +19,8 @@ using Kind = BoundaryPart::Kind;
 
 /// Through a plane channel.
 constexpr Dimension flow_rate_of_depth{0, 2, -1};
+/// Traction over displacement, and over velocity.
+constexpr Dimension support_stiffness{1, -2, -2}, support_damping{1, -2, -1};
 
 void read_fixed(ParameterSection &, BoundaryCondition &condition, unsigned int)
 {
@@ -66,6 +68,32 @@ void read_pressure(ParameterSection &section, BoundaryCondition &condition, unsi
   condition.normal.negative = true;
   read_tangential(section, condition);
   read_inflow_pressure(section, condition, InflowPressure::static_pressure);
+}
+
+void read_support(ParameterSection &section, BoundaryCondition &condition, unsigned int)
+{
+  const auto read_part = [&section](const std::string &name, BoundaryPart &part)
+  {
+    section.add(name + " stiffness", part.stiffness, support_stiffness,
+                "What the tissue around pushes back by, over the displacement of the body from its "
+                "shape at rest: traction per area at rest. " +
+                    name + " to the boundary at rest.",
+                Range::not_negative());
+    section.add(name + " damping", part.damping, support_damping,
+                "The same over the velocity of the body.", Range::not_negative());
+  };
+  read_part("Normal", condition.normal);
+  read_part("Tangential", condition.tangential);
+  condition.normal.along_normal =
+      Waveform::read(section, "Pressure", Dimensions::pressure,
+                     "Outside pressure beside the support, as that of Type = pressure.", false);
+  condition.normal.negative = true;
+  read_tangential(section, condition);
+  if (condition.tangential.kind == Kind::velocity)
+    for (const char *const key : {"Tangential stiffness", "Tangential damping"})
+      if (section.given(key))
+        section.refuse(key, "with Tangential = fixed nothing moves along the boundary",
+                       "Remove the entry, or set Tangential = free");
 }
 
 /// Entries of some profiles alone.
@@ -318,6 +346,10 @@ const std::vector<Row> &table()
        read_traction},
       {BoundaryType::pressure, "pressure",
        "Outside pressure along the normal; along the boundary free or fixed.", read_pressure},
+      {BoundaryType::support, "support",
+       "Tissue around a wall: springs and dampers push back where the wall moves, with an outside "
+       "pressure if there is one.",
+       read_support},
       {BoundaryType::flow_rate, "flow rate",
        "Flow rate into a round section, axisymmetric or three-dimensional, or into a plane "
        "channel; "

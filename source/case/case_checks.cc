@@ -69,6 +69,31 @@ void check_axis(const Case<dim> &input, ParameterSection root)
       }
 }
 
+/// What supports a wall belongs to a solid, and to the finite elements.
+template <int dim>
+void check_supports(const Case<dim> &input, ParameterSection root)
+{
+  for (const BoundaryCondition &condition : input.problem.conditions)
+  {
+    if (condition.type != BoundaryType::support)
+      continue;
+    ParameterSection section = root.subsection("Boundaries").subsection(condition.name);
+    if (!condition.is_supported())
+      section.refuse("Type", "the support has no stiffness and no damping",
+                     "Give 'Normal stiffness' or another one of the four, or set Type = pressure");
+    if (input.analysis.has_fields && input.discretisation.is_cell_wise())
+      section.refuse("Type", "the cell-wise path has no supports",
+                     "Set Discretisation = taylor hood, or Type = pressure");
+    for (const unsigned int region : condition.region_ids)
+      if (!input.problem.materials[region].is_solid())
+        section.refuse(
+            "Type",
+            "a support holds a solid, and the region '" + input.problem.regions[region] +
+                "' is a liquid",
+            "Set Region to that of the wall, and give the liquid a condition of its own");
+  }
+}
+
 template <int dim>
 void check_linear_solver(const Case<dim> &input, ParameterSection root)
 {
@@ -301,7 +326,9 @@ bool is_held(const Problem &problem)
                      [](const BoundaryCondition &condition)
                      {
                        return condition.normal.kind == BoundaryPart::Kind::velocity ||
-                              condition.tangential.kind == BoundaryPart::Kind::velocity;
+                              condition.tangential.kind == BoundaryPart::Kind::velocity ||
+                              condition.normal.stiffness > 0. ||
+                              condition.tangential.stiffness > 0.;
                      });
 }
 
@@ -309,6 +336,7 @@ template <int dim>
 void check_case(const Case<dim> &input, ParameterSection root)
 {
   check_deformation(input, root);
+  check_supports(input, root);
   input.analysis.check(input, root);
   if (!input.analysis.has_fields)
     return;

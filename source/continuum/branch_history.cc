@@ -278,6 +278,13 @@ void BranchHistory::balanced_displacement(const double relaxation_time,
                                           DistributedVector &displacement) const
 {
   const bool middle = step.extrapolate;
+  if (std::isinf(relaxation_time))
+  {
+    displacement.equ(middle ? 0.5 : 1., branches[0].present);
+    if (middle)
+      displacement.add(0.5, branches[0].older);
+    return;
+  }
   set_at_nodes(relaxation_time, displacement,
                [middle](const double present, const double older, unsigned int)
                { return middle ? 0.5 * (present + older) : present; });
@@ -310,6 +317,11 @@ double BranchHistory::step_stiffness(const Material &material, const Step &step)
   for (const Continua::Branch &branch : material.shear.branches)
     sum += branch.shear_modulus * step.branch(branch.relaxation_time).velocity;
   return sum;
+}
+
+double BranchHistory::step_displacement(const Step &step)
+{
+  return step.branch(std::numeric_limits<double>::infinity()).velocity;
 }
 
 const DistributedVector &BranchHistory::internal_displacement(const double relaxation_time) const

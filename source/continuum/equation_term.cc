@@ -3,6 +3,7 @@
 #include <continua/continuum/local_product.h>
 
 #include <cmath>
+#include <limits>
 
 namespace Continua
 {
@@ -202,6 +203,46 @@ public:
   }
 };
 
+/// The springs of the supports.
+class SupportTerm : public EquationTerm
+{
+public:
+  double power(const unsigned int region,
+               const FinishedStep &step,
+               TermContext &context,
+               DistributedVector *const forces) const override
+  {
+    context.history.balanced_displacement(std::numeric_limits<double>::infinity(),
+                                          step.balanced.step, context.mixture);
+    context.operators.multiply_support_stiffness(region, context.force, context.mixture);
+    if (forces != nullptr)
+      forces->add(1., context.force);
+    return local_product(context.force, step.balanced.velocity);
+  }
+  double energy(const unsigned int region, const State &state, TermContext &context) const override
+  {
+    context.operators.multiply_support_stiffness(region, context.force,
+                                                 state.history.displacement());
+    return 0.5 * local_product(context.force, state.history.displacement());
+  }
+};
+
+/// Their dampers.
+class SupportDampingTerm : public EquationTerm
+{
+public:
+  double power(const unsigned int region,
+               const FinishedStep &step,
+               TermContext &context,
+               DistributedVector *const forces) const override
+  {
+    context.operators.multiply_support_damping(region, context.force, step.balanced.velocity);
+    if (forces != nullptr)
+      forces->add(1., context.force);
+    return local_product(context.force, step.balanced.velocity);
+  }
+};
+
 template <typename Term>
 std::unique_ptr<EquationTerm> make_term()
 {
@@ -209,24 +250,28 @@ std::unique_ptr<EquationTerm> make_term()
 }
 } // namespace
 
-const std::vector<EquationTermType> &equation_terms(const bool with_convection)
+std::vector<EquationTermType> equation_terms(const Problem &problem)
 {
-  static const std::vector<EquationTermType> linear = {
+  std::vector<EquationTermType> terms = {
       {"kinetic", "kinetic energy taken", true, false, make_term<InertiaTerm>},
       {"strain", "strain energy taken", true, true, make_term<BranchTerm>},
       {"viscous", "energy dissipated", false, false, make_term<ViscosityTerm>},
       {"compressive", "compressive energy taken", true, true, make_term<CompressionTerm>}};
-  static const std::vector<EquationTermType> with_convective_terms = []()
+  if (problem.has_supports())
   {
-    std::vector<EquationTermType> terms = linear;
+    terms.push_back({"support", "support energy taken", true, false, make_term<SupportTerm>});
+    terms.push_back({"support damping", "energy damped by the support", false, false,
+                     make_term<SupportDampingTerm>});
+  }
+  if (problem.convection.is_on)
+  {
     terms.push_back({"convective", "energy convected", false, false,
                      make_term<NonlinearTerm<&NonlinearForces::convection>>});
     terms.push_back({"inflow", "energy taken from inflow", false, false,
                      make_term<NonlinearTerm<&NonlinearForces::inflow>>});
     terms.push_back({"stabilisation", "energy taken by the stabilisation", false, false,
                      make_term<NonlinearTerm<&NonlinearForces::stabilisation>>});
-    return terms;
-  }();
-  return with_convection ? with_convective_terms : linear;
+  }
+  return terms;
 }
 } // namespace Continua

@@ -20,7 +20,7 @@ Ledger::Ledger(const Problem &problem,
       outlets(outlets),
       context{problem, operators, history, bulk_history}
 {
-  for (const EquationTermType &type : equation_terms(problem.convection.is_on))
+  for (const EquationTermType &type : equation_terms(problem))
     terms.push_back(type.make());
 }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace Continua
@@ -38,12 +37,6 @@ public:
 private:
   dealii::TimerOutput &timer;
 };
-
-/// b of D = D_plus + b U [s].
-double displacement_by_velocity(const Step &step)
-{
-  return step.branch(std::numeric_limits<double>::infinity()).velocity;
-}
 
 /// Its largest entry; no number if one of them is none, over which a maximum may pass.
 double largest_of(const DistributedVector &residual)
@@ -86,7 +79,7 @@ void Newton::set_rates(const NewtonInput &input, BalancedStep &balanced) const
   if (problem.deformation == Deformation::small)
     return;
   balanced.displacement.equ(1., input.predicted_displacement);
-  balanced.displacement.add(displacement_by_velocity(input.step), balanced.velocity);
+  balanced.displacement.add(BranchHistory::step_displacement(input.step), balanced.velocity);
 }
 
 void Newton::subtract_linear_terms(const SystemCoefficients &coefficients,
@@ -181,8 +174,8 @@ void Newton::add_differences(const BalancedStep &balanced,
     shift(shifted.pressure_rate, balanced.pressure_rate, 1. / balanced.step.pressure_time,
           of_pressure);
     if (problem.deformation == Deformation::finite)
-      shift(shifted.displacement, balanced.displacement, displacement_by_velocity(balanced.step),
-            of_velocity);
+      shift(shifted.displacement, balanced.displacement,
+            BranchHistory::step_displacement(balanced.step), of_velocity);
     momentum_work = 0.;
     mass_work = 0.;
     operators.add_nonlinear_terms(shifted, momentum_work, mass_work);

@@ -2,6 +2,20 @@
 
 namespace Continua
 {
+void Operators::multiply_support_stiffness(unsigned int,
+                                           DistributedVector &,
+                                           const DistributedVector &)
+{
+  AssertThrow(false, dealii::ExcNotImplemented());
+}
+
+void Operators::multiply_support_damping(unsigned int,
+                                         DistributedVector &,
+                                         const DistributedVector &)
+{
+  AssertThrow(false, dealii::ExcNotImplemented());
+}
+
 DistributedVector Operators::flow_of_velocities(unsigned int) const
 {
   AssertThrow(false, dealii::ExcNotImplemented());

@@ -9,35 +9,40 @@ namespace Continua
 bool SystemCoefficients::operator==(const SystemCoefficients &other) const
 {
   return nearly_equal(mass, other.mass) && nearly_equal(stiffness, other.stiffness) &&
-         nearly_equal(compressibility, other.compressibility);
+         nearly_equal(compressibility, other.compressibility) &&
+         nearly_equal({support_stiffness, support_damping},
+                      {other.support_stiffness, other.support_damping});
 }
 
-void SystemCoefficients::set(const std::vector<Material> &materials,
-                             const Deformation deformation,
-                             const Step &step)
+void SystemCoefficients::set(const Problem &problem, const Step &step)
 {
-  const bool is_linear = deformation == Deformation::small;
+  const bool is_linear = problem.deformation == Deformation::small;
   for (std::vector<double> *list : {&mass, &stiffness, &compressibility})
     list->clear();
-  for (const Material &material : materials)
+  for (const Material &material : problem.materials)
   {
     mass.push_back(step.a0 * material.density);
     stiffness.push_back(
         is_linear ? material.shear.viscosity + BranchHistory::step_stiffness(material, step) : 0.);
     compressibility.push_back(is_linear ? BulkHistory::step_compressibility(material, step) : 0.);
   }
+  const bool has_supports = problem.has_supports();
+  support_stiffness = has_supports ? BranchHistory::step_displacement(step) : 0.;
+  support_damping = has_supports ? 1. : 0.;
 }
 
-void SystemCoefficients::set_steady(const std::vector<Material> &materials)
+void SystemCoefficients::set_steady(const Problem &problem)
 {
-  const bool solid = !materials.front().shear.branches.empty();
+  const bool solid = !problem.materials.front().shear.branches.empty();
   for (std::vector<double> *list : {&mass, &stiffness, &compressibility})
     list->clear();
-  for (const Material &material : materials)
+  for (const Material &material : problem.materials)
   {
     mass.push_back(0.);
     stiffness.push_back(solid ? material.long_term_shear_modulus() : material.shear.viscosity);
     compressibility.push_back(solid ? material.long_term_inverse_bulk_modulus() : 0.);
   }
+  support_stiffness = solid && problem.has_supports() ? 1. : 0.;
+  support_damping = 0.;
 }
 } // namespace Continua

@@ -219,7 +219,7 @@ void TimeStepping::iterate(const Step &step, const bool system_is_new, StepRepor
 SystemChange TimeStepping::prepare(const Step &step, StepReport &report)
 {
   TimerOutput::Scope scope(log.timer(), "factor");
-  coefficients.set(problem.materials, problem.deformation, step);
+  coefficients.set(problem, step);
   const SystemChange change = operators.prepare(coefficients, step.pressure_time);
   if (change != SystemChange::none && !operators.is_nonlinear())
     outlets.respond(report);
@@ -232,7 +232,7 @@ SystemChange TimeStepping::prepare(const Step &step, StepReport &report)
 
 void TimeStepping::set_momentum(const Step &step)
 {
-  // Inertia of the past, force of the branches, loads.
+  // Inertia of the past, forces of the branches and of the supports, loads.
   velocity_work.equ(-step.a1, velocity);
   if (step.a2 != 0.)
     velocity_work.add(-step.a2, velocity_older);
@@ -246,6 +246,15 @@ void TimeStepping::set_momentum(const Step &step)
         history.predict(region, step, velocity, mixture))
     {
       operators.multiply_past_stiffness(region, balanced.velocity, mixture);
+      momentum.add(-1., balanced.velocity);
+    }
+  }
+  if (problem.has_supports())
+  {
+    history.predict_displacement(step, velocity, mixture);
+    for (unsigned int region = 0; region < problem.materials.size(); ++region)
+    {
+      operators.multiply_support_stiffness(region, balanced.velocity, mixture);
       momentum.add(-1., balanced.velocity);
     }
   }
@@ -424,7 +433,7 @@ void TimeStepping::solve_steady(const double time)
   StepReport report;
   {
     TimerOutput::Scope scope(log.timer(), "factor");
-    coefficients.set_steady(problem.materials);
+    coefficients.set_steady(problem);
     if (operators.prepare(coefficients, 1.) != SystemChange::none && !solid)
       outlets.respond(report);
   }

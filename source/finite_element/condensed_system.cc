@@ -61,7 +61,7 @@ AffineConstraints<double> constraints_of_columns(const Space<dim> &space,
   };
   for (const RegionOperators &region : operators)
   {
-    // The stiffness has all the columns that the mass has.
+    // The stiffness has all the columns that the mass and the supports have.
     collect(region.stiffness, space.velocity_owned.n_elements());
     collect(region.divergence, space.pressure_owned.n_elements());
   }
@@ -140,6 +140,11 @@ void for_entries(const Space<dim> &space,
       take(operators[region].stiffness, i, coefficients.stiffness[region]);
       if (volumetric != nullptr && volumetric->coefficients[region] != 0.)
         take(volumetric->matrices[region], i, volumetric->coefficients[region]);
+      if (operators[region].is_supported)
+      {
+        take(operators[region].support_stiffness, i, coefficients.support_stiffness);
+        take(operators[region].support_damping, i, coefficients.support_damping);
+      }
     }
     condense();
     for (const auto &[to_row, weight] : row_masters)

@@ -283,6 +283,16 @@ void StepSystem<dim>::add_velocity_product(const DistributedVector &velocity,
       multiply(operators[region].stiffness, velocity_product, velocity);
       result.add(coefficients.stiffness[region], velocity_product);
     }
+    if (operators[region].is_supported && coefficients.support_stiffness != 0.)
+    {
+      multiply(operators[region].support_stiffness, velocity_product, velocity);
+      result.add(coefficients.support_stiffness, velocity_product);
+    }
+    if (operators[region].is_supported && coefficients.support_damping != 0.)
+    {
+      multiply(operators[region].support_damping, velocity_product, velocity);
+      result.add(coefficients.support_damping, velocity_product);
+    }
   }
 }
 

@@ -9,6 +9,7 @@
 #include <continua/finite_element/initial_state.h>
 #include <continua/finite_element/kelly_indicator.h>
 #include <continua/finite_element/place_of_entry.h>
+#include <continua/finite_element/supports.h>
 #include <continua/finite_element/taylor_hood_vibration.h>
 #include <continua/finite_element/traction_jump.h>
 
@@ -78,6 +79,7 @@ void TaylorHood<dim>::setup()
   space.distribute();
   InterruptibleSetUp::end_of_phase(space.communicator, "the numbering");
   assemble_region_operators(space, operators);
+  assemble_supports(space, problem.conditions, operators);
   InterruptibleSetUp::end_of_phase(space.communicator, "the assembly");
   constraints.build();
   for (const std::string &conflict : constraints.conflicts())
@@ -190,6 +192,28 @@ void TaylorHood<dim>::multiply_pressure_mass(const unsigned int region,
                                              const DistributedVector &pressure)
 {
   multiply(operators[region].pressure_mass, product, pressure);
+}
+
+template <int dim>
+void TaylorHood<dim>::multiply_support_stiffness(const unsigned int region,
+                                                 DistributedVector &force,
+                                                 const DistributedVector &displacement)
+{
+  if (operators[region].is_supported)
+    multiply(operators[region].support_stiffness, force, displacement);
+  else
+    force = 0.;
+}
+
+template <int dim>
+void TaylorHood<dim>::multiply_support_damping(const unsigned int region,
+                                               DistributedVector &force,
+                                               const DistributedVector &velocity)
+{
+  if (operators[region].is_supported)
+    multiply(operators[region].support_damping, force, velocity);
+  else
+    force = 0.;
 }
 
 template <int dim>

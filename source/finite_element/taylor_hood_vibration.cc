@@ -111,6 +111,7 @@ void TaylorHoodVibration<dim>::set_shift(const double new_shift)
     coefficients.stiffness.push_back(material.long_term_shear_modulus());
     coefficients.compressibility.push_back(material.long_term_inverse_bulk_modulus());
   }
+  coefficients.support_stiffness = 1.;
   system.prepare(coefficients);
 }
 

@@ -119,6 +119,27 @@ private:
     return tractions;
   }
 };
+
+/// By which what is around the body pushes back.
+template <int dim>
+Tensor<1, dim> support_traction(const BoundaryCondition &condition,
+                                const Tensor<1, dim> &normal,
+                                const Vector<double> &displacement,
+                                const Vector<double> &velocity)
+{
+  Tensor<1, dim> d, u;
+  for (unsigned int c = 0; c < dim; ++c)
+  {
+    d[c] = displacement[c];
+    u[c] = velocity[c];
+  }
+  const auto push_back = [](const BoundaryPart &part, const Tensor<1, dim> &of_displacement,
+                            const Tensor<1, dim> &of_velocity)
+  { return -part.stiffness * of_displacement - part.damping * of_velocity; };
+  const Tensor<1, dim> normal_d = (d * normal) * normal, normal_u = (u * normal) * normal;
+  return push_back(condition.normal, normal_d, normal_u) +
+         push_back(condition.tangential, d - normal_d, u - normal_u);
+}
 } // namespace
 
 template <int dim>
@@ -136,6 +157,13 @@ void traction_jump_indicators(const Space<dim> &space,
     mixtures.push_back(evaluation.ghosted_mixture(state, region));
   SideTractions<dim> here(space, problem, mixtures, pressure),
       there(space, problem, mixtures, pressure);
+  DistributedVector displacement, velocity;
+  if (problem.has_supports())
+  {
+    displacement = space.ghosted_velocity(state.history.displacement());
+    velocity = space.ghosted_velocity(state.velocity);
+  }
+  std::vector<Vector<double>> displacements, velocities;
 
   std::map<std::pair<unsigned int, unsigned int>, const BoundaryCondition *> condition_of;
   for (const BoundaryCondition &condition : problem.conditions)
@@ -167,6 +195,13 @@ void traction_jump_indicators(const Space<dim> &space,
               *condition_of.at({cell->face(f)->boundary_id(), cell->material_id()});
           const auto &present = here.face(cell, f);
           const FEValuesBase<dim> &values = here.last();
+          if (condition.is_supported())
+          {
+            displacements.assign(values.n_quadrature_points, Vector<double>(dim));
+            velocities = displacements;
+            values.get_function_values(displacement, displacements);
+            values.get_function_values(velocity, velocities);
+          }
           for (const unsigned int q : values.quadrature_point_indices())
           {
             const Tensor<1, dim> &normal = values.normal_vector(q);
@@ -180,6 +215,8 @@ void traction_jump_indicators(const Space<dim> &space,
               difference += present[q] - along;
             difference -= Loads<dim>::prescribed_traction(condition, values.quadrature_point(q),
                                                           normal, time);
+            if (condition.is_supported())
+              difference -= support_traction(condition, normal, displacements[q], velocities[q]);
             square += length * difference.norm_square() * values.JxW(q) *
                       space.measure(values.quadrature_point(q));
           }

@@ -706,7 +706,7 @@ template <int dim>
 std::unique_ptr<VibrationOperator<dim>> CellWise<dim>::vibration(const VibratingState &state)
 {
   SystemCoefficients at_rest;
-  at_rest.set_steady(problem.materials);
+  at_rest.set_steady(problem);
   return std::make_unique<CellVibration<dim>>(system, cell_coefficients(at_rest, 1.), state);
 }
 

@@ -22,13 +22,13 @@ PowerRecord<dim>::PowerRecord(const MPI_Comm communicator,
                               const std::vector<bool> &relaxes,
                               const std::vector<Outlet> &outlets,
                               const bool mesh_changes,
-                              const bool with_convection)
+                              const std::vector<EquationTermType> &terms)
     : run_table(communicator),
       regions(regions),
       relaxes(relaxes),
       any_relaxes(std::find(relaxes.begin(), relaxes.end(), true) != relaxes.end()),
       mesh_changes(mesh_changes),
-      term_types(equation_terms(with_convection)),
+      term_types(terms),
       transferred(term_types.size(), std::vector<double>(regions.size(), 0.)),
       taken(regions.size(), std::vector<double>(term_types.size(), 0.)),
       given(outlets.size())
@@ -275,7 +275,7 @@ void PowerRecord<dim>::name_quantities(const std::vector<std::string> &regions,
                                        const std::vector<bool> &relaxes,
                                        const std::vector<Outlet> &outlets,
                                        const bool mesh_changes,
-                                       const bool with_convection,
+                                       const std::vector<EquationTermType> &terms,
                                        QuantityNames &names)
 {
   for (const char *const name :
@@ -285,7 +285,7 @@ void PowerRecord<dim>::name_quantities(const std::vector<std::string> &regions,
     names.add("energy change by transfer");
   for (unsigned int region = 0; region < regions.size(); ++region)
   {
-    for (const EquationTermType &term : equation_terms(with_convection))
+    for (const EquationTermType &term : terms)
       names.add(term.total, regions[region]);
     if (region < relaxes.size() && relaxes[region])
       names.add("energy relaxed", regions[region]);

@@ -109,6 +109,7 @@ UNIT_TEST(units)
   check::equal("unit of acceleration", acceleration.unit(), "m/s^2");
   check::equal("unit of flow rate", flow_rate.unit(), "m^3/s");
   check::equal("unit of force density", force_density.unit(), "N/m^3");
+  check::equal("unit of pressure over velocity", Dimension{1, -2, -1}.unit(), "Pa s/m");
   check::equal("unit of frequency", frequency.unit(), "1/s");
   check::equal("unit of power", power.unit(), "W");
   check::equal("unit of nothing", none.unit(), "1");
@@ -130,6 +131,8 @@ UNIT_TEST(units)
   check::is_true("its dimension", dimension == Dimension{0, 2, -1});
   check::equal("usual units of pressure", usual_units(pressure),
                "Pa, kPa, MPa, GPa, bar, mmHg, cmH2O");
+  check::equal("usual units of pressure over length", usual_units(force_density),
+               "N/m^3, kN/m^3, Pa/m, kPa/m, MPa/m");
   check::equal("usual units of a number", usual_units(none), "%");
   check::equal("small number", shortest_number(0.0002), "0.0002");
   check::equal("everyday number", shortest_number(-1450000.), "-1450000");

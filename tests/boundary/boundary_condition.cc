@@ -65,6 +65,21 @@ UNIT_TEST(boundary_condition)
       "pressure with fixed tangential velocity",
       inlet("set Type = pressure\nset Pressure = 1\nset Tangential = fixed").tangential.kind ==
           Kind::velocity);
+  const BoundaryCondition support = inlet(
+      "set Type = support\nset Normal stiffness = 2 MPa/m\nset Tangential damping = 3 kPa s/m\n"
+      "set Pressure = 4*t");
+  check::is_true("support", support.is_supported() && support.normal.kind == Kind::traction &&
+                                support.normal.stiffness == 2e6 && support.normal.damping == 0. &&
+                                support.tangential.stiffness == 0. &&
+                                support.tangential.damping == 3e3);
+  check::is_true("support with a pressure",
+                 support.normal.negative && support.normal.along_normal(place, 2.) == 8.);
+  check::is_true("a support is not free",
+                 !support.normal.is_free() && !support.tangential.is_free());
+  check::is_true("other types have no support", !pressure.is_supported());
+  const BoundaryCondition held =
+      inlet("set Type = support\nset Normal damping = 1\nset Tangential = fixed");
+  check::is_true("support that is held", held.tangential.is_fixed() && held.normal.damping == 1.);
   const BoundaryCondition flow = inlet("set Type = flow rate\nset Flow rate = 3 l/min", true);
   check::is_true("flow rate", flow.normal.kind == Kind::velocity && !flow.normal.is_zero() &&
                                   flow.tangential.kind == Kind::velocity &&
@@ -186,6 +201,20 @@ UNIT_TEST(boundary_condition)
   refused("unknown type", child("inlet", "set Type = open") + end, ":2: 'inlet/Type'.*fixed");
   refused("axis without axisymmetry", child("inlet", "set Type = axis") + end,
           ":2: 'inlet/Type'.*roller");
+  refused("negative stiffness",
+          child("inlet", "set Type = support\nset Normal stiffness = -1 Pa/m") + end,
+          ":3: 'inlet/Normal stiffness'");
+  refused("stiffness in another unit",
+          child("inlet", "set Type = support\nset Normal stiffness = 1 Pa") + end,
+          ":3: 'inlet/Normal stiffness'.*wrong unit");
+  refused("damping in another unit",
+          child("inlet", "set Type = support\nset Normal damping = 1 Pa/m") + end,
+          ":3: 'inlet/Normal damping'.*wrong unit.*Pa s/m");
+  refused("support along a boundary that is held",
+          child("inlet", "set Type = support\nset Normal stiffness = 1\nset Tangential = fixed\n"
+                         "set Tangential stiffness = 1") +
+              end,
+          ":5: 'inlet/Tangential stiffness'.*Tangential = free");
   refused("flow rate of a plane model",
           child("inlet", "set Type = flow rate\nset Flow rate = 1 ml/s") + end,
           ":3: 'inlet/Flow rate'");

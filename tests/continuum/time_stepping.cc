@@ -1,7 +1,8 @@
 // The step of a discretisation with one velocity and one pressure: a mass on a spring and a dash
 // pot, which presses on a compressible volume. Each scheme's values are those of its textbook
 // formula for the oscillator; energies and powers balance; a step can be undone, a state saved and
-// loaded; the body at rest is the load over both stiffnesses.
+// loaded; the body at rest is the load over both stiffnesses. The same with a support, which adds
+// to spring and dash pot.
 
 #include <continua/continuum/time_stepping.h>
 
@@ -20,6 +21,7 @@ using namespace Continua;
 using namespace dealii;
 constexpr double mass_entry = 2., stiffness_entry = 3., divergence_entry = 0.7, volume = 0.25;
 constexpr double density = 1.5, shear_modulus = 4., viscosity = 0.3, bulk_modulus = 5., load = 6.;
+constexpr double support_stiffness = 2.5, support_damping = 0.4;
 constexpr double h = 0.05;
 
 DistributedVector one_entry()
@@ -86,6 +88,17 @@ public:
   {
     y.equ(volume, x);
   }
+  void multiply_support_stiffness(unsigned int,
+                                  DistributedVector &y,
+                                  const DistributedVector &x) override
+  {
+    y.equ(support_stiffness, x);
+  }
+  void
+  multiply_support_damping(unsigned int, DistributedVector &y, const DistributedVector &x) override
+  {
+    y.equ(support_damping, x);
+  }
   double
   pressure_power(unsigned int, const DistributedVector &u, const DistributedVector &p) override
   {
@@ -129,7 +142,9 @@ public:
              StepReport &) override
   {
     // a U - b p = f, b U + c p = g.
-    const double a = system.mass[0] * mass_entry + system.stiffness[0] * stiffness_entry;
+    const double a = system.mass[0] * mass_entry + system.stiffness[0] * stiffness_entry +
+                     system.support_stiffness * support_stiffness +
+                     system.support_damping * support_damping;
     const double b = divergence_entry, c = system.compressibility[0] * volume;
     const double f = momentum[0], g = mass[0], determinant = a * c + b * b;
     velocity = (c * f + b * g) / determinant;
@@ -147,6 +162,15 @@ private:
 /// m u' + c u + k d = f, d' = u.
 struct Oscillator
 {
+  explicit Oscillator(const bool is_supported)
+  {
+    if (is_supported)
+    {
+      c += support_damping;
+      k += support_stiffness;
+    }
+  }
+
   double m = density * mass_entry, c = viscosity * stiffness_entry,
          k = shear_modulus * stiffness_entry +
              bulk_modulus * divergence_entry * divergence_entry / volume;
@@ -184,7 +208,7 @@ struct Oscillator
   double energy() const { return 0.5 * m * u * u + 0.5 * k * d * d; }
 };
 
-Problem one_mass_problem()
+Problem one_mass_problem(const bool is_supported)
 {
   Problem problem;
   problem.communicator = MPI_COMM_SELF;
@@ -196,6 +220,12 @@ Problem one_mass_problem()
   material.shear.branches = {Branch{shear_modulus, std::numeric_limits<double>::infinity()}};
   problem.materials = {material};
   problem.interior.body_force = {Waveform(load)};
+  if (is_supported)
+  {
+    problem.conditions.resize(1);
+    problem.conditions[0].normal.stiffness = support_stiffness;
+    problem.conditions[0].normal.damping = support_damping;
+  }
   return problem;
 }
 
@@ -208,15 +238,16 @@ Step make_step(const std::string &scheme, const unsigned int i)
              : euler_step(i * h, h, Update::implicit);
 }
 
-void by_scheme(const std::string &scheme)
+void by_scheme(const std::string &scheme, const bool is_supported)
 {
-  const Problem problem = one_mass_problem();
+  const std::string name = scheme + (is_supported ? ", supported" : "");
+  const Problem problem = one_mass_problem(is_supported);
   OneMass operators(problem);
   Log log(MPI_COMM_SELF);
   TimeStepping stepping(problem, operators, log);
   stepping.initialise();
-  Oscillator exact;
-  check::relative(scheme + ": energy at the start", stepping.energy().sum(), exact.energy(), 1e-13);
+  Oscillator exact(is_supported);
+  check::relative(name + ": energy at the start", stepping.energy().sum(), exact.energy(), 1e-13);
   double error = 0., balance = 0., energy = 0.;
   for (unsigned int i = 0; i < 40; ++i)
   {
@@ -242,14 +273,15 @@ void by_scheme(const std::string &scheme)
     energy = std::max(energy, std::abs(stepping.energy().sum() - exact.energy()));
     if (scheme == "crank nicolson")
     {
-      // The midpoint rule loses nothing but by viscosity.
-      const double work = powers.external - powers.materials[0].terms[2];
+      // The midpoint rule loses nothing but by viscosity and by the damper.
+      const double work = powers.external - powers.materials[0].terms[2] -
+                          (is_supported ? powers.materials[0].terms[5] : 0.);
       energy = std::max(energy, std::abs(stepping.energy().sum() - energy_before - h * work));
     }
   }
-  check::absolute(scheme + ": velocity, displacement, pressure", error, 0., 1e-12);
-  check::absolute(scheme + ": power balance", balance, 0., 1e-13);
-  check::absolute(scheme + ": energy", energy, 0., 1e-12);
+  check::absolute(name + ": velocity, displacement, pressure", error, 0., 1e-12);
+  check::absolute(name + ": power balance", balance, 0., 1e-13);
+  check::absolute(name + ": energy", energy, 0., 1e-12);
 
   ArchiveWriter writer;
   stepping.save(writer);
@@ -265,7 +297,7 @@ void by_scheme(const std::string &scheme)
   other.keep_state();
   stepping.advance(step);
   other.advance(step);
-  check::is_true(scheme + ": goes on from an archive to the last bit",
+  check::is_true(name + ": goes on from an archive to the last bit",
                  stepping.state().velocity[0] == other.state().velocity[0] &&
                      stepping.state().pressure[0] == other.state().pressure[0]);
 }
@@ -275,15 +307,20 @@ UNIT_TEST(time_stepping)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const std::string scheme : {"euler", "backward differencing", "crank nicolson"})
-    by_scheme(scheme);
+    for (const bool is_supported : {false, true})
+      by_scheme(scheme, is_supported);
 
-  const Problem problem = one_mass_problem();
-  OneMass operators(problem);
-  Log log(MPI_COMM_SELF);
-  TimeStepping stepping(problem, operators, log);
-  stepping.initialise();
-  check::is_true("one solve finds the body at rest", stepping.steady_is_direct());
-  stepping.solve_steady(0.);
-  check::relative("displacement at rest", stepping.state().history.displacement()[0],
-                  load / Oscillator().k, 1e-13);
+  for (const bool is_supported : {false, true})
+  {
+    const Problem problem = one_mass_problem(is_supported);
+    OneMass operators(problem);
+    Log log(MPI_COMM_SELF);
+    TimeStepping stepping(problem, operators, log);
+    stepping.initialise();
+    check::is_true("one solve finds the body at rest", stepping.steady_is_direct());
+    stepping.solve_steady(0.);
+    check::relative(is_supported ? "displacement at rest, supported" : "displacement at rest",
+                    stepping.state().history.displacement()[0], load / Oscillator(is_supported).k,
+                    1e-13);
+  }
 }

@@ -5,8 +5,8 @@ The case starts at rest with nothing stored, takes Crank-Nicolson without a smoo
 so that a power in the table holds in the middle of its step and dt times it is what the scheme exchanged. Then
 
 * the integral of the external power is what the energies at the end hold, with the integrals of the viscous and the relaxation
-  power and of what leaves through outlets, but for what new meshes changed: the energies come from the state alone, the powers
-  from the scheme's equations;
+  power, of the damping of supports and of what leaves through outlets, but for what new meshes changed: the energies come from
+  the state alone, the powers from the scheme's equations;
 * the integral of a region's relaxation power is its `energy relaxed`, which the run finds another way, as what the springs were
   given and do not hold.
 
@@ -65,9 +65,11 @@ def case(program, parameter_file, folder):
                             f"work of the loads, {work:.6g} J")
 
     compare("work of the loads", rows[-1][column("work of loads [J]")], work)
-    held = sum(rows[-1][column(f"{name} energy [J]")] for name in ("kinetic", "strain", "compressive"))
-    # Bodies that do not relax have no such column.
-    lost = sum(integral(rows, column(name)) for name in ("viscous [W]", "relaxation [W]") if name in names or name == "viscous [W]")
+    # Bodies that do not relax have no column of it, and bodies without a support none of that.
+    stores = ["kinetic", "strain", "compressive"] + (["support"] if "support energy [J]" in names else [])
+    held = sum(rows[-1][column(f"{name} energy [J]")] for name in stores)
+    losses = ["viscous [W]"] + [name for name in ("relaxation [W]", "support damping [W]") if name in names]
+    lost = sum(integral(rows, column(name)) for name in losses)
     left = sum(integral(rows, column(name)) for name in names if re.fullmatch(r"outlet .*: leaving \[W\]", name))
     transfer = rows[-1][names.index(TRANSFER)] if TRANSFER in names else 0.0
     compare("held, turned into heat and left", held + lost + left, work + transfer)

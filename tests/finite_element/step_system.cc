@@ -1,7 +1,8 @@
 // The system of a step solved for a known velocity and pressure, on hanging nodes, with an inclined
-// roller; and the factor's life.
+// roller and an inclined support; and the factor's life.
 
 #include <continua/finite_element/step_system.h>
+#include <continua/finite_element/supports.h>
 
 #include "../parameter_text.h"
 #include "../unit_test.h"
@@ -23,7 +24,9 @@ UNIT_TEST(step_system)
                                      "subsection left\nset Type = roller\nend\n"
                                      "subsection right\nset Type = free\nend\n"
                                      "subsection bottom\nset Type = fixed\nend\n"
-                                     "subsection top\nset Type = free\nend\nend\n");
+                                     "subsection top\nset Type = support\n"
+                                     "set Normal stiffness = 2e3\nset Tangential damping = 30\n"
+                                     "end\nend\n");
   std::set<std::pair<unsigned int, unsigned int>> pairs = {{0, 0}, {1, 1}, {2, 0},
                                                            {2, 1}, {3, 0}, {3, 1}};
   const std::vector<BoundaryCondition> conditions =
@@ -33,13 +36,15 @@ UNIT_TEST(step_system)
   constraints.build();
   std::vector<RegionOperators> operators(2);
   assemble_region_operators(space, operators);
+  assemble_supports(space, conditions, operators);
 
   for (const bool incompressible : {false, true})
   {
     const std::string name = incompressible ? "incompressible: " : "compressible: ";
     StepSystem<2> system(space, operators, constraints, LinearSolverParameters());
     system.reinit();
-    const SystemCoefficients coefficients{{2., 5.}, {1., 1e4}, {incompressible ? 0. : 0.1, 0.01}};
+    const SystemCoefficients coefficients{
+        {2., 5.}, {1., 1e4}, {incompressible ? 0. : 0.1, 0.01}, 0.3, 1.};
     check::is_true(name + "a factor is made", system.prepare(coefficients));
     check::is_true(name + "and kept", !system.prepare(coefficients));
 
@@ -75,5 +80,7 @@ UNIT_TEST(step_system)
     SystemCoefficients others = coefficients;
     others.mass[0] *= 1.5;
     check::is_true(name + "another step, another factor", system.prepare(others));
+    others.support_stiffness *= 1.5;
+    check::is_true(name + "another support, another factor", system.prepare(others));
   }
 }

@@ -44,6 +44,13 @@ class Energies(unittest.TestCase):
         self.assertEqual(rows[3], ["", "", "wall", "1", "1", "0", "0", "2", "", "", ""])
         self.assertEqual(len(rows[1]), len(rows[0]))
 
+    def test_support(self):
+        content = summary()
+        content["quantities"] += [{"name": "support energy taken", "probe": "wall", "value": 0.5},
+                                  {"name": "energy damped by the support", "probe": "wall", "value": 0.25}]
+        rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in self.run_on(content).stdout.splitlines()]
+        self.assertEqual(rows[3], ["", "", "wall", "1", "1.5", "0", "0.25", "2", "", "", ""])
+
     def test_outlet(self):
         content = summary()
         content["quantities"] += [{"name": "energy left", "probe": "outlet", "value": 0.5},

@@ -34,12 +34,18 @@ struct BoundaryPart
   /// Of a flow rate, else null: `along_normal` is the flow rate into the body [m^3/s], and the
   /// velocity along the normal is minus the profile's.
   std::shared_ptr<const FlowProfile> flow;
+  /// Of what supports the body, which adds its own part of -(stiffness D + damping U) to a
+  /// traction; D is the displacement from rest.
+  double stiffness = 0.; ///< [Pa/m]
+  double damping = 0.;   ///< [Pa s/m]
 
   bool is_zero() const;
   /// Whether the velocity is prescribed to be zero.
   bool is_fixed() const { return kind == Kind::velocity && is_zero(); }
+  /// Whether it pushes back where the body moves.
+  bool is_supported() const { return stiffness > 0. || damping > 0.; }
   /// Whether nothing acts on the half.
-  bool is_free() const { return kind == Kind::traction && is_zero(); }
+  bool is_free() const { return kind == Kind::traction && is_zero() && !is_supported(); }
   bool depends_on_time() const;
 };
 
@@ -50,6 +56,7 @@ enum class BoundaryType
   velocity,
   traction,
   pressure,
+  support,
   flow_rate,
   resistance,
   windkessel,
@@ -94,6 +101,8 @@ struct BoundaryCondition
   {
     return normal.is_fixed() && tangential.kind == BoundaryPart::Kind::velocity;
   }
+  /// Whether what is around the body supports it.
+  bool is_supported() const { return normal.is_supported() || tangential.is_supported(); }
   /// A sentence for the log where the prescribed value at t = 0 is not zero at `point` (three
   /// coordinates [m]), so that a body at rest meets a jump; else empty.
   std::string initial_jump(const double *point) const;

@@ -5,7 +5,7 @@
 
 namespace Continua
 {
-/// Whether a boundary has a prescribed velocity.
+/// Whether a boundary has a prescribed velocity or a support that is stiff.
 bool is_held(const Problem &problem);
 
 /**

@@ -54,8 +54,8 @@ public:
   /// The same at the present time.
   bool mix(unsigned int region, DistributedVector &mixture) const;
 
-  /// D of a relaxation time at the balanced level of the step that was made last [m], at the nodes
-  /// of the regions that have it.
+  /// D of a relaxation time at the balanced level of the step that was made last [m]; of one that
+  /// is not infinite at the nodes of the regions that have it.
   void balanced_displacement(double relaxation_time,
                              const Step &step,
                              DistributedVector &displacement) const;
@@ -69,6 +69,9 @@ public:
   /// sum_k mu_k (velocity coefficient of the branch): the material's share of alpha (equation 7.4)
   /// [Pa s].
   static double step_stiffness(const Material &material, const Step &step);
+
+  /// b of D = D_plus + b U of the displacement [s].
+  static double step_displacement(const Step &step);
 
   /// D of a relaxation time, at the present time.
   const DistributedVector &internal_displacement(double relaxation_time) const;

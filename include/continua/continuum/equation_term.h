@@ -67,9 +67,10 @@ struct EquationTermType
   std::function<std::unique_ptr<EquationTerm>()> make;
 };
 
-/// The terms of the equations, in the order of the ledger's columns: a row here gives `power.csv`
-/// and the summary what they say of the term. Linear runs have no convective one.
-const std::vector<EquationTermType> &equation_terms(bool with_convection);
+/// The terms of the equations of a problem, in the order of the ledger's columns: a row here gives
+/// `power.csv` and the summary what they say of the term. Only runs with convection and bodies with
+/// supports have theirs.
+std::vector<EquationTermType> equation_terms(const Problem &problem);
 } // namespace Continua
 
 #endif

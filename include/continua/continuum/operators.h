@@ -38,7 +38,7 @@ struct ResidualScales
  * outlets know of it. With the forces v.( ) on the velocities and the rates q.( ) on the pressures
  * as rows, the equations of a step are, summed over the regions,
  *
- *   rho M dU/dt + S (eta U + sum_k mu_k D_k) + G p = loads
+ *   rho M dU/dt + S (eta U + sum_k mu_k D_k) + G p + supports = loads
  *   M_p (c p - c p_plus) + B U                     = 0
  *
  * with M, S, G, B and M_p of one region each, free of moduli and of the time step. Vectors are the
@@ -93,6 +93,14 @@ public:
   virtual void multiply_pressure_mass(unsigned int region,
                                       DistributedVector &product,
                                       const DistributedVector &pressure) = 0;
+  /// Minus the forces by which what is around a region pushes back, of a displacement and of a
+  /// velocity [N]. For discretisations that have supports, with Problem::has_supports().
+  virtual void multiply_support_stiffness(unsigned int region,
+                                          DistributedVector &force,
+                                          const DistributedVector &displacement);
+  virtual void multiply_support_damping(unsigned int region,
+                                        DistributedVector &force,
+                                        const DistributedVector &velocity);
   /// This rank's part of U . G p [W].
   virtual double pressure_power(unsigned int region,
                                 const DistributedVector &velocity,

@@ -14,6 +14,7 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
@@ -80,6 +81,12 @@ struct Problem
 
   /// Whether Newton's iteration makes the steps.
   bool is_nonlinear() const { return convection.is_on || deformation == Deformation::finite; }
+  /// Whether what is around the body supports it somewhere.
+  bool has_supports() const
+  {
+    return std::any_of(conditions.begin(), conditions.end(),
+                       [](const BoundaryCondition &condition) { return condition.is_supported(); });
+  }
   /// Of a region in any model.
   PlaneStressFactors plane_stress(const unsigned int region) const
   {

@@ -1,8 +1,7 @@
 #ifndef continua_continuum_system_coefficients_h
 #define continua_continuum_system_coefficients_h
 
-#include <continua/materials/deformation.h>
-#include <continua/materials/material.h>
+#include <continua/continuum/problem.h>
 #include <continua/time_integration/step.h>
 
 #include <vector>
@@ -15,16 +14,18 @@ struct SystemCoefficients
   std::vector<double> mass;            ///< a0 rho [kg/(m^3 s)]
   std::vector<double> stiffness;       ///< alpha, equation 7.4 [Pa s]
   std::vector<double> compressibility; ///< 1/(K b) [1/(Pa s)]
+  /// Of the supports, with which they multiply a velocity: b of D = D_plus + b U [s], and 1.
+  double support_stiffness = 0., support_damping = 0.;
 
   /// But for round-off: time steps of one size are not equal to the last bit.
   bool operator==(const SystemCoefficients &other) const;
 
   /// Takes those of a step. In finite deformation stress and compression are no part of the linear
-  /// system.
-  void set(const std::vector<Material> &materials, Deformation deformation, const Step &step);
+  /// system; supports are.
+  void set(const Problem &problem, const Step &step);
   /// Takes those of a body at rest that is all solid (displacement for velocity, mu for alpha, 1/K
   /// for compressibility) or of a steady flow, where dp/dt = 0 and compressibility has no part.
-  void set_steady(const std::vector<Material> &materials);
+  void set_steady(const Problem &problem);
 };
 } // namespace Continua
 

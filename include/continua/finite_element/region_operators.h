@@ -12,13 +12,19 @@ namespace Continua
 {
 /**
  * The matrices of one region, free of material data and time step; with the hanging nodes of the
- * mesh condensed and no boundary condition in them. u, v are velocities (or internal
+ * mesh condensed and no prescribed velocity in them. u, v are velocities (or internal
  * displacements), p, q pressures:
  *
  *   mass             int v . u
  *   stiffness        int 2 dev sym grad v : dev sym grad u
  *   divergence       int q div u               (rows: pressure)
  *   pressure_mass    int q p
+ *
+ * and, over the boundaries where something supports the region, with the moduli k and c of its
+ * parts along the normal n and across (BoundaryPart),
+ *
+ *   support_stiffness   int k_n (v.n) (u.n) + k_t v_t . u_t     [N/m]
+ *   support_damping     the same with c_n and c_t               [N s/m]
  *
  * dev takes a third of the three-dimensional trace off, in axisymmetry with the hoop strain u_r /
  * r; integrals in axisymmetry are over the whole circumference.
@@ -29,6 +35,9 @@ struct RegionOperators
   dealii::TrilinosWrappers::SparseMatrix stiffness;
   dealii::TrilinosWrappers::SparseMatrix divergence;
   dealii::TrilinosWrappers::SparseMatrix pressure_mass;
+  bool is_supported = false; ///< else these two are empty
+  dealii::TrilinosWrappers::SparseMatrix support_stiffness;
+  dealii::TrilinosWrappers::SparseMatrix support_damping;
 };
 
 /// Assembles the operators of every region, by material id.

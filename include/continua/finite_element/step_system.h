@@ -21,7 +21,7 @@ namespace Continua
  * The symmetric system of a step,
  *
  *   [  A   -B^T ] [ U ]   [ f ]       A = sum a0 rho M + alpha S,  C = sum M_p / (K b)
- *   [ -B   -C   ] [ p ] = [ g ]
+ *   [ -B   -C   ] [ p ] = [ g ]           + supports
  *
  * and its solver: a factor, of which as many are kept as the parameters say, the least recently
  * used goes; or an iterative one. Boundary constraints are eliminated on both sides.

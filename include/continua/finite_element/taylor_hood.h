@@ -71,6 +71,12 @@ public:
   void multiply_pressure_mass(unsigned int region,
                               DistributedVector &product,
                               const DistributedVector &pressure) override;
+  void multiply_support_stiffness(unsigned int region,
+                                  DistributedVector &force,
+                                  const DistributedVector &displacement) override;
+  void multiply_support_damping(unsigned int region,
+                                DistributedVector &force,
+                                const DistributedVector &velocity) override;
   double pressure_power(unsigned int region,
                         const DistributedVector &velocity,
                         const DistributedVector &pressure) override;

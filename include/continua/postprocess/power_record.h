@@ -28,13 +28,13 @@ public:
   /// which of them stresses relax; none if empty. They have a column for what that turns into heat.
   /// `outlets` as in the problem; each has a column, and one more if it has stores of its own.
   /// `mesh_changes`: there is a column for the energy that came or went with transfers.
-  /// `with_convection`: there are columns for the convective terms.
+  /// `terms`: those of the problem's equations.
   PowerRecord(MPI_Comm communicator,
               const std::vector<std::string> &regions,
               const std::vector<bool> &relaxes = {},
               const std::vector<Outlet> &outlets = {},
               bool mesh_changes = false,
-              bool with_convection = false);
+              const std::vector<EquationTermType> &terms = equation_terms(Problem()));
 
   // As a record of a run: power.csv.
   void open(ContinuumSolver<dim> &solver, const std::string &folder, bool is_due) override;
@@ -78,7 +78,7 @@ public:
                               const std::vector<bool> &relaxes,
                               const std::vector<Outlet> &outlets,
                               bool mesh_changes,
-                              bool with_convection,
+                              const std::vector<EquationTermType> &terms,
                               QuantityNames &names);
 
   /// Writes what is buffered of the file. Throws RunError on all ranks.
@@ -116,7 +116,7 @@ private:
   std::vector<bool> relaxes;
   bool any_relaxes;
   bool mesh_changes;
-  const std::vector<EquationTermType> &term_types;
+  std::vector<EquationTermType> term_types;
   std::vector<std::string> outlet_names;
   std::vector<bool> outlet_stores; ///< whether they have stores of their own
   Totals totals;
