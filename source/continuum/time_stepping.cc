@@ -203,7 +203,10 @@ void TimeStepping::iterate(const Step &step, const bool system_is_new, StepRepor
     further = 0.5;
   else if (!step.is_start && step.a2 != 0.)
     further = step.size() / step.older_distance;
-  balanced.velocity.equ(1. + further, velocity);
+  // On the way to rest the steps of a solid grow, and its velocity over a longer one would be a
+  // multiple of the last way.
+  const bool starts_at_rest = problem.deformation == Deformation::finite && step.is_towards_rest;
+  balanced.velocity.equ(starts_at_rest ? 0. : 1. + further, velocity);
   if (further != 0.)
     balanced.velocity.add(-further, velocity_older);
   operators.set_prescribed(balanced.prescribed, balanced.velocity);

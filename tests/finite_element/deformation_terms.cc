@@ -399,11 +399,14 @@ UNIT_TEST(deformation_terms)
     for (DistributedVector *vector :
          {&forces.strain, &forces.viscosity, &forces.compression, &forces.inertia})
       *vector = solid_space.velocity_vector();
-    state.acceleration = small_problem::interpolated<3>(
-        solid_space, [](const Point<3> &) { return Point<3>::unit_vector(0); });
+    state.acceleration = small_problem::interpolated<3>(solid_space, [](const Point<3> &)
+                                                        { return Point<3>::unit_vector(0); });
     terms.set_forces_of(0, state, forces);
-    const DistributedVector along = small_problem::interpolated<3>(
-        solid_space, [](const Point<3> &x) { return Tensor<1, 3>({x[0] / 2., 0., 0.}); });
+    const DistributedVector along =
+        small_problem::interpolated<3>(solid_space,
+                                       [](const Point<3> &x) {
+                                         return Tensor<1, 3>({x[0] / 2., 0., 0.});
+                                       });
     check::relative("prestretched: axial force", forces.strain * along,
                     2. * std::pow(1.3, -2. / 3.) * (1.69 - 3.69 / 3.) / 1.3, 1e-12);
     // Of the mass 3 kg/m^3 x 2 m^3/1.3 the linear equations have 6 kg.
@@ -448,7 +451,8 @@ UNIT_TEST(deformation_terms)
         history.displacement().add(time, state.velocity);
         return terms.energy_of(0, {state.velocity, state.pressure, history}).strain;
       };
-      check::relative(row.name + (relaxes ? ", relaxing and prestretched" : "") + ": power and rate of the energy",
+      check::relative(row.name + (relaxes ? ", relaxing and prestretched" : "") +
+                          ": power and rate of the energy",
                       forces.strain * state.velocity, (energy_at(h) - energy_at(-h)) / (2. * h),
                       1e-8);
     }

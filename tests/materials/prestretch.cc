@@ -23,8 +23,8 @@ UNIT_TEST(prestretch)
                   (none.inverse(axis, around, 1.) - unit_symmetric_tensor<3>()).norm(), 0., 1e-15);
   const Tensor<2, 3> inverse = ring.inverse(axis, around, 1.);
   check::relative("along", axis * inverse * axis, 1.25, 1e-14);
-  check::relative("around", around * inverse * around,
-                  2. * numbers::PI / (2. * numbers::PI - 1.6), 1e-14);
+  check::relative("around", around * inverse * around, 2. * numbers::PI / (2. * numbers::PI - 1.6),
+                  1e-14);
   check::relative("across", across * inverse * across, 1., 1e-14);
   check::relative("volume", ring.volume_ratio(1.) * determinant(inverse), 1., 1e-14);
   check::relative("half of it: along", axis * ring.inverse(axis, around, 0.5) * axis, 1. / 0.9,
