@@ -3,6 +3,8 @@
 
 #include <continua/materials/prestretch.h>
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <cmath>
 
 #include "../unit_test.h"
@@ -19,8 +21,10 @@ UNIT_TEST(prestretch)
   around[1] = -0.6;
   around[2] = 0.8;
   const Tensor<1, 3> across = cross_product_3d(axis, around);
-  check::absolute("none: nothing changes",
-                  (none.inverse(axis, around, 1.) - unit_symmetric_tensor<3>()).norm(), 0., 1e-15);
+  check::absolute(
+      "none: nothing changes",
+      (none.inverse(axis, around, 1.) - Tensor<2, 3>(unit_symmetric_tensor<3>())).norm(), 0.,
+      1e-15);
   const Tensor<2, 3> inverse = ring.inverse(axis, around, 1.);
   check::relative("along", axis * inverse * axis, 1.25, 1e-14);
   check::relative("around", around * inverse * around, 2. * numbers::PI / (2. * numbers::PI - 1.6),
