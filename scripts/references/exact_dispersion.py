@@ -19,10 +19,10 @@ incompressible body is no exception. In w = u_r/r, u = u_z, s = sigma_rr, t = si
 
 The two solutions that are regular on the axis are series in r^2; they are carried through the layers of the wall by
 Taylor series about the inner radius of each of a few shells. What is left is the condition on the outer surface, a
-determinant of two rows: sigma_rr = 0 with sigma_rz = 0 (free) or u_z = 0 (tethered), or no displacement of the liquid at
-the wall (rigid). An inviscid liquid has one solution, a series for s and w alone, and slides on the wall, whose axial
-displacement there is the second unknown. The root is found by Muller's method with 50 digits more than the growth of the
-shear wave from the axis to the wall takes.
+determinant of two rows: sigma_rr = 0 with sigma_rz = 0 (free) or u_z = 0 (tethered), or sigma_rr = -k_r u_r with
+sigma_rz = -k_z u_z (supported), or no displacement of the liquid at the wall (rigid). An inviscid liquid has one solution,
+a series for s and w alone, and slides on the wall, whose axial displacement there is the second unknown. The root is found
+by Muller's method with 50 digits more than the growth of the shear wave from the axis to the wall takes.
 
 Also printed: for unit mean axial displacement of the liquid, the displacement u_r and shear stress of the liquid at the
 inner wall, and the wall's axial force, bending moment about its middle radius and mean hoop stress over its section, from
@@ -201,10 +201,12 @@ def conditions(case, omega, k):
         for j in range(2):
             states[j], more = through(system, states[j], edges[i], edges[i + 1], middle)
             integrals[j] = [a + b for a, b in zip(integrals[j], more)]
-    last = 1 if case.get("tethered") else 3
+    radial, axial = (mpf(k) + I * omega * mpf(c) for k, c in case.get("support", ((0, 0), (0, 0))))
+    outside = edges[-1]
     for j in range(2):
         integrals[j][2] /= pi * (edges[-1]**2 - radius**2)
-    return [[y[2] for y in states], [y[last] for y in states]], inner, integrals
+    return [[y[2] + radial * outside * y[0] for y in states],
+            [y[1] if case.get("tethered") else y[3] + axial / outside * y[1] for y in states]], inner, integrals
 
 
 def determinant(case, omega, k):
@@ -267,6 +269,9 @@ CASES = {
     "thin": THIN,
     "tube-3d": TUBE_3D,
     "tube-3d-held": dict(TUBE_3D, tethered=True),
+    # Stiffness [Pa/m] and damping [Pa s/m] along the radius and the axis.
+    "supported": dict(TUBE_3D, support=(("6e6", "300"), ("2e5", "30"))),
+    "supported-held": dict(TUBE_3D, support=(("6e6", "300"), (0, 0)), tethered=True),
     "thick": THICK,
     "membrane": {"radius": "10e-3", "fluid": liquid("1050", "1e-5", 0), "tethered": True,
                  "layers": [("0.01e-3", solid("1000", "60e6", "0.5"))]},
@@ -315,8 +320,8 @@ def starts(case, omega):
 
 # Case, frequency [Hz], decay of the complex frequency [1/s].
 RUNS = [("thin", 10, 0), ("thin", 20, 28), ("thin", 200, 0), ("tube-3d", 20, 0), ("tube-3d", 100, 0), ("tube-3d", 167, 0),
-        ("tube-3d-held", 20, 0), ("thick", 5, 30), ("thick", 100, 0), ("membrane", 2, 0),
-        ("steel", 50, 0),
+        ("tube-3d-held", 20, 0), ("supported", 20, 0), ("supported", 100, 50), ("supported-held", 100, 0), ("thick", 5, 30),
+        ("thick", 100, 0), ("membrane", 2, 0), ("steel", 50, 0),
         ("steel", 400, 200), ("power-law", 20, 0), ("power-law-nu", 20, 10), ("layered", 20, 10), ("rigid", 50, 0), ("rigid", 2000, 300),
         ("inviscid", 20, 0), ("tube-3d-inviscid", 20, 0), ("tube-3d-inviscid", 100, 0), ("tube-3d-inviscid", 167, 0)]
 

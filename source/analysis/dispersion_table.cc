@@ -23,7 +23,7 @@ void write_dispersion_table(const std::string &file,
   if (!section.layers.empty())
   {
     const double speed =
-        std::sqrt(std::abs(section.membrane_modulus(two_pi)) * section.wall_thickness() /
+        std::sqrt(std::abs(section.hoop_modulus(two_pi)) * section.wall_thickness() /
                   (2. * section.inner_radius * section.fluid.density));
     lowest = std::min(lowest, 0.02 * speed / (two_pi * section.inner_radius));
   }

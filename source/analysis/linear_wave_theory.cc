@@ -130,7 +130,7 @@ impedances_of(const Case<dim> &input, const StationsProbe &probe, const double f
                             section.poisson_ratio(omega).real(), section.fluid.density,
                             section.fluid.inverse_bulk_modulus()};
     const double speed =
-        korteweg_speed(tube, section.membrane_modulus(omega),
+        korteweg_speed(tube, section.hoop_modulus(omega),
                        section.tethered ? Anchoring::throughout : Anchoring::expansion_joints,
                        WallTheory::thick)
             .real();

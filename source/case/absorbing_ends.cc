@@ -37,7 +37,7 @@ double loaded_ring_frequency(const TubeSection &section)
 {
   if (section.layers.empty())
     return std::numeric_limits<double>::infinity();
-  const double stiffness = section.membrane_modulus(2. * dealii::numbers::PI).real() *
+  const double stiffness = section.hoop_modulus(2. * dealii::numbers::PI).real() *
                            section.wall_thickness() / (section.inner_radius * section.inner_radius);
   const double mass = section.wall_density() * section.wall_thickness() +
                       0.25 * section.fluid.density * section.inner_radius;

@@ -1,5 +1,6 @@
 #include <continua/case/preflight_input.h>
 
+#include <continua/case/tube_wave_case.h>
 #include <continua/mesh/coordinates.h>
 #include <continua/mesh/tube_extents.h>
 #include <continua/signal/energy_frequency.h>
@@ -229,6 +230,8 @@ PreflightInput preflight_input(const Case<dim> &input)
   for (unsigned int i = 0; i < 2; ++i)
   {
     preflight.ends[i] = end_of(input.problem, extents.ends[i], refinement);
+    if (outside != nullptr)
+      set_hold(*outside, preflight.ends[i].section);
     preflight.ends[i].section.tethered = is_held;
   }
   if (load != nullptr && preflight.ends[1].boundary == preflight.load)

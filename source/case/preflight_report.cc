@@ -20,7 +20,7 @@ namespace
 struct SectionWaves
 {
   SectionWaves(const TubeSection &section, const double omega)
-      : young(section.membrane_modulus(omega)),
+      : young(section.hoop_modulus(omega)),
         tube{{section.inner_radius, section.wall_thickness(), section.poisson_ratio(omega).real(),
               section.fluid.density, section.fluid.inverse_bulk_modulus()},
              section.fluid.shear.viscosity,

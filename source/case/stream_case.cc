@@ -16,13 +16,16 @@ std::string make_stream_case(const Case<dim> &input, StreamCase &stream_case)
   const std::vector<VesselBranch<dim>> branches = input.geometry->branches();
   if (branches.size() > 1 || !branches.front().law.is_uniform())
     return "the tube's section is not one along its length";
+  for (const BoundaryCondition &condition : input.problem.conditions)
+    if (condition.tangential.is_supported())
+      return "the wall is supported along the axis ('" + condition.name + "')";
   const WaveTheoryParameters &parameters = input.wave_theory;
   const TubeSection section = tube_section_at(input, branches.front().law, 0.);
   const double omega = 2. * dealii::numbers::PI * parameters.stream_frequency;
   stream_case.distensibility = 0.;
   if (!section.layers.empty())
   {
-    const Complex young = section.membrane_modulus(omega);
+    const Complex young = section.hoop_modulus(omega);
     if (!(std::abs(young) > 0.))
       return "the wall yields to a pressure at rest; give 'Mean flow frequency'";
     const LongWaveTube wall{section.inner_radius, section.wall_thickness(),

@@ -10,7 +10,8 @@ namespace Continua
 namespace
 {
 constexpr double middle_of_inlet[3] = {0., 0., 0.};
-const std::string outside_is_held = "the outside is neither free nor only held axially";
+const std::string outside_is_held =
+    "the outside is neither free nor supported nor only held axially";
 
 template <int dim>
 const BoundaryCondition *
@@ -85,8 +86,18 @@ TubeSection tube_section_at(const Case<dim> &input, const TubeLaw &law, const do
   }
   const BoundaryCondition *outside =
       find_condition(input, "outside", input.problem.regions.size() - 1);
-  section.tethered = outside != nullptr && outside->tangential.is_fixed();
+  if (outside != nullptr)
+    set_hold(*outside, section);
   return section;
+}
+
+void set_hold(const BoundaryCondition &outside, TubeSection &section)
+{
+  section.tethered = outside.tangential.is_fixed();
+  section.radial_stiffness = outside.normal.stiffness;
+  section.radial_damping = outside.normal.damping;
+  section.axial_stiffness = outside.tangential.stiffness;
+  section.axial_damping = outside.tangential.damping;
 }
 
 namespace
@@ -215,8 +226,7 @@ std::string why_no_tube_of_liquid(const Case<dim> &input)
       return "the tube has no wall, and its outside is not fixed";
   }
   else if (outside == nullptr || outside->outlet ||
-           outside->normal.kind != BoundaryPart::Kind::traction ||
-           !(outside->tangential.is_free() || outside->tangential.is_fixed()))
+           outside->normal.kind != BoundaryPart::Kind::traction || !outside->tangential.is_zero())
     return outside_is_held;
   return "";
 }
@@ -231,8 +241,11 @@ std::string why_not_covered(const Case<dim> &input, const std::vector<VesselBran
     return why_not;
   const BoundaryCondition *outside =
       find_condition(input, "outside", input.problem.regions.size() - 1);
-  if (!branches.front().law.is_rigid() && !outside->normal.is_free())
+  if (!branches.front().law.is_rigid() && !outside->normal.is_zero())
     return outside_is_held;
+  if (outside != nullptr && outside->tangential.is_supported() &&
+      input.wave_theory.level != WaveLevel::exact)
+    return "the outside is supported along the axis, which only Wave theory/Level = exact has";
   const InteriorData &interior = input.problem.interior;
   if (!interior.acceleration.empty() || !interior.body_force.empty())
     return "there is a body force";

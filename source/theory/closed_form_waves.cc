@@ -38,7 +38,7 @@ void ClosedFormWaves::evaluate(const double frequency, std::vector<WaveMode> &mo
   const LongWaveTube tube{radius, thickness, nu, fluid.density, fluid.inverse_bulk_modulus()};
   const ClosedFormTube closed_form{tube, fluid.shear.viscosity, section.wall_density()};
   const bool is_rigid = section.layers.empty();
-  const Complex young = section.membrane_modulus(omega);
+  const Complex young = section.hoop_modulus(omega);
   const Anchoring anchoring =
       section.tethered ? Anchoring::throughout : Anchoring::expansion_joints;
 

@@ -20,6 +20,12 @@ namespace
 using Complex = std::complex<double>;
 /// Points of a curve that are also taken at negative frequencies.
 constexpr unsigned int n_mirrored = 6;
+/// Points in what the decay of the transform lets pass. A wall that is supported along its axis has
+/// an axial wave that does not travel below a frequency, and its curve turns sharply beside that of
+/// the pressure wave.
+constexpr double n_in_decay = 3., n_in_decay_supported = 24.;
+/// By how much a root may differ from what is foreseen, relative.
+constexpr double largest_surprise = 0.1, largest_surprise_supported = 0.01;
 
 /// The same wave at -f.
 WaveMode mirrored(const WaveMode &mode)
@@ -66,7 +72,8 @@ DispersionCurves::DispersionCurves(const TubeSection &section,
     : dispersion(section)
 {
   // Fine where the decay of the transform sets the scale, then a fixed part of the frequency.
-  const double finest = shift / (2. * PI) / 3.;
+  is_supported = section.axial_stiffness > 0. || section.axial_damping > 0.;
+  const double finest = shift / (2. * PI) / (is_supported ? n_in_decay_supported : n_in_decay);
   for (double frequency = 0.; frequency < highest_frequency;
        frequency += std::max(finest, 0.1 * frequency))
     frequencies.push_back(frequency);
@@ -80,7 +87,9 @@ DispersionCurves::DispersionCurves(const TubeSection &section,
 DispersionCurves::DispersionCurves(const TubeSection &section,
                                    const double shift,
                                    const std::vector<double> &frequencies)
-    : dispersion(section), frequencies(frequencies)
+    : dispersion(section),
+      frequencies(frequencies),
+      is_supported(section.axial_stiffness > 0. || section.axial_damping > 0.)
 {
   build(shift);
 }
@@ -153,7 +162,9 @@ DispersionCurves::follow(const ExactDispersion::Family family,
       const Complex omega(2. * PI * frequency, -shift), start = foreseen(frequency);
       Complex root;
       // The first guess is that of a thin wall.
-      const double tolerance = known.empty() ? 0.6 : 0.1;
+      const double tolerance = known.empty()  ? 0.6
+                               : is_supported ? largest_surprise_supported
+                                              : largest_surprise;
       bool found = dispersion.find_root(omega, start, root) &&
                    std::abs(root - start) < tolerance * std::abs(root) && root.imag() < 0.;
       // Another family's root is not this one's.

@@ -254,8 +254,16 @@ ExactDispersion::Matrix ExactDispersion::conditions(const Complex &omega, const 
     if (i + 1 == n_layers)
     {
       const Columns surface = wall_columns(wall, Ball(radii[i + 1]));
-      fill(row++, first, surface, &Column::s_rr, 1.);
-      fill(row++, first, surface, section.tethered ? &Column::u_z : &Column::s_rz, 1.);
+      // What is around pushes the surface back.
+      const Ball radial = section.radial_support(omega), axial = section.axial_support(omega);
+      for (unsigned int j = 0; j < surface.size(); ++j)
+      {
+        const Column &column = surface[j];
+        matrix[row][first + j] = column.s_rr + radial * column.u_r;
+        matrix[row + 1][first + j] =
+            section.tethered ? column.u_z : column.s_rz + axial * column.u_z;
+      }
+      row += 2;
     }
   }
   return matrix;
@@ -298,43 +306,54 @@ ExactDispersion::Complex ExactDispersion::guess(const Family family, const Compl
 
   const double thickness = section.wall_thickness();
   const Complex nu = section.poisson_ratio(omega), young = section.membrane_modulus(omega);
-  const double middle = radius + 0.5 * thickness;
+  const double middle = radius + 0.5 * thickness, outer = radius + thickness;
+  // Of wall and surroundings over the wall alone: the stiffness of a plate against a radial
+  // displacement.
+  const Complex plate = young * thickness / (1. - nu * nu);
+  const Complex stiffening = 1. + section.radial_support(omega) * radius * outer / plate;
   if (family == bending_wave || family == other_bending_wave)
   {
     // The strain energy of a bent shell: with its middle surface free k^4 = -12 (1 - nu^2)/(R h)^2;
     // bent about a surface that is held k^4 h^3/3 - nu k^2 h^2/R + h/R^2 = 0.
     const double product = middle * thickness;
-    const Complex square = section.tethered
-                               ? 1.5 / product * (nu + imaginary * std::sqrt(4. / 3. - nu * nu))
-                               : imaginary * std::sqrt(12. * (1. - nu * nu)) / product;
+    // The hoop has Young's modulus, not that of the plate.
+    const Complex hoop = 1. + (stiffening - 1.) / (1. - nu * nu);
+    const Complex square =
+        section.tethered ? 1.5 / product * (nu + imaginary * std::sqrt(4. / 3. * hoop - nu * nu))
+                         : imaginary * std::sqrt(12. * (1. - nu * nu) * hoop) / product;
     const Complex root = std::sqrt(square);
     return family == bending_wave ? Complex(root.real(), -root.imag()) : -root;
   }
-  // p R = (E h/(1 - nu^2)) (u_r/R + nu du_z/dz) and the axial balance of the wall, with the flow of
-  // a long wave: a quadratic equation for k^2.
+  // p R = (E h/(1 - nu^2)) (s u_r/R + nu du_z/dz), s the stiffening, and the axial balance of the
+  // wall, with the flow of a long wave: a quadratic equation for k^2.
   // A thick wall gives way more than a membrane, by Lame's displacement of its inner surface: psi
   // of anchoring_coefficient() over that of a thin wall.
   const double ratio = thickness / radius;
   const Complex thin = section.tethered ? 1. - nu * nu : 1.;
-  const Complex yielding = ratio * (1. + nu) / thin + 2. / (2. + ratio);
-  const Complex plate = young * thickness / (1. - nu * nu);
+  const Complex of_wall = ratio * (1. + nu) / thin + 2. / (2. + ratio);
+  const Complex yielding = of_wall * stiffening / (1. + (stiffening - 1.) * of_wall);
   const Complex a = plate * (1. - f10) / (2. * density * omega * omega);
   if (section.tethered)
-    return downstream(yielding * radius / a +
+    return downstream(yielding * radius / (stiffening * a) +
                       omega * omega * density * section.fluid.inverse_bulk_modulus());
   const Complex mass =
-      omega * omega * (section.wall_density() * thickness + 0.5 * radius * density * f10);
-  const Complex a2 = -a * plate * (1. - nu * nu);
-  const Complex a1 = radius * plate * (1. - nu * f10 + 0.25 * f10 * f10) + a * mass;
+      omega * omega * (section.wall_density() * thickness + 0.5 * radius * density * f10) -
+      section.axial_support(omega) * outer / radius;
+  const Complex a2 = -a * plate * (stiffening - nu * nu);
+  const Complex a1 =
+      radius * plate * (1. - nu * f10 + 0.25 * stiffening * f10 * f10) + stiffening * a * mass;
   const Complex a0 = -radius * mass;
   const Complex root = std::sqrt(a1 * a1 - 4. * a2 * a0);
   const Complex sum = std::abs(a1 + root) > std::abs(a1 - root) ? a1 + root : a1 - root;
   const Complex slow = -sum / (2. * a2), fast = -2. * a0 / sum;
   // Young's wave of an incompressible liquid is slower than the wall's axial wave, but faster where
-  // the wall is stiff and the liquid light (a gas in a pipe of steel).
+  // the wall is stiff and the liquid light (a gas in a pipe of steel). Where the wall is supported
+  // along its axis, its wave does not travel at low frequencies, and is found in another place.
   const double square_of_young = std::abs(radius / a),
                square_of_bar = std::abs(omega * omega * section.wall_density() / young);
-  const bool is_gas = square_of_young < square_of_bar;
+  const bool is_supported = section.axial_support(omega) != 0.;
+  const bool is_gas = is_supported ? std::abs(mass / plate) > std::abs(radius / (stiffening * a))
+                                   : square_of_young < square_of_bar;
   if (family == axial_wave)
     return downstream(is_gas ? slow : fast);
   const Complex sound = omega * omega * density * section.fluid.inverse_bulk_modulus();

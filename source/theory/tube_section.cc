@@ -40,6 +40,8 @@ bool is_same(const Material &a, const Material &b)
 bool operator==(const TubeSection &a, const TubeSection &b)
 {
   return a.inner_radius == b.inner_radius && a.tethered == b.tethered &&
+         a.radial_stiffness == b.radial_stiffness && a.radial_damping == b.radial_damping &&
+         a.axial_stiffness == b.axial_stiffness && a.axial_damping == b.axial_damping &&
          a.layer_thicknesses == b.layer_thicknesses && is_same(a.fluid, b.fluid) &&
          std::equal(a.layers.begin(), a.layers.end(), b.layers.begin(), b.layers.end(), is_same);
 }
@@ -64,6 +66,29 @@ std::complex<double> TubeSection::membrane_modulus(const std::complex<double> &o
   for (unsigned int i = 0; i < layers.size(); ++i)
     sum += layers[i].complex_young_modulus(omega) * layer_thicknesses[i];
   return layers.empty() ? 0. : sum / wall_thickness();
+}
+
+std::complex<double> TubeSection::radial_support(const std::complex<double> &omega) const
+{
+  return radial_stiffness + std::complex<double>(0., 1.) * omega * radial_damping;
+}
+
+std::complex<double> TubeSection::axial_support(const std::complex<double> &omega) const
+{
+  return axial_stiffness + std::complex<double>(0., 1.) * omega * axial_damping;
+}
+
+std::complex<double> TubeSection::hoop_modulus(const std::complex<double> &omega) const
+{
+  if (layers.empty())
+    return 0.;
+  const std::complex<double> support = radial_support(omega), of_wall = membrane_modulus(omega);
+  if (support == 0.)
+    return of_wall;
+  // p R = E h/psi u/R + k (R + h) u, where psi is that of the wall's axial hold.
+  const std::complex<double> nu = poisson_ratio(omega), psi = tethered ? 1. - nu * nu : 1.;
+  const double thickness = wall_thickness();
+  return of_wall + psi * support * inner_radius * (inner_radius + thickness) / thickness;
 }
 
 double TubeSection::wall_density() const

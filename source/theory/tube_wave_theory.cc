@@ -69,7 +69,7 @@ double TubeWaveTheory::highest_of_walls(const TubeWaveProblem &problem) const
   for (const TubeSegment &segment : problem.segments)
     if (!segment.section.layers.empty())
     {
-      const double young = segment.section.membrane_modulus(Complex(0., -shift)).real();
+      const double young = segment.section.hoop_modulus(Complex(0., -shift)).real();
       const double ring_frequency = std::sqrt(young / segment.section.wall_density()) /
                                     (2. * PI * segment.section.inner_radius);
       highest = std::min(highest, (is_membrane ? 0.5 : 2.) * ring_frequency);

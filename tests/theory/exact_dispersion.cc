@@ -240,6 +240,44 @@ void references()
              Complex(1722.665036065892, -1841.353869175086),
              Complex(2.021580463116896e-06, 3.327313524166086e-05),
              Complex(75294.49669470197, 3368657.610021191)});
+  TubeSection supported = tube_3d;
+  supported.radial_stiffness = 6e6;
+  supported.radial_damping = 300.;
+  supported.axial_stiffness = 2e5;
+  supported.axial_damping = 30.;
+  TubeSection supported_held = tube_3d_held;
+  supported_held.radial_stiffness = 6e6;
+  supported_held.radial_damping = 300.;
+  reference("supported, 20 Hz, pressure", supported, 20., 0., ExactDispersion::pressure_wave,
+            Complex(19.841446234052334767, -0.44173592808968968201),
+            {Complex(0.001104339820224224205, 0.049603615585130836919),
+             Complex(1659.5296913359461757, -1786.7250112427736944),
+             Complex(9.7302564591540952479e-7, 1.6760108802337879661e-5),
+             Complex(62936.647727553296888, 2533598.771844350142)});
+  reference("supported, 20 Hz, bending", supported, 20., 0., ExactDispersion::bending_wave,
+            Complex(594.93007406326343214, -642.57505589699750673),
+            {Complex(1.6064376397424937668, 1.4873251851581585804),
+             Complex(2551.7998777232648479, -4021.3087619294059132),
+             Complex(1.1304347794507955109, -1.0484097928161495472),
+             Complex(85469181.335982426756, 75798815.223065463783)});
+  reference("supported, 100 Hz, pressure", supported, 100., 50., ExactDispersion::pressure_wave,
+            Complex(101.84589303218863323, -10.091248750898740368),
+            {Complex(0.025228121877246850921, 0.25461473258047158306),
+             Complex(15379.738493378241514, -20343.543843958508963),
+             Complex(6.604338709402343717e-4, 0.0021744115889168586122),
+             Complex(1285818.8114335062922, 12453285.360941157255)});
+  reference("supported, 100 Hz, axial", supported, 100., 50., ExactDispersion::axial_wave,
+            Complex(29.334384252287597562, -6.1251760987821618574),
+            {Complex(0.015312940246955404643, 0.073335960630718993906),
+             Complex(-290147.48487129513956, -1704832.0380340298107),
+             Complex(-0.0013613384929830632067, -6.7646082033642632842e-4),
+             Complex(133664453.23684744953, 82218980.581499686946)});
+  reference("supported and held, 100 Hz", supported_held, 100., 0., ExactDispersion::pressure_wave,
+            Complex(100.71031707380688231, -1.6005693629605545445),
+            {Complex(0.0040014234074013863613, 0.25177579268451720578),
+             Complex(19400.441777353145284, -19923.174871756922296),
+             Complex(9.900781086598487453e-5, 0.0022262944607311766928),
+             Complex(226990.02088205463049, 13075175.953321859149)});
   reference("thick, 5 Hz, pressure", thick, 5., 30., ExactDispersion::pressure_wave,
             Complex(2.789175938474627, -2.70119072388032),
             {Complex(0.01688138326490803, 0.01743126105143396),
@@ -408,6 +446,31 @@ void korteweg()
     close(tethered ? "Moens and Korteweg, held" : "Moens and Korteweg, free",
           guessed(tube(radius, liquid(1000., 0.), {1e-5 * radius}, {light}, tethered), omega),
           omega / speed, 1e-5);
+  }
+}
+
+/// Long waves in a tube held axially, whose outside is supported: Lame's displacement of a thick
+/// ring with sigma_r = -k u_r outside, in closed form.
+void support()
+{
+  const double radius = 0.01, young = 1e6, nu = 0.3, mu = young / (2. * (1. + nu));
+  for (const double ratio : {1e-3, 0.1, 0.6, 2.5})
+  {
+    const double outer = (1. + ratio) * radius;
+    TubeSection section =
+        tube(radius, liquid(1000., 0., 1e-7), {ratio * radius}, {solid(1e-6, young, nu)}, true);
+    section.radial_stiffness = 1.5 * ratio * young / radius;
+    // u_r = A r + B/r, sigma_r = 2 mu (A/(1 - 2 nu) - B/r^2), -1 Pa inside.
+    const double of_volume = 2. * mu / (1. - 2. * nu),
+                 outside_a = of_volume + section.radial_stiffness * outer,
+                 outside_b = -2. * mu / (outer * outer) + section.radial_stiffness / outer;
+    const double b = 1. / (2. * mu / (radius * radius) + of_volume * outside_b / outside_a),
+                 a = -outside_b / outside_a * b;
+    const double widening = (a * radius + b / radius) / radius;
+    const double speed = 1. / std::sqrt(1000. * (1e-7 + 2. * widening));
+    const double omega = 2. * pi * speed / (1e4 * radius);
+    close("long wave, supported, h/R " + std::to_string(ratio), guessed(section, omega),
+          omega / speed, 1e-6);
   }
 }
 
@@ -645,6 +708,7 @@ UNIT_TEST(exact_dispersion)
 {
   references();
   korteweg();
+  support();
   tube_in_three_dimensions();
   rigid_tube();
   gas_in_a_stiff_pipe();

@@ -46,8 +46,28 @@ UNIT_TEST(tube_section)
   check::relative("loss modulus", section.membrane_modulus(omega).imag(), 1.5e5, 1e-12);
   check::relative("incompressible", section.poisson_ratio(omega).real(), 0.5, 1e-12);
 
+  // Without a support hoop and membrane are one. With it, the traction of a section that widens by
+  // u: E h u/R^2 of the membrane and k u (R + h)/R of the outer surface.
+  check::relative("hoop alone", section.hoop_modulus(omega).real(), 2.15e6, 1e-12);
   TubeSection other = section;
   check::is_true("equal", section == other);
+  const double radius = section.inner_radius, thickness = 2e-3;
+  other.radial_stiffness = 3e7;
+  other.radial_damping = 2e4;
+  const auto traction = [&](const std::complex<double> &modulus)
+  { return modulus * thickness / (radius * radius); };
+  const std::complex<double> of_support =
+      traction(other.hoop_modulus(omega)) - traction(other.membrane_modulus(omega));
+  check::relative("hoop with a support", of_support.real(), 3e7 * (radius + thickness) / radius,
+                  1e-9);
+  check::relative("its damping", of_support.imag(), 2e6 * (radius + thickness) / radius, 1e-9);
+  check::is_true("supported otherwise", !(section == other));
+  // Held axially, Korteweg's formula divides the modulus by 1 - nu^2, which the support is free of.
+  other.tethered = true;
+  check::relative("held and supported",
+                  (other.hoop_modulus(omega) - other.membrane_modulus(omega)).imag() / 0.75,
+                  2e6 * radius * (radius + thickness) / thickness, 1e-6);
+  other = section;
   other.layers[0].shear.branches[1].relaxation_time = 0.02;
   check::is_true("another relaxation", !(section == other));
   other = section;

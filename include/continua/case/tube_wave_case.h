@@ -24,7 +24,7 @@ struct TubeWaveCase
 };
 
 /// Why the case is no tube full of liquid with a wall of solids, or a rigid one; or nothing. The
-/// outside may be loaded and held axially. A vessel that divides is a tube, too.
+/// outside may be loaded, supported and held axially. A vessel that divides is a tube, too.
 template <int dim>
 std::string why_no_tube_of_liquid(const Case<dim> &input);
 
@@ -47,6 +47,9 @@ std::string read_wall_end(const Case<dim> &input, const std::string &boundary, W
 /// The cross-section at z [m] of the case's tube, or of a branch of its vessel, with that law.
 template <int dim>
 TubeSection tube_section_at(const Case<dim> &input, const TubeLaw &law, double z);
+
+/// Sets how the outer surface of a section is held and supported.
+void set_hold(const BoundaryCondition &outside, TubeSection &section);
 } // namespace Continua
 
 #endif

@@ -38,6 +38,7 @@ private:
   struct Splines;
   ExactDispersion dispersion;
   std::vector<double> frequencies;               ///< [Hz]
+  bool is_supported = false;                     ///< along the axis of the wall
   std::vector<std::unique_ptr<Splines>> splines; ///< by family
 
   void build(double shift);

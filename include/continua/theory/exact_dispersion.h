@@ -21,7 +21,8 @@ namespace Continua
  * exp(i(omega t - k z)), q_l^2 = rho omega^2/(K + 4 mu/3) - k^2, q_s^2 = rho omega^2/mu - k^2
  * (Pochhammer and Chree's solution for a rod, layer by layer): J on the axis, J and Y in each
  * layer. Displacement and the stresses sigma_rr, sigma_rz are continuous at each interface; outside
- * the surface is free of stress, or held axially, or a rigid wall stands in place of all layers. A
+ * the surface is free of stress, or pushed back by what is around, sigma_rr = -k_r u_r and sigma_rz
+ * = -k_z u_z, or held axially, or a rigid wall stands in place of all layers. A
  * wave exists where the determinant of these conditions is zero. It is computed with balls of as
  * many bits as make it certain: a thin wall's conditions nearly depend on each other.
  */
