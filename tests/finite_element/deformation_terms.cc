@@ -130,7 +130,9 @@ std::unique_ptr<MetricHistory<dim>> make_metrics(const Space<dim> &space, const 
   if (metrics == nullptr)
     return metrics;
   metrics->reinit();
-  StateSizes sizes(space.velocity_vector(), space.pressure_vector(), metrics->vector());
+  const DistributedVector velocity = space.velocity_vector(), pressure = space.pressure_vector(),
+                          metric = metrics->vector();
+  StateSizes sizes(velocity, pressure, metric);
   metrics->visit(sizes);
   return metrics;
 }
