@@ -539,11 +539,20 @@ void ProbeEntries<dim>::check_limits(const std::vector<BoundaryCondition> &condi
     return;
   for (const auto &[id, name] : names_of_boundaries)
   {
-    bool is_held = false;
+    bool is_held = false, is_supported = false;
     for (const BoundaryCondition &condition : conditions)
+    {
       is_held = is_held || (condition.boundary_id == id &&
                             (condition.normal.kind == BoundaryPart::Kind::velocity ||
                              condition.tangential.kind == BoundaryPart::Kind::velocity));
+      is_supported = is_supported || (condition.boundary_id == id && condition.is_supported());
+    }
+    if (!is_held && is_supported)
+      section.refuse("Fields",
+                     "the force on the springs and dampers of the boundary '" + name +
+                         "' is that of their moduli",
+                     "Ask for displacement and velocity, whose mean over the boundary times the "
+                     "moduli and its area is the force");
     if (!is_held)
       section.refuse("Fields",
                      "nothing holds the boundary '" + name +
