@@ -10,6 +10,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <map>
 #include <sstream>
@@ -74,7 +75,9 @@ void Run<dim>::report_strain_laws()
     const Material &material = input.problem.materials[region];
     if (!material.shear.relaxes())
       continue;
-    const std::size_t n_branches = material.shear.branches.size() - 1;
+    const auto n_branches =
+        std::count_if(material.shear.branches.begin(), material.shear.branches.end(),
+                      [](const Branch &branch) { return !std::isinf(branch.relaxation_time); });
     log.line(input.problem.regions[region] + ": " + material.strain_law_parameters.type +
              " by the long-term modulus, with " + std::to_string(n_branches) + " neo-Hookean " +
              (n_branches == 1 ? "branch that relaxes" : "branches that relax"));

@@ -7,8 +7,31 @@ namespace Continua
 {
 namespace
 {
+/// A region that is stretched in the shape of the mesh, which is not in balance.
+void check_prestretch(const Problem &problem,
+                      const unsigned int region,
+                      const bool is_in_time,
+                      ParameterSection root)
+{
+  if (is_in_time && !problem.interior.starts_at_rest_under_loads)
+    root.subsection("Initial state")
+        .refuse("Type",
+                "with a prestretch the shape of the mesh is not in balance, and the run would "
+                "start with a jump",
+                "Set Type = steady: the run then starts from the state at rest under its loads");
+  for (const BoundaryCondition &condition : problem.conditions)
+    if (condition.region_ids.count(region) > 0 &&
+        (condition.normal.stiffness > 0. || condition.tangential.stiffness > 0.))
+      root.subsection("Boundaries")
+          .subsection(condition.name)
+          .refuse("Type",
+                  "springs of a support count from the shape of the mesh, which a region with a "
+                  "prestretch never has",
+                  "Give the support dampers and a pressure alone, or remove the prestretch");
+}
+
 /// Materials that have no place in finite deformation.
-void check_materials(const Problem &problem, ParameterSection root)
+void check_materials(const Problem &problem, const bool is_in_time, ParameterSection root)
 {
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
@@ -25,6 +48,8 @@ void check_materials(const Problem &problem, ParameterSection root)
       section.refuse("Volumetric relaxation",
                      "in finite deformation the volume change does not relax",
                      "Set Volumetric relaxation = none, or Deformation = small");
+    if (material.prestretch.exists())
+      check_prestretch(problem, region, is_in_time, root);
     if (material.prestretch.exists() && !problem.interior.acceleration.empty())
       root.subsection("Body force")
           .refuse("Acceleration",
@@ -93,7 +118,7 @@ void check_deformation(const Case<dim> &input, ParameterSection root)
                 "with finite deformation all regions are solids, which are not "
                 "convected",
                 "Set Convection = none");
-  check_materials(problem, root);
+  check_materials(problem, input.analysis.motion == Motion::in_time, root);
   check_scheme(input, root);
   if (!problem.interior.initial_displacement.empty() && problem.interior.initial_pressure.empty())
     root.subsection("Initial state")

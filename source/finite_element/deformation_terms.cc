@@ -64,6 +64,7 @@ void DeformationTerms<dim>::reinit()
   if (has_prestretch)
     acceleration.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
   follower_pressure.reinit();
+  prestretch_share = 1.;
   set_rest_states();
 }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Continua
 {
@@ -147,12 +148,14 @@ void MetricHistory<dim>::predict(const Step &step)
 {
   balanced_weights.assign(branches.size(), {});
   step_weights.assign(branches.size(), {});
+  // What the body comes to at rest does not depend on how long the steps on the way there are.
+  const double size = step.is_towards_rest ? std::numeric_limits<double>::infinity() : step.size();
   for (std::size_t region = 0; region < branches.size(); ++region)
     for (const Branch &branch : branches[region])
     {
-      balanced_weights[region].emplace_back((step.balance_time - step.time_old) /
+      balanced_weights[region].emplace_back((step.extrapolate ? 0.5 : 1.) * size /
                                             branch.relaxation_time);
-      step_weights[region].emplace_back(step.size() / branch.relaxation_time);
+      step_weights[region].emplace_back(size / branch.relaxation_time);
     }
   for (const auto &cell : space.triangulation.active_cell_iterators())
   {
@@ -259,7 +262,11 @@ void MetricHistory<dim>::restore_positivity(DistributedVector &vector) const
       is_positive = is_positive && is_positive_definite(tensor);
       mean += quadrature.weight(q) * tensor;
     }
-    for (unsigned int q = 0; q < n_points && !is_positive; ++q)
+    if (is_positive)
+      continue;
+    if (!is_positive_definite(mean))
+      mean = unit_symmetric_tensor<3>();
+    for (unsigned int q = 0; q < n_points; ++q)
       set(vector, cell, q, mean);
   }
 }

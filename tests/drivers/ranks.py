@@ -11,6 +11,7 @@ Header comments of the case, all optional:
     # power floor share: 1   the tolerance of a column of power.csv is at least relative to this share of the largest
                             magnitude of its unit in the table: an iterative solver's tolerance is one of the whole
                             balance, not of its smallest part (default 0)
+    # left out of the screen: REGEX   none or more; lines of the screen that may differ
 
 Without `others` the runs must have chosen the same, too, by log.txt and summary.json: meshes, linear solver, its blocks.
 
@@ -19,6 +20,7 @@ the mesh bring where cells are only divided; they are not compared.
 """
 
 import os
+import re
 
 import choices
 import driver
@@ -32,6 +34,7 @@ def case(program, parameter_file, folder):
     power_tolerance = float(driver.single(entries, "power tolerance", str(tolerance)))
     power_floor_share = float(driver.single(entries, "power floor share", "0"))
 
+    left_out = entries.get("left out of the screen", [])
     outputs, screens = [], []
     others = driver.overrides(entries.get("others", []))
     for i, n in enumerate(ranks):
@@ -39,7 +42,8 @@ def case(program, parameter_file, folder):
         arguments = [parameter_file, "--output", output, *(others if i > 0 else [])]
         done = driver.run_to_the_end(program, arguments, ranks=n, folder=folder)
         outputs.append(output)
-        screens.append(done.stdout.replace(output, "OUTPUT"))
+        lines = done.stdout.replace(output, "OUTPUT").splitlines(keepends=True)
+        screens.append("".join(line for line in lines if not any(re.search(pattern, line) for pattern in left_out)))
     for n, output, screen in zip(ranks[1:], outputs[1:], screens[1:]):
         print(f"{n} ranks against {ranks[0]}")
         driver.compare_tables(os.path.join(outputs[0], "probes.csv"), os.path.join(output, "probes.csv"), tolerance,

@@ -49,7 +49,7 @@ public:
   bool relaxes(const unsigned int region) const { return !branches[region].empty(); }
   /// Makes a point that has this Cb^-1 relaxed: without stress of its branches.
   void start(unsigned int cell, unsigned int q, const Tensor &inverse);
-  /// Sets what the step knows beforehand.
+  /// Sets what the step knows beforehand. On the way to rest all branches have relaxed.
   void predict(const Step &step);
   /// M = sum_k mu_k A_plus_k of the step that was predicted last [Pa], see MetricStress.
   const Tensor &predicted(const unsigned int cell, const unsigned int q) const
@@ -72,7 +72,7 @@ public:
   void prepare_transfer(const std::vector<DistributedVector *> &vectors);
   /// Call after reinit() on the new mesh; fills the vectors (of the new size) in the same order.
   /// Where that leaves a tensor that is not positive definite, its cell gets the mean over its
-  /// points.
+  /// points, or 1 if that is not positive definite either.
   void finish_transfer(const std::vector<DistributedVector *> &vectors);
 
   /// sum_k mu_k A_k at the present time [Pa] with ghost entries: of its tensor at any point of a
