@@ -41,8 +41,6 @@ public:
   /// Zeros.
   DistributedVector vector() const;
   VectorNumbering numbering() const;
-  /// Of the vectors.
-  const dealii::DoFHandler<dim> &dofs() const { return dof_handler; }
   /// Hands over all that a step changes.
   void visit(StateVisitor &visitor);
 
