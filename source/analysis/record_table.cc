@@ -30,7 +30,8 @@ std::unique_ptr<Record<dim>> make_power_record(const Case<dim> &input, const std
 {
   return std::make_unique<PowerRecord<dim>>(
       input.communicator, input.problem.regions, relaxing_regions(input.problem.materials),
-      input.problem.outlets, input.adaptation.changes_mesh(), equation_terms(input.problem));
+      input.problem.outlets, input.adaptation.changes_mesh(), equation_terms(input.problem),
+      input.problem.deformation == Deformation::finite);
 }
 
 template <int dim>
@@ -38,7 +39,8 @@ void name_power(const Case<dim> &input, QuantityNames &names)
 {
   PowerRecord<dim>::name_quantities(
       input.problem.regions, relaxing_regions(input.problem.materials), input.problem.outlets,
-      input.adaptation.changes_mesh(), equation_terms(input.problem), names);
+      input.adaptation.changes_mesh(), equation_terms(input.problem),
+      input.problem.deformation == Deformation::finite, names);
 }
 
 template <int dim>

@@ -22,11 +22,13 @@ PowerRecord<dim>::PowerRecord(const MPI_Comm communicator,
                               const std::vector<bool> &relaxes,
                               const std::vector<Outlet> &outlets,
                               const bool mesh_changes,
-                              const std::vector<EquationTermType> &terms)
+                              const std::vector<EquationTermType> &terms,
+                              const bool relaxation_is_known)
     : run_table(communicator),
       regions(regions),
       relaxes(relaxes),
       any_relaxes(std::find(relaxes.begin(), relaxes.end(), true) != relaxes.end()),
+      knows_loss(!any_relaxes || relaxation_is_known),
       mesh_changes(mesh_changes),
       term_types(terms),
       transferred(term_types.size(), std::vector<double>(regions.size(), 0.)),
@@ -74,6 +76,8 @@ std::vector<std::string> PowerRecord<dim>::header() const
     if (term.stores)
       names.push_back(term.name + " energy [J]");
   names.emplace_back("work of loads [J]");
+  if (knows_loss)
+    names.emplace_back("loss of the scheme [J]");
   if (mesh_changes)
     names.emplace_back("energy change by transfer [J]");
   return names;
@@ -139,7 +143,7 @@ void PowerRecord<dim>::start(ContinuumSolver<dim> &solver)
 template <int dim>
 void PowerRecord<dim>::record(ContinuumSolver<dim> &solver, const Step &step, const bool write)
 {
-  const PowerBalance balance = solver.power_balance(write && any_relaxes);
+  const PowerBalance balance = solver.power_balance((write || knows_loss) && any_relaxes);
   totals.largest_residual = std::max(totals.largest_residual, std::abs(balance.residual));
   totals.largest_exchanged = std::max(totals.largest_exchanged, balance.exchanged);
   totals.residual_energy += step.size() * balance.residual;
@@ -147,6 +151,8 @@ void PowerRecord<dim>::record(ContinuumSolver<dim> &solver, const Step &step, co
   for (unsigned int region = 0; region < taken.size(); ++region)
     for (unsigned int term = 0; term < taken[region].size(); ++term)
       taken[region][term] += step.size() * balance.materials[region].terms[term];
+  for (const Power &power : balance.materials)
+    totals.relaxed += step.size() * power.relaxation;
   for (unsigned int outlet = 0; outlet < given.size(); ++outlet)
   {
     given[outlet].leaving += step.size() * balance.outlets[outlet].leaving;
@@ -185,9 +191,22 @@ void PowerRecord<dim>::record(ContinuumSolver<dim> &solver, const Step &step, co
     if (term_types[term].stores)
       row.push_back(energy.of_term(term));
   row.push_back(totals.work);
+  if (knows_loss)
+    row.push_back(loss_of_scheme(energy));
   if (mesh_changes)
     row.push_back(totals.transfer);
   run_table.row(row);
+}
+
+template <int dim>
+double PowerRecord<dim>::loss_of_scheme(const Energy &energy) const
+{
+  double stored = -totals.relaxed;
+  for (const std::vector<double> &of_region : taken)
+    for (unsigned int term = 0; term < term_types.size(); ++term)
+      if (term_types[term].stores)
+        stored += of_region[term];
+  return stored - (energy.sum() - totals.initial_energy - totals.transfer);
 }
 
 template <int dim>
@@ -228,7 +247,7 @@ void PowerRecord<dim>::flush()
 template <int dim>
 void PowerRecord<dim>::finish(ContinuumSolver<dim> &solver, Summary &summary)
 {
-  const Energy energy = any_relaxes ? solver.energy() : Energy();
+  const Energy energy = solver.energy();
   if (totals.largest_exchanged > 0.)
     summary.add({"power residual", totals.largest_residual / totals.largest_exchanged, "1", ""});
   if (totals.largest_energy > 0.)
@@ -238,7 +257,11 @@ void PowerRecord<dim>::finish(ContinuumSolver<dim> &solver, Summary &summary)
     summary.add(
         {"total energy change", totals.largest_energy_change / totals.initial_energy, "1", ""});
   if (totals.largest_exchanged > 0.)
+  {
     summary.add({"work of the loads", totals.work, "J", ""});
+    if (knows_loss)
+      summary.add({"loss of the scheme", loss_of_scheme(energy), "J", ""});
+  }
   if (mesh_changes)
     summary.add({"energy change by transfer", totals.transfer, "J", ""});
   for (unsigned int region = 0; region < taken.size() && totals.largest_exchanged > 0.; ++region)
@@ -276,11 +299,14 @@ void PowerRecord<dim>::name_quantities(const std::vector<std::string> &regions,
                                        const std::vector<Outlet> &outlets,
                                        const bool mesh_changes,
                                        const std::vector<EquationTermType> &terms,
+                                       const bool relaxation_is_known,
                                        QuantityNames &names)
 {
   for (const char *const name :
        {"power residual", "energy residual", "total energy change", "work of the loads"})
     names.add(name);
+  if (relaxation_is_known || std::find(relaxes.begin(), relaxes.end(), true) == relaxes.end())
+    names.add("loss of the scheme");
   if (mesh_changes)
     names.add("energy change by transfer");
   for (unsigned int region = 0; region < regions.size(); ++region)
@@ -301,10 +327,15 @@ void PowerRecord<dim>::name_quantities(const std::vector<std::string> &regions,
 template <int dim>
 void PowerRecord<dim>::save(ArchiveWriter &archive) const
 {
-  std::vector<double> values = {totals.largest_residual,      totals.largest_exchanged,
-                                totals.residual_energy,       totals.work,
-                                totals.initial_energy,        totals.largest_energy,
-                                totals.largest_energy_change, totals.transfer};
+  std::vector<double> values = {totals.largest_residual,
+                                totals.largest_exchanged,
+                                totals.residual_energy,
+                                totals.work,
+                                totals.initial_energy,
+                                totals.largest_energy,
+                                totals.largest_energy_change,
+                                totals.transfer,
+                                totals.relaxed};
   for (const std::vector<double> &of_region : taken)
     values.insert(values.end(), of_region.begin(), of_region.end());
   for (const OutletPower &power : given)
@@ -323,10 +354,11 @@ template <int dim>
 void PowerRecord<dim>::load(const ArchiveReader &archive)
 {
   const std::vector<double> values = archive.values("power record");
-  const std::size_t n_terms = term_types.size(), n_totals = 8;
+  const std::size_t n_terms = term_types.size(), n_totals = 9;
   if (values.size() != n_totals + n_terms * taken.size() + 2 * given.size())
     throw RunError("the checkpoint's power record is that of another version of the program");
-  totals = {values[0], values[1], values[2], values[3], values[4], values[5], values[6], values[7]};
+  totals = {values[0], values[1], values[2], values[3], values[4],
+            values[5], values[6], values[7], values[8]};
   auto value = values.begin() + n_totals;
   for (std::vector<double> &of_region : taken)
   {

@@ -7,6 +7,7 @@ so that a power in the table holds in the middle of its step and dt times it is 
 * the integral of the external power is what the energies at the end hold, with the integrals of the viscous and the relaxation
   power, of the damping of supports and of what leaves through outlets, but for what new meshes changed: the energies come from
   the state alone, the powers from the scheme's equations;
+* what the scheme has lost by its own column is what the integrals give and the energies do not hold;
 * the integral of a region's relaxation power is its `energy relaxed`, which the run finds another way, as what the springs were
   given and do not hold.
 
@@ -73,6 +74,10 @@ def case(program, parameter_file, folder):
     left = sum(integral(rows, column(name)) for name in names if re.fullmatch(r"outlet .*: leaving \[W\]", name))
     transfer = rows[-1][names.index(TRANSFER)] if TRANSFER in names else 0.0
     compare("held, turned into heat and left", held + lost + left, work + transfer)
+    if "loss of the scheme [J]" in names:
+        given = sum(integral(rows, column(f"{name} [W]")) for name in stores)
+        heat = integral(rows, column("relaxation [W]")) if "relaxation [W]" in names else 0.0
+        compare("lost by the scheme", rows[-1][column("loss of the scheme [J]")], given - heat - (held - transfer))
     if TRANSFER in names:
         compare("changed by new meshes", transfer, driver.quantity(summary, TRANSFER.partition(" [")[0]))
         print(f"new meshes change the energy by {transfer / work:.2g} of the work")

@@ -60,10 +60,11 @@ UNIT_TEST(power_record)
       "fluid: kinetic [W],fluid: strain [W],fluid: viscous [W],fluid: compressive [W],"
       "wall: kinetic [W],wall: strain [W],wall: viscous [W],wall: compressive [W],"
       "residual [W],share [1],kinetic energy [J],strain energy [J],compressive energy [J],"
-      "work of loads [J]\n"
-      "0.5,0.25,8,1.25,2.5,3.125,1,1,2,3,0.5,0.25,0.5,0.125,0.5,0.25,0.0625,8,2,1,4\n"
-      "1,0.75,8,1.25,2.5,3.125,1,1,2,3,0.5,0.25,0.5,0.125,0.5,-0.5,-0.0625,9,2,1,8\n"
-      "2,1.75,8,1.25,2.5,3.125,1,1,2,3,0.5,0.25,0.5,0.125,0.5,0.125,0.0078125,11,2,1,16\n";
+      "work of loads [J],loss of the scheme [J]\n"
+      // Of 4.75 W in steps of 0.5 s the energy has risen by 1, 2 and 4 J.
+      "0.5,0.25,8,1.25,2.5,3.125,1,1,2,3,0.5,0.25,0.5,0.125,0.5,0.25,0.0625,8,2,1,4,1.375\n"
+      "1,0.75,8,1.25,2.5,3.125,1,1,2,3,0.5,0.25,0.5,0.125,0.5,-0.5,-0.0625,9,2,1,8,2.75\n"
+      "2,1.75,8,1.25,2.5,3.125,1,1,2,3,0.5,0.25,0.5,0.125,0.5,0.125,0.0078125,11,2,1,16,5.5\n";
   {
     FakeSolver<2> solver;
     PowerRecord<2> record = new_record(solver);
@@ -158,6 +159,45 @@ UNIT_TEST(power_record)
                     1e-14);
   }
 
+  // The same where relaxation is known after each step, also after a restart: of what is given,
+  // 0.375 W turn into heat and 0.375 J are held.
+  {
+    FakeSolver<2> solver;
+    solver.present_energy = energy(7., 0.125, 0.25);
+    const auto new_relaxing = []()
+    {
+      return PowerRecord<2>(MPI_COMM_WORLD, {"fluid", "wall"}, {false, true}, {}, false,
+                            equation_terms(Problem()), true);
+    };
+    const auto take = [&](PowerRecord<2> &record, const unsigned int n)
+    {
+      const Step step = step_from(0.5 * (n - 1));
+      solver.balance = {
+          step.balance_time, 8., {{{1., 2., 3., 0.5}}, {{0.25, 0.5, 0.125, 0.5}}}, {}, 0., 8.};
+      solver.balance.materials[1].relaxation = 0.375;
+      record.record(solver, step, false);
+    };
+    PowerRecord<2> first = new_relaxing(), second = new_relaxing();
+    first.start(solver);
+    take(first, 1);
+    take(first, 2);
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    {
+      ArchiveWriter archive;
+      first.save(archive);
+      archive.write("relaxing.archive");
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+    second.load(ArchiveReader("relaxing.archive"));
+    take(second, 3);
+    take(second, 4);
+    solver.present_energy = energy(7., 0.25, 0.5);
+    Summary summary;
+    second.finish(solver, summary);
+    check::relative("loss of the scheme", quantity(summary, "loss of the scheme"),
+                    2. * (1. + 2. + 0.5 + 0.25 + 0.5 + 0.5 - 0.375) - 0.375, 1e-14);
+  }
+
   // Two outlets, of which one stores: it is given 3 W for 2 s, of which it keeps 1 W.
   {
     FakeSolver<2> solver;
@@ -191,8 +231,9 @@ UNIT_TEST(power_record)
                    "time [s],balance time [s],external [W],kinetic [W],strain [W],viscous [W],"
                    "compressive [W],outlet artery: leaving [W],outlet artery: stored [W],"
                    "outlet vein: leaving [W],residual [W],share [1],kinetic energy [J],"
-                   "strain energy [J],compressive energy [J],work of loads [J]\n"
-                   "0.5,0.25,8,1,2,0,0,3,1,2,0,0,0,0,0,4\n");
+                   "strain energy [J],compressive energy [J],work of loads [J],"
+                   "loss of the scheme [J]\n"
+                   "0.5,0.25,8,1,2,0,0,3,1,2,0,0,0,0,0,4,1.5\n");
       check::relative("energy left", quantity(summary, "energy left", "artery"), 6., 1e-14);
       check::relative("energy dissipated", quantity(summary, "energy dissipated", "artery"), 4.,
                       1e-14);
@@ -223,8 +264,8 @@ UNIT_TEST(power_record)
     check::equal("file at rest", read_text("rest.csv"),
                  "time [s],balance time [s],external [W],kinetic [W],strain [W],viscous [W],"
                  "compressive [W],residual [W],share [1],kinetic energy [J],strain energy [J],"
-                 "compressive energy [J],work of loads [J]\n"
-                 "0.5,0,0,0,0,0,0,0,0,0,0,0,0\n");
+                 "compressive energy [J],work of loads [J],loss of the scheme [J]\n"
+                 "0.5,0,0,0,0,0,0,0,0,0,0,0,0,0\n");
   }
 
   check::throws<RunError>(

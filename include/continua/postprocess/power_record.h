@@ -28,13 +28,16 @@ public:
   /// which of them stresses relax; none if empty. They have a column for what that turns into heat.
   /// `outlets` as in the problem; each has a column, and one more if it has stores of its own.
   /// `mesh_changes`: there is a column for the energy that came or went with transfers.
-  /// `terms`: those of the problem's equations.
+  /// `terms`: those of the problem's equations. `relaxation_is_known`: what relaxation turns into
+  /// heat is at hand after each step. There, and where nothing relaxes, a column has what the
+  /// scheme loses.
   PowerRecord(MPI_Comm communicator,
               const std::vector<std::string> &regions,
               const std::vector<bool> &relaxes = {},
               const std::vector<Outlet> &outlets = {},
               bool mesh_changes = false,
-              const std::vector<EquationTermType> &terms = equation_terms(Problem()));
+              const std::vector<EquationTermType> &terms = equation_terms(Problem()),
+              bool relaxation_is_known = false);
 
   // As a record of a run: power.csv.
   void open(ContinuumSolver<dim> &solver, const std::string &folder, bool is_due) override;
@@ -69,8 +72,8 @@ public:
    * those that the springs hold; what else they were given is `energy relaxed`, with what the
    * scheme damps in them. Of each outlet `energy left`, and where it has stores `energy
    * dissipated`: what it has not stored. Where the mesh changes `energy change by transfer`, their
-   * sum: by this, too, the energy at the end differs from that at the start. Throws RunError on all
-   * ranks.
+   * sum: by this, too, the energy at the end differs from that at the start. `loss of the scheme`:
+   * what the powers gave and the energies do not hold. Throws RunError on all ranks.
    */
   void finish(ContinuumSolver<dim> &solver, Summary &summary);
   /// The names of what finish() adds, with the arguments of the constructor.
@@ -79,6 +82,7 @@ public:
                               const std::vector<Outlet> &outlets,
                               bool mesh_changes,
                               const std::vector<EquationTermType> &terms,
+                              bool relaxation_is_known,
                               QuantityNames &names);
 
   /// Writes what is buffered of the file. Throws RunError on all ranks.
@@ -102,9 +106,13 @@ private:
     double largest_energy = 0.;        ///< [J]
     double largest_energy_change = 0.; ///< [J]
     double transfer = 0.;              ///< sum of the energy changes [J]
+    double relaxed = 0.;               ///< by relaxation, as far as steps were asked for it [J]
   };
   std::vector<std::string> header() const;
   void compare(double energy);
+  /// What the terms that store were given by the scheme's powers and do not hold [J]; negative if
+  /// the scheme makes energy.
+  double loss_of_scheme(const Energy &energy) const;
   void append(const Power &power, bool with_relaxation);
   bool region_relaxes(const unsigned int region) const
   {
@@ -114,7 +122,7 @@ private:
   RunTable run_table;
   std::vector<std::string> regions;
   std::vector<bool> relaxes;
-  bool any_relaxes;
+  bool any_relaxes, knows_loss;
   bool mesh_changes;
   std::vector<EquationTermType> term_types;
   std::vector<std::string> outlet_names;
