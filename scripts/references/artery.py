@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Inflation of an artery of two layers with an axial prestretch and an opening angle: the numbers of the files artery-*.prm.
+"""Inflation of an artery of two layers with an axial prestretch and an opening angle: the numbers of the files artery-*.prm and
+unloaded-shape-artery.prm.
 
     scripts/references/artery.py
 
@@ -66,6 +67,19 @@ def radius_at(pressure, *case):
     return middle
 
 
+def image(pressure, inner, along, share):
+    """The closed ring whose layers meet under the pressure at this share of the wall: the thickness of its adventitia, and what inflate() gives."""
+    low, high = 0.05e-3, 0.5e-3
+    for _ in range(32):
+        thickness = 0.5 * (low + high)
+        layers = [MEDIA, ADVENTITIA[:4] + (thickness,)]
+        a = radius_at(pressure, layers, inner, 0.0, along)
+        b = inflate(layers, inner, 0.0, along, a)[1]
+        meet = math.sqrt(a * a + ((inner + MEDIA[4]) ** 2 - inner**2) / along)
+        low, high = (thickness, high) if (meet - a) / (b - a) > share else (low, thickness)
+    return thickness, a, inflate(layers, inner, 0.0, along, a)
+
+
 if __name__ == "__main__":
     for name, inner, degrees, along in (("closed ring", 0.71e-3, 0, 1.7), ("opened ring", 1.43e-3, 160, 1.7)):
         case = ([MEDIA, ADVENTITIA], inner, math.radians(degrees), along)
@@ -74,3 +88,6 @@ if __name__ == "__main__":
             _, b, force, around = inflate(*case, a)
             print(f"{name}, opening angle {degrees} deg, axial stretch {along}: at {pressure:g} Pa the inner radius is {a * 1e3:.7f} mm, the outer "
                   f"one {b * 1e3:.7f} mm, the axial force {force:.7f} N, the stress around inside {around:.2f} Pa")
+    thickness, a, (_, b, force, around) = image(13.33e3, 0.71e-3, 1.7, 0.625)
+    print(f"image of a closed ring, axial stretch 1.7, whose layers meet at 5/8 of the wall under 13330 Pa: the adventitia is {thickness * 1e3:.7f} mm thick "
+          f"at rest, the inner radius is {a * 1e3:.7f} mm, the outer one {b * 1e3:.7f} mm, the axial force {force:.7f} N, the stress around inside {around:.2f} Pa")

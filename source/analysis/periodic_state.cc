@@ -229,7 +229,7 @@ void PeriodicState<dim>::name_quantities(const Case<dim> &input, QuantityNames &
   if (!input.periodic_state.is_on)
     return;
   for (const ProbeColumnName &column :
-       input.probes.expected_columns(field_names<dim>(input.problem.model)))
+       input.probes.expected_columns(field_names<dim>(input.problem)))
     for (const BeatColumn &of_beat : beat_columns())
       names.add(quantity_name(of_beat, column.field), column.label());
   for (const char *const name :

@@ -91,7 +91,7 @@ void RestSearch<dim>::perform(const bool loads_come, const double time)
     if (had_all_loads && change <= rest.tolerance * largest_velocity)
     {
       std::ostringstream text;
-      text << "At rest after " << step + 1 << " steps";
+      text << (finds_unloaded_shape ? "Found after " : "At rest after ") << step + 1 << " steps";
       if (smallest < largest)
         text << " of " << smallest << " s to " << largest << " s";
       if (n_corrections > 0)
@@ -110,17 +110,30 @@ void RestSearch<dim>::perform(const bool loads_come, const double time)
                                                            interrupted);
   }
   std::ostringstream text;
-  text << "the body did not come to rest in " << rest.maximum_steps << " steps of ";
+  text << (finds_unloaded_shape ? "the unloaded shape was not found in "
+                                : "the body did not come to rest in ")
+       << rest.maximum_steps << " steps of ";
   if (smallest < largest)
     text << smallest << " s to " << largest << " s";
   else
     text << rest.time_step << " s";
   text << "; raise Steady/Maximum steps or Steady/Time step";
-  if (run.input.problem.is_nonlinear())
+  if (run.input.problem.is_nonlinear() && !finds_unloaded_shape)
     text << (run.input.analysis.is_steady()
                  ? ", or find out with Analysis = transient whether the motion becomes steady"
                  : ", or set Initial state/Type = given");
   throw RunError(text.str());
+}
+
+template <int dim>
+void RestSearch<dim>::find_unloaded_shape(const bool loads_come)
+{
+  run.log.line("Before the start: the unloaded shape, from which the loads at t = 0 bring the body "
+               "to the shape of the mesh");
+  finds_unloaded_shape = true;
+  run.solver->begin_unloaded_shape();
+  perform(loads_come);
+  run.solver->keep_unloaded_shape();
 }
 
 template <int dim>
@@ -136,6 +149,7 @@ StepReport RestSearch<dim>::step_of(const double last_size, double &size)
     // Loads are those of one time and pictures those of t = 0, however long it takes.
     euler.balance_time = time_of_loads;
     euler.is_towards_rest = true;
+    euler.finds_unloaded_shape = finds_unloaded_shape;
     euler.time = 0.;
     // Round-off of the sum is no part of its own.
     const double next_load = load + load_part < 1. - 1e-12 ? load + load_part : 1.;
@@ -154,7 +168,9 @@ StepReport RestSearch<dim>::step_of(const double last_size, double &size)
     catch (const StepFailure &failure)
     {
       std::ostringstream text;
-      text << "on the way to rest, step " << n_steps + 1 << " of " << size << " s";
+      text << (finds_unloaded_shape ? "on the way to the unloaded shape, step "
+                                    : "on the way to rest, step ")
+           << n_steps + 1 << " of " << size << " s";
       if (load < 1.)
         text << " with " << next_load << " of the loads";
       text << ": " << failure.what();
@@ -169,6 +185,10 @@ StepReport RestSearch<dim>::step_of(const double last_size, double &size)
         text << "; the step was halved " << halvings
              << " times (Steady/Time step, Steady/Time step growth"
              << (load < 1. ? ", Steady/Load steps)" : ")");
+        if (finds_unloaded_shape)
+          text
+              << "; a body of these materials may have no shape from which these loads bring it to "
+                 "that of the mesh (Unloaded shape)";
         throw RunError(text.str());
       }
       run.log.line(text.str() + "; it is made anew at half its size");

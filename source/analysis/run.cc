@@ -196,7 +196,7 @@ void Run<dim>::name_quantities(const Case<dim> &input, QuantityNames &names)
   for (const BoundaryCondition &condition : problem.conditions)
     if (condition.type == BoundaryType::absorbing)
       names.add("absorbing end fit error", condition.name);
-  input.probes.name_quantities(field_names<dim>(problem.model), input.analysis.is_steady(), names);
+  input.probes.name_quantities(field_names<dim>(problem), input.analysis.is_steady(), names);
   input.error_norms.name_quantities(names);
 }
 

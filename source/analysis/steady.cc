@@ -108,17 +108,18 @@ void Steady<dim>::solve(const bool loads_come)
     run.solver->solve_steady(0.);
   else
   {
-    RestSearch<dim> search(
-        run,
-        [this](const StepReport &report, const double passed, double)
-        {
-          loop.take(report, passed, run.log);
-          flow.take(report, 0.);
-          ++n_steps;
-          n_factors += report.factors;
-        },
-        "a steady analysis begins anew");
-    search.perform(loads_come);
+    const auto sink = [this](const StepReport &report, const double passed, double)
+    {
+      loop.take(report, passed, run.log);
+      flow.take(report, 0.);
+      ++n_steps;
+      n_factors += report.factors;
+    };
+    const std::string interrupted = "a steady analysis begins anew";
+    const bool finds_unloaded_shape = run.input.problem.finds_unloaded_shape();
+    if (finds_unloaded_shape)
+      RestSearch<dim>(run, sink, interrupted).find_unloaded_shape(loads_come);
+    RestSearch<dim>(run, sink, interrupted).perform(loads_come && !finds_unloaded_shape);
   }
 }
 

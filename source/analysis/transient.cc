@@ -41,9 +41,11 @@ void Transient<dim>::check(const Case<dim> &input, ParameterSection root)
 {
   LinearWaveTheory<dim>::check_overlay(input, root);
   StreamReport<dim>::check(input, root);
-  if (!input.problem.interior.starts_at_rest_under_loads)
+  const bool finds_unloaded_shape = input.problem.finds_unloaded_shape();
+  if (!input.problem.interior.starts_at_rest_under_loads && !finds_unloaded_shape)
     return;
-  const std::string remedy = "set Initial state/Type = given";
+  const std::string remedy =
+      finds_unloaded_shape ? "set Unloaded shape = mesh" : "set Initial state/Type = given";
   RestSearch<dim>::check(input, root, remedy);
   for (const BoundaryCondition &condition : input.problem.conditions)
     if (condition.profile == FlowProfile::Shape::womersley && condition.past == FlowPast::at_rest)
@@ -122,7 +124,11 @@ void Transient<dim>::start()
 {
   run.initialise();
   adapt_before_start();
-  if (run.input.problem.interior.starts_at_rest_under_loads)
+  if (run.input.problem.finds_unloaded_shape())
+    RestSearch<dim>(
+        run, [](const StepReport &, double, double) {}, "begin anew with --overwrite")
+        .find_unloaded_shape(true);
+  else if (run.input.problem.interior.starts_at_rest_under_loads)
     start_from_rest_under_loads();
   else
     report_initial_jumps();

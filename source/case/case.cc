@@ -49,6 +49,13 @@ void GeneralParameters::read(ParameterSection root,
              "How large the deformation of the solids may be: small - linear; finite - the "
              "equations are those of the deformed body, by the Strain law of each material. All "
              "regions are solids then.");
+  add_choice(
+      root, "Unloaded shape", unloaded_shape, unloaded_shape_words(),
+      "With finite deformation, the shape in which the body is free of stress: mesh - that of "
+      "the mesh; inverse solve - the mesh has the shape under the loads at t = 0, such as that "
+      "of a vessel in an image, and one inverse solve, as the section Steady says, finds the "
+      "shape from which these loads bring the body to it. The run starts in the shape of the "
+      "mesh, in balance and at rest.");
 }
 
 void RestParameters::read(ParameterSection section, const bool is_nonlinear)
@@ -118,7 +125,7 @@ void set_further_fields(Case<dim> &input, const ParameterSection &output, const 
                   "Leave them out, or set Analysis = transient");
   problem.wall_shear_window = input.output.wall_shear_window;
   problem.wall_shear_window.is_kept =
-      has_averages || input.probes.asks_for_averages(field_names<dim>(problem.model));
+      has_averages || input.probes.asks_for_averages(field_names<dim>(problem));
   if (!problem.wall_shear_window.is_kept)
     for (const char *key : {"Averages from", "Averages to"})
       if (output.given(key))
@@ -149,6 +156,7 @@ Case<dim>::Case(ParameterFile &file,
   problem.communicator = communicator;
   problem.model = model_of(general.model);
   problem.deformation = general.deformation;
+  problem.unloaded_shape = general.unloaded_shape;
   const bool axisymmetric = problem.model == Model::axisymmetric;
   const bool in_time = analysis.motion == Motion::in_time;
 
@@ -178,6 +186,9 @@ Case<dim>::Case(ParameterFile &file,
         materials.subsection(region).given("Relaxation table"))
       power_laws.note_table(region, materials.subsection(region));
   }
+  if (problem.deformation == Deformation::finite || root.has_subsection("Wall directions"))
+    problem.wall_directions.read(root.subsection("Wall directions"), problem.boundaries,
+                                 problem.model);
   problem.interior.read(root.subsection("Body force"), root.subsection("Initial state"),
                         problem.regions, dim);
 
@@ -197,12 +208,16 @@ Case<dim>::Case(ParameterFile &file,
     modal.read(root.subsection("Modal"));
   else
     rest.read(root.subsection("Steady"), problem.is_nonlinear());
-  if (analysis.is_transient() && problem.interior.starts_at_rest_under_loads)
+  if (analysis.is_transient() &&
+      (problem.interior.starts_at_rest_under_loads || problem.finds_unloaded_shape()))
     rest.read(root.subsection("Steady"), problem.is_nonlinear());
   else if (analysis.is_transient() && root.has_subsection("Steady"))
     root.subsection("Steady").refuse(
-        "", "Analysis = transient reads this section for a start from a steady state only",
-        "Remove it, or set Initial state/Type = steady or mean, or Analysis = steady");
+        "",
+        "Analysis = transient reads this section for a start from a steady state or an unloaded "
+        "shape only",
+        "Remove it, or set Initial state/Type = steady or mean, Unloaded shape = inverse solve or "
+        "Analysis = steady");
   if (!analysis.is_modal())
   {
     ParameterSection section = root.subsection("Adaptivity");
@@ -254,11 +269,11 @@ Case<dim>::Case(ParameterFile &file,
   problem.outlets = make_outlets(problem.conditions, root.subsection("Boundaries"), *triangulation,
                                  problem.materials);
   absorbing_ends.add(*this, root, restart);
-  probes.check(*triangulation, field_names<dim>(problem.model), pairs);
+  probes.check(*triangulation, field_names<dim>(problem), pairs);
   probes.check_limits(problem.conditions,
                       {discretisation.is_cell_wise(), analysis.is_modal(), in_time,
                        problem.deformation == Deformation::finite, are_solid},
-                      field_names<dim>(problem.model));
+                      field_names<dim>(problem));
   if (analysis.is_transient() && periodic_state.is_on)
     check_compared_probes(*this, root.subsection("Periodic state"));
   set_further_fields(*this, root.subsection("Output"), in_time);

@@ -13,12 +13,15 @@ void check_prestretch(const Problem &problem,
                       const bool is_in_time,
                       ParameterSection root)
 {
-  if (is_in_time && !problem.interior.starts_at_rest_under_loads)
+  if (is_in_time && !problem.interior.starts_at_rest_under_loads && !problem.finds_unloaded_shape())
     root.subsection("Initial state")
         .refuse("Type",
                 "with a prestretch the shape of the mesh is not in balance, and the run would "
                 "start with a jump",
                 "Set Type = steady: the run then starts from the state at rest under its loads");
+  // After the inverse solve the body has the shape of the mesh.
+  if (problem.finds_unloaded_shape())
+    return;
   for (const BoundaryCondition &condition : problem.conditions)
     if (condition.region_ids.count(region) > 0 &&
         (condition.normal.stiffness > 0. || condition.tangential.stiffness > 0.))
@@ -28,6 +31,43 @@ void check_prestretch(const Problem &problem,
                   "springs of a support count from the shape of the mesh, which a region with a "
                   "prestretch never has",
                   "Give the support dampers and a pressure alone, or remove the prestretch");
+}
+
+/// A mesh that has the shape under the loads of the start.
+void check_unloaded_shape(const Problem &problem, ParameterSection root)
+{
+  ParameterSection initial_state = root.subsection("Initial state");
+  if (problem.interior.starts_at_rest_under_loads)
+    initial_state.refuse(
+        "Type",
+        "after the inverse solve for the unloaded shape the run starts in the shape "
+        "of the mesh, at rest under the loads at t = 0",
+        "Remove the entry, or set Unloaded shape = mesh");
+  for (const char *const key : {"Velocity", "Displacement", "Pressure"})
+    if (initial_state.given(key))
+      initial_state.refuse(key,
+                           "the inverse solve for the unloaded shape finds the state at t = 0 from "
+                           "the loads",
+                           "Remove the entry, or set Unloaded shape = mesh");
+  if (!problem.interior.initial_pressure.empty())
+    initial_state.subsection("Pressures")
+        .refuse("",
+                "the inverse solve for the unloaded shape finds the state at t = 0 from the loads",
+                "Remove the subsection, or set Unloaded shape = mesh");
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+    if (problem.materials[region].prestretch.opening_angle != 0.)
+      root.subsection("Materials")
+          .subsection(problem.regions[region])
+          .refuse("Opening angle",
+                  "the mesh has the radii of the opened ring then, and the inverse solve for the "
+                  "unloaded shape takes those of the loaded one",
+                  "Remove the entry, or set Unloaded shape = mesh");
+  if (!problem.interior.acceleration.empty())
+    root.subsection("Body force")
+        .refuse("Acceleration",
+                "with an unloaded shape that is not the mesh's the mass at a place of the mesh is "
+                "not its volume times the density, which the weight would need",
+                "Give the weight as a Force density, or set Unloaded shape = mesh");
 }
 
 /// Materials that have no place in finite deformation.
@@ -99,7 +139,17 @@ void check_deformation(const Case<dim> &input, ParameterSection root)
 {
   const Problem &problem = input.problem;
   if (problem.deformation == Deformation::small)
+  {
+    if (root.has_subsection("Wall directions"))
+      root.subsection("Wall directions")
+          .refuse("", "fibres and prestretch are for finite deformation",
+                  "Remove the section, or set Deformation = finite");
+    if (problem.finds_unloaded_shape())
+      root.refuse("Unloaded shape",
+                  "with small deformation the shape of the mesh is also the one without load",
+                  "Set Unloaded shape = mesh, or Deformation = finite");
     return;
+  }
   if (!input.analysis.has_fields)
     root.refuse("Deformation", "wave theory is linear",
                 "Set Deformation = small, or Analysis = transient");
@@ -118,6 +168,8 @@ void check_deformation(const Case<dim> &input, ParameterSection root)
                 "with finite deformation all regions are solids, which are not "
                 "convected",
                 "Set Convection = none");
+  if (problem.finds_unloaded_shape())
+    check_unloaded_shape(problem, root);
   check_materials(problem, input.analysis.motion == Motion::in_time, root);
   check_scheme(input, root);
   if (!problem.interior.initial_displacement.empty() && problem.interior.initial_pressure.empty())

@@ -1,9 +1,9 @@
 #include <continua/case/periodic_loads.h>
 
+#include <continua/base/name_choice.h>
 #include <continua/base/parameter_text.h>
 #include <continua/continuum/field_list.h>
 #include <continua/mesh/coordinates.h>
-#include <continua/postprocess/name_choice.h>
 
 #include <algorithm>
 #include <array>
@@ -293,7 +293,7 @@ template <int dim>
 void check_compared_probes(const Case<dim> &input, const ParameterSection &section)
 {
   const std::vector<ProbeColumnName> columns =
-      input.probes.expected_columns(field_names<dim>(input.problem.model));
+      input.probes.expected_columns(field_names<dim>(input.problem));
   for (const std::string &text : input.periodic_state.probes)
     if (std::none_of(columns.begin(), columns.end(),
                      [&text](const ProbeColumnName &column)

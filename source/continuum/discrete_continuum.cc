@@ -24,7 +24,7 @@ std::unique_ptr<VibrationOperator<dim>> DiscreteContinuum<dim>::vibration()
 template <int dim>
 std::vector<FieldComponent> DiscreteContinuum<dim>::fields() const
 {
-  return field_names<dim>(problem.model);
+  return field_names<dim>(problem);
 }
 
 template <int dim>

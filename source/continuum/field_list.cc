@@ -116,7 +116,7 @@ FieldDefinition<dim> field_along(const typename FieldDefinition<dim>::Quantity q
 }
 
 template <int dim>
-std::vector<FieldDefinition<dim>> field_list(const Model model)
+std::vector<FieldDefinition<dim>> field_list(const Problem &problem)
 {
   using Field = FieldDefinition<dim>;
   using Quantity = typename Field::Quantity;
@@ -146,7 +146,18 @@ std::vector<FieldDefinition<dim>> field_list(const Model model)
   for (unsigned int k = 0; k < n_stresses<dim>(); ++k)
     add("strain " + pair(k), "1", Quantity::strain, none, k);
   add("dilatation", "1", Quantity::strain, Combination::trace);
-  if (model == Model::axisymmetric || model == Model::three_dimensional)
+  const bool has_axis =
+      problem.model == Model::axisymmetric || problem.model == Model::three_dimensional;
+  if (problem.finds_unloaded_shape())
+  {
+    for (unsigned int c = 0; c < dim; ++c)
+      add(std::string("unloaded displacement ") + axes[c], "m", Quantity::unloaded_displacement,
+          none, c);
+    if (has_axis)
+      add("radial unloaded displacement", "m", Quantity::unloaded_displacement,
+          Combination::radial);
+  }
+  if (has_axis)
   {
     add("radial velocity", "m/s", Quantity::velocity, Combination::radial);
     add("axial velocity", "m/s", Quantity::velocity, Combination::axial);
@@ -194,10 +205,10 @@ std::vector<FieldComponent> wall_field_names()
 }
 
 template <int dim>
-std::vector<FieldComponent> field_names(const Model model)
+std::vector<FieldComponent> field_names(const Problem &problem)
 {
   std::vector<FieldComponent> names;
-  for (const FieldDefinition<dim> &field : field_list<dim>(model))
+  for (const FieldDefinition<dim> &field : field_list<dim>(problem))
     names.push_back(field.name);
   return names;
 }
@@ -206,12 +217,12 @@ template struct FieldDefinition<2>;
 template struct FieldDefinition<3>;
 template FieldDefinition<2> field_along(FieldDefinition<2>::Quantity, const dealii::Tensor<1, 2> &);
 template FieldDefinition<3> field_along(FieldDefinition<3>::Quantity, const dealii::Tensor<1, 3> &);
-template std::vector<FieldDefinition<2>> field_list(Model);
-template std::vector<FieldDefinition<3>> field_list(Model);
+template std::vector<FieldDefinition<2>> field_list(const Problem &);
+template std::vector<FieldDefinition<3>> field_list(const Problem &);
 template std::vector<FieldDefinition<2>> wall_field_list();
 template std::vector<FieldDefinition<3>> wall_field_list();
 template std::vector<FieldComponent> wall_field_names<2>();
 template std::vector<FieldComponent> wall_field_names<3>();
-template std::vector<FieldComponent> field_names<2>(Model);
-template std::vector<FieldComponent> field_names<3>(Model);
+template std::vector<FieldComponent> field_names<2>(const Problem &);
+template std::vector<FieldComponent> field_names<3>(const Problem &);
 } // namespace Continua

@@ -42,7 +42,7 @@ std::string what_is_missing(const Kind kind)
 
 template <int dim>
 FieldProbes<dim>::FieldProbes(const Problem &problem)
-    : problem(problem), definitions(field_list<dim>(problem.model))
+    : problem(problem), definitions(field_list<dim>(problem))
 {
 }
 

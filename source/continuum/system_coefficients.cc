@@ -26,7 +26,8 @@ void SystemCoefficients::set(const Problem &problem, const Step &step)
         is_linear ? material.shear.viscosity + BranchHistory::step_stiffness(material, step) : 0.);
     compressibility.push_back(is_linear ? BulkHistory::step_compressibility(material, step) : 0.);
   }
-  const bool has_supports = problem.has_supports();
+  // In the mesh's shape springs of supports are free of force.
+  const bool has_supports = problem.has_supports() && !step.finds_unloaded_shape;
   support_stiffness = has_supports ? BranchHistory::step_displacement(step) : 0.;
   support_damping = has_supports ? 1. : 0.;
 }

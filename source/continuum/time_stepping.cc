@@ -77,6 +77,24 @@ void TimeStepping::start_from_present_state()
   operators.start_from(present());
 }
 
+void TimeStepping::begin_unloaded_shape()
+{
+  // It goes on from the shape that is known, as on a mesh that was refined.
+  history.displacement().equ(-1., *operators.unloaded_displacement());
+  velocity = 0.;
+  newton.forget_factor();
+  operators.forget_linearisation();
+}
+
+void TimeStepping::keep_unloaded_shape()
+{
+  velocity_work.equ(-1., history.displacement());
+  operators.set_unloaded_displacement(velocity_work);
+  history.displacement() = 0.;
+  velocity = 0.;
+  start_from_present_state();
+}
+
 void TimeStepping::setup()
 {
   TimerOutput::Scope scope(log.timer(), "setup");
@@ -252,7 +270,7 @@ void TimeStepping::set_momentum(const Step &step)
       momentum.add(-1., balanced.velocity);
     }
   }
-  if (problem.has_supports())
+  if (problem.has_supports() && !step.finds_unloaded_shape)
   {
     history.predict_displacement(step, velocity, mixture);
     for (unsigned int region = 0; region < problem.materials.size(); ++region)
@@ -553,5 +571,6 @@ void TimeStepping::save(ArchiveWriter &archive) const
 void TimeStepping::load(const ArchiveReader &archive)
 {
   load_state(archive, operators.numbering(), kept);
+  operators.finish_load();
 }
 } // namespace Continua

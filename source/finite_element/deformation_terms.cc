@@ -35,15 +35,17 @@ DeformationTerms<dim>::DeformationTerms(const Space<dim> &space,
       metrics(metrics),
       heat(problem.regions.size(), 0.),
       follower_pressure(space, problem),
+      potentials(space, problem.wall_directions),
       has_prestretch(std::any_of(problem.materials.begin(),
                                  problem.materials.end(),
                                  [](const Material &of_region)
-                                 { return of_region.prestretch.exists(); }))
+                                 { return of_region.prestretch.exists(); })),
+      has_other_rest(has_prestretch || problem.finds_unloaded_shape())
 {
   const unsigned int n_functions = cells.n_functions(), n_velocity = dim * n_functions,
                      n_pressure = cells.n_pressures();
-  for (Vector<double> *vector :
-       {&cell_velocity, &cell_displacement, &cell_acceleration, &cell_load})
+  for (Vector<double> *vector : {&cell_velocity, &cell_displacement, &cell_unloaded,
+                                 &cell_potentials, &cell_acceleration, &cell_load})
     vector->reinit(n_velocity);
   for (Vector<double> &forces : cell_forces)
     forces.reinit(n_velocity);
@@ -61,9 +63,12 @@ void DeformationTerms<dim>::reinit()
   Base::reinit();
   displacement.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
   pressure_rate.reinit(space.pressure_owned, space.pressure_relevant, space.communicator);
-  if (has_prestretch)
+  if (has_other_rest)
     acceleration.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
+  if (problem.finds_unloaded_shape())
+    ghosted_unloaded.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
   follower_pressure.reinit();
+  potentials.reinit();
   prestretch_share = 1.;
   set_rest_states();
 }
@@ -72,10 +77,12 @@ template <int dim>
 void DeformationTerms<dim>::set_rest_states()
 {
   rest_states.clear();
-  if (!has_prestretch && std::none_of(problem.materials.begin(), problem.materials.end(),
+  if (!has_other_rest && std::none_of(problem.materials.begin(), problem.materials.end(),
                                       [](const Material &of_region)
                                       { return of_region.strain_law_parameters.has_fibres(); }))
     return;
+  const DistributedVector ghosted_potentials =
+      potentials.exist() ? space.ghosted_velocity(potentials.potentials()) : DistributedVector();
   const FE_Q<dim> element(space.degree());
   FEValues<dim> places(space.mapping, element, quadrature, update_quadrature_points);
   for (const Cell &cell : cells.all())
@@ -83,10 +90,45 @@ void DeformationTerms<dim>::set_rest_states()
     places.reinit(
         static_cast<typename Triangulation<dim>::active_cell_iterator>(cell.velocity_cell));
     rest_states.emplace_back();
-    for (const dealii::Point<dim> &place : places.get_quadrature_points())
-      rest_states.back().push_back(rest_state_at<dim>(problem.materials[cell.region], problem.model,
-                                                      place, prestretch_share));
+    present = &cell;
+    if (problem.finds_unloaded_shape())
+      Base::set_entries(cell.velocity_places, ghosted_unloaded, cell_unloaded);
+    if (potentials.exist())
+      Base::set_entries(cell.velocity_places, ghosted_potentials, cell_potentials);
+    for (unsigned int q = 0; q < cells.n_points(); ++q)
+      rest_states.back().push_back(rest_state_at(
+          problem.materials[cell.region],
+          problem.wall_directions.at(problem.model, places.quadrature_point(q),
+                                     potentials.exist() ? gradient(cell_potentials, q)
+                                                        : Tensor<2, 3>()),
+          prestretch_share,
+          problem.finds_unloaded_shape() ? gradient(cell_unloaded, q) : Tensor<2, 3>()));
   }
+}
+
+template <int dim>
+void DeformationTerms<dim>::visit_state(StateVisitor &visitor)
+{
+  if (problem.finds_unloaded_shape())
+    visitor.vector("unloaded displacement", StateKind::velocity, unloaded);
+}
+
+template <int dim>
+void DeformationTerms<dim>::take_own_state()
+{
+  if (!problem.finds_unloaded_shape())
+    return;
+  space.copy_velocity(unloaded, velocity_work, ghosted_unloaded);
+  set_rest_states();
+}
+
+template <int dim>
+void DeformationTerms<dim>::set_unloaded_displacement(const DistributedVector &of_unloaded)
+{
+  unloaded.equ(1., of_unloaded);
+  take_own_state();
+  // In the shape of the mesh all branches have relaxed.
+  start_from(space.velocity_vector());
 }
 
 template <int dim>
@@ -95,9 +137,18 @@ void DeformationTerms<dim>::take(const BalancedStep &state)
   step = state.step;
   displacement_by_velocity = step.branch(std::numeric_limits<double>::infinity()).velocity;
   take(state.velocity, state.pressure);
-  space.copy_velocity(state.displacement, velocity_work, displacement);
   space.copy_pressure(state.pressure_rate, Base::pressure_work, pressure_rate);
-  if (!has_prestretch)
+  if (step.finds_unloaded_shape)
+  {
+    // The mesh stays, and what the displacement leads from is the unloaded shape.
+    space.copy_velocity(state.displacement, velocity_work, ghosted_unloaded);
+    ghosted_unloaded *= -1.;
+    set_rest_states();
+    displacement = 0.;
+  }
+  else
+    space.copy_velocity(state.displacement, velocity_work, displacement);
+  if (!has_other_rest)
     return;
   space.copy_velocity(state.acceleration, velocity_work, acceleration);
   if (step.load_factor != prestretch_share)
@@ -113,8 +164,10 @@ void DeformationTerms<dim>::visit(const Cell &cell)
   present = &cell;
   Base::set_entries(cell.velocity_places, velocity, cell_velocity);
   Base::set_entries(cell.velocity_places, displacement, cell_displacement);
-  if (has_prestretch)
+  if (has_other_rest)
     Base::set_entries(cell.velocity_places, acceleration, cell_acceleration);
+  if (step.finds_unloaded_shape)
+    Base::set_entries(cell.velocity_places, ghosted_unloaded, cell_unloaded);
   Base::set_entries(cell.pressure_places, pressure, cell_pressure);
   Base::set_entries(cell.pressure_places, pressure_rate, cell_pressure_rate);
 }
@@ -237,7 +290,7 @@ void DeformationTerms<dim>::start_from(const DistributedVector &of_displacement)
 template <int dim>
 void DeformationTerms<dim>::finish_step(const BalancedStep &balanced, const State &state)
 {
-  if (metrics == nullptr)
+  if (metrics == nullptr || balanced.step.finds_unloaded_shape)
     return;
   std::fill(heat.begin(), heat.end(), 0.);
   visit_relaxing_points(balanced.displacement,
@@ -337,7 +390,7 @@ template <int dim>
 double DeformationTerms<dim>::integrate(const bool by_kind)
 {
   const StrainLaw &law = *material().strain_law;
-  const bool is_viscous = material().shear.viscosity != 0.;
+  const bool is_viscous = material().shear.viscosity != 0. && !step.finds_unloaded_shape;
   for (Vector<double> &forces : cell_forces)
     forces = 0.;
   cell_volume = 0.;
@@ -346,11 +399,11 @@ double DeformationTerms<dim>::integrate(const bool by_kind)
   for (unsigned int q = 0; q < cells.n_points(); ++q)
   {
     const Point here = point(q);
-    const double ratio = here.kinematics.volume_ratio();
+    const double ratio = here.kinematics.volume_ratio(), least = std::min(ratio, here.rest_ratio);
     // What is no number fails the comparisons.
-    if (!(ratio >= least_ratio))
-      least_ratio = ratio;
-    if (!(ratio > 0.))
+    if (!(least >= least_ratio))
+      least_ratio = least;
+    if (!(least > 0.))
       continue;
     set_strain(here, q);
     set_functions(here, q);
@@ -365,7 +418,7 @@ double DeformationTerms<dim>::integrate(const bool by_kind)
       if (is_viscous)
         add_stress(viscous_stress(here), here.weight, cell_forces[viscosity]);
       add_stress(of_pressure, here.weight, cell_forces[compression]);
-      if (has_prestretch)
+      if (adds_inertia())
         add_inertia(here, q, cell_forces[inertia]);
     }
     else
@@ -375,7 +428,7 @@ double DeformationTerms<dim>::integrate(const bool by_kind)
         stress += viscous_stress(here);
       add_stress(stress, here.weight, cell_forces[0]);
       add_reference_pressure(here.weight * here.pressure, cell_forces[0]);
-      if (has_prestretch)
+      if (adds_inertia())
         add_inertia(here, q, cell_forces[0]);
     }
     const double row =
@@ -402,11 +455,14 @@ void DeformationTerms<dim>::add(const BalancedStep &state,
     // The round-off of a displacement is a strain, also of a body that is moved far, and a law has
     // that of the deformation gradient 1, from which it takes its stress.
     const StrainLaw &law = *material().strain_law;
-    const double way = cell_displacement.linfty_norm(), of_rest = share_of_rest * cell.size;
+    const double way =
+                     (step.finds_unloaded_shape ? cell_unloaded : cell_displacement).linfty_norm(),
+                 of_rest = share_of_rest * cell.size;
     sizes.stress = std::max(sizes.stress, material().instantaneous_shear_modulus() *
                                               std::max(way, of_rest) / cell.size);
-    // ln J has no round-off of that kind.
-    largest_way = std::max(largest_way, law.has_own_mean_stress() ? std::max(way, of_rest) : way);
+    // ln J has no round-off of that kind, but ln det F0 has.
+    largest_way = std::max(
+        largest_way, law.has_own_mean_stress() || has_other_rest ? std::max(way, of_rest) : way);
     if (!(ratio >= least_ratio))
     {
       least_ratio = ratio;
@@ -548,6 +604,11 @@ template <int dim>
 void DeformationTerms<dim>::set_derivative(const Cell &cell, FullMatrix<double> &matrix)
 {
   visit(cell);
+  if (step.finds_unloaded_shape)
+  {
+    integrate_unloading_derivative(matrix);
+    return;
+  }
   integrate_derivative(matrix);
   if (follower_pressure.has_face(cell.velocity_cell))
     follower_pressure.subtract_derivative(cell.velocity_cell, step, cell_displacement,
@@ -647,7 +708,7 @@ void DeformationTerms<dim>::integrate_derivative(FullMatrix<double> &matrix)
         for (unsigned int k = 0; k < n_pressure; ++k)
           matrix(j, n_velocity + k) += by_pressure * cells.pressure_values(q)[k];
       }
-    if (has_prestretch)
+    if (adds_inertia())
     {
       const double mass = here.weight * material().density * (here.rest_ratio - 1.) * step.a0;
       for (unsigned int a = 0; a < n_functions; ++a)
@@ -658,6 +719,65 @@ void DeformationTerms<dim>::integrate_derivative(FullMatrix<double> &matrix)
     }
     const double row_by_pressure =
         here.weight * ratio * inverse_bulk_modulus * (step.extrapolate ? rate_by_pressure : 1. / b);
+    for (unsigned int k = 0; k < n_pressure; ++k)
+      for (unsigned int l = 0; l < n_pressure; ++l)
+        matrix(n_velocity + k, n_velocity + l) -=
+            row_by_pressure * cells.pressure_values(q)[k] * cells.pressure_values(q)[l];
+  }
+}
+
+template <int dim>
+void DeformationTerms<dim>::integrate_unloading_derivative(FullMatrix<double> &matrix)
+{
+  const StrainLaw &law = *material().strain_law;
+  const double inverse_bulk_modulus = material().inverse_bulk_modulus(),
+               b = displacement_by_velocity;
+  const unsigned int n_functions = cells.n_functions(), n_velocity = dim * n_functions,
+                     n_pressure = cells.n_pressures();
+  matrix.reinit(n_velocity + n_pressure, n_velocity + n_pressure);
+  SymmetricTensor<2, 3> stress, mean_derivative;
+  SymmetricTensor<4, 3> tangent;
+  for (unsigned int q = 0; q < cells.n_points(); ++q)
+  {
+    const Point here = point(q);
+    const Tensor<2, 3> &unloading = rest_states[present - cells.all().data()][q].unloading;
+    set_strain(here, q);
+    set_functions(here, q);
+    law.set_tangent(strain_at_point, stress, tangent);
+    const auto whole_stress = static_cast<Tensor<2, 3>>(stress);
+    double mean_stress = 0.;
+    if (law.has_own_mean_stress())
+      law.set_mean_stress(strain_at_point, mean_stress, mean_derivative);
+    for (unsigned int d = 0; d < dim; ++d)
+      for (unsigned int f = 0; f < n_functions; ++f)
+      {
+        const unsigned int j = d * n_functions + f;
+        // dFe Fe^-1 of the elastic deformation, which is (1 - Grad D)^-1 times what of it is known.
+        Tensor<2, 3> change;
+        change[d] = reference_slopes[f];
+        if (d == 1)
+          change[2][2] += reference_hoops[f];
+        change = unloading * change;
+        const double divergence = trace(change);
+        // Of det F0 tau, whose volume at rest changes, too.
+        const Tensor<2, 3> acting =
+            (here.weight * here.rest_ratio * b) *
+            (static_cast<Tensor<2, 3>>(tangent * symmetrize(change)) + change * whole_stress +
+             whole_stress * transpose(change) - divergence * whole_stress);
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int a = 0; a < n_functions; ++a)
+            matrix(c * n_functions + a, j) +=
+                acting[c] * reference_slopes[a] + (c == 1 ? acting[2][2] * reference_hoops[a] : 0.);
+        const double row_change =
+            law.has_own_mean_stress()
+                ? inverse_bulk_modulus * (mean_derivative * symmetrize(change))
+                : divergence;
+        const double by_velocity = here.weight * (row_change - reference_slopes[f][d] -
+                                                  (d == 1 ? reference_hoops[f] : 0.));
+        for (unsigned int k = 0; k < n_pressure; ++k)
+          matrix(n_velocity + k, j) -= by_velocity * cells.pressure_values(q)[k];
+      }
+    const double row_by_pressure = here.weight * inverse_bulk_modulus / b;
     for (unsigned int k = 0; k < n_pressure; ++k)
       for (unsigned int l = 0; l < n_pressure; ++l)
         matrix(n_velocity + k, n_velocity + l) -=

@@ -18,6 +18,8 @@ using namespace dealii;
 
 namespace
 {
+const char *const wall_axis = "wall_axis", *const wall_circumference = "wall_circumference";
+
 template <int dim>
 std::vector<std::string> cell_field_names()
 {
@@ -31,14 +33,23 @@ std::vector<std::string> cell_field_names()
 /// Names and units of the fields that are asked for beside these; a vector has its name `dim`
 /// times.
 template <int dim>
-std::vector<std::pair<std::string, std::string>> further_cell_fields(const FurtherFields &further)
+std::vector<std::pair<std::string, std::string>> further_cell_fields(const Problem &problem)
 {
   std::vector<std::pair<std::string, std::string>> fields;
-  if (further.vorticity)
+  if (problem.further_fields.vorticity)
     fields.resize(dim == 2 ? 1 : 3, {"vorticity", "1/s"});
-  if (further.q_criterion)
+  if (problem.further_fields.q_criterion)
     fields.emplace_back("Q_criterion", "1/s^2");
+  // In two dimensions one of them is across the plane.
+  if (dim == 3 && problem.wall_directions.type != WallDirectionsParameters::Type::straight_axis)
+    for (const char *const name : {wall_axis, wall_circumference})
+      fields.resize(fields.size() + 3, {name, "1"});
   return fields;
+}
+
+bool is_vector(const std::string &name)
+{
+  return name == "vorticity" || name == wall_axis || name == wall_circumference;
 }
 } // namespace
 
@@ -56,11 +67,11 @@ FieldOutput<dim>::FieldOutput(const Space<dim> &space,
       names(cell_field_names<dim>()),
       units(names.size(), "Pa"),
       cell_element(FE_DGQ<dim>(space.degree() - 1),
-                   names.size() + further_cell_fields<dim>(problem.further_fields).size()),
+                   names.size() + further_cell_fields<dim>(problem).size()),
       cell_dofs(space.triangulation),
       node_dofs(space.triangulation)
 {
-  for (const auto &[name, unit] : further_cell_fields<dim>(problem.further_fields))
+  for (const auto &[name, unit] : further_cell_fields<dim>(problem))
   {
     names.push_back(name);
     units.push_back(unit);
@@ -72,6 +83,10 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
 {
   velocity = space.ghosted_velocity(state.velocity);
   displacement = space.ghosted_velocity(state.history.displacement());
+  if (state.unloaded_displacement != nullptr)
+    unloaded_displacement = space.ghosted_velocity(*state.unloaded_displacement);
+  if (state.wall_potentials != nullptr)
+    wall_potentials = space.ghosted_velocity(*state.wall_potentials);
   const DistributedVector pressure = space.ghosted_pressure(state.pressure);
   std::vector<DistributedVector> mixtures;
   for (unsigned int region = 0; region < problem.regions.size(); ++region)
@@ -97,6 +112,7 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
                                         Vector<double>(space.pressure_elements.n_components()));
   std::vector<types::global_dof_index> indices(cell_element.n_dofs_per_cell());
   std::vector<std::array<double, 6>> finite_stresses(nodes.size());
+  std::vector<TubeDirections> directions(nodes.size());
   const DistributedVector metric_mixture =
       metrics != nullptr ? metrics->ghosted_mixture() : DistributedVector();
 
@@ -124,7 +140,10 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
           &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs));
       hp_pressure_values.get_present_fe_values().get_function_values(pressure, pressures);
       if (problem.deformation == Deformation::finite)
-        set_finite_stresses(values, pressures, region, metric_mixture, finite_stresses);
+      {
+        set_directions(values, directions);
+        set_finite_stresses(values, pressures, region, metric_mixture, directions, finite_stresses);
+      }
       typename DoFHandler<dim>::active_cell_iterator(&space.triangulation, cell->level(),
                                                      cell->index(), &cell_dofs)
           ->get_dof_indices(indices);
@@ -147,6 +166,14 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
         if (space.is_axisymmetric())
           hoop =
               r > 0. ? (is_further ? velocity_values : mixture_values)[q][1] / r : gradient[1][1];
+        if (names[component] == wall_axis || names[component] == wall_circumference)
+        {
+          const Tensor<1, 3> &direction =
+              names[component] == wall_axis ? directions[q].axis : directions[q].circumference;
+          // Each of them has three components, one after the other, at the end of the list.
+          cell_fields[indices[i]] = direction[2 - (names.size() - 1 - component) % 3];
+          continue;
+        }
         if (is_further)
         {
           const bool is_vorticity = names[component] == "vorticity";
@@ -178,9 +205,13 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
                            vector_components);
   data_out.add_data_vector(space.velocity_dofs, displacement,
                            std::vector<std::string>(dim, "displacement"), vector_components);
+  if (state.unloaded_displacement != nullptr)
+    data_out.add_data_vector(space.velocity_dofs, unloaded_displacement,
+                             std::vector<std::string>(dim, "unloaded_displacement"),
+                             vector_components);
   std::vector<DataComponentInterpretation::DataComponentInterpretation> cell_components;
   for (const std::string &name : names)
-    cell_components.push_back(dim == 3 && name == "vorticity"
+    cell_components.push_back(dim == 3 && is_vector(name)
                                   ? DataComponentInterpretation::component_is_part_of_vector
                                   : DataComponentInterpretation::component_is_scalar);
   data_out.add_data_vector(cell_dofs, cell_fields, names, cell_components);
@@ -195,8 +226,46 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
                                                         {"rank", "1"}};
   for (unsigned int i = 0; i < names.size(); ++i)
     units_of_fields[names[i]] = units[i];
+  if (state.unloaded_displacement != nullptr)
+    units_of_fields["unloaded_displacement"] = "m";
   add_wall_fields(state, data_out, units_of_fields);
   return units_of_fields;
+}
+
+template <int dim>
+void FieldOutput<dim>::set_gradients(const FEValues<dim> &values,
+                                     const DistributedVector &vector,
+                                     std::vector<Tensor<2, 3>> &target) const
+{
+  std::vector<std::vector<Tensor<1, dim>>> gradients(target.size(),
+                                                     std::vector<Tensor<1, dim>>(dim));
+  std::vector<Vector<double>> entries(target.size(), Vector<double>(dim));
+  values.get_function_values(vector, entries);
+  values.get_function_gradients(vector, gradients);
+  for (unsigned int q = 0; q < target.size(); ++q)
+  {
+    Tensor<2, dim> gradient;
+    for (unsigned int c = 0; c < dim; ++c)
+      gradient[c] = gradients[q][c];
+    const double r = values.quadrature_point(q)[1];
+    double hoop = 0.;
+    // On the axis the hoop strain is the radial one.
+    if (space.is_axisymmetric())
+      hoop = r > 0. ? entries[q][1] / r : gradient[1][1];
+    target[q] = whole_gradient<dim>(gradient, hoop);
+  }
+}
+
+template <int dim>
+void FieldOutput<dim>::set_directions(const FEValues<dim> &values,
+                                      std::vector<TubeDirections> &directions) const
+{
+  std::vector<Tensor<2, 3>> slopes(directions.size());
+  if (problem.wall_directions.has_potentials())
+    set_gradients(values, wall_potentials, slopes);
+  for (unsigned int q = 0; q < directions.size(); ++q)
+    directions[q] =
+        problem.wall_directions.at(problem.model, values.quadrature_point(q), slopes[q]);
 }
 
 template <int dim>
@@ -204,42 +273,26 @@ void FieldOutput<dim>::set_finite_stresses(const FEValues<dim> &values,
                                            const std::vector<Vector<double>> &pressures,
                                            const unsigned int region,
                                            const DistributedVector &metric_mixture,
+                                           const std::vector<TubeDirections> &directions,
                                            std::vector<std::array<double, 6>> &stresses) const
 {
   const Material &material = problem.materials[region];
-  std::vector<std::vector<Tensor<1, dim>>> gradients(stresses.size(),
-                                                     std::vector<Tensor<1, dim>>(dim));
-  std::vector<Vector<double>> entries(stresses.size(), Vector<double>(dim));
-  std::vector<Tensor<2, 3>> of_displacement(stresses.size()), of_velocity(stresses.size());
-  const auto set = [&](const DistributedVector &vector, std::vector<Tensor<2, 3>> &target)
-  {
-    values.get_function_values(vector, entries);
-    values.get_function_gradients(vector, gradients);
-    for (unsigned int q = 0; q < target.size(); ++q)
-    {
-      Tensor<2, dim> gradient;
-      for (unsigned int c = 0; c < dim; ++c)
-        gradient[c] = gradients[q][c];
-      const double r = values.quadrature_point(q)[1];
-      double hoop = 0.;
-      // On the axis the hoop strain is the radial one.
-      if (space.is_axisymmetric())
-        hoop = r > 0. ? entries[q][1] / r : gradient[1][1];
-      target[q] = whole_gradient<dim>(gradient, hoop);
-    }
-  };
-  set(displacement, of_displacement);
-  set(velocity, of_velocity);
+  std::vector<Tensor<2, 3>> of_displacement(stresses.size()), of_velocity(stresses.size()),
+      of_unloaded(stresses.size());
+  set_gradients(values, displacement, of_displacement);
+  set_gradients(values, velocity, of_velocity);
+  if (problem.finds_unloaded_shape())
+    set_gradients(values, unloaded_displacement, of_unloaded);
   for (unsigned int q = 0; q < stresses.size(); ++q)
   {
     SymmetricTensor<2, 3> of_branches;
     if (metrics != nullptr)
       of_branches = MetricHistory<dim>::mixture_at(
           metrics->weights_at(values.get_cell(), values.get_quadrature().point(q)), metric_mixture);
-    stresses[q] = finite_stress(
-        material, rest_state_at<dim>(material, problem.model, values.quadrature_point(q)),
-        Kinematics(of_displacement[q]), of_velocity[q],
-        pressures[q][space.pressure_component(region)], of_branches);
+    stresses[q] =
+        finite_stress(material, rest_state_at(material, directions[q], 1., of_unloaded[q]),
+                      Kinematics(of_displacement[q]), of_velocity[q],
+                      pressures[q][space.pressure_component(region)], of_branches);
   }
 }
 

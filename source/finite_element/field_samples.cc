@@ -21,6 +21,10 @@ void SampledState<dim>::reinit()
   mixtures.assign(problem.regions.size(), velocity);
   if (problem.deformation == Deformation::finite)
     displacement = velocity;
+  if (problem.finds_unloaded_shape())
+    unloaded_displacement = velocity;
+  if (problem.wall_directions.has_potentials())
+    wall_potentials = velocity;
   if (problem.wall_shear_window.is_kept)
     for (DistributedVector *vector : {&shear_integral, &magnitude_integral})
       *vector = space.ghosted_velocity(velocity_work);
@@ -38,6 +42,10 @@ void SampledState<dim>::take(const State &state)
   }
   if (problem.deformation == Deformation::finite)
     space.copy_velocity(state.history.displacement(), velocity_work, displacement);
+  if (state.unloaded_displacement != nullptr)
+    space.copy_velocity(*state.unloaded_displacement, velocity_work, unloaded_displacement);
+  if (state.wall_potentials != nullptr)
+    space.copy_velocity(*state.wall_potentials, velocity_work, wall_potentials);
   if (metrics != nullptr)
     metric_mixture = metrics->ghosted_mixture();
   averaged_time = 0.;
@@ -139,6 +147,23 @@ Kinematics FieldSamples<dim>::kinematics_at(const SamplePoint &point,
 }
 
 template <int dim>
+RestState FieldSamples<dim>::rest_state(const SamplePoint &point,
+                                        const SampledState<dim> &state) const
+{
+  const auto whole = [&](const DistributedVector &vector)
+  {
+    const Tensor<2, dim> in_place = gradient(point, vector);
+    return whole_gradient<dim>(in_place, hoop(point, vector, in_place));
+  };
+  return rest_state_at(
+      problem.materials[point.region],
+      problem.wall_directions.at(
+          problem.model, point.place,
+          problem.wall_directions.has_potentials() ? whole(state.wall_potentials) : Tensor<2, 3>()),
+      1., problem.finds_unloaded_shape() ? whole(state.unloaded_displacement) : Tensor<2, 3>());
+}
+
+template <int dim>
 std::array<double, 6> FieldSamples<dim>::stress_at(const SamplePoint &point,
                                                    const SampledState<dim> &state) const
 {
@@ -147,8 +172,7 @@ std::array<double, 6> FieldSamples<dim>::stress_at(const SamplePoint &point,
     const Material &material = problem.materials[point.region];
     const Tensor<2, dim> of_velocity = gradient(point, state.velocity);
     return finite_stress(
-        material, rest_state_at<dim>(material, problem.model, point.place),
-        kinematics_at(point, state),
+        material, rest_state(point, state), kinematics_at(point, state),
         whole_gradient<dim>(of_velocity, hoop(point, state.velocity, of_velocity)),
         pressure_at(point, state),
         MetricHistory<dim>::mixture_at(point.metric_weights, state.metric_mixture));
@@ -238,6 +262,8 @@ double FieldSamples<dim>::value(const FieldDefinition<dim> &field,
   {
   case Quantity::velocity:
     return product(vector_value(point, state.velocity));
+  case Quantity::unloaded_displacement:
+    return product(vector_value(point, state.unloaded_displacement));
   case Quantity::pressure:
     return problem.plane_stress(point.region).pressure_factor * pressure_at(point, state);
   case Quantity::vorticity:

@@ -510,6 +510,8 @@ void TaylorHood<dim>::finish_transfer(const StateVectors &vectors)
   mesh_transfer.finish(vectors.velocities, vectors.pressures);
   if (metrics != nullptr)
     metrics->finish_transfer(vectors.internal_metrics);
+  if (is_nonlinear())
+    terms->take_own_state();
 }
 
 template <int dim>
@@ -517,6 +519,33 @@ void TaylorHood<dim>::visit(StateVisitor &visitor)
 {
   if (metrics != nullptr)
     metrics->visit(visitor);
+  if (is_nonlinear())
+    terms->visit_state(visitor);
+}
+
+template <int dim>
+void TaylorHood<dim>::finish_load()
+{
+  if (is_nonlinear())
+    terms->take_own_state();
+}
+
+template <int dim>
+const DistributedVector *TaylorHood<dim>::wall_potentials() const
+{
+  return is_nonlinear() ? terms->wall_potentials() : nullptr;
+}
+
+template <int dim>
+const DistributedVector *TaylorHood<dim>::unloaded_displacement() const
+{
+  return is_nonlinear() ? terms->unloaded_displacement() : nullptr;
+}
+
+template <int dim>
+void TaylorHood<dim>::set_unloaded_displacement(const DistributedVector &displacement)
+{
+  terms->set_unloaded_displacement(displacement);
 }
 
 template <int dim>

@@ -1,7 +1,7 @@
 #include <continua/postprocess/output_parameters.h>
 
+#include <continua/base/name_choice.h>
 #include <continua/base/parameter_text.h>
-#include <continua/postprocess/name_choice.h>
 
 #include <utility>
 

@@ -1,11 +1,11 @@
 #include <continua/postprocess/probe_entries.h>
 
 #include <continua/base/input_error.h>
+#include <continua/base/name_choice.h>
 #include <continua/base/parameter_text.h>
 #include <continua/continuum/field_list.h>
 #include <continua/mesh/cell_point.h>
 #include <continua/mesh/plane_section.h>
-#include <continua/postprocess/name_choice.h>
 
 #include <deal.II/fe/mapping_q.h>
 

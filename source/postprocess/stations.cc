@@ -1,10 +1,10 @@
 #include <continua/postprocess/stations.h>
 
+#include <continua/base/name_choice.h>
 #include <continua/base/parameter_text.h>
 #include <continua/base/words.h>
 #include <continua/mesh/cell_point.h>
 #include <continua/mesh/plane_section.h>
-#include <continua/postprocess/name_choice.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/fe/mapping_q.h>

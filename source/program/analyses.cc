@@ -61,15 +61,16 @@ const AnalysisTable &analyses()
 {
   // The flags of a case: whether it has fields, and checkpoints.
   static const AnalysisTable table(
-      {row_of_case<Transient>(
-           "transient", "Steps through time.",
-           {"Time", "Steady", "Periodic state", "Adaptivity", "Wave theory", "Exact solution"},
-           Motion::in_time, true, true),
+      {row_of_case<Transient>("transient", "Steps through time.",
+                              {"Time", "Steady", "Periodic state", "Adaptivity", "Wall directions",
+                               "Wave theory", "Exact solution"},
+                              Motion::in_time, true, true),
        row_of_case<Steady>(
            "steady",
            "State at rest: one solve for a body that is all solid or all fluid, steps to rest for "
            "a mixture.",
-           {"Steady", "Adaptivity", "Exact solution"}, Motion::at_rest, true, false),
+           {"Steady", "Adaptivity", "Wall directions", "Exact solution"}, Motion::at_rest, true,
+           false),
        row_of_case<Modal>("modal", "Frequencies and shapes of a solid body's free vibrations.",
                           {"Modal"}, Motion::vibrating, true, false),
        row_of_theory(),

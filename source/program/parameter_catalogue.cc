@@ -7,6 +7,7 @@
 #include <continua/case/case.h>
 #include <continua/case/measured_waves.h>
 #include <continua/continuum/convection.h>
+#include <continua/continuum/wall_directions_parameters.h>
 #include <continua/laboratory/amplification_parameters.h>
 #include <continua/laboratory/laboratory_parameters.h>
 #include <continua/materials/material.h>
@@ -145,6 +146,17 @@ std::vector<Source> sources()
        read_strain_law_of_region,
        "Materials/<region>/Strain law",
        strain_law_names()},
+      {"Wall directions",
+       "What is along and around a wall, for its fibres and its prestretch, with `Deformation = "
+       "finite`.",
+       {},
+       [](Root &root, const General &general)
+       {
+         WallDirectionsParameters().read(root.subsection("Wall directions"), {"<boundary>"},
+                                         model_of(general.model));
+       },
+       "",
+       {}},
       {"Boundaries",
        "A family: one subsection for each boundary of the geometry, called after it.",
        {},

@@ -193,6 +193,8 @@ void check_derivative(const std::string &name,
   if (relaxes)
     add_branches(problem);
   problem.materials[0].prestretch = prestretch;
+  if (step.finds_unloaded_shape)
+    problem.unloaded_shape = UnloadedShape::inverse_solve;
   const auto metrics = make_metrics(space, problem);
   DeformationTerms<dim> terms(space, problem, metrics.get());
   terms.reinit();
@@ -296,6 +298,17 @@ UNIT_TEST(deformation_terms)
                      false, prestretch);
     check_derivative(stretched + ", in space", solid_space, "mooney rivlin", step, true,
                      prestretch);
+  }
+
+  Step unloading = implicit;
+  unloading.finds_unloaded_shape = true;
+  for (const StrainLawType &row : strain_law_types())
+  {
+    const std::string name = row.name + ", unloaded shape";
+    check_derivative(name + ", plane", space, row.name, unloading);
+    check_derivative(name + ", axisymmetric", round_space, row.name, unloading);
+    check_derivative(name + ", in space", solid_space, row.name, unloading, false,
+                     Prestretch{1.3, 0.});
   }
 
   // A body that is turned has no stress, and keeps its volume.

@@ -28,6 +28,9 @@ public:
   /// `time_of_loads` [s], or `mean_over_period`. Throws RunError if the body does not come to rest.
   void perform(bool loads_come, double time_of_loads = 0.);
 
+  /// The same for the unloaded shape of a body that has that of the mesh under the loads at t = 0.
+  void find_unloaded_shape(bool loads_come);
+
   /// Whether the body of a case has a state at rest, and something that holds it. Throws
   /// InputError; `remedy` is what the user can do instead.
   static void check(const Case<dim> &input, ParameterSection root, const std::string &remedy);
@@ -37,6 +40,7 @@ private:
   const Sink sink;
   const std::string interrupted;
   unsigned int n_steps = 0, n_load_steps = 0, n_halved = 0;
+  bool finds_unloaded_shape = false;
   double time_of_loads = 0.;
   double load = 1.;      ///< part of the loads that the last step had [1]
   double load_part = 1.; ///< by which it grew

@@ -39,6 +39,7 @@ struct GeneralParameters
   std::string discretisation = "taylor hood";
   std::string convection = "none";
   Deformation deformation = Deformation::small;
+  UnloadedShape unloaded_shape = UnloadedShape::mesh;
 
   /// `analyses`: name and description of those that exist. Throws InputError.
   void read(ParameterSection root,

@@ -179,6 +179,11 @@ public:
   /// Takes the present state, which is at rest or steady, for that of t = 0, with nothing before
   /// it.
   virtual void start_from_present_state() = 0;
+  /// With Problem::finds_unloaded_shape(): the steps that follow, with Step::finds_unloaded_shape,
+  /// search for the unloaded shape, from the one that is known (at first that of the mesh).
+  virtual void begin_unloaded_shape() {}
+  /// The search has ended: the body is in the shape of the mesh, in balance and at rest.
+  virtual void keep_unloaded_shape() {}
   /// `sink` gets each correction of a solver that makes some, on all ranks, as soon as it is made;
   /// also those of a step that is undone or fails.
   virtual void report_corrections(const std::function<void(const LoopCorrection &)> & /*sink*/) {}

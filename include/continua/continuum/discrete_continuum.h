@@ -25,6 +25,8 @@ public:
 
   void initialise() override { stepping.initialise(); }
   void start_from_present_state() override { stepping.start_from_present_state(); }
+  void begin_unloaded_shape() override { stepping.begin_unloaded_shape(); }
+  void keep_unloaded_shape() override { stepping.keep_unloaded_shape(); }
   StepReport advance(const Step &step) override { return stepping.advance(step); }
   void report_corrections(const std::function<void(const LoopCorrection &)> &sink) override
   {

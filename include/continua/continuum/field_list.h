@@ -2,8 +2,8 @@
 #define continua_continuum_field_list_h
 
 #include <continua/continuum/continuum_solver.h>
+#include <continua/continuum/problem.h>
 #include <continua/continuum/stress_and_strain.h>
-#include <continua/materials/model.h>
 
 #include <deal.II/base/point.h>
 
@@ -23,6 +23,7 @@ struct FieldDefinition
   {
     velocity,
     displacement,
+    unloaded_displacement, ///< from the mesh to the unloaded shape
     pressure,
     stress,
     strain,
@@ -73,9 +74,9 @@ FieldDefinition<dim> field_along(typename FieldDefinition<dim>::Quantity quantit
 
 /// All fields of the model, in the order in which they are offered. `radial velocity`, `axial
 /// velocity`, `radial displacement`, `hoop stress` and `wall shear stress` exist in axisymmetry and
-/// three dimensions.
+/// three dimensions, `unloaded displacement` where that shape is looked for.
 template <int dim>
-std::vector<FieldDefinition<dim>> field_list(Model model);
+std::vector<FieldDefinition<dim>> field_list(const Problem &problem);
 /// The fields that exist on boundaries and interfaces alone, in the order in which they are
 /// offered: wall shear stress x, ..., magnitude of wall shear stress, time-averaged wall shear
 /// stress, oscillatory shear index.
@@ -85,7 +86,7 @@ template <int dim>
 std::vector<FieldComponent> wall_field_names();
 /// Their names and units: what there is to probe, whatever the discretisation.
 template <int dim>
-std::vector<FieldComponent> field_names(Model model);
+std::vector<FieldComponent> field_names(const Problem &problem);
 } // namespace Continua
 
 #endif

@@ -268,6 +268,13 @@ public:
   /// The state of t = 0 was set. (Not after a checkpoint is loaded or the mesh has changed: what is
   /// needed then is part of the state.)
   virtual void start_from(const State &) {}
+  /// The state was read from a checkpoint.
+  virtual void finish_load() {}
+  /// See WallPotentials; null where the directions of walls do not need them.
+  virtual const DistributedVector *wall_potentials() const { return nullptr; }
+  /// From the mesh to the shape without stress [m]; null where that is the mesh's.
+  virtual const DistributedVector *unloaded_displacement() const { return nullptr; }
+  virtual void set_unloaded_displacement(const DistributedVector &) {}
   /// S w of the past, which the step knows beforehand.
   virtual void multiply_past_stiffness(const unsigned int region,
                                        DistributedVector &force,

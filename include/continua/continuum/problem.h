@@ -4,6 +4,7 @@
 #include <continua/boundary/boundary_condition.h>
 #include <continua/boundary/outlet.h>
 #include <continua/continuum/convection.h>
+#include <continua/continuum/wall_directions_parameters.h>
 #include <continua/materials/deformation.h>
 #include <continua/materials/material.h>
 #include <continua/materials/model.h>
@@ -75,12 +76,17 @@ struct Problem
   InteriorData interior;
   Convection convection;
   Deformation deformation = Deformation::small;
+  UnloadedShape unloaded_shape = UnloadedShape::mesh;
+  WallDirectionsParameters wall_directions;
   NewtonParameters newton;
   FurtherFields further_fields;
   WallShearWindow wall_shear_window;
 
   /// Whether Newton's iteration makes the steps.
   bool is_nonlinear() const { return convection.is_on || deformation == Deformation::finite; }
+  /// Whether the mesh has the shape under the loads of the start, of which the unloaded one is
+  /// found.
+  bool finds_unloaded_shape() const { return unloaded_shape == UnloadedShape::inverse_solve; }
   /// Whether what is around the body supports it somewhere.
   bool has_supports() const
   {

@@ -1,10 +1,9 @@
 #ifndef continua_continuum_rest_state_h
 #define continua_continuum_rest_state_h
 
+#include <continua/continuum/tube_directions.h>
 #include <continua/materials/material.h>
-#include <continua/materials/model.h>
 
-#include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
 #include <vector>
@@ -17,18 +16,21 @@ struct RestState
   /// Unit directions of the fibres, from the axis towards the circumference; empty for a law
   /// without fibres.
   std::vector<dealii::Tensor<1, 3>> fibres;
-  /// F0^-1, see Prestretch [1].
+  /// F0^-1 [1]: see Prestretch, times that of 1 + Grad D0 where D0 leads from the mesh to the
+  /// unloaded shape.
   dealii::Tensor<2, 3> prestretch;
+  dealii::Tensor<2, 3> unloading; ///< (1 + Grad D0)^-1 alone [1]
   /// det F0: the volume free of stress over that of the mesh [1].
   double volume_ratio = 1.;
 };
 
-/// `share`: how much of the prestretch there is, 0 to 1.
-template <int dim>
+/// `directions`: of the mesh, along and around which fibres lie at rest; `share`: how much of the
+/// prestretch there is, 0 to 1; `unloaded_gradient`: Grad D0 by the mesh [1]. Where D0 turns the
+/// body inside out the volume ratio is not positive, and F0^-1 means nothing.
 RestState rest_state_at(const Material &material,
-                        Model model,
-                        const dealii::Point<dim> &place,
-                        double share = 1.);
+                        const TubeDirections &directions,
+                        double share = 1.,
+                        const dealii::Tensor<2, 3> &unloaded_gradient = {});
 } // namespace Continua
 
 #endif

@@ -16,6 +16,10 @@ struct State
   const DistributedVector &pressure; ///< [Pa]
   const BranchHistory &history;
   const WallShearAverage *wall_shear = nullptr; ///< null unless the run keeps it
+  /// Of whose slopes the directions of walls are made [1]; null where they are given.
+  const DistributedVector *wall_potentials = nullptr;
+  /// From the mesh to the shape without stress [m]; null where that is the mesh's.
+  const DistributedVector *unloaded_displacement = nullptr;
 };
 
 /// Sets `mixture` to w = eta U + sum_k mu_k D_k of a region's material [Pa m], of whose gradient

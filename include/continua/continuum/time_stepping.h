@@ -35,6 +35,8 @@ public:
   void initialise();
   /// See ContinuumSolver. Materials without branches have no displacement then.
   void start_from_present_state();
+  void begin_unloaded_shape();
+  void keep_unloaded_shape();
   /// One step; throws RunError if the result is not finite or the solve failed.
   StepReport advance(const Step &step);
   /// Whether solve_steady() applies: the body is all solid or all fluid.
@@ -115,7 +117,12 @@ private:
   void visit(StateVisitor &visitor);
   State present() const
   {
-    return State{velocity, pressure, history, wall_shear.is_on() ? &wall_shear : nullptr};
+    return State{velocity,
+                 pressure,
+                 history,
+                 wall_shear.is_on() ? &wall_shear : nullptr,
+                 operators.wall_potentials(),
+                 operators.unloaded_displacement()};
   }
   void report_exponential_branches(const Step &step);
   /// Solves the equations of a step at its balanced level.

@@ -6,6 +6,7 @@
 #include <continua/finite_element/follower_pressure.h>
 #include <continua/finite_element/metric_history.h>
 #include <continua/finite_element/nonlinear_cell_terms.h>
+#include <continua/finite_element/wall_potentials.h>
 #include <continua/materials/strain_law.h>
 
 #include <deal.II/base/symmetric_tensor.h>
@@ -30,7 +31,8 @@ namespace Continua
  * its own has (p + s(F))/K in the place of ln J + p/K. Branches that relax add to tau the stress of
  * a metric that the step knows beforehand (MetricHistory). With a prestretch F0 the laws have the
  * elastic deformation F F0^-1, and the volume at rest is det F0 dV; loads that come in steps bring
- * it in the same share.
+ * it in the same share. Where the unloaded shape X + D0 is another than the mesh, F0 is 1 + Grad
+ * D0. A step that finds this shape has F = 1 and D0 = -D.
  *
  * The linear equations keep the inertia, -int p Div v dV and int q Div U dV (by the reference
  * place), which are therefore taken off here.
@@ -57,6 +59,17 @@ public:
                  std::optional<unsigned int> region,
                  DistributedVector &forces) override;
   void start_from(const DistributedVector &displacement) override;
+  void visit_state(StateVisitor &visitor) override;
+  void take_own_state() override;
+  const DistributedVector *unloaded_displacement() const override
+  {
+    return problem.finds_unloaded_shape() ? &unloaded : nullptr;
+  }
+  const DistributedVector *wall_potentials() const override
+  {
+    return potentials.exist() ? &potentials.potentials() : nullptr;
+  }
+  void set_unloaded_displacement(const DistributedVector &of_unloaded) override;
   void finish_step(const BalancedStep &balanced, const State &state) override;
   double relaxation_power(const unsigned int region) const override { return heat[region]; }
   typename NonlinearCellTerms<dim>::Sizes sizes_of_terms() const override { return sizes; }
@@ -98,20 +111,26 @@ private:
   MetricHistory<dim> *const metrics;
   std::vector<double> heat; ///< relaxation_power() by region
   FollowerPressure<dim> follower_pressure;
+  WallPotentials<dim> potentials;
   // Of the state, with ghost entries.
   DistributedVector displacement, pressure_rate, acceleration;
+  DistributedVector unloaded;           ///< D0, a part of the state where it is looked for [m]
+  DistributedVector ghosted_unloaded;   ///< of which the states at rest are made
   double displacement_by_velocity = 0.; ///< b [s]
   Sizes sizes;
   // Of the present cell; vectors component by component.
   const Cell *present = nullptr;
   dealii::Vector<double> cell_velocity, cell_displacement, cell_pressure, cell_pressure_rate;
-  dealii::Vector<double> cell_acceleration, cell_volume, cell_load;
+  dealii::Vector<double> cell_unloaded, cell_potentials, cell_acceleration, cell_volume, cell_load;
   std::array<dealii::Vector<double>, n_kinds> cell_forces;
   PointStrain strain_at_point;
-  /// Of each cell and point, where a material has fibres or a prestretch; else empty.
+  /// Of each cell and point, where a material has fibres or a prestretch, or the unloaded shape is
+  /// another than the mesh's; else empty.
   std::vector<std::vector<RestState>> rest_states;
   double prestretch_share = 1.; ///< of which they are made
   const bool has_prestretch;
+  /// Whether the volume at rest is another than that of the mesh.
+  const bool has_other_rest;
   /// The shape functions of a component at a point: gradients by the present place [1/m], and those
   /// along the circumference, of the radial component alone.
   std::vector<dealii::Tensor<1, 3>> slopes, reference_slopes;
@@ -148,11 +167,15 @@ private:
   /// their sum in the first one, less what the linear equations have of the pressure. The least
   /// volume ratio.
   double integrate(bool by_kind);
+  /// A step that finds the unloaded shape ends at rest, whatever the mass on the way there.
+  bool adds_inertia() const { return has_other_rest && !step.finds_unloaded_shape; }
   /// Adds the inertia of what the mass at rest is more than that of the mesh's volume.
   void add_inertia(const Point &point, unsigned int q, dealii::Vector<double> &rows) const;
   /// The left side of the row of volume at a point [1/s].
   double volume_row(const Point &point) const;
   void integrate_derivative(dealii::FullMatrix<double> &matrix);
+  /// The same of a step that finds the unloaded shape.
+  void integrate_unloading_derivative(dealii::FullMatrix<double> &matrix);
   /// Throws StepFailure where a volume ratio of some rank is not positive. Collective.
   void refuse_inversion(double least_ratio, const Cell *worst) const;
 };

@@ -36,11 +36,19 @@ private:
                        dealii::DataOut<dim> &data_out,
                        std::map<std::string, std::string> &units_of_fields);
 
+  /// Sets the 3x3 gradients of a vector at the points of a cell.
+  void set_gradients(const dealii::FEValues<dim> &values,
+                     const DistributedVector &vector,
+                     std::vector<dealii::Tensor<2, 3>> &target) const;
+  /// Sets the directions of the wall there.
+  void set_directions(const dealii::FEValues<dim> &values,
+                      std::vector<TubeDirections> &directions) const;
   /// Sets Cauchy's stresses at the points of a cell in finite deformation [Pa].
   void set_finite_stresses(const dealii::FEValues<dim> &values,
                            const std::vector<dealii::Vector<double>> &pressures,
                            unsigned int region,
                            const DistributedVector &metric_mixture,
+                           const std::vector<TubeDirections> &directions,
                            std::vector<std::array<double, 6>> &stresses) const;
 
   /// Sets a field of numbers, with ghosts, to the first component at each node.
@@ -56,7 +64,7 @@ private:
   dealii::FESystem<dim> cell_element;
   dealii::DoFHandler<dim> cell_dofs;
   dealii::DoFHandler<dim> node_dofs; ///< of numbers at the velocity's nodes
-  DistributedVector velocity, displacement, cell_fields;
+  DistributedVector velocity, displacement, unloaded_displacement, wall_potentials, cell_fields;
   DistributedVector shear, average_shear, oscillation; ///< at the nodes of walls
   dealii::Vector<float> phase, material_id, rank;
 };

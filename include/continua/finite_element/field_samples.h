@@ -35,9 +35,10 @@ public:
   void take(const State &state);
 
   DistributedVector velocity, pressure;
-  DistributedVector displacement;          ///< with Deformation::finite
-  std::vector<DistributedVector> mixtures; ///< by region, see set_mixture()
-  DistributedVector metric_mixture;        ///< see MetricHistory::ghosted_mixture()
+  DistributedVector displacement;                           ///< with Deformation::finite
+  DistributedVector unloaded_displacement, wall_potentials; ///< where State has them
+  std::vector<DistributedVector> mixtures;                  ///< by region, see set_mixture()
+  DistributedVector metric_mixture; ///< see MetricHistory::ghosted_mixture()
   /// Of the WallShearAverage, if the run keeps it.
   DistributedVector shear_integral, magnitude_integral;
   double averaged_time = 0.; ///< [s]
@@ -118,6 +119,7 @@ private:
   velocity_gradient_at(const SamplePoint &point, const SampledState<dim> &state) const;
   /// That of the deformed body.
   dealii::Tensor<1, dim> normal_at(const SamplePoint &point, const SampledState<dim> &state) const;
+  RestState rest_state(const SamplePoint &point, const SampledState<dim> &state) const;
   Kinematics kinematics_at(const SamplePoint &point, const SampledState<dim> &state) const;
   std::array<double, 6> stress_at(const SamplePoint &point, const SampledState<dim> &state) const;
 };

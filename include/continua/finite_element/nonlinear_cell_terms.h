@@ -5,6 +5,7 @@
 #include <continua/continuum/nonlinear_terms.h>
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state.h>
+#include <continua/continuum/state_visitor.h>
 #include <continua/finite_element/quadrature_cells.h>
 #include <continua/finite_element/space.h>
 #include <continua/linear_algebra/unsymmetric_factor.h>
@@ -51,6 +52,14 @@ public:
   virtual void add_loads(const BalancedStep &, std::optional<unsigned int>, DistributedVector &) {}
   /// The state of t = 0 was set. Collective.
   virtual void start_from(const DistributedVector & /*displacement*/) {}
+  /// Hands over the terms' own part of the state.
+  virtual void visit_state(StateVisitor &) {}
+  /// That part was read from a checkpoint or carried over to another mesh. Collective.
+  virtual void take_own_state() {}
+  /// See Operators.
+  virtual const DistributedVector *wall_potentials() const { return nullptr; }
+  virtual const DistributedVector *unloaded_displacement() const { return nullptr; }
+  virtual void set_unloaded_displacement(const DistributedVector &) {}
   /// A step has ended. Collective.
   virtual void finish_step(const BalancedStep &, const State &) {}
   /// This rank's part of what relaxation in a region turns into heat at the level that the last

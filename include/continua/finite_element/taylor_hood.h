@@ -157,6 +157,10 @@ public:
   SolverSizes sizes() const override;
 
   void visit(StateVisitor &visitor) override;
+  void finish_load() override;
+  const DistributedVector *wall_potentials() const override;
+  const DistributedVector *unloaded_displacement() const override;
+  void set_unloaded_displacement(const DistributedVector &displacement) override;
   void begin_step(const Step &step) override;
   void finish_step(const BalancedStep &balanced, const State &state) override;
 

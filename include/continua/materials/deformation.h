@@ -18,6 +18,20 @@ inline const Words<Deformation> &deformation_words()
                                            {"finite", Deformation::finite}};
   return words;
 }
+
+/// In which shape a body of finite deformation is free of stress.
+enum class UnloadedShape
+{
+  mesh,         ///< that of the mesh
+  inverse_solve ///< the one from which the loads of the start bring the body to that of the mesh
+};
+
+inline const Words<UnloadedShape> &unloaded_shape_words()
+{
+  static const Words<UnloadedShape> words = {{"mesh", UnloadedShape::mesh},
+                                             {"inverse solve", UnloadedShape::inverse_solve}};
+  return words;
+}
 } // namespace Continua
 
 #endif

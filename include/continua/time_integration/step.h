@@ -58,6 +58,9 @@ struct Step
   /// Whether it is one on the way to rest: outlets then stand as in a steady flow, however long
   /// they take to fill.
   bool is_towards_rest = false;
+  /// Whether it is one of the search for the unloaded shape: the displacement then leads from that
+  /// shape to the mesh, which has the shape under the loads.
+  bool finds_unloaded_shape = false;
 
   double size() const { return duration; }
   /// The coefficients of a branch of relaxation time tau [s]; infinite tau is allowed.

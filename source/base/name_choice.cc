@@ -1,4 +1,4 @@
-#include <continua/postprocess/name_choice.h>
+#include <continua/base/name_choice.h>
 
 #include <continua/base/joined.h>
 #include <continua/base/nearest_name.h>

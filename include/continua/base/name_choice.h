@@ -1,5 +1,5 @@
-#ifndef continua_postprocess_name_choice_h
-#define continua_postprocess_name_choice_h
+#ifndef continua_base_name_choice_h
+#define continua_base_name_choice_h
 
 #include <continua/base/parameter_section.h>
 
