@@ -70,6 +70,18 @@ void read_pressure(ParameterSection &section, BoundaryCondition &condition, unsi
   read_inflow_pressure(section, condition, InflowPressure::static_pressure);
 }
 
+void read_cavity(ParameterSection &section, BoundaryCondition &condition, unsigned int)
+{
+  condition.volume_ratio = Waveform::read(
+      section, "Volume ratio", Dimensions::none,
+      "Volume that the boundary encloses over that in the mesh at rest, such as 1 + 0.5*t; a "
+      "function of time alone.",
+      true);
+  if (condition.volume_ratio.depends_on_space())
+    section.refuse("Volume ratio", "depends on x, y or z",
+                   "Write it as a function of t: a cavity has one volume");
+}
+
 void read_support(ParameterSection &section, BoundaryCondition &condition, unsigned int)
 {
   const auto read_part = [&section](const std::string &name, BoundaryPart &part)
@@ -346,6 +358,10 @@ const std::vector<Row> &table()
        read_traction},
       {BoundaryType::pressure, "pressure",
        "Outside pressure along the normal; along the boundary free or fixed.", read_pressure},
+      {BoundaryType::cavity, "cavity",
+       "The surface of a cavity whose volume is given, in finite deformation: one unknown pressure "
+       "acts along the normal of the deformed surface.",
+       read_cavity},
       {BoundaryType::support, "support",
        "Tissue around a wall: springs and dampers push back where the wall moves, with an outside "
        "pressure if there is one.",
@@ -419,6 +435,8 @@ std::vector<std::string> BoundaryCondition::table_warnings(const double end_time
     for (const Waveform &component : part->vector)
       waveforms.push_back(&component);
   }
+  if (is_cavity())
+    waveforms.push_back(&volume_ratio);
   if (outlet)
     waveforms.push_back(&outlet->pressure_behind);
   std::vector<std::string> warnings;
@@ -458,6 +476,8 @@ std::string BoundaryCondition::initial_jump(const double *point) const
       add(is_velocity ? "a normal velocity" : "a normal traction", along,
           is_velocity ? velocity : traction);
   }
+  if (const double ratio = volume_ratio.initial_value(point); is_cavity() && ratio != 1.)
+    add("a volume ratio", ratio, "times the volume at rest");
   if (outlet)
   {
     double pressure = outlet->pressure_behind.initial_value(point);

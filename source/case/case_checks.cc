@@ -27,16 +27,18 @@ void check_pressure_level(const Case<dim> &input, ParameterSection root)
                            (input.analysis.is_steady() && material.shear.branches.empty() &&
                             !input.problem.convection.is_on);
                   });
-  const bool enclosed =
-      std::all_of(input.problem.conditions.begin(), input.problem.conditions.end(),
-                  [](const BoundaryCondition &condition)
-                  { return condition.normal.kind == BoundaryPart::Kind::velocity; });
+  const bool enclosed = std::all_of(
+      input.problem.conditions.begin(), input.problem.conditions.end(),
+      [](const BoundaryCondition &condition)
+      { return condition.normal.kind == BoundaryPart::Kind::velocity || condition.is_cavity(); });
   if (incompressible && enclosed)
     root.subsection("Boundaries")
         .refuse(
             "",
             "the body is incompressible and the normal velocity is prescribed on all of its "
-            "boundary, so that the pressure is determined up to a constant only",
+            "boundary, or the volume behind it, so that the pressure is determined up to a "
+            "constant "
+            "only",
             "Give one boundary a pressure, a traction or 'free', an outlet 'Coupling = pressure', "
             "or the material a bulk modulus");
 }

@@ -1,7 +1,13 @@
 #include <continua/case/deformation_checks.h>
 
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_nothing.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q.h>
+
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace Continua
 {
@@ -68,6 +74,89 @@ void check_unloaded_shape(const Problem &problem, ParameterSection root)
                 "with an unloaded shape that is not the mesh's the mass at a place of the mesh is "
                 "not its volume times the density, which the weight would need",
                 "Give the weight as a Force density, or set Unloaded shape = mesh");
+  for (const unsigned int cavity : problem.cavities())
+    root.subsection("Boundaries")
+        .subsection(problem.conditions[cavity].name)
+        .refuse("Type",
+                "the inverse solve for the unloaded shape needs the pressure of the loaded one, and "
+                "a cavity has its volume given",
+                "Give the boundary Type = pressure, or set Unloaded shape = mesh");
+}
+
+/// The volume that a boundary encloses in the coarse mesh, see CavityVolumes, over the area of its
+/// faces times their largest distance from the origin; 0 without faces.
+template <int dim>
+double enclosed_share(const Case<dim> &input, const BoundaryCondition &condition)
+{
+  // High, since a coarse face may stand for a large part of a circle.
+  constexpr unsigned int degree = 6;
+  const bool is_in_plane = dim == 2 && input.problem.model != Model::axisymmetric;
+  const dealii::MappingQ<dim> mapping(degree);
+  const dealii::FE_Nothing<dim> element;
+  dealii::FEFaceValues<dim> values(mapping, element, dealii::QGauss<dim - 1>(degree + 1),
+                                   dealii::update_quadrature_points |
+                                       dealii::update_normal_vectors | dealii::update_JxW_values);
+  double volume = 0., size = 0.;
+  for (const auto &cell : input.triangulation->cell_iterators_on_level(0))
+    for (const unsigned int f : cell->face_indices())
+    {
+      if (!cell->face(f)->at_boundary() || cell->face(f)->boundary_id() != condition.boundary_id ||
+          condition.region_ids.count(cell->material_id()) == 0)
+        continue;
+      values.reinit(cell, f);
+      for (const unsigned int q : values.quadrature_point_indices())
+        for (unsigned int c = is_in_plane ? 0 : 1; c < dim; ++c)
+        {
+          const double place = values.quadrature_point(q)[c];
+          volume -= place * values.normal_vector(q)[c] * values.JxW(q);
+          size += std::abs(place) * values.JxW(q);
+        }
+    }
+  return size > 0. ? volume / size : 0.;
+}
+
+/// Where the volume of a cavity cannot be held.
+template <int dim>
+void check_cavity(const Case<dim> &input, const BoundaryCondition &condition, ParameterSection root)
+{
+  ParameterSection section = root.subsection("Boundaries").subsection(condition.name);
+  if (input.problem.deformation == Deformation::small)
+    section.refuse("Type", "the volume of a cavity is that of the deformed body",
+                   "Set Deformation = finite, or give the boundary Type = pressure");
+  constexpr double least_share = 1e-6;
+  if (enclosed_share(input, condition) < least_share)
+    section.refuse("Type",
+                   "the boundary encloses no volume, which counts out of the body and with planes "
+                   "that close it: normal to x or through the x axis, in the plane lines through "
+                   "the origin",
+                   "Give the inner surface of the body, and move the mesh so that such planes "
+                   "close it");
+  constexpr unsigned int n_times = 1000;
+  const bool is_in_time = input.analysis.motion == Motion::in_time;
+  const double origin[3] = {0., 0., 0.};
+  for (unsigned int i = 0; i <= (is_in_time ? n_times : 0); ++i)
+  {
+    const double time = input.time.end_time * i / n_times,
+                 ratio = condition.volume_ratio(origin, is_in_time ? time : 0.);
+    if (ratio > 0.)
+      continue;
+    std::ostringstream text;
+    text << "the volume is " << ratio << " of that at rest at t = " << (is_in_time ? time : 0.)
+         << " s, and has to be positive";
+    section.refuse(section.given("Volume ratio") ? "Volume ratio" : "", text.str(),
+                   "Give the volume over that in the mesh, such as 1 + 0.5*t");
+  }
+  if (is_in_time && input.time.scheme == Scheme::crank_nicolson)
+    root.subsection("Time").refuse(
+        "Scheme",
+        "a volume that is held in the middle of each step lets the pressure of the cavity swing "
+        "from step to step",
+        "Set Scheme = backward differencing or euler implicit");
+  if (ParameterSection newton = root.subsection("Newton");
+      newton.given("Slow iteration") &&
+      input.problem.newton.slow_iteration == SlowIteration::krylov)
+    newton.refuse("Slow iteration", "with a cavity a slow iteration makes a new factor",
+                  "Remove the entry, or set Slow iteration = new factor");
 }
 
 /// Materials that have no place in finite deformation.
@@ -138,6 +227,8 @@ template <int dim>
 void check_deformation(const Case<dim> &input, ParameterSection root)
 {
   const Problem &problem = input.problem;
+  for (const unsigned int cavity : problem.cavities())
+    check_cavity(input, problem.conditions[cavity], root);
   if (problem.deformation == Deformation::small)
   {
     if (root.has_subsection("Wall directions"))

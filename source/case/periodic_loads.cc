@@ -79,6 +79,7 @@ std::vector<PeriodicLoad> loads_of(Case<dim> &input)
   {
     const std::string name = "the boundary '" + condition.name + "'";
     const Places places = places_of(input, condition);
+    add(condition.volume_ratio, name, {{{0., 0., 0.}}});
     for (BoundaryPart *const part : {&condition.normal, &condition.tangential})
     {
       add(part->along_normal, name, places);

@@ -44,7 +44,7 @@ void NewtonParameters::read(ParameterSection section)
              {{"krylov", SlowIteration::krylov}, {"new factor", SlowIteration::new_factor}},
              "What follows a slow iteration: krylov - GMRES solves with the tangent at that state, "
              "preconditioned with the kept factor; new factor - that tangent is factored. With "
-             "outlets, and on the cell-wise path, always a new factor.");
+             "outlets or cavities, and on the cell-wise path, always a new factor.");
   add_choice(
       section, "Tangent products", tangent_products,
       {{"assembled", TangentProducts::assembled}, {"differences", TangentProducts::differences}},

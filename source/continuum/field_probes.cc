@@ -50,6 +50,8 @@ template <int dim>
 unsigned int FieldProbes<dim>::add(const ProbeRequest<dim> &request)
 {
   Probe probe{request, {}, {}};
+  if (request.is_of_cavity())
+    probe.cavity = cavity_of(request);
   if (!request.has_no_field())
   {
     std::vector<FieldDefinition<dim>> all = definitions;
@@ -90,6 +92,20 @@ template <int dim>
 bool FieldProbes<dim>::counts(const ProbeRequest<dim> &request, const unsigned int region)
 {
   return request.region_ids.empty() || request.region_ids.count(region) > 0;
+}
+
+template <int dim>
+unsigned int FieldProbes<dim>::cavity_of(const ProbeRequest<dim> &request) const
+{
+  const std::vector<unsigned int> conditions = problem.cavities();
+  const auto found =
+      std::find_if(conditions.begin(), conditions.end(),
+                   [&](const unsigned int condition) {
+                     return request.boundary_ids.count(problem.conditions[condition].boundary_id);
+                   });
+  if (found == conditions.end())
+    throw std::invalid_argument("the boundary encloses no cavity");
+  return found - conditions.begin();
 }
 
 template <int dim>
@@ -134,6 +150,9 @@ double FieldProbes<dim>::add_points(const Probe &probe, Collector &collector) co
     return add_interface(probe.request, collector);
   case Kind::boundary_force:
     return add_force(probe.request, collector);
+  case Kind::cavity_pressure:
+  case Kind::cavity_volume:
+    return 1.; // no points
   }
   return 0.;
 }
@@ -173,6 +192,14 @@ void FieldProbes<dim>::evaluate(
   {
     const Probe &probe = probes[number];
     const ProbeRequest<dim> &request = probe.request;
+    if (request.is_of_cavity())
+    {
+      const CavityState &cavity = (*state.cavities)[probe.cavity];
+      sums.push_back(!is_first                                                ? 0.
+                     : request.kind == ProbeRequest<dim>::Kind::cavity_volume ? cavity.volume
+                                                                              : cavity.pressure);
+      continue;
+    }
     if (!probe.is_sampled)
     {
       const DistributedVector *of_nodes = nullptr;

@@ -45,8 +45,12 @@ double largest_of(const DistributedVector &residual)
 }
 } // namespace
 
-Newton::Newton(const Problem &problem, Operators &operators, OutletCoupling &outlets, Log &log)
-    : problem(problem), operators(operators), outlets(outlets), log(log)
+Newton::Newton(const Problem &problem,
+               Operators &operators,
+               OutletCoupling &outlets,
+               CavityCoupling &cavities,
+               Log &log)
+    : problem(problem), operators(operators), outlets(outlets), cavities(cavities), log(log)
 {
 }
 
@@ -160,6 +164,7 @@ void Newton::add_differences(const BalancedStep &balanced,
     return;
   const double distance = difference / largest;
   shifted.step = balanced.step;
+  shifted.cavity_pressures = balanced.cavity_pressures;
   for (const double sign : {1., -1.})
   {
     const auto shift = [&](DistributedVector &target, const DistributedVector &value,
@@ -240,12 +245,14 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
   if (input.system_is_new)
     has_factor = false;
   outlets.predict(input.step, input.velocity_old);
+  cavities.begin_step(input.step);
   past_acceleration.equ(1., balanced.acceleration);
   double largest_momentum = 0., largest_mass = 0., previous = 0.;
   bool takes_krylov = false;
   for (unsigned int iteration = 0;; ++iteration)
   {
     set_rates(input, balanced);
+    cavities.measure(balanced);
     const Norms norms = set_residuals(input, balanced);
     largest_momentum = std::max(largest_momentum, norms.momentum);
     largest_mass = std::max(largest_mass, norms.mass);
@@ -253,24 +260,36 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
     const double accepted_momentum =
         std::max(tolerance * largest_momentum, norms.momentum_round_off);
     const double accepted_mass = std::max(tolerance * largest_mass, norms.mass_round_off);
-    const bool is_solved = norms.momentum <= accepted_momentum && norms.mass <= accepted_mass;
+    const double of_cavities = cavities.residual();
+    const bool is_solved = norms.momentum <= accepted_momentum && norms.mass <= accepted_mass &&
+                           of_cavities <= std::max(tolerance, round_off);
     // What is round-off says nothing of the iteration.
     const double of_momentum =
         norms.momentum <= norms.momentum_round_off ? 0. : norms.momentum / largest_momentum;
     const double of_mass = norms.mass <= norms.mass_round_off ? 0. : norms.mass / largest_mass;
     report.corrections = iteration;
-    report.residual = std::max(of_momentum, of_mass);
+    report.residual = std::max({of_momentum, of_mass, of_cavities});
     // The outlets' pressures and flow rates of the step come with its first solve.
     if (is_solved && (iteration > 0 || outlets.is_empty()))
       break;
     // NaN fails the comparison.
-    const bool is_finite = norms.momentum < HUGE_VAL && norms.mass < HUGE_VAL;
+    const bool is_finite =
+        norms.momentum < HUGE_VAL && norms.mass < HUGE_VAL && of_cavities < HUGE_VAL;
     if (!is_finite || iteration == problem.newton.maximum_iterations)
     {
       // What the input cannot say at a time no shorter step can either.
       if (const std::string reason = reason_not_finite(problem.communicator);
           !is_finite && !reason.empty())
         throw RunError("Newton's iteration met a residual that is no number" + reason);
+      if (is_finite && of_cavities > std::max(of_momentum, of_mass))
+      {
+        std::ostringstream text;
+        text << "Newton's iteration left the volume of a cavity " << of_cavities
+             << " of it away from the one given after " << iteration
+             << " iterations (Newton/Maximum iterations); a smaller time step or a volume that "
+                "changes more slowly helps";
+        throw StepFailure(text.str());
+      }
       const bool is_of_momentum = is_finite ? of_momentum >= of_mass : !(norms.momentum < HUGE_VAL);
       std::ostringstream text;
       text << "Newton's iteration ";
@@ -290,7 +309,7 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
     const bool is_slow = iteration > 0 && report.residual > problem.newton.slowest_rate * previous;
     previous = report.residual;
     const bool can_take_krylov = has_factor && !factor_is_poor && outlets.is_empty() &&
-                                 operators.has_derivative_products() &&
+                                 cavities.is_empty() && operators.has_derivative_products() &&
                                  problem.newton.slow_iteration == SlowIteration::krylov;
     if (is_slow && can_take_krylov)
     {
@@ -318,6 +337,7 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
       factor_is_poor = takes_krylov = false;
       ++report.factors;
       outlets.respond(report);
+      cavities.respond(report);
     }
     if (takes_krylov)
       correct_by_krylov(
@@ -326,6 +346,7 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
           report);
     else
       operators.solve(zero_velocity, momentum, mass, velocity_change, pressure_change, report);
+    cavities.couple(input.step, velocity_change, pressure_change, balanced.cavity_pressures);
     balanced.velocity.add(1., velocity_change);
     balanced.pressure.add(1., pressure_change);
     outlets.couple(input.step, input.velocity_old, balanced.velocity, balanced.pressure);

@@ -28,6 +28,20 @@ DistributedVector Operators::flow_profile(unsigned int) const
   return {};
 }
 
+std::vector<double> Operators::cavity_volumes(const DistributedVector &)
+{
+  AssertThrow(false, dealii::ExcNotImplemented());
+  return {};
+}
+
+void Operators::linearise_cavity(unsigned int,
+                                 const DistributedVector &,
+                                 DistributedVector &,
+                                 DistributedVector &)
+{
+  AssertThrow(false, dealii::ExcNotImplemented());
+}
+
 void Operators::add_velocity_product(const DistributedVector &, DistributedVector &)
 {
   AssertThrow(false, dealii::ExcNotImplemented());

@@ -31,8 +31,9 @@ TimeStepping::TimeStepping(const Problem &problem, Operators &operators, Log &lo
       history(problem.materials, problem.deformation),
       bulk_history(problem.materials),
       outlets(problem, operators),
+      cavities(problem, operators),
       wall_shear(problem, operators),
-      newton(problem, operators, outlets, log),
+      newton(problem, operators, outlets, cavities, log),
       ledger(problem, operators, outlets, history, bulk_history),
       kept([this](StateVisitor &visitor) { visit(visitor); })
 {
@@ -42,6 +43,7 @@ void TimeStepping::initialise()
 {
   setup();
   outlets.initialise();
+  cavities.initialise();
   present_time = pressure_known_time = 0.;
   operators.set_initial_state(velocity, history.displacement(), pressure);
   bulk_history.start(pressure);
@@ -104,6 +106,8 @@ void TimeStepping::setup()
   history.reinit(zero_velocity, operators.velocity_nodes());
   bulk_history.reinit(zero_pressure, operators.pressure_nodes());
   outlets.build();
+  cavities.build();
+  balanced.cavity_pressures = cavities.pressures();
   wall_shear.reinit();
   ledger.reinit();
   if (operators.is_nonlinear())
@@ -134,6 +138,7 @@ void TimeStepping::visit(StateVisitor &visitor)
   history.visit(visitor);
   bulk_history.visit(visitor);
   outlets.visit(visitor);
+  cavities.visit(visitor);
   operators.visit(visitor);
   wall_shear.visit(visitor);
   visitor.vector("known pressure", StateKind::pressure, pressure_known);
@@ -229,6 +234,7 @@ void TimeStepping::iterate(const Step &step, const bool system_is_new, StepRepor
     balanced.velocity.add(-further, velocity_older);
   operators.set_prescribed(balanced.prescribed, balanced.velocity);
   balanced.pressure.equ(1., pressure);
+  balanced.cavity_pressures = cavities.pressures();
   balanced.step = step;
   if (problem.deformation == Deformation::finite)
     history.predict_displacement(step, velocity, mixture);
@@ -371,6 +377,7 @@ void TimeStepping::finish(const Step &step)
     pressure_known.equ(1., balanced.pressure);
     pressure_known_time = step.balance_time;
   }
+  cavities.finish_step(balanced);
   present_time = step.time;
   balanced.step = step;
   ledger.forget_forces();
@@ -521,12 +528,13 @@ void TimeStepping::keep_state()
 bool TimeStepping::data_jumps(const double begin, const double end) const
 {
   return operators.loads().jumps(begin, end) || operators.prescribed_velocity_jumps(begin, end) ||
-         outlets.jumps(begin, end);
+         outlets.jumps(begin, end) || cavities.jumps(begin, end);
 }
 
 State TimeStepping::state()
 {
   operators.complete_pressure(history.displacement(), pressure);
+  cavities.states(history.displacement());
   return present();
 }
 

@@ -148,6 +148,7 @@ void DeformationTerms<dim>::take(const BalancedStep &state)
   }
   else
     space.copy_velocity(state.displacement, velocity_work, displacement);
+  follower_pressure.set_cavity_pressures(state.cavity_pressures);
   if (!has_other_rest)
     return;
   space.copy_velocity(state.acceleration, velocity_work, acceleration);

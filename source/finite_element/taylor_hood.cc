@@ -57,6 +57,7 @@ TaylorHood<dim>::TaylorHood(parallel::TriangulationBase<dim> &triangulation,
       metrics(MetricHistory<dim>::make(space, problem)),
       terms(make_nonlinear_terms(space, problem, metrics.get())),
       tangent(space, operators, constraints, parameters.linear_solver.direct_solver),
+      cavities(space, problem),
       mesh_transfer(space),
       evaluation(space, problem, metrics.get()),
       wall_shear(space, problem),
@@ -92,6 +93,7 @@ void TaylorHood<dim>::setup()
   if (is_nonlinear())
     terms->reinit();
   tangent.reinit();
+  cavities.reinit();
   evaluation.rebuild();
   wall_shear.reinit();
   for (DistributedVector *vector : {&zero_velocity, &velocity_work})

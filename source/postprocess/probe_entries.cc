@@ -73,6 +73,14 @@ bool is_force(const std::string &field)
   return field == "force" || field.compare(0, 6, "force ") == 0;
 }
 
+/// What the surface of a cavity has beside the fields.
+const std::string cavity_pressure = "cavity pressure", cavity_volume = "cavity volume";
+
+bool is_of_cavity(const std::string &field)
+{
+  return field == cavity_pressure || field == cavity_volume;
+}
+
 /// Whether the region meets another one.
 template <int dim>
 bool has_interface(const dealii::Triangulation<dim> &coarse_mesh, const unsigned int region)
@@ -156,7 +164,8 @@ void ProbeEntries<dim>::read_entries()
       "at their nodes or faces [N], in the plane of a metre of depth [N/m]), 'wall shear stress x' "
       "and other components (tangential part of the traction of the body on the wall), "
       "'magnitude of wall shear stress', 'time-averaged wall shear stress' and "
-      "'oscillatory shear index' (of the window in Output)");
+      "'oscillatory shear index' (of the window in Output). Of Type = cavity: 'cavity pressure' "
+      "[Pa] and 'cavity volume' (of the part that is modelled [m^3], in the plane [m^2])");
   section.add(
       "Reference boundary", reference_boundaries,
       "Of a Boundary: names of other ones, whose mean or integral is taken off, such as for "
@@ -428,6 +437,11 @@ ProbeEntries<dim>::components(const std::vector<FieldComponent> &known_fields) c
         result.push_back(force);
       continue;
     }
+    if (place == Place::boundary && is_of_cavity(name))
+    {
+      result.push_back({name, name == cavity_volume ? "1" : "Pa"});
+      continue;
+    }
     if (place == Place::volume && name == volume_change)
       result.push_back({volume_change, "1"});
     else
@@ -469,8 +483,12 @@ ProbeEntries<dim>::recorded(const std::vector<FieldComponent> &known_fields,
       of_field.kind = Kind::boundary_force;
       of_field.component = field.name.back() - 'x';
     }
-    if (of_field.is_integral() || of_field.has_no_field())
-      field.unit = unit_of_integral(field.unit, model, place == Place::volume);
+    if (is_of_cavity(field.name))
+      of_field.kind = field.name == cavity_volume ? Kind::cavity_volume : Kind::cavity_pressure;
+    if (of_field.kind != Kind::cavity_pressure &&
+        (of_field.is_integral() || of_field.has_no_field()))
+      field.unit = unit_of_integral(field.unit, model,
+                                    place == Place::volume || of_field.kind == Kind::cavity_volume);
     Recorded entry{field, {{of_field, 1.}}};
     if (has_reference)
     {
@@ -530,6 +548,7 @@ void ProbeEntries<dim>::check_limits(const std::vector<BoundaryCondition> &condi
   }
   if (asks_for_averages(known_fields))
     check_walls(conditions, limits);
+  check_cavities(conditions, known_fields);
   if (!asks_for_forces())
     return;
   if (limits.is_modal)
@@ -559,6 +578,28 @@ void ProbeEntries<dim>::check_limits(const std::vector<BoundaryCondition> &condi
                          "': the force there is the load that is given",
                      "Name boundaries with a prescribed velocity, such as 'fixed'");
   }
+}
+
+template <int dim>
+void ProbeEntries<dim>::check_cavities(const std::vector<BoundaryCondition> &conditions,
+                                       const std::vector<FieldComponent> &known_fields) const
+{
+  const std::vector<FieldComponent> all = components(known_fields);
+  if (std::none_of(all.begin(), all.end(),
+                   [](const FieldComponent &field) { return is_of_cavity(field.name); }))
+    return;
+  for (const char *key : {"Value", "Region", "Reference boundary", "Sign changes"})
+    if (section.given(key))
+      section.refuse(key, "a cavity has one pressure and one volume",
+                     "Leave the entry out, and give other fields a probe of their own");
+  const auto n_cavities = std::count_if(
+      conditions.begin(), conditions.end(),
+      [this](const BoundaryCondition &condition)
+      { return condition.is_cavity() && names_of_boundaries.count(condition.boundary_id) > 0; });
+  if (names_of_boundaries.size() > 1 || n_cavities != 1)
+    section.refuse("Boundary",
+                   "the pressure and the volume are those of one boundary with Type = cavity",
+                   "Name that boundary alone");
 }
 
 template <int dim>

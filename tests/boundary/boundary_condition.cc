@@ -65,6 +65,15 @@ UNIT_TEST(boundary_condition)
       "pressure with fixed tangential velocity",
       inlet("set Type = pressure\nset Pressure = 1\nset Tangential = fixed").tangential.kind ==
           Kind::velocity);
+  const BoundaryCondition cavity = inlet("set Type = cavity\nset Volume ratio = 1 + 0.5*t");
+  check::is_true("cavity", cavity.is_cavity() && cavity.volume_ratio(place, 2.) == 2. &&
+                               cavity.normal.is_free() && cavity.tangential.is_free());
+  check::is_true("other types are no cavity", !pressure.is_cavity());
+  check::is_true("cavity that starts as it is", cavity.initial_jump(place).empty());
+  check::is_true("cavity that starts with a jump",
+                 inlet("set Type = cavity\nset Volume ratio = 1.1")
+                         .initial_jump(place)
+                         .find("a volume ratio of 1.1") != std::string::npos);
   const BoundaryCondition support = inlet(
       "set Type = support\nset Normal stiffness = 2 MPa/m\nset Tangential damping = 3 kPa s/m\n"
       "set Pressure = 4*t");
@@ -210,6 +219,10 @@ UNIT_TEST(boundary_condition)
   refused("damping in another unit",
           child("inlet", "set Type = support\nset Normal damping = 1 Pa/m") + end,
           ":3: 'inlet/Normal damping'.*wrong unit.*Pa s/m");
+  refused("cavity without a volume", child("inlet", "set Type = cavity") + end, "Volume ratio");
+  refused("cavity whose volume depends on place",
+          child("inlet", "set Type = cavity\nset Volume ratio = x") + end,
+          "Volume ratio.*depends on x, y or z");
   refused("support along a boundary that is held",
           child("inlet", "set Type = support\nset Normal stiffness = 1\nset Tangential = fixed\n"
                          "set Tangential stiffness = 1") +

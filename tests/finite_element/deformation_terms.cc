@@ -1,7 +1,7 @@
 // Solids in finite deformation: the derivative against differences in all models, laws and schemes;
 // a rigid rotation, a homogeneous stretch by hand, the power of stress against the rate of the
-// energy, and the pressure that follows a turned body; branches that relax; on hanging nodes, in
-// axisymmetry and in space.
+// energy, and the pressures, given and of a cavity, that follow a turned body; branches that relax;
+// on hanging nodes, in axisymmetry and in space.
 
 #include <continua/finite_element/deformation_terms.h>
 
@@ -50,6 +50,16 @@ void add_branches(Problem &problem)
 {
   problem.materials[0].shear.branches.push_back({1.2, 0.5});
   problem.materials[0].shear.branches.push_back({0.7, 0.1});
+}
+
+/// A cavity below.
+void add_cavity(Problem &problem)
+{
+  BoundaryCondition condition;
+  condition.type = BoundaryType::cavity;
+  condition.boundary_id = 2;
+  condition.region_ids = {0};
+  problem.conditions.push_back(condition);
 }
 
 /// A pressure on the left, which grows with y.
@@ -105,6 +115,7 @@ BalancedStep make_state(const Space<dim> &space, const Step &step)
   state.acceleration = vector(0.8, 4.);
   state.pressure = scalar(2.);
   state.pressure_rate = scalar(3.);
+  state.cavity_pressures = {2.1};
   return state;
 }
 
@@ -190,6 +201,7 @@ void check_derivative(const std::string &name,
                                                 : Model::plane_strain;
   Problem problem = make_problem(model, law, 0.8);
   add_pressure(problem);
+  add_cavity(problem);
   if (relaxes)
     add_branches(problem);
   problem.materials[0].prestretch = prestretch;

@@ -56,6 +56,7 @@ enum class BoundaryType
   velocity,
   traction,
   pressure,
+  cavity,
   support,
   flow_rate,
   resistance,
@@ -95,12 +96,16 @@ struct BoundaryCondition
   std::shared_ptr<const Outlet> outlet;
   AbsorbingEndParameters absorbing; ///< of that type
   InflowPressure inflow_pressure = InflowPressure::static_pressure;
+  /// Of a cavity: the volume that it encloses over that in the mesh at rest [1], of time alone.
+  Waveform volume_ratio = Waveform(1.);
 
   /// Whether the velocity is prescribed in full, and 0 along the normal.
   bool is_wall() const
   {
     return normal.is_fixed() && tangential.kind == BoundaryPart::Kind::velocity;
   }
+  /// Whether the boundary encloses a volume that is given, with a pressure that is unknown.
+  bool is_cavity() const { return type == BoundaryType::cavity; }
   /// Whether what is around the body supports it.
   bool is_supported() const { return normal.is_supported() || tangential.is_supported(); }
   /// A sentence for the log where the prescribed value at t = 0 is not zero at `point` (three

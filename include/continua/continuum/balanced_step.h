@@ -4,6 +4,8 @@
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/time_integration/step.h>
 
+#include <vector>
+
 namespace Continua
 {
 /// What a step has balanced, all at its balance time; owned vectors.
@@ -15,8 +17,9 @@ struct BalancedStep
   DistributedVector acceleration; ///< dU/dt as the scheme has it [m/s^2]
   DistributedVector
       pressure_rate; ///< dp/dt as the scheme has it, of steps that are not linear [Pa/s]
-  DistributedVector displacement; ///< with Deformation::finite, else empty [m]
-  DistributedVector prescribed;   ///< prescribed velocities where there are any, else 0 [m/s]
+  DistributedVector displacement;       ///< with Deformation::finite, else empty [m]
+  std::vector<double> cavity_pressures; ///< by cavity [Pa]
+  DistributedVector prescribed;         ///< prescribed velocities where there are any, else 0 [m/s]
 };
 } // namespace Continua
 

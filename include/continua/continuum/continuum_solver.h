@@ -59,6 +59,8 @@ struct ProbeRequest
     /// The force of the body on what holds its boundaries, or of the regions on those across an
     /// interface, which Taylor-Hood elements have; there is no field.
     boundary_force,
+    cavity_pressure, ///< of the cavity that the boundary encloses; there is no field
+    cavity_volume,
     /// A coordinate at which the field changes its sign along a boundary or an interface [m]; NaN
     /// where there is none.
     sign_change
@@ -98,8 +100,9 @@ struct ProbeRequest
   bool has_no_field() const
   {
     return kind == Kind::section_flow || kind == Kind::volume_change ||
-           kind == Kind::boundary_force;
+           kind == Kind::boundary_force || is_of_cavity();
   }
+  bool is_of_cavity() const { return kind == Kind::cavity_pressure || kind == Kind::cavity_volume; }
 };
 
 /// What a step tells.

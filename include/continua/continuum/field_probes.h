@@ -71,6 +71,7 @@ private:
     ProbeWeights weights;
     bool is_sampled = false;
     double factor = 1.; ///< of the sum over the samples
+    unsigned int cavity = 0;
   };
 
   virtual Collector collector() const = 0;
@@ -112,6 +113,8 @@ private:
   virtual void sample(unsigned int /*probe*/, std::vector<Sample> & /*samples*/) const {}
 
   void build(unsigned int number);
+  /// The number of the one cavity that the boundaries of a request enclose.
+  unsigned int cavity_of(const ProbeRequest<dim> &request) const;
   /// Sets the weights or the samples up; returns what the weights of the points add up to.
   double add_points(const Probe &probe, Collector &collector) const;
   /// The coordinate that is asked for, on all ranks.

@@ -3,6 +3,7 @@
 
 #include <continua/base/log.h>
 #include <continua/continuum/balanced_step.h>
+#include <continua/continuum/cavity_coupling.h>
 #include <continua/continuum/operators.h>
 #include <continua/continuum/outlet_coupling.h>
 #include <continua/continuum/problem.h>
@@ -35,23 +36,30 @@ struct NewtonInput
  * GMRES and the exact derivative, preconditioned with the kept factor, which is made anew when
  * GMRES needs too many iterations. The iteration ends when the
  * residuals of momentum and of volume are small against the largest ones met in the step, or at the
- * round-off of the terms that cancel in them: a body at rest starts there.
+ * round-off of the terms that cancel in them: a body at rest starts there. The volume of a cavity
+ * must differ from the one given by the same fraction at most.
  *
  * Outlets are linear. Each iteration solves without the forces of their ports and adds the body's
- * responses, as a linear step does.
+ * responses, as a linear step does. The volumes of cavities are equations of their own, whose
+ * unknowns are the cavities' pressures; see CavityCoupling. With outlets or cavities a slow
+ * iteration makes a new factor.
  */
 class Newton
 {
 public:
   /// All must outlive it.
-  Newton(const Problem &problem, Operators &operators, OutletCoupling &outlets, Log &log);
+  Newton(const Problem &problem,
+         Operators &operators,
+         OutletCoupling &outlets,
+         CavityCoupling &cavities,
+         Log &log);
 
   /// The mesh has changed.
   void reinit();
   /// The next iteration makes a factor. Where a run writes a checkpoint it goes on as a restart
   /// from it would.
   void forget_factor() { has_factor = false; }
-  /// In: in `balanced` the prescribed velocities, a first guess of velocity and pressure, and for
+  /// In: in `balanced` the prescribed velocities, a first guess of velocity and pressures, and for
   /// the acceleration the part of it that the past gives. Out: what balances the step; the
   /// acceleration is as before. Throws StepFailure.
   void solve(const NewtonInput &input, BalancedStep &balanced, StepReport &report);
@@ -68,6 +76,7 @@ private:
   const Problem &problem;
   Operators &operators;
   OutletCoupling &outlets;
+  CavityCoupling &cavities;
   Log &log;
   KrylovCorrection krylov;
   bool has_factor = false;

@@ -249,6 +249,16 @@ public:
                             DistributedVector &of_velocity,
                             DistributedVector &of_pressure);
 
+  // Cavities; for discretisations that have them.
+  /// The volumes that the cavities of the problem enclose at this displacement [m^3].
+  virtual std::vector<double> cavity_volumes(const DistributedVector &displacement);
+  /// Sets the derivative of the volume of a cavity by the displacement and the forces of a pressure
+  /// of 1 Pa in it, both [m^2].
+  virtual void linearise_cavity(unsigned int cavity,
+                                const DistributedVector &displacement,
+                                DistributedVector &derivative,
+                                DistributedVector &force);
+
   // Change of the mesh, and sizes.
   /// Call when cells are flagged and before the triangulation changes.
   virtual void prepare_transfer(const StateVectors &vectors) = 0;

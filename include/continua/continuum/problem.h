@@ -93,6 +93,15 @@ struct Problem
     return std::any_of(conditions.begin(), conditions.end(),
                        [](const BoundaryCondition &condition) { return condition.is_supported(); });
   }
+  /// The numbers of the conditions that enclose a cavity.
+  std::vector<unsigned int> cavities() const
+  {
+    std::vector<unsigned int> numbers;
+    for (unsigned int i = 0; i < conditions.size(); ++i)
+      if (conditions[i].is_cavity())
+        numbers.push_back(i);
+    return numbers;
+  }
   /// Of a region in any model.
   PlaneStressFactors plane_stress(const unsigned int region) const
   {

@@ -2,8 +2,11 @@
 #define continua_continuum_state_h
 
 #include <continua/continuum/branch_history.h>
+#include <continua/continuum/cavity_state.h>
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/materials/material.h>
+
+#include <vector>
 
 namespace Continua
 {
@@ -20,6 +23,7 @@ struct State
   const DistributedVector *wall_potentials = nullptr;
   /// From the mesh to the shape without stress [m]; null where that is the mesh's.
   const DistributedVector *unloaded_displacement = nullptr;
+  const std::vector<CavityState> *cavities = nullptr; ///< null where there are none
 };
 
 /// Sets `mixture` to w = eta U + sum_k mu_k D_k of a region's material [Pa m], of whose gradient

@@ -88,6 +88,7 @@ private:
   BranchHistory history;
   BulkHistory bulk_history;
   OutletCoupling outlets;
+  CavityCoupling cavities;
   WallShearAverage wall_shear;
   /// Its factor is no part of the state: a checkpoint makes it forgotten.
   mutable Newton newton;
@@ -122,7 +123,8 @@ private:
                  history,
                  wall_shear.is_on() ? &wall_shear : nullptr,
                  operators.wall_potentials(),
-                 operators.unloaded_displacement()};
+                 operators.unloaded_displacement(),
+                 &cavities.states()};
   }
   void report_exponential_branches(const Step &step);
   /// Solves the equations of a step at its balanced level.

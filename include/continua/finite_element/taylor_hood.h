@@ -5,6 +5,7 @@
 #include <continua/continuum/discretisation.h>
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/boundary_constraints.h>
+#include <continua/finite_element/cavity_volumes.h>
 #include <continua/finite_element/field_evaluation.h>
 #include <continua/finite_element/field_output.h>
 #include <continua/finite_element/loads.h>
@@ -152,6 +153,18 @@ public:
   void add_velocity_product(const DistributedVector &velocity, DistributedVector &result) override;
   void add_divergence(const DistributedVector &velocity, DistributedVector &result) override;
 
+  std::vector<double> cavity_volumes(const DistributedVector &displacement) override
+  {
+    return cavities.volumes(displacement);
+  }
+  void linearise_cavity(const unsigned int cavity,
+                        const DistributedVector &displacement,
+                        DistributedVector &derivative,
+                        DistributedVector &force) override
+  {
+    cavities.linearise(cavity, displacement, derivative, force);
+  }
+
   void prepare_transfer(const StateVectors &vectors) override;
   void finish_transfer(const StateVectors &vectors) override;
   SolverSizes sizes() const override;
@@ -191,6 +204,7 @@ private:
   std::unique_ptr<MetricHistory<dim>> metrics; ///< null where nothing relaxes in finite deformation
   std::unique_ptr<NonlinearCellTerms<dim>> terms; ///< null where the equations are linear
   TangentSystem<dim> tangent; ///< in the system's place where there are such terms
+  CavityVolumes<dim> cavities;
   MeshTransfer<dim> mesh_transfer;
   FieldEvaluation<dim> evaluation;
   WallShearStress<dim> wall_shear;

@@ -127,6 +127,9 @@ private:
   /// The fields by component.
   std::vector<FieldComponent> components(const std::vector<FieldComponent> &fields) const;
   bool asks_for_forces() const;
+  /// Refuses a cavity's pressure or volume where the boundary encloses none.
+  void check_cavities(const std::vector<BoundaryCondition> &conditions,
+                      const std::vector<FieldComponent> &known_fields) const;
   /// Refuses a mean over time where no liquid has a wall.
   void check_walls(const std::vector<BoundaryCondition> &conditions,
                    const ProbeLimits &limits) const;
