@@ -1,6 +1,7 @@
 #include <continua/finite_element/iterative_step_solver.h>
 
 #include <continua/base/input_error.h>
+#include <continua/finite_element/interface_compliance.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/tensor.h>
@@ -177,6 +178,52 @@ VelocityBlocks IterativeStepSolver<dim>::velocity_blocks(const std::vector<bool>
 }
 
 template <int dim>
+void IterativeStepSolver<dim>::let_walls_yield(const std::vector<bool> &stiff_regions,
+                                               VelocityPreconditioner &velocity_inverse,
+                                               DistributedVector &mobility) const
+{
+  DistributedVector load = space.velocity_vector(), of_region = load, inertia = load;
+  DistributedVector one = space.pressure_vector(), volumes = one;
+  one = 1.;
+  double volume = 0.;
+  for (unsigned int region = 0; region < operators.size(); ++region)
+    if (!stiff_regions[region])
+    {
+      multiply_transposed(operators[region].divergence, of_region, one);
+      load.add(1., of_region);
+      multiply(operators[region].pressure_mass, volumes, one);
+      volume += volumes * one;
+    }
+  constraints.restrict_to_free(load);
+  for (unsigned int i = 0; i < load.locally_owned_size(); ++i)
+  {
+    if (load.begin()[i] == 0.)
+      continue;
+    const auto global = space.velocity_owned.nth_index_in_set(i);
+    bool is_stiff = false, is_soft = false;
+    for (unsigned int region = 0; region < operators.size(); ++region)
+      if (is_of_region[region][i])
+      {
+        inertia.begin()[i] +=
+            coefficients.mass[region] * operators[region].mass.diag_element(global);
+        (stiff_regions[region] ? is_stiff : is_soft) = true;
+      }
+    if (!is_stiff || !is_soft)
+      load.begin()[i] = 0.;
+  }
+  if (load.linfty_norm() == 0.)
+    return;
+  const DistributedVector compliance =
+      interface_compliance<dim>(space, by_nodes(space), load, volume,
+                                [&](DistributedVector &velocity, const DistributedVector &force)
+                                { velocity_inverse.solve_stiff(velocity, force); });
+  // A wall that nothing holds moves without bound, or as fast as its inertia lets it.
+  for (unsigned int i = 0; i < load.locally_owned_size(); ++i)
+    if (compliance.begin()[i] > mobility.begin()[i] && inertia.begin()[i] > 0.)
+      mobility.begin()[i] = std::min(compliance.begin()[i], 1. / inertia.begin()[i]);
+}
+
+template <int dim>
 std::vector<bool> IterativeStepSolver<dim>::find_stiff_regions()
 {
   const unsigned int n_regions = operators.size();
@@ -260,6 +307,9 @@ void IterativeStepSolver<dim>::make_preconditioner()
   assemble_volumetric_stiffness(space, operators, volumetric);
   assemble_condensed_blocks(space, operators, constraints, coefficients, &volumetric, made->blocks);
   made->velocity = std::make_unique<VelocityPreconditioner>(made->blocks.velocity, parts);
+
+  if (n_stiff > 0 && has_fluid && has_inertia && !simple)
+    let_walls_yield(stiff_regions, *made->velocity, mobility);
 
   if (simple)
   {

@@ -111,6 +111,25 @@ void VelocityPreconditioner::leave_residual(const DistributedVector &target,
   residual.sadd(-1., 1., source);
 }
 
+void VelocityPreconditioner::add_stiff(DistributedVector &target, const DistributedVector &source)
+{
+  if (stiff_is_direct)
+  {
+    part.resize(stiff->rows().size()); // within its capacity
+    stiff->gather(source.begin(), part.data());
+    stiff_factor->solve(part);
+    stiff->scatter_add(part.data(), target.begin());
+  }
+  else
+    apply(*stiff, stiff_multigrid, target, source);
+}
+
+void VelocityPreconditioner::solve_stiff(DistributedVector &target, const DistributedVector &source)
+{
+  target = 0.;
+  add_stiff(target, source);
+}
+
 void VelocityPreconditioner::vmult(DistributedVector &target, const DistributedVector &source)
 {
   target = 0.;
@@ -122,15 +141,7 @@ void VelocityPreconditioner::vmult(DistributedVector &target, const DistributedV
       leave_residual(target, source);
     else
       residual.equ(1., source);
-    if (stiff_is_direct)
-    {
-      part.resize(stiff->rows().size()); // within its capacity
-      stiff->gather(residual.begin(), part.data());
-      stiff_factor->solve(part);
-      stiff->scatter_add(part.data(), target.begin());
-    }
-    else
-      apply(*stiff, stiff_multigrid, target, residual);
+    add_stiff(target, residual);
     if (has_fluid)
     {
       leave_residual(target, source);

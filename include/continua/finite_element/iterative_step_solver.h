@@ -95,6 +95,10 @@ private:
   VelocityBlocks velocity_blocks(const std::vector<bool> &stiff_regions,
                                  DistributedVector &mobility,
                                  double &fluid_ratio) const;
+  /// Raises D at the interfaces of stiff regions with others.
+  void let_walls_yield(const std::vector<bool> &stiff_regions,
+                       VelocityPreconditioner &velocity_inverse,
+                       DistributedVector &mobility) const;
   SaddlePointSolver::Blocks matrices() const
   {
     return {blocks.velocity, blocks.divergence, blocks.compression};

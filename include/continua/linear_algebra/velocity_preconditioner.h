@@ -40,6 +40,9 @@ public:
   ~VelocityPreconditioner();
 
   void vmult(DistributedVector &target, const DistributedVector &source);
+  /// target = what the stiff unknowns alone do under the source, zero elsewhere: by the factor, or
+  /// by one cycle of multigrid. There have to be stiff ones.
+  void solve_stiff(DistributedVector &target, const DistributedVector &source);
 
   /// Of the stiff block's factor; null if there is none.
   const SymmetricFactor *factor() const { return stiff_factor.get(); }
@@ -54,6 +57,7 @@ private:
   DistributedVector residual, correction;
   std::vector<double> part, part_of_solution;
 
+  void add_stiff(DistributedVector &target, const DistributedVector &source);
   void relax(DistributedVector &target, const DistributedVector &source);
   void apply(const SubMatrix &block,
              const dealii::TrilinosWrappers::PreconditionAMG &multigrid,
