@@ -224,6 +224,26 @@ void IterativeStepSolver<dim>::let_walls_yield(const std::vector<bool> &stiff_re
 }
 
 template <int dim>
+std::vector<unsigned int>
+IterativeStepSolver<dim>::find_stiff_pressures(const std::vector<bool> &stiff_regions) const
+{
+  std::vector<bool> is_stiff(space.pressure_owned.n_elements(), false);
+  const std::vector<std::vector<unsigned int>> nodes = pressure_nodes(operators);
+  // The others take back what a continuous pressure shares with them.
+  for (const bool of_stiff : {true, false})
+    for (unsigned int region = 0; region < operators.size(); ++region)
+      if (stiff_regions[region] == of_stiff)
+        for (const unsigned int i : nodes[region])
+          is_stiff[i] = of_stiff;
+  std::vector<unsigned int> result;
+  for (unsigned int i = 0; i < is_stiff.size(); ++i)
+    if (is_stiff[i] &&
+        !space.pressure_hanging.is_constrained(space.pressure_owned.nth_index_in_set(i)))
+      result.push_back(i);
+  return result;
+}
+
+template <int dim>
 std::vector<bool> IterativeStepSolver<dim>::find_stiff_regions()
 {
   const unsigned int n_regions = operators.size();
@@ -283,8 +303,11 @@ void IterativeStepSolver<dim>::make_preconditioner()
                             (fluid_ratio > viscous_ratio || !has_inertia));
   const bool simple = parameters.schur_complement == SchurApproximation::simple;
 
+  const bool has_joint_block = n_stiff > 0 && parts.stiff_is_direct && !simple;
+
   // Augmented by a bulk modulus of alpha; the mass form of the Schur complement follows.
   VolumetricStiffness volumetric;
+  SystemCoefficients block_coefficients = coefficients;
   std::vector<double> mass_factors;
   made->augmentation = space.pressure_vector();
   DistributedVector one = space.pressure_vector(), volume = space.pressure_vector();
@@ -292,7 +315,10 @@ void IterativeStepSolver<dim>::make_preconditioner()
   for (unsigned int region = 0; region < n_regions; ++region)
   {
     const double alpha = coefficients.stiffness[region];
-    const bool is_augmented = stiff_regions[region] && !simple;
+    const bool is_augmented = stiff_regions[region] && !simple && !has_joint_block;
+    if (has_joint_block && stiff_regions[region])
+      block_coefficients.compressibility[region] =
+          std::max(coefficients.compressibility[region], least_compressibility / alpha);
     volumetric.coefficients.push_back(is_augmented ? alpha : 0.);
     mass_factors.push_back((1. / std::max(alpha, 1e-100) + coefficients.compressibility[region]) /
                            (is_augmented ? 2. : 1.));
@@ -305,8 +331,16 @@ void IterativeStepSolver<dim>::make_preconditioner()
         made->augmentation.begin()[i] = alpha / volume.begin()[i];
   }
   assemble_volumetric_stiffness(space, operators, volumetric);
-  assemble_condensed_blocks(space, operators, constraints, coefficients, &volumetric, made->blocks);
-  made->velocity = std::make_unique<VelocityPreconditioner>(made->blocks.velocity, parts);
+  assemble_condensed_blocks(space, operators, constraints, block_coefficients, &volumetric,
+                            made->blocks);
+  const std::vector<unsigned int> stiff_pressures =
+      has_joint_block ? find_stiff_pressures(stiff_regions) : std::vector<unsigned int>();
+  if (has_joint_block)
+    made->velocity =
+        std::make_unique<VelocityPreconditioner>(made->blocks.velocity, made->blocks.divergence,
+                                                 made->blocks.compression, parts, stiff_pressures);
+  else
+    made->velocity = std::make_unique<VelocityPreconditioner>(made->blocks.velocity, parts);
 
   if (n_stiff > 0 && has_fluid && has_inertia && !simple)
     let_walls_yield(stiff_regions, *made->velocity, mobility);
@@ -323,10 +357,19 @@ void IterativeStepSolver<dim>::make_preconditioner()
   {
     TrilinosWrappers::SparseMatrix mass_form;
     assemble_pressure_mass(space, operators, mass_factors, mass_form);
-    made->schur_complement = std::make_unique<SchurComplement>(
-        blocks.divergence, blocks.compression, &mass_form, has_inertia ? &mobility : nullptr);
+    std::vector<unsigned int> pressures;
+    std::vector<bool> is_left_out(space.pressure_owned.n_elements(), false);
+    for (const unsigned int i : stiff_pressures)
+      is_left_out[i] = true;
+    for (unsigned int i = 0; i < is_left_out.size(); ++i)
+      if (!is_left_out[i])
+        pressures.push_back(i);
+    made->schur_complement =
+        std::make_unique<SchurComplement>(blocks.divergence, blocks.compression, &mass_form,
+                                          has_inertia ? &mobility : nullptr, pressures);
   }
-  made->blocks.divergence.clear();
+  if (!has_joint_block)
+    made->blocks.divergence.clear();
   made->blocks.compression.clear();
 
   std::ostringstream text;
@@ -338,6 +381,7 @@ void IterativeStepSolver<dim>::make_preconditioner()
     text << "; fluid block: " << (parts.fluid_is_viscous ? "algebraic multigrid" : "relaxation");
   text << "; Schur complement: " << (simple ? "simple" : "cahouet-chabard");
   made->name = text.str();
+  made->has_fluid = has_fluid;
   preconditioner = std::move(made);
 }
 

@@ -94,6 +94,11 @@ KrylovReport SaddlePointSolver::solve(const Blocks &blocks,
     // p = -S^-1 g, and A u = f + B^T (p - W (g + C p)).
     schur_complement.vmult(target.block(1), product.block(1));
     target.block(1) *= -1.;
+    if (velocity_inverse.has_pressures())
+    {
+      velocity_inverse.vmult(target.block(0), target.block(1), product.block(0), product.block(1));
+      return;
+    }
     multiply(blocks.compression, augmented, target.block(1));
     augmented.add(1., product.block(1));
     augmented.scale(augmentation);

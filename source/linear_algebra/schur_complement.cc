@@ -2,11 +2,14 @@
 
 #include <EpetraExt_MatrixMatrix.h>
 #include <Epetra_CrsMatrix.h>
+#include <Epetra_Import.h>
 #include <Epetra_Vector.h>
 #include <Teuchos_ParameterList.hpp>
 #include <ml_MultiLevelPreconditioner.h>
 
 #include <memory>
+#include <numeric>
+#include <utility>
 
 namespace Continua
 {
@@ -30,24 +33,70 @@ void make_laplacian(const Epetra_CrsMatrix &divergence,
   sum->FillComplete();
   laplacian.reinit(*sum);
 }
+
+/// Some rows of B, renumbered as those of `map`.
+Epetra_CrsMatrix rows_of(const Epetra_CrsMatrix &divergence,
+                         const std::vector<unsigned int> &rows,
+                         const Epetra_Map &map)
+{
+  Epetra_CrsMatrix result(Copy, map, 0);
+  std::vector<int> columns;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+  {
+    int n_entries = 0;
+    double *values = nullptr;
+    int *local_columns = nullptr;
+    divergence.ExtractMyRowView(static_cast<int>(rows[k]), n_entries, values, local_columns);
+    columns.clear();
+    for (int e = 0; e < n_entries; ++e)
+      columns.push_back(divergence.GCID(local_columns[e]));
+    result.InsertGlobalValues(map.GID(static_cast<int>(k)), n_entries, values, columns.data());
+  }
+  result.FillComplete(divergence.DomainMap(), map);
+  return result;
+}
+
+std::vector<unsigned int> all_rows(const TrilinosWrappers::SparseMatrix &matrix)
+{
+  std::vector<unsigned int> rows(matrix.local_size());
+  std::iota(rows.begin(), rows.end(), 0u);
+  return rows;
+}
 } // namespace
 
 SchurComplement::SchurComplement(const TrilinosWrappers::SparseMatrix &divergence,
                                  const TrilinosWrappers::SparseMatrix &compression,
                                  const TrilinosWrappers::SparseMatrix *const mass_form,
                                  const DistributedVector *const mobility)
+    : SchurComplement(divergence, compression, mass_form, mobility, all_rows(divergence))
+{
+}
+
+SchurComplement::SchurComplement(const TrilinosWrappers::SparseMatrix &divergence,
+                                 const TrilinosWrappers::SparseMatrix &compression,
+                                 const TrilinosWrappers::SparseMatrix *const mass_form,
+                                 const DistributedVector *const mobility,
+                                 const std::vector<unsigned int> &pressures)
     : has_mass(mass_form != nullptr), has_laplacian(mobility != nullptr)
 {
-  work.reinit(divergence.locally_owned_range_indices(), divergence.get_mpi_communicator());
-  diagonal_entries.reinit(work);
+  diagonal_entries.reinit(divergence.locally_owned_range_indices(),
+                          divergence.get_mpi_communicator());
+  set_diagonal(divergence, compression, mass_form, mobility);
+  part = std::make_unique<SubMatrix>(compression.trilinos_matrix(), pressures);
+  const Epetra_Map &map = part->matrix().RowMap();
+  is_empty = map.NumGlobalElements() == 0;
+  if (is_empty)
+    return;
+  for (std::unique_ptr<Epetra_Vector> *const vector : {&right_hand_side, &solution, &correction})
+    *vector = std::make_unique<Epetra_Vector>(map);
   if (has_mass)
   {
-    mass.copy_from(*mass_form);
+    mass.reinit(SubMatrix(mass_form->trilinos_matrix(), pressures).matrix());
     mass_inverse.initialize(mass);
   }
   if (has_laplacian)
   {
-    make_laplacian(divergence.trilinos_matrix(), compression.trilinos_matrix(),
+    make_laplacian(rows_of(divergence.trilinos_matrix(), pressures, map), part->matrix(),
                    *mobility->trilinos_vector()(0), laplacian);
     Teuchos::ParameterList list;
     ML_Epetra::SetDefaults("SA", list);
@@ -61,28 +110,60 @@ SchurComplement::SchurComplement(const TrilinosWrappers::SparseMatrix &divergenc
     list.set("coarse: max size", 500);
     laplacian_inverse.initialize(laplacian, list);
   }
-  for (unsigned int i = 0; i < work.locally_owned_size(); ++i)
+}
+
+void SchurComplement::set_diagonal(const TrilinosWrappers::SparseMatrix &divergence,
+                                   const TrilinosWrappers::SparseMatrix &compression,
+                                   const TrilinosWrappers::SparseMatrix *const mass_form,
+                                   const DistributedVector *const mobility)
+{
+  const Epetra_CrsMatrix &b = divergence.trilinos_matrix();
+  std::unique_ptr<Epetra_Vector> mobility_of_columns;
+  if (has_laplacian)
   {
-    const auto global = divergence.trilinos_matrix().GRID(static_cast<int>(i));
+    mobility_of_columns = std::make_unique<Epetra_Vector>(b.ColMap());
+    const Epetra_Vector &owned = *mobility->trilinos_vector()(0);
+    if (b.Importer() != nullptr)
+      mobility_of_columns->Import(owned, *b.Importer(), Insert);
+    else
+      mobility_of_columns->Update(1., owned, 0.);
+  }
+  for (unsigned int i = 0; i < diagonal_entries.locally_owned_size(); ++i)
+  {
+    const auto global = b.GRID(static_cast<int>(i));
     double inverse = 0.;
     if (has_mass)
-      inverse += 1. / mass.diag_element(global);
+      inverse += 1. / mass_form->diag_element(global);
     if (has_laplacian)
-      inverse += 1. / laplacian.diag_element(global);
+    {
+      double sum = compression.diag_element(global);
+      int n_entries = 0;
+      double *values = nullptr;
+      int *columns = nullptr;
+      b.ExtractMyRowView(static_cast<int>(i), n_entries, values, columns);
+      for (int e = 0; e < n_entries; ++e)
+        sum += values[e] * values[e] * (*mobility_of_columns)[columns[e]];
+      inverse += 1. / sum;
+    }
     diagonal_entries.begin()[i] = 1. / inverse;
   }
 }
 
 void SchurComplement::vmult(DistributedVector &target, const DistributedVector &source)
 {
+  target = 0.;
+  if (is_empty)
+    return;
+  part->gather(source.begin(), right_hand_side->Values());
   if (has_laplacian)
-    laplacian_inverse.vmult(target, source);
+    laplacian_inverse.trilinos_operator().ApplyInverse(*right_hand_side, *solution);
   else
-    target = 0.;
+    solution->PutScalar(0.);
   if (has_mass)
   {
-    mass_inverse.vmult(work, source);
-    target.add(1., work);
+    mass_inverse.trilinos_operator().ApplyInverse(*right_hand_side, *correction);
+    solution->Update(1., *correction, 1.);
   }
+  part->scatter_add(solution->Values(), target.begin());
 }
 } // namespace Continua

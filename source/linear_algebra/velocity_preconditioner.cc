@@ -45,7 +45,27 @@ void make_multigrid(const SubMatrix &block,
 
 VelocityPreconditioner::VelocityPreconditioner(const TrilinosWrappers::SparseMatrix &matrix,
                                                const VelocityBlocks &blocks)
+    : VelocityPreconditioner(matrix, nullptr, nullptr, blocks, {})
+{
+}
+
+VelocityPreconditioner::VelocityPreconditioner(const TrilinosWrappers::SparseMatrix &matrix,
+                                               const TrilinosWrappers::SparseMatrix &divergence,
+                                               const TrilinosWrappers::SparseMatrix &compression,
+                                               const VelocityBlocks &blocks,
+                                               const std::vector<unsigned int> &stiff_pressures)
+    : VelocityPreconditioner(matrix, &divergence, &compression, blocks, stiff_pressures)
+{
+}
+
+VelocityPreconditioner::VelocityPreconditioner(
+    const TrilinosWrappers::SparseMatrix &matrix,
+    const TrilinosWrappers::SparseMatrix *const divergence,
+    const TrilinosWrappers::SparseMatrix *const compression,
+    const VelocityBlocks &blocks,
+    const std::vector<unsigned int> &stiff_pressures)
     : matrix(matrix),
+      divergence(divergence),
       has_stiff(Utilities::MPI::max(blocks.stiff.size(), matrix.get_mpi_communicator()) > 0),
       has_fluid(Utilities::MPI::max(blocks.fluid.size(), matrix.get_mpi_communicator()) > 0),
       stiff_is_direct(blocks.stiff_is_direct),
@@ -54,7 +74,16 @@ VelocityPreconditioner::VelocityPreconditioner(const TrilinosWrappers::SparseMat
   const IndexSet owned = matrix.locally_owned_range_indices();
   residual.reinit(owned, matrix.get_mpi_communicator());
   correction.reinit(residual);
-  if (has_stiff)
+  if (divergence != nullptr)
+  {
+    saddle_point = std::make_unique<SaddlePointBlock>(
+        matrix.trilinos_matrix(), divergence->trilinos_matrix(), compression->trilinos_matrix(),
+        blocks.stiff, stiff_pressures);
+    pressure_residual.reinit(divergence->locally_owned_range_indices(),
+                             divergence->get_mpi_communicator());
+    pressure_work.reinit(pressure_residual);
+  }
+  else if (has_stiff)
   {
     stiff = std::make_unique<SubMatrix>(matrix.trilinos_matrix(), blocks.stiff);
     if (stiff_is_direct)
@@ -113,7 +142,13 @@ void VelocityPreconditioner::leave_residual(const DistributedVector &target,
 
 void VelocityPreconditioner::add_stiff(DistributedVector &target, const DistributedVector &source)
 {
-  if (stiff_is_direct)
+  if (saddle_point)
+  {
+    pressure_residual = 0.;
+    saddle_point->add_solution(source.begin(), pressure_residual.begin(), target.begin(),
+                               pressure_work.begin());
+  }
+  else if (stiff_is_direct)
   {
     part.resize(stiff->rows().size()); // within its capacity
     stiff->gather(source.begin(), part.data());
@@ -147,6 +182,35 @@ void VelocityPreconditioner::vmult(DistributedVector &target, const DistributedV
       leave_residual(target, source);
       relax(target, residual);
     }
+  }
+}
+
+void VelocityPreconditioner::vmult(DistributedVector &velocity,
+                                   DistributedVector &pressure,
+                                   const DistributedVector &momentum,
+                                   const DistributedVector &mass)
+{
+  const auto leave_momentum = [&]()
+  {
+    leave_residual(velocity, momentum);
+    multiply_transposed(*divergence, correction, pressure);
+    residual.add(1., correction);
+  };
+  velocity = 0.;
+  if (has_fluid)
+  {
+    leave_momentum();
+    relax(velocity, residual);
+  }
+  leave_momentum();
+  multiply(*divergence, pressure_residual, velocity);
+  pressure_residual.add(1., mass);
+  saddle_point->add_solution(residual.begin(), pressure_residual.begin(), velocity.begin(),
+                             pressure.begin());
+  if (has_fluid)
+  {
+    leave_momentum();
+    relax(velocity, residual);
   }
 }
 } // namespace Continua

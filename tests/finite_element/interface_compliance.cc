@@ -23,8 +23,7 @@ UNIT_TEST(interface_compliance)
   const auto is_at_the_wall = [](const Point<2> &x) { return x[1] > 1.9; };
   const DistributedVector load = small_problem::interpolated<2>(
       space,
-      [&](const Point<2> &x)
-      {
+      [&](const Point<2> &x) {
         return is_at_the_wall(x) ? Tensor<1, 2>({0.1 * x[0], 2. + x[0]}) : Tensor<1, 2>();
       });
   std::vector<unsigned int> nodes;
@@ -49,13 +48,14 @@ UNIT_TEST(interface_compliance)
   const auto probe = [&](const double volume, const Inverse &inverse)
   { return interface_compliance<2>(space, nodes, load, volume, inverse); };
 
-  const DistributedVector everywhere = probe(16.,
-                                             [](DistributedVector &velocity,
-                                                const DistributedVector &force)
-                                             { velocity.equ(3., force); });
+  const DistributedVector everywhere =
+      probe(16., [](DistributedVector &velocity, const DistributedVector &force)
+            { velocity.equ(3., force); });
   const DistributedVector wanted = small_problem::interpolated<2>(
-      space, [&](const Point<2> &x)
-      { return is_at_the_wall(x) ? Tensor<1, 2>({3., 3.}) : Tensor<1, 2>(); });
+      space,
+      [&](const Point<2> &x) {
+        return is_at_the_wall(x) ? Tensor<1, 2>({3., 3.}) : Tensor<1, 2>();
+      });
   DistributedVector error = everywhere;
   error.add(-1., wanted);
   check::absolute("yields to all alike: 3 at the interface, 0 elsewhere", error.linfty_norm(), 0.,
@@ -67,9 +67,8 @@ UNIT_TEST(interface_compliance)
   check::relative("yields to the mean, long waves", probe(1e9, by_mean).linfty_norm(), 3., 1e-6);
   check::is_true("yields to the mean, short waves", probe(40., by_mean).linfty_norm() < 1.);
 
-  const DistributedVector against = probe(16.,
-                                          [](DistributedVector &velocity,
-                                             const DistributedVector &force)
-                                          { velocity.equ(-1., force); });
+  const DistributedVector against =
+      probe(16., [](DistributedVector &velocity, const DistributedVector &force)
+            { velocity.equ(-1., force); });
   check::absolute("moves against the pressure: no compliance", against.linfty_norm(), 0., 0.);
 }

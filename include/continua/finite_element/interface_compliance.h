@@ -29,7 +29,8 @@ DistributedVector interface_compliance(
     const std::vector<unsigned int> &nodes,
     const DistributedVector &load,
     double volume,
-    const std::function<void(DistributedVector &velocity, const DistributedVector &force)> &inverse);
+    const std::function<void(DistributedVector &velocity, const DistributedVector &force)>
+        &inverse);
 } // namespace Continua
 
 #endif

@@ -24,10 +24,14 @@ namespace Continua
  * viscous on the scale of the mesh, have algebraic multigrid of their own.
  *
  * A alone takes no work for a change of volume; thin walls have many motions whose only work that
- * is. In stiff regions the preconditioner therefore has the system augmented by the bulk modulus
- * alpha (see SaddlePointSolver), with int alpha div u div v in the place of B^T W B. An error in
- * the pressure's Schur complement S^-1 = (1 + alpha s)/(s + 1/(K b)) then is at most a factor of
- * two for every s >= 1/alpha.
+ * is. A direct stiff block therefore contains the pressures of the stiff regions, too. Where they
+ * are incompressible it has a bulk modulus of 1e3 alpha instead, since its factor does not pivot.
+ *
+ * With multigrid on the stiff block, and with the Schur complement of SIMPLE, the pressures of the
+ * stiff regions stay in the Schur complement. With multigrid the preconditioner there has the
+ * system augmented by the bulk modulus alpha (see SaddlePointSolver), with int alpha div u div v in
+ * the place of B^T W B. An error in the pressure's Schur complement S^-1 = (1 + alpha s)/(s + 1/(K
+ * b)) then is at most a factor of two for every s >= 1/alpha.
  */
 template <int dim>
 class IterativeStepSolver
@@ -56,24 +60,28 @@ public:
   std::string name() const;
   /// Of the stiff block; null if it has none.
   const SymmetricFactor *factor() const;
+  /// Whether some velocities are not in the stiff block, after prepare().
+  bool has_fluid_block() const { return preconditioner->has_fluid; }
 
 private:
   /// Largest ratio of the diagonals of alpha S and a0 rho M for which relaxation is enough.
   static constexpr double stiff_ratio = 10.;
   static constexpr double viscous_ratio = 100.;
   static constexpr double comparable = 1e-3;
-  /// Up to so many unknowns of all ranks the stiff block has a factor.
+  /// Of the stiff block: 1/(K b) is at least so many 1/alpha.
+  static constexpr double least_compressibility = 1e-3;
+  /// Up to so many velocities of all ranks the stiff block has a factor.
   static constexpr unsigned int largest_direct_block = dim == 2 ? 400000 : 60000;
 
   struct Preconditioner
   {
     SystemCoefficients coefficients;
-    CondensedBlocks blocks; ///< augmented; of which only A is kept
+    CondensedBlocks blocks; ///< augmented, or with the block's own compression
     std::unique_ptr<VelocityPreconditioner> velocity;
     std::unique_ptr<SchurComplement> schur_complement;
     DistributedVector augmentation; ///< W
     unsigned int first_iterations = 0;
-    bool is_used = false, is_worn = false;
+    bool is_used = false, is_worn = false, has_fluid = true;
     std::string name;
   };
 
@@ -95,6 +103,8 @@ private:
   VelocityBlocks velocity_blocks(const std::vector<bool> &stiff_regions,
                                  DistributedVector &mobility,
                                  double &fluid_ratio) const;
+  /// Local indices of the pressures that belong to stiff regions alone.
+  std::vector<unsigned int> find_stiff_pressures(const std::vector<bool> &stiff_regions) const;
   /// Raises D at the interfaces of stiff regions with others.
   void let_walls_yield(const std::vector<bool> &stiff_regions,
                        VelocityPreconditioner &velocity_inverse,

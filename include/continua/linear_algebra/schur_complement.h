@@ -2,9 +2,15 @@
 #define continua_linear_algebra_schur_complement_h
 
 #include <continua/linear_algebra/distributed_vector.h>
+#include <continua/linear_algebra/sub_matrix.h>
 
 #include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <Epetra_Vector.h>
+
+#include <memory>
+#include <vector>
 
 namespace Continua
 {
@@ -28,10 +34,16 @@ public:
                   const dealii::TrilinosWrappers::SparseMatrix &compression,
                   const dealii::TrilinosWrappers::SparseMatrix *mass_form,
                   const DistributedVector *mobility);
+  /// Of some pressures only, by the local indices of this rank's; the others stay out of it.
+  SchurComplement(const dealii::TrilinosWrappers::SparseMatrix &divergence,
+                  const dealii::TrilinosWrappers::SparseMatrix &compression,
+                  const dealii::TrilinosWrappers::SparseMatrix *mass_form,
+                  const DistributedVector *mobility,
+                  const std::vector<unsigned int> &pressures);
 
-  /// target = the approximate inverse times source.
+  /// target = the approximate inverse times source; zero for pressures that stay out.
   void vmult(DistributedVector &target, const DistributedVector &source);
-  /// The diagonal of the approximate Schur complement, roughly: what scales its rows.
+  /// The diagonal of the approximate Schur complement of all pressures, roughly: what scales rows.
   const DistributedVector &diagonal() const { return diagonal_entries; }
 
 private:
@@ -39,7 +51,15 @@ private:
   dealii::TrilinosWrappers::SparseMatrix mass, laplacian;
   dealii::TrilinosWrappers::PreconditionSSOR mass_inverse;
   dealii::TrilinosWrappers::PreconditionAMG laplacian_inverse;
-  DistributedVector work, diagonal_entries;
+  std::unique_ptr<SubMatrix> part; ///< of C
+  std::unique_ptr<Epetra_Vector> right_hand_side, solution, correction;
+  bool is_empty = false;
+  DistributedVector diagonal_entries;
+
+  void set_diagonal(const dealii::TrilinosWrappers::SparseMatrix &divergence,
+                    const dealii::TrilinosWrappers::SparseMatrix &compression,
+                    const dealii::TrilinosWrappers::SparseMatrix *mass_form,
+                    const DistributedVector *mobility);
 };
 } // namespace Continua
 

@@ -1,0 +1,108 @@
+#include <continua/linear_algebra/saddle_point_block.h>
+
+#include <Epetra_Import.h>
+#include <Epetra_IntVector.h>
+#include <Epetra_Map.h>
+#include <Epetra_MpiComm.h>
+
+#include <utility>
+
+namespace Continua
+{
+namespace
+{
+/// The number in the block of every column of a matrix, -1 of those left out. `rows` are the local
+/// rows of `domain` that are in, numbered from `first`.
+Epetra_IntVector numbers_of_columns(const Epetra_CrsMatrix &matrix,
+                                    const std::vector<unsigned int> &rows,
+                                    const int first)
+{
+  Epetra_IntVector of_domain(matrix.DomainMap()), of_columns(matrix.ColMap());
+  of_domain.PutValue(-1);
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    of_domain[rows[k]] = first + static_cast<int>(k);
+  if (matrix.Importer() != nullptr)
+    of_columns.Import(of_domain, *matrix.Importer(), Insert);
+  else
+    for (int k = 0; k < of_columns.MyLength(); ++k)
+      of_columns[k] = of_domain[k];
+  return of_columns;
+}
+
+/// Adds the part on and below the diagonal of the block's rows and columns.
+void add_entries(const Epetra_CrsMatrix &matrix,
+                 const double factor,
+                 const std::vector<unsigned int> &rows,
+                 const int first_row,
+                 const Epetra_IntVector &numbers,
+                 SymmetricTriplets &result)
+{
+  for (std::size_t k = 0; k < rows.size(); ++k)
+  {
+    int n_entries = 0;
+    double *values = nullptr;
+    int *columns = nullptr;
+    matrix.ExtractMyRowView(static_cast<int>(rows[k]), n_entries, values, columns);
+    const int row = first_row + static_cast<int>(k);
+    for (int e = 0; e < n_entries; ++e)
+      if (numbers[columns[e]] >= 0 && numbers[columns[e]] <= row)
+      {
+        result.rows.push_back(row);
+        result.columns.push_back(numbers[columns[e]]);
+        result.values.push_back(factor * values[e]);
+      }
+  }
+}
+} // namespace
+
+SaddlePointBlock::SaddlePointBlock(const Epetra_CrsMatrix &velocity,
+                                   const Epetra_CrsMatrix &divergence,
+                                   const Epetra_CrsMatrix &compression,
+                                   std::vector<unsigned int> velocities_of_block,
+                                   std::vector<unsigned int> pressures_of_block)
+    : velocities(std::move(velocities_of_block)),
+      pressures(std::move(pressures_of_block)),
+      part(velocities.size() + pressures.size())
+{
+  // Velocities of all ranks come first.
+  const Epetra_Map of_velocities(-1, static_cast<int>(velocities.size()), 0, velocity.Comm());
+  const Epetra_Map of_pressures(-1, static_cast<int>(pressures.size()), 0, velocity.Comm());
+  const int n_velocities = of_velocities.NumGlobalElements();
+  const int first_velocity = velocities.empty() ? 0 : of_velocities.MinMyGID();
+  const int first_pressure = n_velocities + (pressures.empty() ? 0 : of_pressures.MinMyGID());
+
+  SymmetricTriplets block;
+  block.n = n_velocities + of_pressures.NumGlobalElements();
+  add_entries(velocity, 1., velocities, first_velocity,
+              numbers_of_columns(velocity, velocities, first_velocity), block);
+  add_entries(divergence, -1., pressures, first_pressure,
+              numbers_of_columns(divergence, velocities, first_velocity), block);
+  add_entries(compression, -1., pressures, first_pressure,
+              numbers_of_columns(compression, pressures, first_pressure), block);
+  std::vector<int> owned;
+  for (std::size_t k = 0; k < velocities.size(); ++k)
+    owned.push_back(first_velocity + static_cast<int>(k));
+  for (std::size_t k = 0; k < pressures.size(); ++k)
+    owned.push_back(first_pressure + static_cast<int>(k));
+  inverse = make_symmetric_factor(DirectSolver::automatic, true, block.values.size(),
+                                  dynamic_cast<const Epetra_MpiComm &>(velocity.Comm()).Comm());
+  inverse->factorize(block, owned);
+}
+
+void SaddlePointBlock::add_solution(const double *const momentum,
+                                    const double *const mass,
+                                    double *const velocity,
+                                    double *const pressure)
+{
+  const std::size_t n = velocities.size();
+  for (std::size_t k = 0; k < n; ++k)
+    part[k] = momentum[velocities[k]];
+  for (std::size_t k = 0; k < pressures.size(); ++k)
+    part[n + k] = mass[pressures[k]];
+  inverse->solve(part);
+  for (std::size_t k = 0; k < n; ++k)
+    velocity[velocities[k]] += part[k];
+  for (std::size_t k = 0; k < pressures.size(); ++k)
+    pressure[pressures[k]] += part[n + k];
+}
+} // namespace Continua
