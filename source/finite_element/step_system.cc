@@ -82,6 +82,12 @@ bool StepSystem<dim>::prepare(const SystemCoefficients &wanted)
       iterative_solver =
           std::make_unique<IterativeStepSolver<dim>>(space, operators, constraints, parameters);
     made_factor = iterative_solver->prepare(coefficients);
+    // Only at the start: a later mesh or time step may need what this one does not.
+    if (!has_checked_blocks && parameters.fluid_block != FluidBlock::automatic &&
+        !iterative_solver->has_fluid_block())
+      throw RunError("Linear solver/Fluid block has no effect: every region is stiff at the first "
+                     "time step, so that all velocities are in the stiff block. Remove the entry");
+    has_checked_blocks = true;
   }
   else
   {

@@ -96,7 +96,7 @@ private:
   SystemCoefficients coefficients;
   std::list<KeptFactor> kept_factors; ///< the one in use first
   std::unique_ptr<IterativeStepSolver<dim>> iterative_solver;
-  bool is_prepared = false, is_iterative = false, made_factor = false;
+  bool is_prepared = false, is_iterative = false, made_factor = false, has_checked_blocks = false;
   std::string reason_of_choice;
   unsigned int n_iterations = 0;
   std::vector<unsigned int> pressure_hanging; ///< local indices
