@@ -103,7 +103,7 @@ SchurComplement::SchurComplement(const TrilinosWrappers::SparseMatrix &divergenc
     list.set("ML output", 0);
     list.set("aggregation: type", "Uncoupled");
     // Weak couplings spoil the aggregates: 0 takes up to five times as many iterations in a thin
-    // tube; 0.01 and 0.1 are equal or worse (benchmark_krylov).
+    // tube; 0.01 is nearly equal, 0.1 is worse (benchmark_krylov).
     list.set("aggregation: threshold", 0.02);
     list.set("smoother: type", "symmetric Gauss-Seidel");
     list.set("smoother: sweeps", 1);
