@@ -54,10 +54,16 @@ void RestSearch<dim>::check(const Case<dim> &input,
       }
   if (!is_held(input.problem))
     root.subsection("Boundaries")
-        .refuse("",
-                "nothing holds the body: no boundary has a prescribed velocity or a support that "
-                "is stiff",
-                "Make one boundary 'fixed', 'roller' or 'support'");
+        .refuse(
+            "",
+            input.problem.finds_unloaded_shape()
+                ? "nothing holds the body in the search for its unloaded shape: no boundary has "
+                  "a prescribed velocity, and springs of a support do not act in the mesh's shape"
+                : "nothing holds the body: no boundary has a prescribed velocity or a support "
+                  "that is stiff",
+            input.problem.finds_unloaded_shape()
+                ? "Make one boundary 'fixed' or 'roller'"
+                : "Make one boundary 'fixed', 'roller' or 'support'");
 }
 
 template <int dim>

@@ -1,5 +1,7 @@
 #include <continua/case/deformation_checks.h>
 
+#include <continua/continuum/rest_state.h>
+
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_values.h>
@@ -77,10 +79,11 @@ void check_unloaded_shape(const Problem &problem, ParameterSection root)
   for (const unsigned int cavity : problem.cavities())
     root.subsection("Boundaries")
         .subsection(problem.conditions[cavity].name)
-        .refuse("Type",
-                "the inverse solve for the unloaded shape needs the pressure of the loaded one, and "
-                "a cavity has its volume given",
-                "Give the boundary Type = pressure, or set Unloaded shape = mesh");
+        .refuse(
+            "Type",
+            "the inverse solve for the unloaded shape needs the pressure of the loaded one, and "
+            "a cavity has its volume given",
+            "Give the boundary Type = pressure, or set Unloaded shape = mesh");
 }
 
 /// The volume that a boundary encloses in the coarse mesh, see CavityVolumes, over the area of its
@@ -261,6 +264,11 @@ void check_deformation(const Case<dim> &input, ParameterSection root)
                 "Set Convection = none");
   if (problem.finds_unloaded_shape())
     check_unloaded_shape(problem, root);
+  if (root.has_subsection("Wall directions") &&
+      std::none_of(problem.materials.begin(), problem.materials.end(), has_directions))
+    root.subsection("Wall directions")
+        .refuse("", "no material has fibres or a prestretch, which alone have directions",
+                "Remove the section, or give a material a Strain law with fibres");
   check_materials(problem, input.analysis.motion == Motion::in_time, root);
   check_scheme(input, root);
   if (!problem.interior.initial_displacement.empty() && problem.interior.initial_pressure.empty())

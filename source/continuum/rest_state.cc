@@ -1,10 +1,17 @@
 #include <continua/continuum/rest_state.h>
 
 #include <continua/continuum/kinematics.h>
+#include <continua/continuum/right_stretch.h>
 
 namespace Continua
 {
 using namespace dealii;
+
+bool has_directions(const Material &material)
+{
+  return material.prestretch.exists() ||
+         (material.strain_law != nullptr && material.strain_law_parameters.has_fibres());
+}
 
 RestState rest_state_at(const Material &material,
                         const TubeDirections &directions,
@@ -16,13 +23,13 @@ RestState rest_state_at(const Material &material,
     state.fibres = material.strain_law_parameters.fibres(directions.axis, directions.circumference);
   state.prestretch = material.prestretch.inverse(directions.axis, directions.circumference, share);
   state.volume_ratio = material.prestretch.volume_ratio(share);
-  const Kinematics unloading(unloaded_gradient);
-  state.unloading = unloading.inverse();
   if (unloaded_gradient.norm_square() == 0.)
     return state;
+  const Kinematics unloading(unloaded_gradient);
   state.volume_ratio *= unloading.volume_ratio();
+  // Without its turn, so that the directions of the mesh are those of the piece at rest.
   if (state.volume_ratio > 0.)
-    state.prestretch = state.unloading * state.prestretch;
+    state.prestretch = RightStretch(unloading.deformation_gradient()).inverse() * state.prestretch;
   return state;
 }
 } // namespace Continua

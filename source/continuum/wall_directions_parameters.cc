@@ -5,6 +5,7 @@
 #include <continua/base/parameter_text.h>
 #include <continua/base/words.h>
 
+#include <algorithm>
 #include <sstream>
 #include <tuple>
 
@@ -38,6 +39,17 @@ bool set_across(const Tensor<1, 3> &unit, Tensor<1, 3> &vector)
     return false;
   vector /= rest;
   return true;
+}
+
+/// Whether they are partly in the plane of two dimensions and partly across it.
+bool is_oblique_to_plane(const TubeDirections &directions)
+{
+  const double tolerated = 1e-8;
+  double in_plane = 0.;
+  for (const Tensor<1, 3> &direction : {directions.axis, directions.circumference})
+    in_plane += std::min(direction[0] * direction[0] + direction[1] * direction[1],
+                         direction[2] * direction[2]);
+  return in_plane > tolerated * tolerated;
 }
 } // namespace
 
@@ -111,9 +123,9 @@ void WallDirectionsParameters::read(ParameterSection section,
 }
 
 template <int dim>
-TubeDirections WallDirectionsParameters::at(const Model model,
-                                            const Point<dim> &place,
-                                            const Tensor<2, 3> &slopes) const
+TubeDirections WallDirectionsParameters::find(const Model model,
+                                              const Point<dim> &place,
+                                              const Tensor<2, 3> &slopes) const
 {
   if (type == Type::straight_axis)
     return tube_directions_at<dim>(model, place);
@@ -152,21 +164,41 @@ TubeDirections WallDirectionsParameters::at(const Model model,
       directions.circumference = is_round ? across_plane : in_plane;
     }
   }
-  if (has_directions)
+  return has_directions ? directions : TubeDirections();
+}
+
+template <int dim>
+TubeDirections WallDirectionsParameters::at(const Model model,
+                                            const Point<dim> &place,
+                                            const Tensor<2, 3> &slopes) const
+{
+  const TubeDirections directions = find(model, place, slopes);
+  const bool exist = directions.axis.norm_square() > 0.,
+             is_oblique = dim == 2 && exist && is_oblique_to_plane(directions);
+  if (exist && !is_oblique)
     return directions;
   std::ostringstream text;
-  text << "the section Wall directions gives no direction at (";
+  text << "the section Wall directions gives " << (is_oblique ? "an oblique" : "no")
+       << " direction at (";
   for (unsigned int c = 0; c < dim; ++c)
     text << (c == 0 ? "" : ", ") << place[c];
-  text << ") m: "
-       << (type == Type::expressions
-               ? "Axis or Circumference is zero there, or they are parallel"
-               : "a potential has no slope there, or both have the same one; name boundaries on "
-                 "both "
-                 "sides of all regions with fibres or prestretch, or set Type = expressions");
+  text << ") m: ";
+  if (is_oblique)
+    text << "in two dimensions one of Axis and Circumference lies in the plane and the other one "
+            "across it";
+  else if (type == Type::expressions)
+    text << "Axis or Circumference is zero there, or they are parallel";
+  else
+    text << "a potential has no slope there, or both have the same one; name boundaries on both "
+            "sides "
+            "of all regions with fibres or prestretch, or set Type = expressions";
   throw RunError(text.str());
 }
 
+template TubeDirections
+WallDirectionsParameters::find(Model, const Point<2> &, const Tensor<2, 3> &) const;
+template TubeDirections
+WallDirectionsParameters::find(Model, const Point<3> &, const Tensor<2, 3> &) const;
 template TubeDirections
 WallDirectionsParameters::at(Model, const Point<2> &, const Tensor<2, 3> &) const;
 template TubeDirections

@@ -2,6 +2,7 @@
 
 #include <continua/base/input_error.h>
 #include <continua/continuum/rest_state.h>
+#include <continua/continuum/right_stretch.h>
 #include <continua/materials/metric_stress.h>
 
 #include <deal.II/base/mpi.h>
@@ -95,12 +96,15 @@ void DeformationTerms<dim>::set_rest_states()
       Base::set_entries(cell.velocity_places, ghosted_unloaded, cell_unloaded);
     if (potentials.exist())
       Base::set_entries(cell.velocity_places, ghosted_potentials, cell_potentials);
+    const Material &of_region = problem.materials[cell.region];
     for (unsigned int q = 0; q < cells.n_points(); ++q)
       rest_states.back().push_back(rest_state_at(
-          problem.materials[cell.region],
-          problem.wall_directions.at(problem.model, places.quadrature_point(q),
-                                     potentials.exist() ? gradient(cell_potentials, q)
-                                                        : Tensor<2, 3>()),
+          of_region,
+          has_directions(of_region)
+              ? problem.wall_directions.at(problem.model, places.quadrature_point(q),
+                                           potentials.exist() ? gradient(cell_potentials, q)
+                                                              : Tensor<2, 3>())
+              : TubeDirections(),
           prestretch_share,
           problem.finds_unloaded_shape() ? gradient(cell_unloaded, q) : Tensor<2, 3>()));
   }
@@ -508,9 +512,15 @@ void DeformationTerms<dim>::refuse_inversion(const double least_ratio,
     place = text.str();
   }
   place = Utilities::MPI::broadcast(space.communicator, place, over_ranks.min_index);
-  throw StepFailure("the body is turned inside out " + place +
-                    ": the ratio of its volume to that at rest is not positive there; a smaller "
-                    "time step, loads that begin smoothly or a finer mesh help");
+  throw StepFailure(
+      (step.finds_unloaded_shape ? "the unloaded shape is turned inside out "
+                                 : "the body is turned inside out ") +
+      place +
+      (step.finds_unloaded_shape
+           ? ": its volume is not positive there; more Steady/Load steps or a finer mesh help"
+           : ": the ratio of its volume to that at rest is not positive there; a smaller time "
+             "step, "
+             "loads that begin smoothly or a finer mesh help"));
 }
 
 template <int dim>
@@ -741,7 +751,8 @@ void DeformationTerms<dim>::integrate_unloading_derivative(FullMatrix<double> &m
   for (unsigned int q = 0; q < cells.n_points(); ++q)
   {
     const Point here = point(q);
-    const Tensor<2, 3> &unloading = rest_states[present - cells.all().data()][q].unloading;
+    const Tensor<2, 3> unit_tensor = unit;
+    const RightStretch unloading(unit_tensor + gradient(cell_unloaded, q));
     set_strain(here, q);
     set_functions(here, q);
     law.set_tangent(strain_at_point, stress, tangent);
@@ -753,12 +764,13 @@ void DeformationTerms<dim>::integrate_unloading_derivative(FullMatrix<double> &m
       for (unsigned int f = 0; f < n_functions; ++f)
       {
         const unsigned int j = d * n_functions + f;
-        // dFe Fe^-1 of the elastic deformation, which is (1 - Grad D)^-1 times what of it is known.
+        // D0 = -D, and dFe Fe^-1 = -U0^-1 dU0 of the elastic deformation Fe = U0^-1 times what is
+        // known.
         Tensor<2, 3> change;
         change[d] = reference_slopes[f];
         if (d == 1)
           change[2][2] += reference_hoops[f];
-        change = unloading * change;
+        change = unloading.inverse() * unloading.change(change);
         const double divergence = trace(change);
         // Of det F0 tau, whose volume at rest changes, too.
         const Tensor<2, 3> acting =

@@ -141,7 +141,10 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
       hp_pressure_values.get_present_fe_values().get_function_values(pressure, pressures);
       if (problem.deformation == Deformation::finite)
       {
-        set_directions(values, directions);
+        if (has_directions(material))
+          set_directions(values, directions);
+        else
+          directions.assign(directions.size(), TubeDirections());
         set_finite_stresses(values, pressures, region, metric_mixture, directions, finite_stresses);
       }
       typename DoFHandler<dim>::active_cell_iterator(&space.triangulation, cell->level(),
@@ -265,7 +268,7 @@ void FieldOutput<dim>::set_directions(const FEValues<dim> &values,
     set_gradients(values, wall_potentials, slopes);
   for (unsigned int q = 0; q < directions.size(); ++q)
     directions[q] =
-        problem.wall_directions.at(problem.model, values.quadrature_point(q), slopes[q]);
+        problem.wall_directions.find(problem.model, values.quadrature_point(q), slopes[q]);
 }
 
 template <int dim>

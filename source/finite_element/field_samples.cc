@@ -155,11 +155,15 @@ RestState FieldSamples<dim>::rest_state(const SamplePoint &point,
     const Tensor<2, dim> in_place = gradient(point, vector);
     return whole_gradient<dim>(in_place, hoop(point, vector, in_place));
   };
+  const Material &material = problem.materials[point.region];
   return rest_state_at(
-      problem.materials[point.region],
-      problem.wall_directions.at(
-          problem.model, point.place,
-          problem.wall_directions.has_potentials() ? whole(state.wall_potentials) : Tensor<2, 3>()),
+      material,
+      has_directions(material)
+          ? problem.wall_directions.find(problem.model, point.place,
+                                         problem.wall_directions.has_potentials()
+                                             ? whole(state.wall_potentials)
+                                             : Tensor<2, 3>())
+          : TubeDirections(),
       1., problem.finds_unloaded_shape() ? whole(state.unloaded_displacement) : Tensor<2, 3>());
 }
 

@@ -16,13 +16,15 @@ struct RestState
   /// Unit directions of the fibres, from the axis towards the circumference; empty for a law
   /// without fibres.
   std::vector<dealii::Tensor<1, 3>> fibres;
-  /// F0^-1 [1]: see Prestretch, times that of 1 + Grad D0 where D0 leads from the mesh to the
-  /// unloaded shape.
+  /// F0^-1 [1]: see Prestretch. Where D0 leads from the mesh to the unloaded shape, after U0^-1 of
+  /// 1 + Grad D0 = R0 U0: a piece at rest is turned back, with its fibres and its prestretch.
   dealii::Tensor<2, 3> prestretch;
-  dealii::Tensor<2, 3> unloading; ///< (1 + Grad D0)^-1 alone [1]
   /// det F0: the volume free of stress over that of the mesh [1].
   double volume_ratio = 1.;
 };
+
+/// Whether a material has fibres or a prestretch, which need directions of the wall.
+bool has_directions(const Material &material);
 
 /// `directions`: of the mesh, along and around which fibres lie at rest; `share`: how much of the
 /// prestretch there is, 0 to 1; `unloaded_gradient`: Grad D0 by the mesh [1]. Where D0 turns the

@@ -32,10 +32,14 @@ struct WallDirectionsParameters
   bool has_potentials() const { return type == Type::potentials; }
   /// The directions at a place of the mesh. `slopes`: the gradients of the potentials along (first
   /// row) and across the wall (second row) [1/m], where there are such. Throws RunError where they
-  /// do not give a direction.
+  /// do not give a direction, or one that is oblique to the plane of two dimensions.
   template <int dim>
   TubeDirections
   at(Model model, const dealii::Point<dim> &place, const dealii::Tensor<2, 3> &slopes) const;
+  /// The same for pictures and probes, zero where there is no direction.
+  template <int dim>
+  TubeDirections
+  find(Model model, const dealii::Point<dim> &place, const dealii::Tensor<2, 3> &slopes) const;
 };
 } // namespace Continua
 
