@@ -35,7 +35,8 @@ void CavityCoupling::build()
     return;
   present.resize(conditions.size());
   zero_velocity = operators.velocity_vector();
-  momentum = zero_velocity;
+  // An assignment keeps the distribution of a vector of the same size.
+  momentum.reinit(zero_velocity);
   mass = operators.pressure_vector();
   const std::vector<double> volumes = operators.cavity_volumes(zero_velocity);
   cavities.assign(conditions.size(), Cavity());
