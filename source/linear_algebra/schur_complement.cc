@@ -136,7 +136,7 @@ void SchurComplement::set_diagonal(const TrilinosWrappers::SparseMatrix &diverge
       inverse += 1. / mass_form->diag_element(global);
     if (has_laplacian)
     {
-      double sum = compression.diag_element(global);
+      double sum = compression.el(global, global); // none where nothing is compressible
       int n_entries = 0;
       double *values = nullptr;
       int *columns = nullptr;
