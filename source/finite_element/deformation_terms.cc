@@ -37,11 +37,11 @@ DeformationTerms<dim>::DeformationTerms(const Space<dim> &space,
       heat(problem.regions.size(), 0.),
       follower_pressure(space, problem),
       potentials(space, problem.wall_directions),
-      has_prestretch(std::any_of(problem.materials.begin(),
+      has_other_rest(problem.finds_unloaded_shape() ||
+                     std::any_of(problem.materials.begin(),
                                  problem.materials.end(),
                                  [](const Material &of_region)
-                                 { return of_region.prestretch.exists(); })),
-      has_other_rest(has_prestretch || problem.finds_unloaded_shape())
+                                 { return of_region.prestretch.exists(); }))
 {
   const unsigned int n_functions = cells.n_functions(), n_velocity = dim * n_functions,
                      n_pressure = cells.n_pressures();

@@ -25,6 +25,7 @@ void SampledState<dim>::reinit()
     unloaded_displacement = velocity;
   if (problem.wall_directions.has_potentials())
     wall_potentials = velocity;
+  has_wall_potentials = false;
   if (problem.wall_shear_window.is_kept)
     for (DistributedVector *vector : {&shear_integral, &magnitude_integral})
       *vector = space.ghosted_velocity(velocity_work);
@@ -44,8 +45,12 @@ void SampledState<dim>::take(const State &state)
     space.copy_velocity(state.history.displacement(), velocity_work, displacement);
   if (state.unloaded_displacement != nullptr)
     space.copy_velocity(*state.unloaded_displacement, velocity_work, unloaded_displacement);
-  if (state.wall_potentials != nullptr)
+  // They are those of the mesh.
+  if (state.wall_potentials != nullptr && !has_wall_potentials)
+  {
     space.copy_velocity(*state.wall_potentials, velocity_work, wall_potentials);
+    has_wall_potentials = true;
+  }
   if (metrics != nullptr)
     metric_mixture = metrics->ghosted_mixture();
   averaged_time = 0.;

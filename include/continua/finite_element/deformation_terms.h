@@ -128,7 +128,6 @@ private:
   /// another than the mesh's; else empty.
   std::vector<std::vector<RestState>> rest_states;
   double prestretch_share = 1.; ///< of which they are made
-  const bool has_prestretch;
   /// Whether the volume at rest is another than that of the mesh.
   const bool has_other_rest;
   /// The shape functions of a component at a point: gradients by the present place [1/m], and those

@@ -48,6 +48,7 @@ private:
   const Problem &problem;
   const MetricHistory<dim> *metrics;
   DistributedVector velocity_work, pressure_work, mixture;
+  bool has_wall_potentials = false; ///< of the present mesh
 };
 
 /// Points at which fields are evaluated that are no linear functions of the state. What does not
