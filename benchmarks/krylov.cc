@@ -10,6 +10,7 @@
 
 #include <continua/base/parameter_file.h>
 #include <continua/boundary/boundary_condition.h>
+#include <continua/finite_element/condensed_system.h>
 #include <continua/finite_element/iterative_step_solver.h>
 #include <continua/finite_element/step_system.h>
 #include <continua/linear_algebra/matrix_product.h>
@@ -192,9 +193,9 @@ unsigned int iterations(Body<dim> &body, const LinearSolverParameters &parameter
 template <int dim>
 unsigned int control_iterations(Body<dim> &body)
 {
-  CondensedBlocks blocks;
-  assemble_condensed_blocks(*body.space, body.operators, *body.constraints, body.coefficients,
-                            nullptr, blocks);
+  TrilinosWrappers::SparseMatrix matrix;
+  assemble_velocity_block(*body.space, body.operators, *body.constraints, body.coefficients,
+                          nullptr, nullptr, matrix);
   VelocityBlocks all;
   all.n_components = dim;
   all.stiff_is_direct = false;
@@ -209,7 +210,7 @@ unsigned int control_iterations(Body<dim> &body)
   }
   for (unsigned int i = 0; i < n; ++i)
     all.stiff.push_back(i);
-  VelocityPreconditioner multigrid(blocks.velocity, all);
+  VelocityPreconditioner multigrid(matrix, all, nullptr);
   struct Inverse
   {
     VelocityPreconditioner &multigrid;
@@ -223,7 +224,7 @@ unsigned int control_iterations(Body<dim> &body)
   body.velocity = 0.;
   try
   {
-    solver.solve(blocks.velocity, body.velocity, body.weight, Inverse{multigrid});
+    solver.solve(matrix, body.velocity, body.weight, Inverse{multigrid});
   }
   catch (const SolverControl::NoConvergence &)
   {

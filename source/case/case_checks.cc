@@ -117,7 +117,14 @@ void check_linear_solver(const Case<dim> &input, ParameterSection root)
     section.refuse("Direct solver",
                    word_of(direct_solver_words(), solver) + " works on one rank only",
                    "Use automatic or mumps");
+  const TaylorHoodParameters &taylor_hood = input.discretisation.taylor_hood;
+  if (taylor_hood.linear_solver.velocity_product == VelocityProduct::matrix_free &&
+      taylor_hood.space.velocity_degree != 2)
+    section.refuse("Velocity product",
+                   "matrix-free products are there for Velocity degree = 2 only",
+                   "Use automatic or assembled");
 }
+
 /// The cell-wise path's own entries against the scheme in time.
 template <int dim>
 void check_cell_wise_scheme(const Case<dim> &input, ParameterSection root)

@@ -77,60 +77,99 @@ AffineConstraints<double> constraints_of_columns(const Space<dim> &space,
   return lines;
 }
 
-/// Calls velocity(i, entries), divergence(k, entries) and compression(k, entries) for the rows that
-/// this rank's operators give, in any order; what is given twice adds.
-template <int dim, typename Velocity, typename Divergence, typename Compression>
-void for_entries(const Space<dim> &space,
-                 const std::vector<RegionOperators> &operators,
-                 const BoundaryConstraints<dim> &constraints,
-                 const SystemCoefficients &coefficients,
-                 const VolumetricStiffness *const volumetric,
-                 const Velocity &add_velocity,
-                 const Divergence &add_divergence,
-                 const Compression &add_compression)
+/// Condenses rows of this rank's operators: the boundary constraints go to their masters.
+template <int dim>
+class CondensedRows
 {
-  const AffineConstraints<double> lines = constraints_of_columns(space, operators, constraints);
-  // The free dofs that a velocity dof stands for, with their weights: the rows of T. Hanging nodes
-  // are condensed already: they stand in no row but their own.
-  const auto masters = [&lines](const int index, Entries &entries)
+public:
+  CondensedRows(const Space<dim> &space,
+                const std::vector<RegionOperators> &operators,
+                const BoundaryConstraints<dim> &constraints)
+      : space(space),
+        operators(operators),
+        lines(constraints_of_columns(space, operators, constraints))
   {
-    entries.clear();
-    if (!lines.is_constrained(index))
-      entries.emplace_back(index, 1.);
-    else
-      for (const auto &entry : *lines.get_constraint_entries(index))
-        entries.emplace_back(entry.first, entry.second);
-  };
+  }
 
-  // Columns go to their masters; the constrained ones stand for others.
+  /// Calls add(i, entries) for the rows of A, in any order; what is given twice adds. `wanted`, if
+  /// it is not null: the local indices of the rows that are given.
+  template <typename Add>
+  void for_velocity(const SystemCoefficients &coefficients,
+                    const VolumetricStiffness *volumetric,
+                    const std::vector<bool> *wanted,
+                    const Add &add);
+  /// The same for B and C.
+  template <typename Add>
+  void for_divergence(const Add &add);
+  template <typename Add>
+  void for_compression(const std::vector<double> &compressibility, const Add &add);
+
+private:
+  const Space<dim> &space;
+  const std::vector<RegionOperators> &operators;
+  const AffineConstraints<double> lines;
   Entries row, condensed, row_masters, column_masters;
-  const auto condense = [&]()
+
+  void take(const TrilinosWrappers::SparseMatrix &matrix, unsigned int i, double factor);
+  /// The free dofs that a velocity dof stands for, with their weights: the rows of T. Hanging nodes
+  /// are condensed already: they stand in no row but their own.
+  void find_masters(int index, Entries &masters) const;
+  /// Columns go to their masters; the constrained ones stand for others.
+  void condense();
+};
+
+template <int dim>
+void CondensedRows<dim>::take(const TrilinosWrappers::SparseMatrix &matrix,
+                              const unsigned int i,
+                              const double factor)
+{
+  if (factor != 0.)
+    for_row(matrix, i,
+            [&](const int j, const double value) { row.emplace_back(j, factor * value); });
+}
+
+template <int dim>
+void CondensedRows<dim>::find_masters(const int index, Entries &masters) const
+{
+  masters.clear();
+  if (!lines.is_constrained(index))
+    masters.emplace_back(index, 1.);
+  else
+    for (const auto &entry : *lines.get_constraint_entries(index))
+      masters.emplace_back(entry.first, entry.second);
+}
+
+template <int dim>
+void CondensedRows<dim>::condense()
+{
+  condensed.clear();
+  merge(row);
+  for (const auto &[column, value] : row)
   {
-    condensed.clear();
-    merge(row);
-    for (const auto &[column, value] : row)
-    {
-      masters(column, column_masters);
-      for (const auto &[to_column, weight] : column_masters)
-        condensed.emplace_back(to_column, weight * value);
-    }
-    merge(condensed);
-  };
-  const auto take = [&row](const TrilinosWrappers::SparseMatrix &matrix, const unsigned int i,
-                           const double factor)
-  {
-    if (factor != 0.)
-      for_row(matrix, i,
-              [&](const int j, const double value) { row.emplace_back(j, factor * value); });
-  };
+    find_masters(column, column_masters);
+    for (const auto &[to_column, weight] : column_masters)
+      condensed.emplace_back(to_column, weight * value);
+  }
+  merge(condensed);
+}
+
+template <int dim>
+template <typename Add>
+void CondensedRows<dim>::for_velocity(const SystemCoefficients &coefficients,
+                                      const VolumetricStiffness *const volumetric,
+                                      const std::vector<bool> *const wanted,
+                                      const Add &add)
+{
   for (unsigned int i = 0; i < space.velocity_owned.n_elements(); ++i)
   {
+    if (wanted != nullptr && !(*wanted)[i])
+      continue;
     const int global = space.velocity_owned.nth_index_in_set(i);
     if (lines.is_constrained(global))
-      add_velocity(global, Entries{{global, 1.}});
+      add(global, Entries{{global, 1.}});
     if (space.velocity_hanging.is_constrained(global))
       continue;
-    masters(global, row_masters);
+    find_masters(global, row_masters);
     if (row_masters.empty())
       continue;
     row.clear();
@@ -152,37 +191,75 @@ void for_entries(const Space<dim> &space,
       Entries weighted = condensed;
       for (auto &entry : weighted)
         entry.second *= weight;
-      add_velocity(to_row, weighted);
+      add(to_row, weighted);
     }
   }
+}
+
+template <int dim>
+template <typename Add>
+void CondensedRows<dim>::for_divergence(const Add &add)
+{
   for (unsigned int k = 0; k < space.pressure_owned.n_elements(); ++k)
   {
     const int global = space.pressure_owned.nth_index_in_set(k);
     if (space.pressure_hanging.is_constrained(global))
-    {
-      add_compression(global, Entries{{global, 1.}});
       continue;
-    }
     row.clear();
     for (const RegionOperators &region : operators)
       take(region.divergence, k, 1.);
     condense();
-    add_divergence(global, condensed);
-    row.clear();
-    for (unsigned int region = 0; region < operators.size(); ++region)
-      take(operators[region].pressure_mass, k, coefficients.compressibility[region]);
-    merge(row);
-    add_compression(global, row);
+    add(global, condensed);
   }
 }
-} // namespace
 
-namespace
+template <int dim>
+template <typename Add>
+void CondensedRows<dim>::for_compression(const std::vector<double> &compressibility, const Add &add)
 {
+  for (unsigned int k = 0; k < space.pressure_owned.n_elements(); ++k)
+  {
+    const int global = space.pressure_owned.nth_index_in_set(k);
+    row.clear();
+    if (space.pressure_hanging.is_constrained(global))
+      row.emplace_back(global, 1.);
+    else
+      for (unsigned int region = 0; region < operators.size(); ++region)
+        take(operators[region].pressure_mass, k, compressibility[region]);
+    merge(row);
+    add(global, row);
+  }
+}
+
 Epetra_Map map_of(const IndexSet &owned, const MPI_Comm communicator)
 {
   return owned.make_trilinos_map(communicator, false);
 }
+
+/// Adds rows of entries to a matrix.
+class RowAdder
+{
+public:
+  explicit RowAdder(Epetra_FECrsMatrix &matrix) : matrix(matrix) {}
+
+  void operator()(const int row, const Entries &entries) const
+  {
+    columns.clear();
+    values.clear();
+    for (const auto &[column, value] : entries)
+    {
+      columns.push_back(column);
+      values.push_back(value);
+    }
+    matrix.InsertGlobalValues(1, &row, static_cast<int>(columns.size()), columns.data(),
+                              values.data(), Epetra_FECrsMatrix::ROW_MAJOR);
+  }
+
+private:
+  Epetra_FECrsMatrix &matrix;
+  mutable std::vector<int> columns;
+  mutable std::vector<double> values;
+};
 
 /// Finishes the assembly and hands the entries over.
 void complete(Epetra_FECrsMatrix &matrix,
@@ -247,39 +324,32 @@ void assemble_volumetric_stiffness(const Space<dim> &space,
 }
 
 template <int dim>
-void assemble_condensed_blocks(const Space<dim> &space,
-                               const std::vector<RegionOperators> &operators,
-                               const BoundaryConstraints<dim> &constraints,
-                               const SystemCoefficients &coefficients,
-                               const VolumetricStiffness *const volumetric,
-                               CondensedBlocks &blocks)
+void assemble_velocity_block(const Space<dim> &space,
+                             const std::vector<RegionOperators> &operators,
+                             const BoundaryConstraints<dim> &constraints,
+                             const SystemCoefficients &coefficients,
+                             const VolumetricStiffness *const volumetric,
+                             const std::vector<bool> *const rows,
+                             TrilinosWrappers::SparseMatrix &matrix)
+{
+  const Epetra_Map velocities = map_of(space.velocity_owned, space.communicator);
+  Epetra_FECrsMatrix sum(Copy, velocities, 0);
+  CondensedRows<dim>(space, operators, constraints)
+      .for_velocity(coefficients, volumetric, rows, RowAdder(sum));
+  complete(sum, velocities, velocities, matrix);
+}
+
+template <int dim>
+void assemble_divergence(const Space<dim> &space,
+                         const std::vector<RegionOperators> &operators,
+                         const BoundaryConstraints<dim> &constraints,
+                         TrilinosWrappers::SparseMatrix &matrix)
 {
   const Epetra_Map velocities = map_of(space.velocity_owned, space.communicator);
   const Epetra_Map pressures = map_of(space.pressure_owned, space.communicator);
-  Epetra_FECrsMatrix velocity(Copy, velocities, 0), divergence(Copy, pressures, 0),
-      compression(Copy, pressures, 0);
-  std::vector<int> columns;
-  std::vector<double> values;
-  const auto adder = [&columns, &values](Epetra_FECrsMatrix &matrix)
-  {
-    return [&](const int row, const Entries &entries)
-    {
-      columns.clear();
-      values.clear();
-      for (const auto &[column, value] : entries)
-      {
-        columns.push_back(column);
-        values.push_back(value);
-      }
-      matrix.InsertGlobalValues(1, &row, static_cast<int>(columns.size()), columns.data(),
-                                values.data(), Epetra_FECrsMatrix::ROW_MAJOR);
-    };
-  };
-  for_entries(space, operators, constraints, coefficients, volumetric, adder(velocity),
-              adder(divergence), adder(compression));
-  complete(velocity, velocities, velocities, blocks.velocity);
-  complete(divergence, velocities, pressures, blocks.divergence);
-  complete(compression, pressures, pressures, blocks.compression);
+  Epetra_FECrsMatrix sum(Copy, pressures, 0);
+  CondensedRows<dim>(space, operators, constraints).for_divergence(RowAdder(sum));
+  complete(sum, velocities, pressures, matrix);
 }
 
 template <int dim>
@@ -341,8 +411,10 @@ SymmetricTriplets condensed_triplets(const Space<dim> &space,
         }
     };
   };
-  for_entries(space, operators, constraints, coefficients, nullptr, adder(0, 0, 1.),
-              adder(n_velocity, 0, -1.), adder(n_velocity, n_velocity, -1.));
+  CondensedRows<dim> rows(space, operators, constraints);
+  rows.for_velocity(coefficients, nullptr, nullptr, adder(0, 0, 1.));
+  rows.for_divergence(adder(n_velocity, 0, -1.));
+  rows.for_compression(coefficients.compressibility, adder(n_velocity, n_velocity, -1.));
   return result;
 }
 
@@ -352,18 +424,28 @@ template void assemble_volumetric_stiffness(const Space<2> &,
 template void assemble_volumetric_stiffness(const Space<3> &,
                                             const std::vector<RegionOperators> &,
                                             VolumetricStiffness &);
-template void assemble_condensed_blocks(const Space<2> &,
-                                        const std::vector<RegionOperators> &,
-                                        const BoundaryConstraints<2> &,
-                                        const SystemCoefficients &,
-                                        const VolumetricStiffness *,
-                                        CondensedBlocks &);
-template void assemble_condensed_blocks(const Space<3> &,
-                                        const std::vector<RegionOperators> &,
-                                        const BoundaryConstraints<3> &,
-                                        const SystemCoefficients &,
-                                        const VolumetricStiffness *,
-                                        CondensedBlocks &);
+template void assemble_velocity_block(const Space<2> &,
+                                      const std::vector<RegionOperators> &,
+                                      const BoundaryConstraints<2> &,
+                                      const SystemCoefficients &,
+                                      const VolumetricStiffness *,
+                                      const std::vector<bool> *,
+                                      TrilinosWrappers::SparseMatrix &);
+template void assemble_velocity_block(const Space<3> &,
+                                      const std::vector<RegionOperators> &,
+                                      const BoundaryConstraints<3> &,
+                                      const SystemCoefficients &,
+                                      const VolumetricStiffness *,
+                                      const std::vector<bool> *,
+                                      TrilinosWrappers::SparseMatrix &);
+template void assemble_divergence(const Space<2> &,
+                                  const std::vector<RegionOperators> &,
+                                  const BoundaryConstraints<2> &,
+                                  TrilinosWrappers::SparseMatrix &);
+template void assemble_divergence(const Space<3> &,
+                                  const std::vector<RegionOperators> &,
+                                  const BoundaryConstraints<3> &,
+                                  TrilinosWrappers::SparseMatrix &);
 template void assemble_pressure_mass(const Space<2> &,
                                      const std::vector<RegionOperators> &,
                                      const std::vector<double> &,

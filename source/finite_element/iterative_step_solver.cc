@@ -1,7 +1,10 @@
 #include <continua/finite_element/iterative_step_solver.h>
 
 #include <continua/base/input_error.h>
+#include <continua/finite_element/chebyshev_relaxation.h>
+#include <continua/finite_element/condensed_system.h>
 #include <continua/finite_element/interface_compliance.h>
+#include <continua/linear_algebra/matrix_relaxation.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/tensor.h>
@@ -132,12 +135,34 @@ template <int dim>
 bool IterativeStepSolver<dim>::prepare(const SystemCoefficients &wanted)
 {
   coefficients = wanted;
-  assemble_condensed_blocks(space, operators, constraints, coefficients, nullptr, blocks);
-  solver.reinit(matrices());
+  const bool is_first = !matrix_free_velocity && !assembled_velocity;
+  if (is_first)
+    assemble_divergence(space, operators, constraints, divergence);
+  if (is_first && parameters.is_matrix_free(space.degree()))
+    matrix_free_velocity = std::make_unique<MatrixFreeVelocity<dim>>(space, operators, constraints,
+                                                                     parameters.instruction_set);
+  if (matrix_free_velocity)
+    matrix_free_velocity->set(coefficients);
+  else
+  {
+    assemble_velocity_block(space, operators, constraints, coefficients, nullptr, nullptr,
+                            velocity_matrix);
+    assembled_velocity = std::make_unique<MatrixOperator>(velocity_matrix);
+  }
+  assemble_pressure_mass(space, operators, coefficients.compressibility, compression);
+  solver.reinit(blocks());
   if (preconditioner && !preconditioner->is_worn && is_near(preconditioner->coefficients))
     return false;
   make_preconditioner();
   return true;
+}
+
+template <int dim>
+const VelocityOperator &IterativeStepSolver<dim>::velocity_operator() const
+{
+  if (matrix_free_velocity)
+    return *matrix_free_velocity;
+  return *assembled_velocity;
 }
 
 template <int dim>
@@ -147,7 +172,6 @@ VelocityBlocks IterativeStepSolver<dim>::velocity_blocks(const std::vector<bool>
 {
   VelocityBlocks result;
   result.n_components = dim;
-  result.modes = rigid_motions(space);
   fluid_ratio = 0.;
   for (const unsigned int i : by_nodes(space))
   {
@@ -170,7 +194,8 @@ VelocityBlocks IterativeStepSolver<dim>::velocity_blocks(const std::vector<bool>
     if (!is_stiff && inertia > 0.)
       fluid_ratio = std::max(fluid_ratio, stiffness / inertia);
     // What a pressure moves. A soft region feels the interface as stiff as it is.
-    const double resistance = is_stiff && is_soft ? blocks.velocity.diag_element(global) : inertia;
+    const double resistance =
+        is_stiff && is_soft ? velocity_operator().diagonal().begin()[i] : inertia;
     mobility.begin()[i] = resistance > 0. ? 1. / resistance : 0.;
   }
   fluid_ratio = Utilities::MPI::max(fluid_ratio, space.communicator);
@@ -276,6 +301,60 @@ std::vector<bool> IterativeStepSolver<dim>::find_stiff_regions()
 }
 
 template <int dim>
+void IterativeStepSolver<dim>::make_velocity_inverse(
+    Preconditioner &made,
+    const std::vector<bool> &stiff_regions,
+    const std::vector<unsigned int> &stiff_pressures,
+    const VelocityBlocks &parts,
+    const bool has_joint_block)
+{
+  const bool is_relaxed = made.has_fluid && !parts.fluid_is_viscous && matrix_free_velocity;
+  // Without a relaxation by the matrix only the rows of the stiff block are needed.
+  const bool needs_all_rows = made.has_fluid && !is_relaxed;
+  std::vector<bool> rows(space.velocity_owned.n_elements(), needs_all_rows);
+  for (const unsigned int i : parts.stiff)
+    rows[i] = true;
+  // Augmented by a bulk modulus of alpha, or compressible enough for a factor.
+  VolumetricStiffness volumetric;
+  std::vector<double> compressibility = coefficients.compressibility;
+  for (unsigned int region = 0; region < operators.size(); ++region)
+  {
+    const double alpha = coefficients.stiffness[region];
+    if (has_joint_block && stiff_regions[region])
+      compressibility[region] = std::max(compressibility[region], least_compressibility / alpha);
+    const bool is_augmented = stiff_regions[region] && !has_joint_block &&
+                              parameters.schur_complement != SchurApproximation::simple;
+    volumetric.coefficients.push_back(is_augmented ? alpha : 0.);
+  }
+  assemble_volumetric_stiffness(space, operators, volumetric);
+  assemble_velocity_block(space, operators, constraints, coefficients, &volumetric, &rows,
+                          made.velocity_matrix);
+
+  std::unique_ptr<VelocityRelaxation> relaxation;
+  if (is_relaxed)
+    relaxation = std::make_unique<ChebyshevRelaxation<dim>>(
+        space, constraints,
+        typename ChebyshevRelaxation<dim>::Product::Coefficients{
+            coefficients.mass, coefficients.stiffness, volumetric.coefficients},
+        parts.fluid, parameters.instruction_set);
+  else if (made.has_fluid)
+    relaxation = std::make_unique<MatrixRelaxation>(made.velocity_matrix, parts);
+  if (has_joint_block)
+  {
+    TrilinosWrappers::SparseMatrix block_compression;
+    assemble_pressure_mass(space, operators, compressibility, block_compression);
+    made.velocity = std::make_unique<VelocityPreconditioner>(
+        made.velocity_matrix, divergence, block_compression, parts, stiff_pressures,
+        std::move(relaxation));
+  }
+  else
+    made.velocity = std::make_unique<VelocityPreconditioner>(made.velocity_matrix, parts,
+                                                             std::move(relaxation));
+  if (!needs_all_rows)
+    made.velocity_matrix.clear();
+}
+
+template <int dim>
 void IterativeStepSolver<dim>::make_preconditioner()
 {
   // The old one first: two would not fit where one does.
@@ -302,12 +381,15 @@ void IterativeStepSolver<dim>::make_preconditioner()
                            (parameters.fluid_block == FluidBlock::automatic &&
                             (fluid_ratio > viscous_ratio || !has_inertia));
   const bool simple = parameters.schur_complement == SchurApproximation::simple;
-
   const bool has_joint_block = n_stiff > 0 && parts.stiff_is_direct && !simple;
 
-  // Augmented by a bulk modulus of alpha; the mass form of the Schur complement follows.
-  VolumetricStiffness volumetric;
-  SystemCoefficients block_coefficients = coefficients;
+  if (!parts.stiff_is_direct || parts.fluid_is_viscous)
+    parts.modes = rigid_motions(space);
+  const std::vector<unsigned int> stiff_pressures =
+      has_joint_block ? find_stiff_pressures(stiff_regions) : std::vector<unsigned int>();
+  made->has_fluid = has_fluid;
+
+  // The mass form of the Schur complement follows an augmentation by a bulk modulus of alpha.
   std::vector<double> mass_factors;
   made->augmentation = space.pressure_vector();
   DistributedVector one = space.pressure_vector(), volume = space.pressure_vector();
@@ -316,10 +398,6 @@ void IterativeStepSolver<dim>::make_preconditioner()
   {
     const double alpha = coefficients.stiffness[region];
     const bool is_augmented = stiff_regions[region] && !simple && !has_joint_block;
-    if (has_joint_block && stiff_regions[region])
-      block_coefficients.compressibility[region] =
-          std::max(coefficients.compressibility[region], least_compressibility / alpha);
-    volumetric.coefficients.push_back(is_augmented ? alpha : 0.);
     mass_factors.push_back((1. / std::max(alpha, 1e-100) + coefficients.compressibility[region]) /
                            (is_augmented ? 2. : 1.));
     if (!is_augmented)
@@ -330,28 +408,17 @@ void IterativeStepSolver<dim>::make_preconditioner()
           !space.pressure_hanging.is_constrained(space.pressure_owned.nth_index_in_set(i)))
         made->augmentation.begin()[i] = alpha / volume.begin()[i];
   }
-  assemble_volumetric_stiffness(space, operators, volumetric);
-  assemble_condensed_blocks(space, operators, constraints, block_coefficients, &volumetric,
-                            made->blocks);
-  const std::vector<unsigned int> stiff_pressures =
-      has_joint_block ? find_stiff_pressures(stiff_regions) : std::vector<unsigned int>();
-  if (has_joint_block)
-    made->velocity =
-        std::make_unique<VelocityPreconditioner>(made->blocks.velocity, made->blocks.divergence,
-                                                 made->blocks.compression, parts, stiff_pressures);
-  else
-    made->velocity = std::make_unique<VelocityPreconditioner>(made->blocks.velocity, parts);
+  make_velocity_inverse(*made, stiff_regions, stiff_pressures, parts, has_joint_block);
 
   if (n_stiff > 0 && has_fluid && has_inertia && !simple)
     let_walls_yield(stiff_regions, *made->velocity, mobility);
 
   if (simple)
   {
-    for (const unsigned int i : by_nodes(space))
-      mobility.begin()[i] =
-          1. / blocks.velocity.diag_element(space.velocity_owned.nth_index_in_set(i));
-    made->schur_complement = std::make_unique<SchurComplement>(
-        blocks.divergence, blocks.compression, nullptr, &mobility);
+    for (unsigned int i = 0; i < mobility.locally_owned_size(); ++i)
+      mobility.begin()[i] = 1. / velocity_operator().diagonal().begin()[i];
+    made->schur_complement =
+        std::make_unique<SchurComplement>(divergence, compression, nullptr, &mobility);
   }
   else
   {
@@ -364,13 +431,9 @@ void IterativeStepSolver<dim>::make_preconditioner()
     for (unsigned int i = 0; i < is_left_out.size(); ++i)
       if (!is_left_out[i])
         pressures.push_back(i);
-    made->schur_complement =
-        std::make_unique<SchurComplement>(blocks.divergence, blocks.compression, &mass_form,
-                                          has_inertia ? &mobility : nullptr, pressures);
+    made->schur_complement = std::make_unique<SchurComplement>(
+        divergence, compression, &mass_form, has_inertia ? &mobility : nullptr, pressures);
   }
-  if (!has_joint_block)
-    made->blocks.divergence.clear();
-  made->blocks.compression.clear();
 
   std::ostringstream text;
   text << "FGMRES";
@@ -378,10 +441,15 @@ void IterativeStepSolver<dim>::make_preconditioner()
     text << "; stiff block: "
          << (parts.stiff_is_direct ? made->velocity->factor()->name() : "algebraic multigrid");
   if (has_fluid)
-    text << "; fluid block: " << (parts.fluid_is_viscous ? "algebraic multigrid" : "relaxation");
+    text << "; fluid block: "
+         << (parts.fluid_is_viscous ? "algebraic multigrid"
+             : matrix_free_velocity ? "Chebyshev relaxation"
+                                    : "relaxation");
   text << "; Schur complement: " << (simple ? "simple" : "cahouet-chabard");
+  if (matrix_free_velocity)
+    text << "; products without a matrix ("
+         << word_of(instruction_set_words(), parameters.instruction_set) << ")";
   made->name = text.str();
-  made->has_fluid = has_fluid;
   preconditioner = std::move(made);
 }
 
@@ -397,7 +465,7 @@ unsigned int IterativeStepSolver<dim>::solve(const DistributedVector &momentum,
   {
     velocity.equ(1., last_velocity);
     pressure.equ(1., last_pressure);
-    report = solver.solve(matrices(), *preconditioner->velocity, *preconditioner->schur_complement,
+    report = solver.solve(blocks(), *preconditioner->velocity, *preconditioner->schur_complement,
                           preconditioner->augmentation, momentum, mass, velocity, pressure,
                           parameters.tolerance, parameters.maximum_iterations);
     iterations += report.iterations;

@@ -58,6 +58,28 @@ void LinearSolverParameters::read(ParameterSection section)
               {"algebraic multigrid", FluidBlock::algebraic_multigrid}},
              "What the iterative solver does with the fluid: automatic takes relaxation "
              "unless viscosity evens velocities out over several cells within a step.");
+  add_choice(section, "Velocity product", velocity_product,
+             {{"automatic", VelocityProduct::automatic},
+              {"assembled", VelocityProduct::assembled},
+              {"matrix-free", VelocityProduct::matrix_free}},
+             "How the iterative solver multiplies with the matrix of the velocities: assembled "
+             "stores the matrix, matrix-free forms its integrals anew in each product, which is "
+             "faster and needs less memory, but is there for Velocity degree = 2 only; automatic "
+             "takes it there.");
+  std::vector<std::string> instruction_sets = choices_of(instruction_set_words());
+  instruction_sets.insert(instruction_sets.begin(), "automatic");
+  std::string set = instruction_sets.front();
+  section.add_choice("Instruction set", set, instruction_sets,
+                     "Of the processor, for products without a matrix: automatic takes the widest "
+                     "one that the processor has. The last digits of results depend on it.");
+  if (set != instruction_sets.front())
+    instruction_set = value_of(instruction_set_words(), set);
+  if (!can_run(instruction_set))
+    section.refuse("Instruction set", "this processor or this program lacks " + set,
+                   "Use automatic");
+  if (velocity_product == VelocityProduct::assembled && section.given("Instruction set"))
+    section.refuse("Instruction set", "Velocity product = assembled makes no use of it",
+                   "Remove it, or set Velocity product = matrix-free");
   const auto refuse_idle = [&](const std::vector<std::string> &keys, const std::string &of)
   {
     for (const std::string &key : keys)
@@ -69,7 +91,7 @@ void LinearSolverParameters::read(ParameterSection section)
     refuse_idle({"Direct solver", "Refinement steps", "Kept factors"}, "direct");
   if (type == LinearSolverType::direct)
     refuse_idle({"Tolerance", "Maximum iterations", "Restart length", "Schur complement",
-                 "Stiff block", "Fluid block"},
+                 "Stiff block", "Fluid block", "Velocity product", "Instruction set"},
                 "iterative");
 }
 } // namespace Continua

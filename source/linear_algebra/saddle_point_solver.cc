@@ -36,9 +36,9 @@ SaddlePointSolver::SaddlePointSolver(const unsigned int restart_length)
 
 void SaddlePointSolver::reinit(const Blocks &blocks)
 {
-  const MPI_Comm communicator = blocks.velocity.get_mpi_communicator();
-  velocity_work.reinit(blocks.velocity.locally_owned_range_indices(), communicator);
-  pressure_work.reinit(blocks.compression.locally_owned_range_indices(), communicator);
+  velocity_work.reinit(blocks.velocity.diagonal());
+  pressure_work.reinit(blocks.compression.locally_owned_range_indices(),
+                       blocks.compression.get_mpi_communicator());
   augmented.reinit(pressure_work);
   for (BlockVector *vector : {&scale, &inverse_scale, &right_hand_side, &solution, &product})
   {
@@ -53,7 +53,7 @@ void SaddlePointSolver::multiply_blocks(const Blocks &blocks,
                                         BlockVector &target,
                                         const BlockVector &source)
 {
-  multiply(blocks.velocity, target.block(0), source.block(0));
+  blocks.velocity.multiply(target.block(0), source.block(0));
   multiply_transposed(blocks.divergence, velocity_work, source.block(1));
   target.block(0).add(-1., velocity_work);
   multiply(blocks.divergence, target.block(1), source.block(0));
@@ -72,9 +72,8 @@ KrylovReport SaddlePointSolver::solve(const Blocks &blocks,
                                       const double tolerance,
                                       const unsigned int maximum_iterations)
 {
-  const Epetra_CrsMatrix &a = blocks.velocity.trilinos_matrix();
   for (unsigned int i = 0; i < velocity_work.locally_owned_size(); ++i)
-    inverse_scale.block(0).begin()[i] = std::sqrt(blocks.velocity.diag_element(a.GRID(i)));
+    inverse_scale.block(0).begin()[i] = std::sqrt(blocks.velocity.diagonal().begin()[i]);
   for (unsigned int i = 0; i < pressure_work.locally_owned_size(); ++i)
     inverse_scale.block(1).begin()[i] = std::sqrt(schur_complement.diagonal().begin()[i]);
   for (unsigned int b = 0; b < 2; ++b)
@@ -123,7 +122,7 @@ KrylovReport SaddlePointSolver::solve(const Blocks &blocks,
       term.scale(scale_of_rows);
       size = std::max(size, term.l2_norm());
     };
-    multiply(blocks.velocity, velocity_work, velocity);
+    blocks.velocity.multiply(velocity_work, velocity);
     take(velocity_work, scale.block(0));
     multiply_transposed(blocks.divergence, velocity_work, pressure);
     take(velocity_work, scale.block(0));

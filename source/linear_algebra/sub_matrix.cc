@@ -89,4 +89,25 @@ void SubMatrix::scatter_add(const double *const part, double *const parent) cons
   for (std::size_t k = 0; k < local_rows.size(); ++k)
     parent[local_rows[k]] += part[k];
 }
+
+Epetra_CrsMatrix rows_of(const Epetra_CrsMatrix &matrix,
+                         const std::vector<unsigned int> &rows,
+                         const Epetra_Map &map)
+{
+  Epetra_CrsMatrix result(Copy, map, 0);
+  std::vector<int> columns;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+  {
+    int n_entries = 0;
+    double *values = nullptr;
+    int *local_columns = nullptr;
+    matrix.ExtractMyRowView(static_cast<int>(rows[k]), n_entries, values, local_columns);
+    columns.clear();
+    for (int e = 0; e < n_entries; ++e)
+      columns.push_back(matrix.GCID(local_columns[e]));
+    result.InsertGlobalValues(map.GID(static_cast<int>(k)), n_entries, values, columns.data());
+  }
+  result.FillComplete(matrix.DomainMap(), map);
+  return result;
+}
 } // namespace Continua

@@ -1,144 +1,72 @@
 #include <continua/linear_algebra/matrix_product.h>
 #include <continua/linear_algebra/velocity_preconditioner.h>
 
-#include <Epetra_Vector.h>
-#include <Teuchos_ParameterList.hpp>
-#include <ml_MultiLevelPreconditioner.h>
+#include <deal.II/base/mpi.h>
 
-#include <algorithm>
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_FEVector.h>
+#include <Epetra_Map.h>
+
+#include <utility>
 
 namespace Continua
 {
 using namespace dealii;
 
-namespace
+VelocityPreconditioner::VelocityPreconditioner(
+    const TrilinosWrappers::SparseMatrix &matrix,
+    const VelocityBlocks &blocks,
+    std::unique_ptr<VelocityRelaxation> relaxation_of_fluid)
+    : relaxation(std::move(relaxation_of_fluid)),
+      has_stiff(Utilities::MPI::max(blocks.stiff.size(), matrix.get_mpi_communicator()) > 0),
+      residual(matrix.locally_owned_range_indices(), matrix.get_mpi_communicator())
 {
-/// Smoothed aggregation node by node, that keeps the modes.
-void make_multigrid(const SubMatrix &block,
-                    const VelocityBlocks &blocks,
-                    TrilinosWrappers::PreconditionAMG &multigrid)
-{
-  const std::vector<unsigned int> &rows = block.rows();
-  std::vector<double> modes;
-  for (const std::vector<double> &mode : blocks.modes)
-    for (const unsigned int row : rows)
-      modes.push_back(mode[row]);
-  modes.resize(std::max<std::size_t>(modes.size(), 1));
-  Teuchos::ParameterList list;
-  ML_Epetra::SetDefaults("SA", list);
-  list.set("ML output", 0);
-  list.set("PDE equations", static_cast<int>(blocks.n_components));
-  list.set("null space: type", "pre-computed");
-  list.set("null space: dimension", static_cast<int>(blocks.modes.size()));
-  list.set("null space: vectors", modes.data());
-  list.set("null space: add default vectors", false);
-  list.set("aggregation: type", "Uncoupled");
-  list.set("aggregation: threshold", 0.);
-  list.set("smoother: type", "Chebyshev");
-  list.set("smoother: sweeps", 2);
-  list.set("smoother: Chebyshev alpha", 20.);
-  list.set("coarse: max size", 1000);
-  list.set("coarse: type", "Amesos-KLU");
-  multigrid.initialize(block.matrix(), list);
-}
-} // namespace
-
-VelocityPreconditioner::VelocityPreconditioner(const TrilinosWrappers::SparseMatrix &matrix,
-                                               const VelocityBlocks &blocks)
-    : VelocityPreconditioner(matrix, nullptr, nullptr, blocks, {})
-{
-}
-
-VelocityPreconditioner::VelocityPreconditioner(const TrilinosWrappers::SparseMatrix &matrix,
-                                               const TrilinosWrappers::SparseMatrix &divergence,
-                                               const TrilinosWrappers::SparseMatrix &compression,
-                                               const VelocityBlocks &blocks,
-                                               const std::vector<unsigned int> &stiff_pressures)
-    : VelocityPreconditioner(matrix, &divergence, &compression, blocks, stiff_pressures)
-{
+  if (!has_stiff)
+    return;
+  if (!blocks.stiff_is_direct)
+  {
+    stiff_multigrid = std::make_unique<BlockMultigrid>(matrix, blocks.stiff, blocks);
+    return;
+  }
+  stiff = std::make_unique<SubMatrix>(matrix.trilinos_matrix(), blocks.stiff);
+  part.resize(blocks.stiff.size());
+  const SymmetricTriplets triangle = stiff->lower_triangle();
+  stiff_factor = make_symmetric_factor(DirectSolver::automatic, true, triangle.values.size(),
+                                       matrix.get_mpi_communicator());
+  stiff_factor->factorize(triangle, stiff->owned());
 }
 
 VelocityPreconditioner::VelocityPreconditioner(
     const TrilinosWrappers::SparseMatrix &matrix,
-    const TrilinosWrappers::SparseMatrix *const divergence,
-    const TrilinosWrappers::SparseMatrix *const compression,
+    const TrilinosWrappers::SparseMatrix &divergence,
+    const TrilinosWrappers::SparseMatrix &compression,
     const VelocityBlocks &blocks,
-    const std::vector<unsigned int> &stiff_pressures)
-    : matrix(matrix),
-      divergence(divergence),
-      has_stiff(Utilities::MPI::max(blocks.stiff.size(), matrix.get_mpi_communicator()) > 0),
-      has_fluid(Utilities::MPI::max(blocks.fluid.size(), matrix.get_mpi_communicator()) > 0),
-      stiff_is_direct(blocks.stiff_is_direct),
-      fluid_is_viscous(blocks.fluid_is_viscous)
+    const std::vector<unsigned int> &pressures_of_stiff,
+    std::unique_ptr<VelocityRelaxation> relaxation_of_fluid)
+    : relaxation(std::move(relaxation_of_fluid)),
+      has_stiff(true),
+      residual(matrix.locally_owned_range_indices(), matrix.get_mpi_communicator()),
+      divergence(&divergence),
+      saddle_point(std::make_unique<SaddlePointBlock>(matrix.trilinos_matrix(),
+                                                      divergence.trilinos_matrix(),
+                                                      compression.trilinos_matrix(),
+                                                      blocks.stiff,
+                                                      pressures_of_stiff)),
+      stiff_pressures(pressures_of_stiff)
 {
-  const IndexSet owned = matrix.locally_owned_range_indices();
-  residual.reinit(owned, matrix.get_mpi_communicator());
-  correction.reinit(residual);
-  if (divergence != nullptr)
-  {
-    saddle_point = std::make_unique<SaddlePointBlock>(
-        matrix.trilinos_matrix(), divergence->trilinos_matrix(), compression->trilinos_matrix(),
-        blocks.stiff, stiff_pressures);
-    pressure_residual.reinit(divergence->locally_owned_range_indices(),
-                             divergence->get_mpi_communicator());
-    pressure_work.reinit(pressure_residual);
-  }
-  else if (has_stiff)
-  {
-    stiff = std::make_unique<SubMatrix>(matrix.trilinos_matrix(), blocks.stiff);
-    if (stiff_is_direct)
-    {
-      const SymmetricTriplets triangle = stiff->lower_triangle();
-      stiff_factor = make_symmetric_factor(DirectSolver::automatic, true, triangle.values.size(),
-                                           matrix.get_mpi_communicator());
-      stiff_factor->factorize(triangle, stiff->owned());
-    }
-    else
-      make_multigrid(*stiff, blocks, stiff_multigrid);
-  }
-  if (has_fluid && fluid_is_viscous)
-  {
-    fluid = std::make_unique<SubMatrix>(matrix.trilinos_matrix(), blocks.fluid);
-    make_multigrid(*fluid, blocks, fluid_multigrid);
-  }
-  if (has_fluid && !fluid_is_viscous)
-    relaxation.initialize(matrix);
-  part.resize(std::max(blocks.stiff.size(), blocks.fluid.size()));
-  part_of_solution.resize(part.size());
+  full_momentum.reinit(residual);
+  velocity_work.reinit(residual);
+  pressure_residual.reinit(divergence.locally_owned_range_indices(),
+                           divergence.get_mpi_communicator());
+  pressure_work.reinit(pressure_residual);
+  const Epetra_Map map(-1, static_cast<int>(stiff_pressures.size()), 0,
+                       divergence.trilinos_matrix().Comm());
+  stiff_divergence = std::make_unique<Epetra_CrsMatrix>(
+      rows_of(divergence.trilinos_matrix(), stiff_pressures, map));
+  pressure_part = std::make_unique<Epetra_Vector>(map);
 }
 
 VelocityPreconditioner::~VelocityPreconditioner() = default;
-
-void VelocityPreconditioner::apply(const SubMatrix &block,
-                                   const TrilinosWrappers::PreconditionAMG &multigrid,
-                                   DistributedVector &target,
-                                   const DistributedVector &source)
-{
-  part.resize(part_of_solution.size());
-  block.gather(source.begin(), part.data());
-  const Epetra_Vector right_hand_side(View, block.matrix().RowMap(), part.data());
-  Epetra_Vector solution(View, block.matrix().RowMap(), part_of_solution.data());
-  multigrid.trilinos_operator().ApplyInverse(right_hand_side, solution);
-  block.scatter_add(part_of_solution.data(), target.begin());
-}
-
-void VelocityPreconditioner::relax(DistributedVector &target, const DistributedVector &source)
-{
-  if (fluid_is_viscous)
-  {
-    apply(*fluid, fluid_multigrid, target, source);
-    return;
-  }
-  relaxation.vmult(correction, source);
-  target.add(1., correction);
-}
-
-void VelocityPreconditioner::leave_residual(const DistributedVector &target,
-                                            const DistributedVector &source)
-{
-  multiply(matrix, residual, target);
-  residual.sadd(-1., 1., source);
-}
 
 void VelocityPreconditioner::add_stiff(DistributedVector &target, const DistributedVector &source)
 {
@@ -148,15 +76,14 @@ void VelocityPreconditioner::add_stiff(DistributedVector &target, const Distribu
     saddle_point->add_solution(source.begin(), pressure_residual.begin(), target.begin(),
                                pressure_work.begin());
   }
-  else if (stiff_is_direct)
+  else if (stiff_factor)
   {
-    part.resize(stiff->rows().size()); // within its capacity
     stiff->gather(source.begin(), part.data());
     stiff_factor->solve(part);
     stiff->scatter_add(part.data(), target.begin());
   }
   else
-    apply(*stiff, stiff_multigrid, target, source);
+    stiff_multigrid->add_cycle(target, source);
 }
 
 void VelocityPreconditioner::solve_stiff(DistributedVector &target, const DistributedVector &source)
@@ -168,21 +95,18 @@ void VelocityPreconditioner::solve_stiff(DistributedVector &target, const Distri
 void VelocityPreconditioner::vmult(DistributedVector &target, const DistributedVector &source)
 {
   target = 0.;
-  if (has_fluid)
-    relax(target, source);
-  if (has_stiff)
+  if (!relaxation)
   {
-    if (has_fluid)
-      leave_residual(target, source);
-    else
-      residual.equ(1., source);
-    add_stiff(target, residual);
-    if (has_fluid)
-    {
-      leave_residual(target, source);
-      relax(target, residual);
-    }
+    add_stiff(target, source);
+    return;
   }
+  relaxation->add_relaxed(target, source);
+  if (!has_stiff)
+    return;
+  relaxation->leave_residual(residual, target, source);
+  add_stiff(target, residual);
+  relaxation->leave_residual(residual, target, source);
+  relaxation->add_relaxed(target, residual);
 }
 
 void VelocityPreconditioner::vmult(DistributedVector &velocity,
@@ -190,27 +114,29 @@ void VelocityPreconditioner::vmult(DistributedVector &velocity,
                                    const DistributedVector &momentum,
                                    const DistributedVector &mass)
 {
-  const auto leave_momentum = [&]()
-  {
-    leave_residual(velocity, momentum);
-    multiply_transposed(*divergence, correction, pressure);
-    residual.add(1., correction);
-  };
+  // The pressures of the fluid are known and act on all velocities.
+  multiply_transposed(*divergence, full_momentum, pressure);
+  full_momentum.add(1., momentum);
   velocity = 0.;
-  if (has_fluid)
+  pressure_residual.equ(1., mass);
+  if (!relaxation)
   {
-    leave_momentum();
-    relax(velocity, residual);
+    saddle_point->add_solution(full_momentum.begin(), pressure_residual.begin(), velocity.begin(),
+                               pressure.begin());
+    return;
   }
-  leave_momentum();
-  multiply(*divergence, pressure_residual, velocity);
-  pressure_residual.add(1., mass);
+  relaxation->add_relaxed(velocity, full_momentum);
+  relaxation->leave_residual(residual, velocity, full_momentum);
+  stiff_divergence->Multiply(false, *velocity.trilinos_vector()(0), *pressure_part);
+  for (std::size_t k = 0; k < stiff_pressures.size(); ++k)
+    pressure_residual.begin()[stiff_pressures[k]] += (*pressure_part)[static_cast<int>(k)];
   saddle_point->add_solution(residual.begin(), pressure_residual.begin(), velocity.begin(),
                              pressure.begin());
-  if (has_fluid)
-  {
-    leave_momentum();
-    relax(velocity, residual);
-  }
+  for (std::size_t k = 0; k < stiff_pressures.size(); ++k)
+    (*pressure_part)[static_cast<int>(k)] = pressure.begin()[stiff_pressures[k]];
+  stiff_divergence->Multiply(true, *pressure_part, *velocity_work.trilinos_vector()(0));
+  full_momentum.add(1., velocity_work);
+  relaxation->leave_residual(residual, velocity, full_momentum);
+  relaxation->add_relaxed(velocity, residual);
 }
 } // namespace Continua

@@ -2,6 +2,7 @@
 // three iterations where the preconditioner is exact but for 1e-12; a guess that is the solution,
 // one that is worse than nothing, no right side, and too few iterations.
 
+#include <continua/linear_algebra/matrix_operator.h>
 #include <continua/linear_algebra/saddle_point_solver.h>
 
 #include "dense_systems.h"
@@ -50,7 +51,8 @@ struct System
     VelocityBlocks blocks;
     blocks.stiff.resize(owned(n_velocities).n_elements());
     std::iota(blocks.stiff.begin(), blocks.stiff.end(), 0u);
-    velocity_inverse = std::make_unique<VelocityPreconditioner>(augmented_velocity, blocks);
+    velocity_inverse =
+        std::make_unique<VelocityPreconditioner>(augmented_velocity, blocks, nullptr);
     const DistributedVector mobility = distributed(diagonal);
     schur_complement =
         std::make_unique<SchurComplement>(divergence, this->compression, nullptr, &mobility);
@@ -78,7 +80,8 @@ struct System
     std::copy_n(guess.begin(), n_velocities, of_velocity.begin());
     std::copy_n(guess.begin() + n_velocities, n_pressures, of_pressure.begin());
     DistributedVector u = distributed(of_velocity), p = distributed(of_pressure);
-    const SaddlePointSolver::Blocks blocks{velocity, divergence, compression};
+    const MatrixOperator velocity_operator(velocity);
+    const SaddlePointSolver::Blocks blocks{velocity_operator, divergence, compression};
     SaddlePointSolver solver(30);
     solver.reinit(blocks);
     const KrylovReport report =

@@ -2,6 +2,7 @@
 // exact where all is stiff, symmetric Gauss-Seidel where all is fluid, and the three steps where a
 // stiff part meets a soft one; multigrid on a small block is exact.
 
+#include <continua/linear_algebra/matrix_relaxation.h>
 #include <continua/linear_algebra/velocity_preconditioner.h>
 
 #include "dense_systems.h"
@@ -81,7 +82,7 @@ UNIT_TEST(velocity_preconditioner)
 
   VelocityBlocks stiff;
   stiff.stiff = all;
-  VelocityPreconditioner of_stiff(matrix, stiff);
+  VelocityPreconditioner of_stiff(matrix, stiff, nullptr);
   check::absolute("all stiff: the inverse", distance(apply(of_stiff, source), solve(a, source)), 0.,
                   1e-11);
   check::is_true("all stiff: a factor", of_stiff.factor() != nullptr);
@@ -91,7 +92,8 @@ UNIT_TEST(velocity_preconditioner)
   viscous.fluid = all;
   viscous.fluid_is_viscous = true;
   viscous.modes = {std::vector<double>(all.size(), 1.)};
-  VelocityPreconditioner of_viscous(matrix, viscous);
+  VelocityPreconditioner of_viscous(matrix, viscous,
+                                    std::make_unique<MatrixRelaxation>(matrix, viscous));
   check::absolute("all viscous: the inverse", distance(apply(of_viscous, source), solve(a, source)),
                   0., 1e-9);
   check::is_true("all viscous: no factor", of_viscous.factor() == nullptr);
@@ -99,14 +101,14 @@ UNIT_TEST(velocity_preconditioner)
   VelocityBlocks mixed;
   for (const unsigned int i : all)
     (rows.nth_index_in_set(i) < n / 2 ? mixed.stiff : mixed.fluid).push_back(i);
-  VelocityPreconditioner of_mixed(matrix, mixed);
+  VelocityPreconditioner of_mixed(matrix, mixed, std::make_unique<MatrixRelaxation>(matrix, mixed));
   // Symmetric, on any number of ranks.
   const List other = numbers(n, 1);
   const double one_way = apply(of_mixed, source) * other, back = apply(of_mixed, other) * source;
   check::relative("stiff and fluid: symmetric", one_way, back, 1e-10);
   VelocityBlocks fluid;
   fluid.fluid = all;
-  VelocityPreconditioner of_fluid(matrix, fluid);
+  VelocityPreconditioner of_fluid(matrix, fluid, std::make_unique<MatrixRelaxation>(matrix, fluid));
   check::relative("all fluid: symmetric", apply(of_fluid, source) * other,
                   apply(of_fluid, other) * source, 1e-10);
   // Every rank relaxes its own unknowns.

@@ -13,18 +13,6 @@
 
 namespace Continua
 {
-/**
- * The blocks of a step's matrix with the boundary constraints eliminated on both sides, T^T A T, B
- * T and C, distributed by rows. Rows of constrained and hanging unknowns have a one on the diagonal
- * of A and C, and nothing else.
- */
-struct CondensedBlocks
-{
-  dealii::TrilinosWrappers::SparseMatrix velocity;    ///< A [kg/s]
-  dealii::TrilinosWrappers::SparseMatrix divergence;  ///< B, rows: pressure [m^(dim-1)]
-  dealii::TrilinosWrappers::SparseMatrix compression; ///< C [m^3/(Pa s)]
-};
-
 /// int div u div v of each region that has a coefficient [Pa s]: a bulk stiffness beside the shear
 /// stiffness alpha.
 struct VolumetricStiffness
@@ -39,16 +27,32 @@ void assemble_volumetric_stiffness(const Space<dim> &space,
                                    const std::vector<RegionOperators> &operators,
                                    VolumetricStiffness &volumetric);
 
-/// `volumetric` is added to A; may be null.
-template <int dim>
-void assemble_condensed_blocks(const Space<dim> &space,
-                               const std::vector<RegionOperators> &operators,
-                               const BoundaryConstraints<dim> &constraints,
-                               const SystemCoefficients &coefficients,
-                               const VolumetricStiffness *volumetric,
-                               CondensedBlocks &blocks);
+// Blocks of a step's matrix with the boundary constraints eliminated on both sides, distributed by
+// rows.
 
-/// The sum of the regions' pressure masses with a factor each; a one for hanging nodes.
+/**
+ * T^T A T [kg/s], with a one on the diagonal of constrained and hanging velocities and nothing else
+ * in their rows. `volumetric` is added; may be null. `rows`: which of the owned rows there are, by
+ * local index, others stay empty; null means all of them.
+ */
+template <int dim>
+void assemble_velocity_block(const Space<dim> &space,
+                             const std::vector<RegionOperators> &operators,
+                             const BoundaryConstraints<dim> &constraints,
+                             const SystemCoefficients &coefficients,
+                             const VolumetricStiffness *volumetric,
+                             const std::vector<bool> *rows,
+                             dealii::TrilinosWrappers::SparseMatrix &matrix);
+
+/// B T, rows: pressure [m^(dim-1)].
+template <int dim>
+void assemble_divergence(const Space<dim> &space,
+                         const std::vector<RegionOperators> &operators,
+                         const BoundaryConstraints<dim> &constraints,
+                         dealii::TrilinosWrappers::SparseMatrix &matrix);
+
+/// The sum of the regions' pressure masses with a factor each, as C with 1/(K b) [m^3/(Pa s)]; a
+/// one for hanging nodes.
 template <int dim>
 void assemble_pressure_mass(const Space<dim> &space,
                             const std::vector<RegionOperators> &operators,

@@ -2,10 +2,11 @@
 #define continua_finite_element_iterative_step_solver_h
 
 #include <continua/finite_element/boundary_constraints.h>
-#include <continua/finite_element/condensed_system.h>
 #include <continua/finite_element/linear_solver_parameters.h>
+#include <continua/finite_element/matrix_free_velocity.h>
 #include <continua/finite_element/region_operators.h>
 #include <continua/finite_element/space.h>
+#include <continua/linear_algebra/matrix_operator.h>
 #include <continua/linear_algebra/saddle_point_solver.h>
 
 #include <memory>
@@ -76,7 +77,8 @@ private:
   struct Preconditioner
   {
     SystemCoefficients coefficients;
-    CondensedBlocks blocks; ///< augmented, or with the block's own compression
+    /// A where something needs its entries later on, else empty.
+    dealii::TrilinosWrappers::SparseMatrix velocity_matrix;
     std::unique_ptr<VelocityPreconditioner> velocity;
     std::unique_ptr<SchurComplement> schur_complement;
     DistributedVector augmentation; ///< W
@@ -90,7 +92,11 @@ private:
   const BoundaryConstraints<dim> &constraints;
   const LinearSolverParameters parameters;
   SystemCoefficients coefficients;
-  CondensedBlocks blocks;
+  // Of the present coefficients: A in one of the two forms, B and C.
+  std::unique_ptr<MatrixFreeVelocity<dim>> matrix_free_velocity;
+  dealii::TrilinosWrappers::SparseMatrix velocity_matrix;
+  std::unique_ptr<MatrixOperator> assembled_velocity;
+  dealii::TrilinosWrappers::SparseMatrix divergence, compression;
   std::unique_ptr<Preconditioner> preconditioner;
   SaddlePointSolver solver;
   DistributedVector last_velocity, last_pressure;
@@ -100,6 +106,11 @@ private:
   void make_preconditioner();
   /// Which regions are stiff, by the rule above; also finds the velocities of each region.
   std::vector<bool> find_stiff_regions();
+  void make_velocity_inverse(Preconditioner &made,
+                             const std::vector<bool> &stiff_regions,
+                             const std::vector<unsigned int> &stiff_pressures,
+                             const VelocityBlocks &parts,
+                             bool has_joint_block);
   VelocityBlocks velocity_blocks(const std::vector<bool> &stiff_regions,
                                  DistributedVector &mobility,
                                  double &fluid_ratio) const;
@@ -109,9 +120,10 @@ private:
   void let_walls_yield(const std::vector<bool> &stiff_regions,
                        VelocityPreconditioner &velocity_inverse,
                        DistributedVector &mobility) const;
-  SaddlePointSolver::Blocks matrices() const
+  const VelocityOperator &velocity_operator() const;
+  SaddlePointSolver::Blocks blocks() const
   {
-    return {blocks.velocity, blocks.divergence, blocks.compression};
+    return {velocity_operator(), divergence, compression};
   }
 };
 } // namespace Continua

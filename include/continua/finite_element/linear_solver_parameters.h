@@ -1,6 +1,7 @@
 #ifndef continua_finite_element_linear_solver_parameters_h
 #define continua_finite_element_linear_solver_parameters_h
 
+#include <continua/base/instruction_set.h>
 #include <continua/linear_algebra/direct_solver.h>
 
 namespace Continua
@@ -37,6 +38,14 @@ enum class FluidBlock
   algebraic_multigrid
 };
 
+/// How the iterative solver forms its products with the velocities' matrix.
+enum class VelocityProduct
+{
+  automatic, ///< without a matrix if the velocity is quadratic
+  assembled,
+  matrix_free
+};
+
 /// The section Linear solver.
 struct LinearSolverParameters
 {
@@ -51,7 +60,15 @@ struct LinearSolverParameters
   SchurApproximation schur_complement = SchurApproximation::automatic;
   StiffBlock stiff_block = StiffBlock::automatic;
   FluidBlock fluid_block = FluidBlock::automatic;
+  VelocityProduct velocity_product = VelocityProduct::automatic;
+  InstructionSet instruction_set = widest_instruction_set(); ///< of products without a matrix
 
+  /// Whether the products with the velocities' matrix have none.
+  bool is_matrix_free(const unsigned int velocity_degree) const
+  {
+    return velocity_product == VelocityProduct::matrix_free ||
+           (velocity_product == VelocityProduct::automatic && velocity_degree == 2);
+  }
   void read(ParameterSection section);
 };
 } // namespace Continua

@@ -3,6 +3,7 @@
 
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/linear_algebra/schur_complement.h>
+#include <continua/linear_algebra/velocity_operator.h>
 #include <continua/linear_algebra/velocity_preconditioner.h>
 
 #include <deal.II/lac/trilinos_parallel_block_vector.h>
@@ -43,7 +44,8 @@ public:
   /// A, B and C.
   struct Blocks
   {
-    const dealii::TrilinosWrappers::SparseMatrix &velocity, &divergence, &compression;
+    const VelocityOperator &velocity;
+    const dealii::TrilinosWrappers::SparseMatrix &divergence, &compression;
   };
 
   explicit SaddlePointSolver(unsigned int restart_length);

@@ -4,6 +4,7 @@
 #include <continua/linear_algebra/symmetric_factor.h>
 
 #include <Epetra_CrsMatrix.h>
+#include <Epetra_Map.h>
 
 #include <memory>
 #include <vector>
@@ -32,6 +33,12 @@ private:
   std::vector<unsigned int> local_rows;
   std::unique_ptr<Epetra_CrsMatrix> entries;
 };
+
+/// Some rows of a distributed matrix, with all their columns and renumbered as those of `map`.
+/// `rows`: local indices of this rank's.
+Epetra_CrsMatrix rows_of(const Epetra_CrsMatrix &matrix,
+                         const std::vector<unsigned int> &rows,
+                         const Epetra_Map &map);
 } // namespace Continua
 
 #endif

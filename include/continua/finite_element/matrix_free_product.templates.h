@@ -1,0 +1,199 @@
+#ifndef continua_finite_element_matrix_free_product_templates_h
+#define continua_finite_element_matrix_free_product_templates_h
+
+#include <continua/finite_element/matrix_free_product.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/matrix_free/fe_evaluation.h>
+#include <deal.II/matrix_free/matrix_free.h>
+#include <deal.II/matrix_free/tools.h>
+
+namespace Continua
+{
+/// With `width` cells at a time and `n_points` Gauss points in each direction. More points than the
+/// degree needs: axisymmetry.
+template <int dim, typename Number, std::size_t width, int n_points>
+class MatrixFreeProductOfWidth : public MatrixFreeProduct<dim, Number>
+{
+public:
+  using Base = MatrixFreeProduct<dim, Number>;
+  using Vector = typename Base::Vector;
+
+  explicit MatrixFreeProductOfWidth(const typename Base::Input &input);
+
+  void set(const typename Base::Coefficients &coefficients) override;
+  void initialise(Vector &vector) const override { matrix_free.initialize_dof_vector(vector); }
+  void multiply(Vector &target, const Vector &source) const override;
+  void find_diagonal(Vector &diagonal) const override;
+  std::size_t memory() const override
+  {
+    return matrix_free.memory_consumption() + sizeof(OfBatch) * of_batches.size();
+  }
+
+private:
+  static constexpr int degree = 2;
+  static constexpr bool is_axisymmetric = n_points > degree + 1;
+  using Lanes = dealii::VectorizedArray<Number, width>;
+  using MatrixFree = dealii::MatrixFree<dim, Number, Lanes>;
+  using Evaluation = dealii::FEEvaluation<dim, degree, n_points, dim, Number, Lanes>;
+
+  struct OfBatch
+  {
+    Lanes mass, stiffness, volumetric;
+  };
+
+  MatrixFree matrix_free;
+  dealii::AlignedVector<OfBatch> of_batches;
+
+  /// From the values of a cell to its integrals.
+  void integrate(Evaluation &cell) const;
+  void multiply_cells(const MatrixFree &data,
+                      Vector &target,
+                      const Vector &source,
+                      const std::pair<unsigned int, unsigned int> &range) const;
+};
+
+template <int dim, typename Number, std::size_t width, int n_points>
+MatrixFreeProductOfWidth<dim, Number, width, n_points>::MatrixFreeProductOfWidth(
+    const typename Base::Input &input)
+{
+  typename MatrixFree::AdditionalData data;
+  data.tasks_parallel_scheme = MatrixFree::AdditionalData::none;
+  data.mapping_update_flags =
+      dealii::update_values | dealii::update_gradients | dealii::update_JxW_values;
+  if (is_axisymmetric)
+    data.mapping_update_flags |= dealii::update_quadrature_points;
+  matrix_free.reinit(input.mapping, input.dof_handler, input.constraints,
+                     dealii::QGauss<1>(n_points), data);
+}
+
+template <int dim, typename Number, std::size_t width, int n_points>
+void MatrixFreeProductOfWidth<dim, Number, width, n_points>::set(
+    const typename Base::Coefficients &coefficients)
+{
+  of_batches.resize(matrix_free.n_cell_batches());
+  for (unsigned int batch = 0; batch < of_batches.size(); ++batch)
+    for (unsigned int lane = 0; lane < matrix_free.n_active_entries_per_cell_batch(batch); ++lane)
+    {
+      const auto material = matrix_free.get_cell_iterator(batch, lane)->material_id();
+      of_batches[batch].mass[lane] = static_cast<Number>(coefficients.mass[material]);
+      of_batches[batch].stiffness[lane] = static_cast<Number>(coefficients.stiffness[material]);
+      of_batches[batch].volumetric[lane] =
+          coefficients.volumetric.empty() ? Number()
+                                          : static_cast<Number>(coefficients.volumetric[material]);
+    }
+}
+
+template <int dim, typename Number, std::size_t width, int n_points>
+void MatrixFreeProductOfWidth<dim, Number, width, n_points>::multiply(Vector &target,
+                                                                      const Vector &source) const
+{
+  matrix_free.cell_loop(&MatrixFreeProductOfWidth::multiply_cells, this, target, source, true);
+}
+
+template <int dim, typename Number, std::size_t width, int n_points>
+void MatrixFreeProductOfWidth<dim, Number, width, n_points>::find_diagonal(Vector &diagonal) const
+{
+  diagonal = Number();
+  dealii::MatrixFreeTools::compute_diagonal<dim, degree, n_points, dim, Number, Lanes>(
+      matrix_free, diagonal,
+      [this](Evaluation &cell)
+      {
+        cell.evaluate(dealii::EvaluationFlags::values | dealii::EvaluationFlags::gradients);
+        integrate(cell);
+        cell.integrate(dealii::EvaluationFlags::values | dealii::EvaluationFlags::gradients);
+      });
+}
+
+template <int dim, typename Number, std::size_t width, int n_points>
+void MatrixFreeProductOfWidth<dim, Number, width, n_points>::integrate(Evaluation &cell) const
+{
+  const OfBatch &coefficients = of_batches[cell.get_current_cell_index()];
+  for (unsigned int q = 0; q < cell.n_q_points; ++q)
+  {
+    const auto velocity = cell.get_value(q);
+    dealii::SymmetricTensor<2, dim, Lanes> rate = cell.get_symmetric_gradient(q);
+    Lanes dilatation = trace(rate);
+    auto force = coefficients.mass * velocity;
+    if constexpr (is_axisymmetric)
+    {
+      const Lanes radius = cell.quadrature_point(q)[1];
+      const Lanes circumference = static_cast<Number>(2. * dealii::numbers::PI) * radius;
+      const Lanes hoop = velocity[1] / radius;
+      dilatation += hoop;
+      const Lanes mean_part =
+          (coefficients.volumetric - static_cast<Number>(2. / 3.) * coefficients.stiffness) *
+          dilatation;
+      force[1] += (static_cast<Number>(2.) * coefficients.stiffness * hoop + mean_part) / radius;
+      rate *= static_cast<Number>(2.) * coefficients.stiffness;
+      for (int c = 0; c < dim; ++c)
+        rate[c][c] += mean_part;
+      force *= circumference;
+      rate *= circumference;
+    }
+    else
+    {
+      const Lanes mean_part =
+          (coefficients.volumetric - static_cast<Number>(2. / 3.) * coefficients.stiffness) *
+          dilatation;
+      rate *= static_cast<Number>(2.) * coefficients.stiffness;
+      for (int c = 0; c < dim; ++c)
+        rate[c][c] += mean_part;
+    }
+    cell.submit_value(force, q);
+    cell.submit_symmetric_gradient(rate, q);
+  }
+}
+
+template <int dim, typename Number, std::size_t width, int n_points>
+void MatrixFreeProductOfWidth<dim, Number, width, n_points>::multiply_cells(
+    const MatrixFree &data,
+    Vector &target,
+    const Vector &source,
+    const std::pair<unsigned int, unsigned int> &range) const
+{
+  const auto flags = dealii::EvaluationFlags::values | dealii::EvaluationFlags::gradients;
+  Evaluation cell(data);
+  for (unsigned int batch = range.first; batch < range.second; ++batch)
+  {
+    cell.reinit(batch);
+    cell.gather_evaluate(source, flags);
+    integrate(cell);
+    cell.integrate_scatter(flags, target);
+  }
+}
+
+/// `width` is that of double precision.
+template <int dim, typename Number, std::size_t width>
+std::unique_ptr<MatrixFreeProduct<dim, Number>>
+make_product_of_width(const typename MatrixFreeProduct<dim, Number>::Input &input)
+{
+  constexpr std::size_t lanes = width == 1 ? 1 : width * sizeof(double) / sizeof(Number);
+  if constexpr (dim == 2)
+    if (input.is_axisymmetric)
+      return std::make_unique<MatrixFreeProductOfWidth<dim, Number, lanes, 4>>(input);
+  return std::make_unique<MatrixFreeProductOfWidth<dim, Number, lanes, 3>>(input);
+}
+} // namespace Continua
+
+/// The functions of one instruction set, with the width of double precision.
+#define CONTINUA_INSTANTIATE_MATRIX_FREE_PRODUCT(name, width)                                      \
+  namespace Continua                                                                               \
+  {                                                                                                \
+  template <int dim, typename Number>                                                              \
+  std::unique_ptr<MatrixFreeProduct<dim, Number>>                                                  \
+  name(const typename MatrixFreeProduct<dim, Number>::Input &input)                                \
+  {                                                                                                \
+    return make_product_of_width<dim, Number, width>(input);                                       \
+  }                                                                                                \
+  template std::unique_ptr<MatrixFreeProduct<2, double>>                                           \
+  name<2, double>(const MatrixFreeProduct<2, double>::Input &);                                    \
+  template std::unique_ptr<MatrixFreeProduct<3, double>>                                           \
+  name<3, double>(const MatrixFreeProduct<3, double>::Input &);                                    \
+  template std::unique_ptr<MatrixFreeProduct<2, float>>                                            \
+  name<2, float>(const MatrixFreeProduct<2, float>::Input &);                                      \
+  template std::unique_ptr<MatrixFreeProduct<3, float>>                                            \
+  name<3, float>(const MatrixFreeProduct<3, float>::Input &);                                      \
+  }
+
+#endif

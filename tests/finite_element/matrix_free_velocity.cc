@@ -1,0 +1,224 @@
+// Products without a matrix against the assembled matrix: plane strain, axisymmetry and three
+// dimensions, curved cells with hanging nodes, rollers on curved walls, supports, two regions whose
+// coefficients differ by 1e7; with every instruction set of the processor, of which `automatic`
+// takes the widest. Then the relaxation against its polynomial with the assembled matrix.
+
+#include <continua/finite_element/chebyshev_relaxation.h>
+#include <continua/finite_element/condensed_system.h>
+#include <continua/finite_element/matrix_free_velocity.h>
+#include <continua/finite_element/supports.h>
+#include <continua/linear_algebra/matrix_operator.h>
+
+#include "../parameter_text.h"
+#include "../unit_test.h"
+#include "small_problem.h"
+
+#include <algorithm>
+
+using namespace Continua;
+using namespace dealii;
+
+namespace
+{
+/// The ranks take turns: each writes the file that it reads.
+std::vector<BoundaryCondition> read_shell_conditions(const unsigned int dim,
+                                                     const std::vector<std::string> &regions)
+{
+  std::vector<std::string> names = {"inner", "outer", "left", "bottom", "back"};
+  names.resize(dim + 2);
+  std::string text = "subsection Boundaries\n"
+                     "subsection inner\nset Type = roller\nend\n"
+                     "subsection outer\nset Type = support\nset Normal stiffness = 2e3\n"
+                     "set Tangential damping = 30\nend\n"
+                     "subsection left\nset Type = fixed\nend\n"
+                     "subsection bottom\nset Type = free\nend\n";
+  text += dim == 3 ? "subsection back\nset Type = free\nend\nend\n" : "end\n";
+  std::set<std::pair<unsigned int, unsigned int>> pairs;
+  for (unsigned int boundary = 0; boundary < names.size(); ++boundary)
+    for (unsigned int region = 0; region < regions.size(); ++region)
+      pairs.insert({boundary, region});
+  std::vector<BoundaryCondition> conditions;
+  for (unsigned int rank = 0; rank < Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD); ++rank)
+  {
+    if (rank == Utilities::MPI::this_mpi_process(MPI_COMM_WORLD))
+    {
+      ParameterFile file = parameters_of(text);
+      conditions = read_boundary_conditions(file.root().subsection("Boundaries"), names, regions,
+                                            pairs, dim, false);
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+  }
+  return conditions;
+}
+
+/// Largest difference relative to the largest entry of the second.
+double relative_distance(const DistributedVector &a, const DistributedVector &b)
+{
+  DistributedVector difference = a;
+  difference.add(-1., b);
+  return difference.linfty_norm() / b.linfty_norm();
+}
+
+/// r -> p(D^-1 A) D^-1 r, the Chebyshev polynomial of degree 2 for eigenvalues from an eighth of
+/// the largest to that one, on the velocities of the mask: its error 1 - x p(x) is T_2(t(x)) /
+/// T_2(t(0)) with t from -1 to 1 over the interval. Written out in powers of x.
+DistributedVector relaxed(const MatrixOperator &a,
+                          const DistributedVector &mask,
+                          const double largest_eigenvalue,
+                          const DistributedVector &source)
+{
+  const double middle = (1. + 1. / 8.) / 2. * largest_eigenvalue,
+               half = (1. - 1. / 8.) / 2. * largest_eigenvalue;
+  const double scale = 2. * middle * middle / (half * half) - 1.; // T_2(t(0))
+  DistributedVector first = source, product = source;
+  const auto invert = [&](DistributedVector &vector)
+  {
+    vector.scale(mask);
+    for (unsigned int i = 0; i < vector.locally_owned_size(); ++i)
+      vector.begin()[i] /= a.diagonal().begin()[i];
+  };
+  invert(first);
+  a.multiply(product, first);
+  invert(product);
+  DistributedVector result = first;
+  result *= 4. * middle / (half * half * scale);
+  result.add(-2. / (half * half * scale), product);
+  return result;
+}
+
+template <int dim>
+void check_products(const std::string &name, const Model model)
+{
+  small_problem::Mesh<dim> mesh(MPI_COMM_WORLD);
+  GridGenerator::quarter_hyper_shell(mesh, Point<dim>(), 1., 1.5, 0, true);
+  mesh.refine_global(dim == 2 ? 2 : 1);
+  const std::vector<std::string> regions = {"soft", "hard"};
+  for (const auto &cell : mesh.active_cell_iterators())
+    cell->set_material_id(cell->center().norm() > 1.2 ? 1 : 0);
+  small_problem::refine<dim>(mesh, [](const Point<dim> &x) { return x[0] > 0.6; });
+  Space<dim> space(mesh, SpaceParameters(), model, regions.size());
+  space.distribute();
+  const std::vector<BoundaryCondition> conditions = read_shell_conditions(dim, regions);
+  BoundaryConstraints<dim> constraints(space, conditions);
+  constraints.build();
+  std::vector<RegionOperators> operators(regions.size());
+  assemble_region_operators(space, operators);
+  assemble_supports(space, conditions, operators);
+
+  const DistributedVector source = small_problem::interpolated<dim>(
+      space,
+      [](const Point<dim> &x)
+      {
+        Tensor<1, dim> value;
+        for (unsigned int c = 0; c < dim; ++c)
+          value[c] = std::sin(5. * x[0] + 2. * x[1] + c) + std::cos(7. * x[dim - 1] - c);
+        return value;
+      });
+  DistributedVector expected = space.velocity_vector(), product = expected;
+  for (const bool is_supported : {false, true})
+  {
+    const SystemCoefficients coefficients{
+        {2e3, 5.}, {1e-2, 1e5}, {0.1, 0.01}, is_supported ? 30. : 0., is_supported ? 1. : 0.};
+    TrilinosWrappers::SparseMatrix matrix;
+    assemble_velocity_block(space, operators, constraints, coefficients, nullptr, nullptr, matrix);
+    const MatrixOperator assembled(matrix);
+    assembled.multiply(expected, source);
+    double distance = 0., of_diagonal = 0.;
+    for (const InstructionSet set :
+         {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512})
+      if (can_run(set))
+      {
+        MatrixFreeVelocity<dim> matrix_free(space, operators, constraints, set);
+        matrix_free.set(coefficients);
+        matrix_free.multiply(product, source);
+        distance = std::max(distance, relative_distance(product, expected));
+        of_diagonal =
+            std::max(of_diagonal, relative_distance(matrix_free.diagonal(), assembled.diagonal()));
+      }
+    const std::string title = name + (is_supported ? ", with a support" : "");
+    check::absolute(title + ": product", distance, 0., 1e-13);
+    check::absolute(title + ": diagonal", of_diagonal, 0., 1e-13);
+  }
+
+  // A bulk stiffness is for preconditioners alone; the relaxation leaves the hard region out.
+  VolumetricStiffness volumetric{{0., 3e3}, {}};
+  assemble_volumetric_stiffness(space, operators, volumetric);
+  const SystemCoefficients coefficients{{2e3, 5.}, {10., 1e5}, {0.1, 0.01}};
+  TrilinosWrappers::SparseMatrix matrix;
+  assemble_velocity_block(space, operators, constraints, coefficients, &volumetric, nullptr,
+                          matrix);
+  const MatrixOperator assembled(matrix);
+  const std::vector<unsigned int> hard = velocity_nodes(operators)[1];
+  std::vector<unsigned int> fluid;
+  DistributedVector mask = space.velocity_vector(), free_source = source;
+  for (unsigned int i = 0; i < space.velocity_owned.n_elements(); ++i)
+  {
+    const bool is_constrained =
+        constraints.all().is_constrained(space.velocity_owned.nth_index_in_set(i));
+    const bool is_fluid = !std::binary_search(hard.begin(), hard.end(), i);
+    if (is_constrained)
+      free_source.begin()[i] = 0.;
+    if (is_fluid)
+      fluid.push_back(i);
+    mask.begin()[i] = is_fluid && !is_constrained ? 1. : 0.;
+  }
+  double distance = 0., of_relaxation = 0., symmetry = 0., largest_eigenvalue = 0.;
+  for (const InstructionSet set :
+       {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512})
+    if (can_run(set))
+    {
+      ChebyshevRelaxation<dim> relaxation(
+          space, constraints, {coefficients.mass, coefficients.stiffness, volumetric.coefficients},
+          fluid, set);
+      assembled.multiply(expected, free_source);
+      expected.sadd(-1., 1., source);
+      relaxation.leave_residual(product, free_source, source);
+      for (unsigned int i = 0; i < product.locally_owned_size(); ++i)
+        if (free_source.begin()[i] == 0.)
+          product.begin()[i] = expected.begin()[i]; // constrained
+      distance = std::max(distance, relative_distance(product, expected));
+
+      product = 0.;
+      relaxation.add_relaxed(product, source);
+      of_relaxation =
+          std::max(of_relaxation,
+                   relative_distance(
+                       product, relaxed(assembled, mask, relaxation.largest_eigenvalue(), source)));
+      DistributedVector other = expected;
+      other = 0.;
+      relaxation.add_relaxed(other, expected);
+      symmetry = std::max(symmetry, std::abs(product * expected / (other * source) - 1.));
+      largest_eigenvalue = relaxation.largest_eigenvalue();
+    }
+  // That of D^-1 A on the velocities of the mask, by many more power steps.
+  DistributedVector mode = mask;
+  double exact_eigenvalue = 0.;
+  for (unsigned int step = 0; step < 400; ++step)
+  {
+    mode.scale(mask);
+    for (unsigned int i = 0; i < mode.locally_owned_size(); ++i)
+      mode.begin()[i] *= step == 0 ? std::sin(3. * i) : 1. / assembled.diagonal().begin()[i];
+    exact_eigenvalue = mode.l2_norm();
+    mode /= exact_eigenvalue;
+    assembled.multiply(product, mode);
+    mode.equ(1., product);
+  }
+  check::is_true(name + ": largest eigenvalue with a margin",
+                 largest_eigenvalue > exact_eigenvalue &&
+                     largest_eigenvalue < 1.2 * exact_eigenvalue);
+  check::absolute(name + ": residual in single precision", distance, 0., 2e-6);
+  check::absolute(name + ": relaxation", of_relaxation, 0., 2e-6);
+  check::absolute(name + ": relaxation is symmetric", symmetry, 0., 1e-5);
+}
+} // namespace
+
+UNIT_TEST(matrix_free_velocity)
+{
+  const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  small_problem::quiet_other_ranks();
+  check_products<2>("plane strain", Model::plane_strain);
+  check_products<2>("axisymmetric", Model::axisymmetric);
+  check_products<3>("three dimensions", Model::three_dimensional);
+  check::is_true("every processor has the baseline", can_run(InstructionSet::baseline));
+  check::is_true("the widest one can run", can_run(widest_instruction_set()));
+}
