@@ -131,10 +131,13 @@ CostEstimate::CostEstimate(const CostInput &input)
   is_iterative = chooses_iterative(input, n_unknowns);
   factor_entries = is_iterative ? 0. : n_unknowns * fill_of(input, bar, n_unknowns);
 
+  // In a plane the factor of a stiff block counts more than the products.
+  const bool is_lean = is_iterative && input.is_matrix_free && !is_plane;
   // Mesh, numbering, matrices by region and of the step, vectors.
   const double bytes_per_unknown = input.cell_wise ? (input.segregated     ? 4500.
                                                       : input.has_pressure ? 12000.
                                                                            : 7500.)
+                                   : is_lean       ? 2400.
                                    : is_iterative  ? (is_plane ? 4500. : 11500.)
                                                    : (is_plane ? 2900. : 7400.);
   memory = input.n_ranks * memory_of_program + bytes_per_unknown * n_unknowns +
@@ -145,9 +148,11 @@ CostEstimate::CostEstimate(const CostInput &input)
   double factor_time = 0., solve_time = 0.;
   if (is_iterative)
   {
-    factor_time = (is_plane ? 25. : 150.) * microsecond * n_unknowns;
+    factor_time = (is_plane ? 25. : is_lean ? 20. : 150.) * microsecond * n_unknowns;
     // In space a wall and its liquid take more iterations than one body.
-    solve_time = (is_plane || input.n_regions == 1 ? 8. : 35.) * microsecond * n_unknowns;
+    const bool is_one_body = is_plane || input.n_regions == 1;
+    solve_time =
+        (is_lean ? (is_one_body ? 2. : 6.) : (is_one_body ? 8. : 35.)) * microsecond * n_unknowns;
   }
   else if (input.segregated)
     solve_time = 1.5 * microsecond * n_unknowns;
@@ -173,14 +178,15 @@ CostEstimate::CostEstimate(const CostInput &input)
     factor_time = 140. * nanosecond * factor_entries;
     solve_time = 0.4 * microsecond * n_unknowns + 1.1 * nanosecond * factor_entries;
   }
-  const double assembly = input.cell_wise ? 56. : is_plane ? 12. : 48.;
+  const double assembly = input.cell_wise ? 56. : is_plane ? 12. : is_lean ? 15. : 48.;
   set_up_time = 0.4 * second + assembly * microsecond * n_unknowns + input.n_factors * factor_time;
   if (input.is_nonlinear)
   {
     const NewtonCounts &counts = input.to_rest ? counts_to_rest : counts_of_step;
     solve_time = counts.corrections * solve_time + counts.new_factors * factor_time;
   }
-  step_time = 25. * microsecond + (is_plane ? 0.25 : 0.5) * microsecond * n_unknowns + solve_time;
+  step_time = 25. * microsecond + (is_plane || is_lean ? 0.25 : 0.5) * microsecond * n_unknowns +
+              solve_time;
   time = set_up_time + input.n_steps * step_time;
 }
 

@@ -62,6 +62,7 @@ CostInput cost_input(const Case<dim> &input)
                             [](const Material &material) { return material.is_incompressible(); });
   cost.is_nonlinear = input.problem.is_nonlinear();
   cost.solver = taylor_hood.linear_solver.type;
+  cost.is_matrix_free = taylor_hood.linear_solver.is_matrix_free(cost.degree);
   cost.direct_solver = taylor_hood.linear_solver.direct_solver;
   cost.n_ranks = Utilities::MPI::n_mpi_processes(input.communicator);
   if (input.analysis.is_transient())

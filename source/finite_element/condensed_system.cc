@@ -51,6 +51,8 @@ AffineConstraints<double> constraints_of_columns(const Space<dim> &space,
   std::vector<types::global_dof_index> others;
   const auto collect = [&](const TrilinosWrappers::SparseMatrix &matrix, const unsigned int n_rows)
   {
+    if (matrix.m() == 0)
+      return; // a product without a matrix, or no part of this system
     for (unsigned int i = 0; i < n_rows; ++i)
       for_row(matrix, i,
               [&](const types::global_dof_index j, double)
@@ -61,8 +63,10 @@ AffineConstraints<double> constraints_of_columns(const Space<dim> &space,
   };
   for (const RegionOperators &region : operators)
   {
-    // The stiffness has all the columns that the mass and the supports have.
+    // A stiffness has all the columns that the mass has.
     collect(region.stiffness, space.velocity_owned.n_elements());
+    if (region.is_supported)
+      collect(region.support_stiffness, space.velocity_owned.n_elements());
     collect(region.divergence, space.pressure_owned.n_elements());
   }
   std::sort(others.begin(), others.end());

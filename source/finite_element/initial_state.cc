@@ -132,7 +132,7 @@ void warn_of_volume_change(const Space<dim> &space,
     if (problem.materials[region].is_incompressible())
     {
       multiply(operators[region].divergence, divergence, field);
-      multiply(operators[region].stiffness, strain, field);
+      operators[region].multiply_stiffness(strain, field);
       // int (div u)^2, with the diagonal of the mass matrix, against int 2 dev sym grad u : dev sym
       // grad u.
       double square = 0.;

@@ -4,6 +4,7 @@
 #include <continua/finite_element/chebyshev_relaxation.h>
 #include <continua/finite_element/condensed_system.h>
 #include <continua/finite_element/interface_compliance.h>
+#include <continua/finite_element/matrix_free_regions.h>
 #include <continua/linear_algebra/matrix_relaxation.h>
 
 #include <deal.II/base/mpi.h>
@@ -139,8 +140,16 @@ bool IterativeStepSolver<dim>::prepare(const SystemCoefficients &wanted)
   if (is_first)
     assemble_divergence(space, operators, constraints, divergence);
   if (is_first && parameters.is_matrix_free(space.degree()))
+  {
+    // The products of regions, if there are any, are of the same object.
+    auto regions =
+        std::dynamic_pointer_cast<const MatrixFreeRegions<dim>>(operators.front().products);
+    if (!regions)
+      regions = std::make_shared<MatrixFreeRegions<dim>>(space, constraints, operators.size(),
+                                                         parameters.instruction_set);
     matrix_free_velocity = std::make_unique<MatrixFreeVelocity<dim>>(space, operators, constraints,
-                                                                     parameters.instruction_set);
+                                                                     regions->product());
+  }
   if (matrix_free_velocity)
     matrix_free_velocity->set(coefficients);
   else
@@ -184,9 +193,8 @@ VelocityBlocks IterativeStepSolver<dim>::velocity_blocks(const std::vector<bool>
       for (unsigned int region = 0; region < operators.size(); ++region)
         if (is_of_region[region][i])
         {
-          inertia += coefficients.mass[region] * operators[region].mass.diag_element(global);
-          stiffness +=
-              coefficients.stiffness[region] * operators[region].stiffness.diag_element(global);
+          inertia += coefficients.mass[region] * mass_diagonals[region].begin()[i];
+          stiffness += coefficients.stiffness[region] * stiffness_diagonals[region].begin()[i];
           (stiff_regions[region] ? is_stiff : is_soft) = true;
         }
     if (!is_hanging)
@@ -224,13 +232,11 @@ void IterativeStepSolver<dim>::let_walls_yield(const std::vector<bool> &stiff_re
   {
     if (load.begin()[i] == 0.)
       continue;
-    const auto global = space.velocity_owned.nth_index_in_set(i);
     bool is_stiff = false, is_soft = false;
     for (unsigned int region = 0; region < operators.size(); ++region)
       if (is_of_region[region][i])
       {
-        inertia.begin()[i] +=
-            coefficients.mass[region] * operators[region].mass.diag_element(global);
+        inertia.begin()[i] += coefficients.mass[region] * mass_diagonals[region].begin()[i];
         (stiff_regions[region] ? is_stiff : is_soft) = true;
       }
     if (!is_stiff || !is_soft)
@@ -284,10 +290,9 @@ std::vector<bool> IterativeStepSolver<dim>::find_stiff_regions()
       const auto global = space.velocity_owned.nth_index_in_set(i);
       if (space.velocity_hanging.is_constrained(global) || !is_of_region[region][i])
         continue;
-      const double inertia =
-          coefficients.mass[region] * operators[region].mass.diag_element(global);
+      const double inertia = coefficients.mass[region] * mass_diagonals[region].begin()[i];
       const double stiffness =
-          coefficients.stiffness[region] * operators[region].stiffness.diag_element(global);
+          coefficients.stiffness[region] * stiffness_diagonals[region].begin()[i];
       ratios[region] = std::max(ratios[region], inertia > 0. ? stiffness / inertia : 1e300);
     }
   Utilities::MPI::max(ratios, space.communicator, ratios);
@@ -298,6 +303,42 @@ std::vector<bool> IterativeStepSolver<dim>::find_stiff_regions()
     stiff_regions[region] =
         ratios[region] > stiff_ratio && coefficients.stiffness[region] >= comparable * largest;
   return stiff_regions;
+}
+
+template <int dim>
+std::vector<RegionOperators>
+IterativeStepSolver<dim>::assembled_at(const std::vector<bool> &rows) const
+{
+  DistributedVector is_wanted = space.velocity_vector();
+  for (unsigned int i = 0; i < rows.size(); ++i)
+    is_wanted.begin()[i] = rows[i] ? 1. : 0.;
+  DistributedVector ghosted(space.velocity_owned, space.velocity_relevant, space.communicator);
+  ghosted = is_wanted;
+  std::vector<types::global_dof_index> indices(space.velocity_element.n_dofs_per_cell());
+  const auto is_at_row = [&](const typename DoFHandler<dim>::active_cell_iterator &cell)
+  {
+    cell->get_dof_indices(indices);
+    for (const auto index : indices)
+    {
+      if (ghosted[index] > 0.)
+        return true;
+      if (space.velocity_hanging.is_constrained(index))
+        for (const auto &entry : *space.velocity_hanging.get_constraint_entries(index))
+          if (ghosted[entry.first] > 0.)
+            return true;
+    }
+    return false;
+  };
+  std::vector<RegionOperators> result(operators.size());
+  assemble_velocity_operators<dim>(space, is_at_row, result);
+  for (unsigned int region = 0; region < operators.size(); ++region)
+    if (operators[region].is_supported)
+    {
+      result[region].is_supported = true;
+      result[region].support_stiffness.copy_from(operators[region].support_stiffness);
+      result[region].support_damping.copy_from(operators[region].support_damping);
+    }
+  return result;
 }
 
 template <int dim>
@@ -314,6 +355,11 @@ void IterativeStepSolver<dim>::make_velocity_inverse(
   std::vector<bool> rows(space.velocity_owned.n_elements(), needs_all_rows);
   for (const unsigned int i : parts.stiff)
     rows[i] = true;
+  // Where the regions have no matrices, these are made for the rows alone.
+  std::vector<RegionOperators> of_regions;
+  if (operators.front().products)
+    of_regions = assembled_at(rows);
+  const std::vector<RegionOperators> &assembled = of_regions.empty() ? operators : of_regions;
   // Augmented by a bulk modulus of alpha, or compressible enough for a factor.
   VolumetricStiffness volumetric;
   std::vector<double> compressibility = coefficients.compressibility;
@@ -326,9 +372,10 @@ void IterativeStepSolver<dim>::make_velocity_inverse(
                               parameters.schur_complement != SchurApproximation::simple;
     volumetric.coefficients.push_back(is_augmented ? alpha : 0.);
   }
-  assemble_volumetric_stiffness(space, operators, volumetric);
-  assemble_velocity_block(space, operators, constraints, coefficients, &volumetric, &rows,
+  assemble_volumetric_stiffness(space, assembled, volumetric);
+  assemble_velocity_block(space, assembled, constraints, coefficients, &volumetric, &rows,
                           made.velocity_matrix);
+  of_regions.clear();
 
   std::unique_ptr<VelocityRelaxation> relaxation;
   if (is_relaxed)
@@ -362,6 +409,13 @@ void IterativeStepSolver<dim>::make_preconditioner()
   auto made = std::make_unique<Preconditioner>();
   made->coefficients = coefficients;
 
+  mass_diagonals.clear();
+  stiffness_diagonals.clear();
+  for (const RegionOperators &region : operators)
+  {
+    mass_diagonals.push_back(region.mass_diagonal());
+    stiffness_diagonals.push_back(region.stiffness_diagonal());
+  }
   const std::vector<bool> stiff_regions = find_stiff_regions();
   const unsigned int n_regions = operators.size();
   const bool has_inertia = std::all_of(coefficients.mass.begin(), coefficients.mass.end(),
@@ -451,6 +505,8 @@ void IterativeStepSolver<dim>::make_preconditioner()
          << word_of(instruction_set_words(), parameters.instruction_set) << ")";
   made->name = text.str();
   preconditioner = std::move(made);
+  mass_diagonals.clear();
+  stiffness_diagonals.clear();
 }
 
 template <int dim>

@@ -4,6 +4,7 @@
 #include <continua/linear_algebra/matrix_product.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace Continua
 {
@@ -13,13 +14,11 @@ template <int dim>
 MatrixFreeVelocity<dim>::MatrixFreeVelocity(const Space<dim> &space,
                                             const std::vector<RegionOperators> &operators,
                                             const BoundaryConstraints<dim> &constraints,
-                                            const InstructionSet instruction_set)
+                                            std::shared_ptr<Product> product_of_cells)
     : space(space),
       operators(operators),
       constraints(constraints),
-      product(make_matrix_free_product<dim, double>(
-          instruction_set,
-          {space.mapping, space.velocity_dofs, constraints.all(), space.is_axisymmetric()})),
+      product(std::move(product_of_cells)),
       diagonal_entries(space.velocity_vector()),
       support_forces(space.velocity_vector())
 {

@@ -1,4 +1,5 @@
 #include <continua/finite_element/region_operators.h>
+#include <continua/linear_algebra/matrix_operator.h>
 
 #include <continua/mesh/cells_in_tree_order.h>
 
@@ -14,21 +15,39 @@ using namespace dealii;
 
 namespace
 {
-/// Sparsity of the four matrices of every region, from that region's cells only.
+/// What is assembled.
 template <int dim>
-void reinit_matrices(const Space<dim> &space, std::vector<RegionOperators> &operators)
+struct Wanted
+{
+  CellFilter<dim> velocity; ///< the cells of mass and stiffness; empty: of none
+  bool pressure;            ///< the other two, of all cells
+
+  bool has_velocity(const typename DoFHandler<dim>::active_cell_iterator &cell) const
+  {
+    return velocity && velocity(cell);
+  }
+};
+
+/// Sparsity of the matrices of every region, from that region's cells only.
+template <int dim>
+void reinit_matrices(const Space<dim> &space,
+                     const Wanted<dim> &wanted,
+                     std::vector<RegionOperators> &operators)
 {
   struct Patterns
   {
     TrilinosWrappers::SparsityPattern mass, stiffness, divergence, pressure_mass;
   };
   std::vector<Patterns> patterns(operators.size());
-  for (Patterns &pattern : patterns)
+  for (unsigned int region = 0; region < operators.size(); ++region)
   {
-    pattern.mass.reinit(space.velocity_owned, space.velocity_owned, space.velocity_relevant,
-                        space.communicator);
-    pattern.stiffness.reinit(space.velocity_owned, space.velocity_owned, space.velocity_relevant,
-                             space.communicator);
+    Patterns &pattern = patterns[region];
+    if (wanted.velocity)
+      for (TrilinosWrappers::SparsityPattern *const velocity : {&pattern.mass, &pattern.stiffness})
+        velocity->reinit(space.velocity_owned, space.velocity_owned, space.velocity_relevant,
+                         space.communicator);
+    if (!wanted.pressure)
+      continue;
     pattern.divergence.reinit(space.pressure_owned, space.velocity_owned, space.pressure_relevant,
                               space.communicator);
     pattern.pressure_mass.reinit(space.pressure_owned, space.pressure_owned,
@@ -52,10 +71,15 @@ void reinit_matrices(const Space<dim> &space, std::vector<RegionOperators> &oper
       pressure_indices.resize(pressure_cell->get_fe().n_dofs_per_cell());
       pressure_cell->get_dof_indices(pressure_indices);
       Patterns &pattern = patterns[cell->material_id()];
-      space.velocity_hanging.add_entries_local_to_global(velocity_indices, pattern.mass, false,
-                                                         same_component);
-      space.velocity_hanging.add_entries_local_to_global(velocity_indices, pattern.stiffness,
-                                                         false);
+      if (wanted.has_velocity(cell))
+      {
+        space.velocity_hanging.add_entries_local_to_global(velocity_indices, pattern.mass, false,
+                                                           same_component);
+        space.velocity_hanging.add_entries_local_to_global(velocity_indices, pattern.stiffness,
+                                                           false);
+      }
+      if (!wanted.pressure)
+        continue;
       space.pressure_hanging.add_entries_local_to_global(
           pressure_indices, space.velocity_hanging, velocity_indices, pattern.divergence, false);
       space.pressure_hanging.add_entries_local_to_global(pressure_indices, pattern.pressure_mass,
@@ -64,12 +88,17 @@ void reinit_matrices(const Space<dim> &space, std::vector<RegionOperators> &oper
   for (unsigned int region = 0; region < operators.size(); ++region)
   {
     Patterns &pattern = patterns[region];
-    pattern.mass.compress();
-    pattern.stiffness.compress();
+    if (wanted.velocity)
+    {
+      pattern.mass.compress();
+      pattern.stiffness.compress();
+      operators[region].mass.reinit(pattern.mass);
+      operators[region].stiffness.reinit(pattern.stiffness);
+    }
+    if (!wanted.pressure)
+      continue;
     pattern.divergence.compress();
     pattern.pressure_mass.compress();
-    operators[region].mass.reinit(pattern.mass);
-    operators[region].stiffness.reinit(pattern.stiffness);
     operators[region].divergence.reinit(pattern.divergence);
     operators[region].pressure_mass.reinit(pattern.pressure_mass);
   }
@@ -82,7 +111,8 @@ class CellMatrices
 public:
   explicit CellMatrices(const Space<dim> &space);
   void integrate(const typename DoFHandler<dim>::active_cell_iterator &velocity_cell,
-                 const typename DoFHandler<dim>::active_cell_iterator &pressure_cell);
+                 const typename DoFHandler<dim>::active_cell_iterator &pressure_cell,
+                 bool with_velocity_products);
 
   FullMatrix<double> mass, stiffness, divergence, pressure_mass;
 
@@ -171,7 +201,8 @@ void CellMatrices<dim>::add_velocity_products(const unsigned int q, const double
 template <int dim>
 void CellMatrices<dim>::integrate(
     const typename DoFHandler<dim>::active_cell_iterator &velocity_cell,
-    const typename DoFHandler<dim>::active_cell_iterator &pressure_cell)
+    const typename DoFHandler<dim>::active_cell_iterator &pressure_cell,
+    const bool with_velocity_products)
 {
   values.reinit(static_cast<typename Triangulation<dim>::active_cell_iterator>(velocity_cell));
   hp_pressure_values.reinit(pressure_cell);
@@ -185,7 +216,8 @@ void CellMatrices<dim>::integrate(
   {
     const double weight = values.JxW(q) * space.measure(values.quadrature_point(q));
     set_traces(q);
-    add_velocity_products(q, weight);
+    if (with_velocity_products)
+      add_velocity_products(q, weight);
     for (unsigned int k = 0; k < n_pressure; ++k)
     {
       const double shape = pressure_values.shape_value(k, q) * weight;
@@ -196,49 +228,135 @@ void CellMatrices<dim>::integrate(
     }
   }
 }
-} // namespace
 
 template <int dim>
-void assemble_region_operators(const Space<dim> &space, std::vector<RegionOperators> &operators)
+void assemble(const Space<dim> &space,
+              const Wanted<dim> &wanted,
+              std::vector<RegionOperators> &operators)
 {
-  reinit_matrices(space, operators);
+  reinit_matrices(space, wanted, operators);
   CellMatrices<dim> matrices(space);
   std::vector<types::global_dof_index> velocity_indices(space.velocity_element.n_dofs_per_cell()),
       pressure_indices;
   for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
     if (cell->is_locally_owned())
     {
+      const bool has_velocity = wanted.has_velocity(cell);
+      if (!has_velocity && !wanted.pressure)
+        continue;
       const typename DoFHandler<dim>::active_cell_iterator pressure_cell(
           &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs);
-      matrices.integrate(cell, pressure_cell);
+      matrices.integrate(cell, pressure_cell, has_velocity);
       cell->get_dof_indices(velocity_indices);
       pressure_indices.resize(pressure_cell->get_fe().n_dofs_per_cell());
       pressure_cell->get_dof_indices(pressure_indices);
       RegionOperators &target = operators[cell->material_id()];
-      space.velocity_hanging.distribute_local_to_global(matrices.mass, velocity_indices,
-                                                        target.mass);
-      space.velocity_hanging.distribute_local_to_global(matrices.stiffness, velocity_indices,
-                                                        target.stiffness);
+      if (has_velocity)
+      {
+        space.velocity_hanging.distribute_local_to_global(matrices.mass, velocity_indices,
+                                                          target.mass);
+        space.velocity_hanging.distribute_local_to_global(matrices.stiffness, velocity_indices,
+                                                          target.stiffness);
+      }
+      if (!wanted.pressure)
+        continue;
       space.pressure_hanging.distribute_local_to_global(matrices.divergence, pressure_indices,
                                                         space.velocity_hanging, velocity_indices,
                                                         target.divergence);
       space.pressure_hanging.distribute_local_to_global(matrices.pressure_mass, pressure_indices,
                                                         target.pressure_mass);
     }
-  for (RegionOperators &target : operators)
+  for (unsigned int region = 0; region < operators.size(); ++region)
   {
-    target.mass.compress(VectorOperation::add);
-    target.stiffness.compress(VectorOperation::add);
+    RegionOperators &target = operators[region];
+    if (wanted.velocity)
+    {
+      target.mass.compress(VectorOperation::add);
+      target.stiffness.compress(VectorOperation::add);
+      target.products = nullptr;
+    }
+    if (!wanted.pressure)
+      continue;
     target.divergence.compress(VectorOperation::add);
     target.pressure_mass.compress(VectorOperation::add);
   }
+}
+
+DistributedVector diagonal_of(const TrilinosWrappers::SparseMatrix &matrix)
+{
+  return MatrixOperator(matrix).diagonal();
+}
+} // namespace
+
+void RegionOperators::multiply_mass(DistributedVector &target,
+                                    const DistributedVector &source) const
+{
+  if (products)
+    products->multiply_mass(number, target, source);
+  else
+    multiply(mass, target, source);
+}
+
+void RegionOperators::multiply_stiffness(DistributedVector &target,
+                                         const DistributedVector &source) const
+{
+  if (products)
+    products->multiply_stiffness(number, target, source);
+  else
+    multiply(stiffness, target, source);
+}
+
+DistributedVector RegionOperators::mass_diagonal() const
+{
+  if (!products)
+    return diagonal_of(mass);
+  DistributedVector diagonal(divergence.locally_owned_domain_indices(),
+                             divergence.get_mpi_communicator());
+  products->mass_diagonal(number, diagonal);
+  return diagonal;
+}
+
+DistributedVector RegionOperators::stiffness_diagonal() const
+{
+  if (!products)
+    return diagonal_of(stiffness);
+  DistributedVector diagonal(divergence.locally_owned_domain_indices(),
+                             divergence.get_mpi_communicator());
+  products->stiffness_diagonal(number, diagonal);
+  return diagonal;
+}
+
+template <int dim>
+void assemble_region_operators(const Space<dim> &space, std::vector<RegionOperators> &operators)
+{
+  assemble(space, Wanted<dim>{all_cells<dim>, true}, operators);
+}
+
+template <int dim>
+void assemble_pressure_operators(const Space<dim> &space, std::vector<RegionOperators> &operators)
+{
+  assemble(space, Wanted<dim>{{}, true}, operators);
+  for (RegionOperators &region : operators)
+  {
+    region.mass.clear();
+    region.stiffness.clear();
+  }
+}
+
+template <int dim>
+void assemble_velocity_operators(const Space<dim> &space,
+                                 const CellFilter<dim> &cells,
+                                 std::vector<RegionOperators> &operators)
+{
+  assemble(space, Wanted<dim>{cells, false}, operators);
 }
 
 std::vector<std::vector<unsigned int>> velocity_nodes(const std::vector<RegionOperators> &operators)
 {
   std::vector<std::vector<unsigned int>> nodes;
   for (const RegionOperators &region : operators)
-    nodes.push_back(rows_with_values(region.stiffness));
+    nodes.push_back(region.products ? region.products->nodes(region.number)
+                                    : rows_with_values(region.stiffness));
   return nodes;
 }
 
@@ -252,4 +370,12 @@ std::vector<std::vector<unsigned int>> pressure_nodes(const std::vector<RegionOp
 
 template void assemble_region_operators(const Space<2> &, std::vector<RegionOperators> &);
 template void assemble_region_operators(const Space<3> &, std::vector<RegionOperators> &);
+template void assemble_pressure_operators(const Space<2> &, std::vector<RegionOperators> &);
+template void assemble_velocity_operators(const Space<2> &,
+                                          const CellFilter<2> &,
+                                          std::vector<RegionOperators> &);
+template void assemble_pressure_operators(const Space<3> &, std::vector<RegionOperators> &);
+template void assemble_velocity_operators(const Space<3> &,
+                                          const CellFilter<3> &,
+                                          std::vector<RegionOperators> &);
 } // namespace Continua

@@ -57,12 +57,12 @@ void StepSystem<dim>::choose()
   }
   else if (parameters.type != LinearSolverType::automatic)
   {
-    is_iterative = parameters.type == LinearSolverType::iterative;
+    is_iterative = is_iterative_for(n);
     reason_of_choice = "Linear solver/Type says";
   }
   else
   {
-    is_iterative = n > largest_direct_system;
+    is_iterative = is_iterative_for(n);
     reason_of_choice =
         std::string("there are ") + (is_iterative ? "more" : "no more") + " than " + limit;
   }
@@ -281,12 +281,12 @@ void StepSystem<dim>::add_velocity_product(const DistributedVector &velocity,
   {
     if (coefficients.mass[region] != 0.)
     {
-      multiply(operators[region].mass, velocity_product, velocity);
+      operators[region].multiply_mass(velocity_product, velocity);
       result.add(coefficients.mass[region], velocity_product);
     }
     if (coefficients.stiffness[region] != 0.)
     {
-      multiply(operators[region].stiffness, velocity_product, velocity);
+      operators[region].multiply_stiffness(velocity_product, velocity);
       result.add(coefficients.stiffness[region], velocity_product);
     }
     if (operators[region].is_supported && coefficients.support_stiffness != 0.)

@@ -1,3 +1,4 @@
+#include <continua/finite_element/matrix_free_regions.h>
 #include <continua/finite_element/taylor_hood.h>
 
 #include <continua/base/interruption.h>
@@ -53,6 +54,7 @@ TaylorHood<dim>::TaylorHood(parallel::TriangulationBase<dim> &triangulation,
       operators(problem.regions.size()),
       constraints(space, problem.conditions),
       load_list(space, problem),
+      linear_solver(parameters.linear_solver),
       system(space, operators, constraints, parameters.linear_solver),
       metrics(MetricHistory<dim>::make(space, problem)),
       terms(make_nonlinear_terms(space, problem, metrics.get())),
@@ -75,14 +77,35 @@ TaylorHood<dim>::TaylorHood(parallel::TriangulationBase<dim> &triangulation,
 }
 
 template <int dim>
+bool TaylorHood<dim>::has_products_without_matrix() const
+{
+  return !is_nonlinear() && linear_solver.is_matrix_free(space.degree()) &&
+         system.is_iterative_for(space.velocity_dofs.n_dofs() + space.pressure_dofs.n_dofs());
+}
+
+template <int dim>
 void TaylorHood<dim>::setup()
 {
   space.distribute();
   InterruptibleSetUp::end_of_phase(space.communicator, "the numbering");
-  assemble_region_operators(space, operators);
+  const bool is_matrix_free = has_products_without_matrix();
+  if (is_matrix_free)
+    assemble_pressure_operators(space, operators);
+  else
+    assemble_region_operators(space, operators);
   assemble_supports(space, problem.conditions, operators);
   InterruptibleSetUp::end_of_phase(space.communicator, "the assembly");
   constraints.build();
+  if (is_matrix_free)
+  {
+    const auto products = std::make_shared<MatrixFreeRegions<dim>>(
+        space, constraints, operators.size(), linear_solver.instruction_set);
+    for (unsigned int region = 0; region < operators.size(); ++region)
+    {
+      operators[region].products = products;
+      operators[region].number = region;
+    }
+  }
   for (const std::string &conflict : constraints.conflicts())
     log.warning(conflict);
   load_list.build();
@@ -160,7 +183,7 @@ void TaylorHood<dim>::multiply_mass(const unsigned int region,
                                     DistributedVector &momentum,
                                     const DistributedVector &velocity)
 {
-  multiply(operators[region].mass, momentum, velocity);
+  operators[region].multiply_mass(momentum, velocity);
 }
 
 template <int dim>
@@ -168,7 +191,7 @@ void TaylorHood<dim>::multiply_stiffness(const unsigned int region,
                                          DistributedVector &force,
                                          const DistributedVector &mixture)
 {
-  multiply(operators[region].stiffness, force, mixture);
+  operators[region].multiply_stiffness(force, mixture);
 }
 
 template <int dim>
@@ -627,6 +650,9 @@ double TaylorHood<dim>::error_norm(const State &state,
 template <int dim>
 std::unique_ptr<VibrationOperator<dim>> TaylorHood<dim>::vibration(const VibratingState &state)
 {
+  // The solver of vibrations is direct and needs the matrices.
+  if (!operators.empty() && operators.front().products)
+    assemble_velocity_operators<dim>(space, all_cells<dim>, operators);
   return std::make_unique<TaylorHoodVibration<dim>>(space, problem, operators, constraints, system,
                                                     state);
 }

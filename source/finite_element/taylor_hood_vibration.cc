@@ -74,7 +74,7 @@ void TaylorHoodVibration<dim>::weigh()
   force = 0.;
   for (unsigned int region = 0; region < operators.size(); ++region)
   {
-    multiply(operators[region].mass, product, displacement);
+    operators[region].multiply_mass(product, displacement);
     force.add(problem.materials[region].density, product);
   }
   constraints.restrict_to_free(force);

@@ -5,6 +5,7 @@
 
 #include <continua/finite_element/chebyshev_relaxation.h>
 #include <continua/finite_element/condensed_system.h>
+#include <continua/finite_element/matrix_free_regions.h>
 #include <continua/finite_element/matrix_free_velocity.h>
 #include <continua/finite_element/supports.h>
 #include <continua/linear_algebra/matrix_operator.h>
@@ -128,7 +129,8 @@ void check_products(const std::string &name, const Model model)
          {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512})
       if (can_run(set))
       {
-        MatrixFreeVelocity<dim> matrix_free(space, operators, constraints, set);
+        const MatrixFreeRegions<dim> products(space, constraints, regions.size(), set);
+        MatrixFreeVelocity<dim> matrix_free(space, operators, constraints, products.product());
         matrix_free.set(coefficients);
         matrix_free.multiply(product, source);
         distance = std::max(distance, relative_distance(product, expected));
@@ -139,6 +141,41 @@ void check_products(const std::string &name, const Model model)
     check::absolute(title + ": product", distance, 0., 1e-13);
     check::absolute(title + ": diagonal", of_diagonal, 0., 1e-13);
   }
+
+  // One region alone.
+  double of_mass = 0., of_stiffness = 0., of_diagonals = 0.;
+  bool has_same_nodes = true;
+  DistributedVector diagonal = space.velocity_vector();
+  for (const InstructionSet set :
+       {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512})
+    if (can_run(set))
+    {
+      const MatrixFreeRegions<dim> products(space, constraints, regions.size(), set);
+      for (unsigned int region = 0; region < regions.size(); ++region)
+      {
+        multiply(operators[region].mass, expected, source);
+        products.multiply_mass(region, product, source);
+        space.set_hanging_velocities_to_zero(expected);
+        of_mass = std::max(of_mass, relative_distance(product, expected));
+        multiply(operators[region].stiffness, expected, source);
+        products.multiply_stiffness(region, product, source);
+        of_stiffness = std::max(of_stiffness, relative_distance(product, expected));
+        products.mass_diagonal(region, diagonal);
+        expected = operators[region].mass_diagonal();
+        space.set_hanging_velocities_to_zero(expected);
+        of_diagonals = std::max(of_diagonals, relative_distance(diagonal, expected));
+        products.stiffness_diagonal(region, diagonal);
+        expected = operators[region].stiffness_diagonal();
+        space.set_hanging_velocities_to_zero(expected);
+        of_diagonals = std::max(of_diagonals, relative_distance(diagonal, expected));
+        has_same_nodes =
+            has_same_nodes && products.nodes(region) == velocity_nodes(operators)[region];
+      }
+    }
+  check::absolute(name + ": mass of a region", of_mass, 0., 1e-13);
+  check::absolute(name + ": stiffness of a region", of_stiffness, 0., 1e-13);
+  check::absolute(name + ": diagonals of a region", of_diagonals, 0., 1e-13);
+  check::is_true(name + ": nodes of a region", has_same_nodes);
 
   // A bulk stiffness is for preconditioners alone; the relaxation leaves the hard region out.
   VolumetricStiffness volumetric{{0., 3e3}, {}};

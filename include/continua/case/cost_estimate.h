@@ -23,6 +23,8 @@ struct CostInput
   bool pivots = false;          ///< the factor does: a material is incompressible
   bool is_nonlinear = false;    ///< the matrix is unsymmetric, and steps are iterated
   LinearSolverType solver = LinearSolverType::automatic;
+  bool is_matrix_free =
+      true; ///< the iterative solver, if it is taken, stores no velocities' matrix
   DirectSolver direct_solver = DirectSolver::automatic;
   unsigned int n_factors = 1; ///< kept at one time
   double n_steps = 1.;        ///< solves of the step's system

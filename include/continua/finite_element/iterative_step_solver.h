@@ -100,12 +100,16 @@ private:
   std::unique_ptr<Preconditioner> preconditioner;
   SaddlePointSolver solver;
   DistributedVector last_velocity, last_pressure;
-  std::vector<std::vector<bool>> is_of_region; ///< of each region and owned velocity
+  // While a preconditioner is made, by region:
+  std::vector<std::vector<bool>> is_of_region; ///< of each owned velocity
+  std::vector<DistributedVector> mass_diagonals, stiffness_diagonals;
 
   bool is_near(const SystemCoefficients &others) const;
   void make_preconditioner();
   /// Which regions are stiff, by the rule above; also finds the velocities of each region.
   std::vector<bool> find_stiff_regions();
+  /// Mass, stiffness and supports as matrices, complete in some rows (by local index).
+  std::vector<RegionOperators> assembled_at(const std::vector<bool> &rows) const;
   void make_velocity_inverse(Preconditioner &made,
                              const std::vector<bool> &stiff_regions,
                              const std::vector<unsigned int> &stiff_pressures,

@@ -37,6 +37,8 @@ public:
     const dealii::DoFHandler<dim> &dof_handler;           ///< of dim quadratic components
     const dealii::AffineConstraints<double> &constraints; ///< homogeneous, on the relevant dofs
     bool is_axisymmetric;
+    /// Of the products of single regions: the hanging nodes alone. Null: there are none of these.
+    const dealii::AffineConstraints<double> *region_constraints = nullptr;
   };
   /// By material id.
   struct Coefficients
@@ -56,6 +58,15 @@ public:
   virtual void multiply(Vector &target, const Vector &source) const = 0;
   /// The diagonal of A, 0 at constrained entries [kg/s]. Collective.
   virtual void find_diagonal(Vector &diagonal) const = 0;
+  // The same of one region alone, with its own constraints and with the coefficients given.
+  virtual void initialise_of_region(Vector &vector) const = 0;
+  virtual void multiply_region(Vector &target,
+                               const Vector &source,
+                               unsigned int region,
+                               double mass,
+                               double stiffness) const = 0;
+  virtual void
+  find_diagonal(Vector &diagonal, unsigned int region, double mass, double stiffness) const = 0;
   /// Of what it keeps [bytes].
   virtual std::size_t memory() const = 0;
 };

@@ -8,6 +8,9 @@
 #include <deal.II/matrix_free/matrix_free.h>
 #include <deal.II/matrix_free/tools.h>
 
+#include <array>
+#include <utility>
+
 namespace Continua
 {
 /// With `width` cells at a time and `n_points` Gauss points in each direction. More points than the
@@ -22,12 +25,26 @@ public:
   explicit MatrixFreeProductOfWidth(const typename Base::Input &input);
 
   void set(const typename Base::Coefficients &coefficients) override;
-  void initialise(Vector &vector) const override { matrix_free.initialize_dof_vector(vector); }
+  void initialise(Vector &vector) const override { matrix_free.initialize_dof_vector(vector, 0); }
   void multiply(Vector &target, const Vector &source) const override;
   void find_diagonal(Vector &diagonal) const override;
+  void initialise_of_region(Vector &vector) const override
+  {
+    matrix_free.initialize_dof_vector(vector, 1);
+  }
+  void multiply_region(Vector &target,
+                       const Vector &source,
+                       unsigned int region,
+                       double mass,
+                       double stiffness) const override;
+  void find_diagonal(Vector &diagonal,
+                     unsigned int region,
+                     double mass,
+                     double stiffness) const override;
   std::size_t memory() const override
   {
-    return matrix_free.memory_consumption() + sizeof(OfBatch) * of_batches.size();
+    return matrix_free.memory_consumption() + sizeof(OfBatch) * of_batches.size() +
+           sizeof(Materials) * materials.size();
   }
 
 private:
@@ -41,12 +58,24 @@ private:
   {
     Lanes mass, stiffness, volumetric;
   };
+  using Materials = std::array<dealii::types::material_id, width>;
 
   MatrixFree matrix_free;
+  std::vector<Materials> materials; ///< of the cells of each batch
   dealii::AlignedVector<OfBatch> of_batches;
 
+  /// Of one region alone; false if the batch has no cell of it.
+  bool find_coefficients(unsigned int batch,
+                         unsigned int region,
+                         Number mass,
+                         Number stiffness,
+                         OfBatch &result) const;
   /// From the values of a cell to its integrals.
-  void integrate(Evaluation &cell) const;
+  static void integrate(Evaluation &cell, const OfBatch &coefficients);
+  /// Adds up the diagonal with the coefficients that a batch has.
+  template <typename Coefficients>
+  void
+  find_diagonal(Vector &diagonal, unsigned int constraints, const Coefficients &coefficients) const;
   void multiply_cells(const MatrixFree &data,
                       Vector &target,
                       const Vector &source,
@@ -63,25 +92,61 @@ MatrixFreeProductOfWidth<dim, Number, width, n_points>::MatrixFreeProductOfWidth
       dealii::update_values | dealii::update_gradients | dealii::update_JxW_values;
   if (is_axisymmetric)
     data.mapping_update_flags |= dealii::update_quadrature_points;
-  matrix_free.reinit(input.mapping, input.dof_handler, input.constraints,
-                     dealii::QGauss<1>(n_points), data);
+  std::vector<const dealii::DoFHandler<dim> *> dof_handlers = {&input.dof_handler};
+  std::vector<const dealii::AffineConstraints<double> *> constraints = {&input.constraints};
+  if (input.region_constraints != nullptr)
+  {
+    dof_handlers.push_back(&input.dof_handler);
+    constraints.push_back(input.region_constraints);
+  }
+  matrix_free.reinit(input.mapping, dof_handlers, constraints,
+                     std::vector<dealii::QGauss<1>>{dealii::QGauss<1>(n_points)}, data);
+  materials.resize(matrix_free.n_cell_batches());
+  for (unsigned int batch = 0; batch < materials.size(); ++batch)
+  {
+    materials[batch].fill(dealii::numbers::invalid_material_id);
+    for (unsigned int lane = 0; lane < matrix_free.n_active_entries_per_cell_batch(batch); ++lane)
+      materials[batch][lane] = matrix_free.get_cell_iterator(batch, lane)->material_id();
+  }
 }
 
 template <int dim, typename Number, std::size_t width, int n_points>
 void MatrixFreeProductOfWidth<dim, Number, width, n_points>::set(
     const typename Base::Coefficients &coefficients)
 {
-  of_batches.resize(matrix_free.n_cell_batches());
+  of_batches.resize(materials.size());
   for (unsigned int batch = 0; batch < of_batches.size(); ++batch)
-    for (unsigned int lane = 0; lane < matrix_free.n_active_entries_per_cell_batch(batch); ++lane)
+    for (unsigned int lane = 0; lane < width; ++lane)
     {
-      const auto material = matrix_free.get_cell_iterator(batch, lane)->material_id();
+      const auto material = materials[batch][lane];
+      if (material == dealii::numbers::invalid_material_id)
+        continue;
       of_batches[batch].mass[lane] = static_cast<Number>(coefficients.mass[material]);
       of_batches[batch].stiffness[lane] = static_cast<Number>(coefficients.stiffness[material]);
       of_batches[batch].volumetric[lane] =
           coefficients.volumetric.empty() ? Number()
                                           : static_cast<Number>(coefficients.volumetric[material]);
     }
+}
+
+template <int dim, typename Number, std::size_t width, int n_points>
+bool MatrixFreeProductOfWidth<dim, Number, width, n_points>::find_coefficients(
+    const unsigned int batch,
+    const unsigned int region,
+    const Number mass,
+    const Number stiffness,
+    OfBatch &result) const
+{
+  result = OfBatch();
+  bool is_there = false;
+  for (unsigned int lane = 0; lane < width; ++lane)
+    if (materials[batch][lane] == region)
+    {
+      result.mass[lane] = mass;
+      result.stiffness[lane] = stiffness;
+      is_there = true;
+    }
+  return is_there;
 }
 
 template <int dim, typename Number, std::size_t width, int n_points>
@@ -92,23 +157,75 @@ void MatrixFreeProductOfWidth<dim, Number, width, n_points>::multiply(Vector &ta
 }
 
 template <int dim, typename Number, std::size_t width, int n_points>
-void MatrixFreeProductOfWidth<dim, Number, width, n_points>::find_diagonal(Vector &diagonal) const
+void MatrixFreeProductOfWidth<dim, Number, width, n_points>::multiply_region(
+    Vector &target,
+    const Vector &source,
+    const unsigned int region,
+    const double mass,
+    const double stiffness) const
+{
+  matrix_free.template cell_loop<Vector, Vector>(
+      [&](const MatrixFree &data, Vector &to, const Vector &from,
+          const std::pair<unsigned int, unsigned int> &range)
+      {
+        const auto flags = dealii::EvaluationFlags::values | dealii::EvaluationFlags::gradients;
+        Evaluation cell(data, 1);
+        OfBatch coefficients;
+        for (unsigned int batch = range.first; batch < range.second; ++batch)
+          if (find_coefficients(batch, region, static_cast<Number>(mass),
+                                static_cast<Number>(stiffness), coefficients))
+          {
+            cell.reinit(batch);
+            cell.gather_evaluate(from, flags);
+            integrate(cell, coefficients);
+            cell.integrate_scatter(flags, to);
+          }
+      },
+      target, source, true);
+}
+
+template <int dim, typename Number, std::size_t width, int n_points>
+template <typename Coefficients>
+void MatrixFreeProductOfWidth<dim, Number, width, n_points>::find_diagonal(
+    Vector &diagonal, const unsigned int constraints, const Coefficients &coefficients) const
 {
   diagonal = Number();
   dealii::MatrixFreeTools::compute_diagonal<dim, degree, n_points, dim, Number, Lanes>(
       matrix_free, diagonal,
-      [this](Evaluation &cell)
+      [&coefficients](Evaluation &cell)
       {
-        cell.evaluate(dealii::EvaluationFlags::values | dealii::EvaluationFlags::gradients);
-        integrate(cell);
-        cell.integrate(dealii::EvaluationFlags::values | dealii::EvaluationFlags::gradients);
-      });
+        const auto flags = dealii::EvaluationFlags::values | dealii::EvaluationFlags::gradients;
+        cell.evaluate(flags);
+        integrate(cell, coefficients(cell.get_current_cell_index()));
+        cell.integrate(flags);
+      },
+      constraints);
 }
 
 template <int dim, typename Number, std::size_t width, int n_points>
-void MatrixFreeProductOfWidth<dim, Number, width, n_points>::integrate(Evaluation &cell) const
+void MatrixFreeProductOfWidth<dim, Number, width, n_points>::find_diagonal(Vector &diagonal) const
 {
-  const OfBatch &coefficients = of_batches[cell.get_current_cell_index()];
+  find_diagonal(diagonal, 0, [this](const unsigned int batch) { return of_batches[batch]; });
+}
+
+template <int dim, typename Number, std::size_t width, int n_points>
+void MatrixFreeProductOfWidth<dim, Number, width, n_points>::find_diagonal(
+    Vector &diagonal, const unsigned int region, const double mass, const double stiffness) const
+{
+  find_diagonal(diagonal, 1,
+                [&](const unsigned int batch)
+                {
+                  OfBatch coefficients;
+                  find_coefficients(batch, region, static_cast<Number>(mass),
+                                    static_cast<Number>(stiffness), coefficients);
+                  return coefficients;
+                });
+}
+
+template <int dim, typename Number, std::size_t width, int n_points>
+void MatrixFreeProductOfWidth<dim, Number, width, n_points>::integrate(Evaluation &cell,
+                                                                       const OfBatch &coefficients)
+{
   for (unsigned int q = 0; q < cell.n_q_points; ++q)
   {
     const auto velocity = cell.get_value(q);
@@ -153,12 +270,12 @@ void MatrixFreeProductOfWidth<dim, Number, width, n_points>::multiply_cells(
     const std::pair<unsigned int, unsigned int> &range) const
 {
   const auto flags = dealii::EvaluationFlags::values | dealii::EvaluationFlags::gradients;
-  Evaluation cell(data);
+  Evaluation cell(data, 0);
   for (unsigned int batch = range.first; batch < range.second; ++batch)
   {
     cell.reinit(batch);
     cell.gather_evaluate(source, flags);
-    integrate(cell);
+    integrate(cell, of_batches[batch]);
     cell.integrate_scatter(flags, target);
   }
 }

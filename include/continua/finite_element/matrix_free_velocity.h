@@ -21,11 +21,13 @@ template <int dim>
 class MatrixFreeVelocity : public VelocityOperator
 {
 public:
-  /// All must outlive it.
+  using Product = MatrixFreeProduct<dim, double>;
+
+  /// Space, operators and constraints must outlive it; the latter must be those of the product.
   MatrixFreeVelocity(const Space<dim> &space,
                      const std::vector<RegionOperators> &operators,
                      const BoundaryConstraints<dim> &constraints,
-                     InstructionSet instruction_set);
+                     std::shared_ptr<Product> product);
 
   /// Takes the coefficients of the products. Collective.
   void set(const SystemCoefficients &coefficients);
@@ -33,12 +35,10 @@ public:
   const DistributedVector &diagonal() const override { return diagonal_entries; }
 
 private:
-  using Product = MatrixFreeProduct<dim, double>;
-
   const Space<dim> &space;
   const std::vector<RegionOperators> &operators;
   const BoundaryConstraints<dim> &constraints;
-  std::unique_ptr<Product> product;
+  const std::shared_ptr<Product> product;
   std::vector<unsigned int> constrained; ///< local indices of owned ones
   bool is_supported = false;
   dealii::TrilinosWrappers::SparseMatrix supports;

@@ -49,6 +49,12 @@ public:
   /// Takes the coefficients for the products alone, and says whether they are others than before.
   bool take(const SystemCoefficients &wanted);
   const SystemCoefficients &present_coefficients() const { return coefficients; }
+  /// Whether a system of so many unknowns is for the iterative solver; vibrations never are.
+  bool is_iterative_for(const std::size_t n_unknowns) const
+  {
+    return parameters.type == LinearSolverType::iterative ||
+           (parameters.type == LinearSolverType::automatic && n_unknowns > largest_direct_system);
+  }
   /// Whether the last prepare() had to make a factor or a preconditioner.
   bool has_new_factor() const { return made_factor; }
   /// Solves for free dofs; constrained and hanging entries of the result are 0. The right-hand

@@ -200,6 +200,7 @@ private:
   BoundaryConstraints<dim> constraints;
   Loads<dim> load_list;
   std::map<unsigned int, Loads<dim>> loads_of_regions; ///< that were asked for on this mesh
+  const LinearSolverParameters linear_solver;
   StepSystem<dim> system;
   std::unique_ptr<MetricHistory<dim>> metrics; ///< null where nothing relaxes in finite deformation
   std::unique_ptr<NonlinearCellTerms<dim>> terms; ///< null where the equations are linear
@@ -214,6 +215,8 @@ private:
   /// Of B U by the largest velocity [m^2], and of B^T p by the largest pressure [m^2].
   double divergence_norm = 0., gradient_norm = 0.;
 
+  /// Whether mass and stiffness are products without a matrix on this mesh.
+  bool has_products_without_matrix() const;
   void report_linear_solver();
 };
 } // namespace Continua
