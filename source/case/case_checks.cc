@@ -123,6 +123,10 @@ void check_linear_solver(const Case<dim> &input, ParameterSection root)
     section.refuse("Velocity product",
                    "matrix-free products are there for Velocity degree = 2 only",
                    "Use automatic or assembled");
+  if (section.given("Instruction set") &&
+      !taylor_hood.linear_solver.is_matrix_free(taylor_hood.space.velocity_degree))
+    section.refuse("Instruction set",
+                   "products have a stored matrix, since Velocity degree is not 2", "Remove it");
 }
 
 /// The cell-wise path's own entries against the scheme in time.

@@ -306,6 +306,21 @@ std::vector<bool> IterativeStepSolver<dim>::find_stiff_regions()
 }
 
 template <int dim>
+bool IterativeStepSolver<dim>::relaxes_without_matrix(const std::vector<bool> &stiff_regions,
+                                                      const VelocityBlocks &parts) const
+{
+  if (!matrix_free_velocity || parts.fluid_is_viscous)
+    return false;
+  // Its products have no supports, and those of stiff regions are in the stiff block.
+  if (coefficients.support_stiffness == 0. && coefficients.support_damping == 0.)
+    return true;
+  for (unsigned int region = 0; region < operators.size(); ++region)
+    if (operators[region].is_supported && !stiff_regions[region])
+      return false;
+  return true;
+}
+
+template <int dim>
 std::vector<RegionOperators>
 IterativeStepSolver<dim>::assembled_at(const std::vector<bool> &rows) const
 {
@@ -349,9 +364,9 @@ void IterativeStepSolver<dim>::make_velocity_inverse(
     const VelocityBlocks &parts,
     const bool has_joint_block)
 {
-  const bool is_relaxed = made.has_fluid && !parts.fluid_is_viscous && matrix_free_velocity;
+  const bool is_matrix_free = relaxes_without_matrix(stiff_regions, parts);
   // Without a relaxation by the matrix only the rows of the stiff block are needed.
-  const bool needs_all_rows = made.has_fluid && !is_relaxed;
+  const bool needs_all_rows = made.has_fluid && !is_matrix_free;
   std::vector<bool> rows(space.velocity_owned.n_elements(), needs_all_rows);
   for (const unsigned int i : parts.stiff)
     rows[i] = true;
@@ -378,7 +393,7 @@ void IterativeStepSolver<dim>::make_velocity_inverse(
   of_regions.clear();
 
   std::unique_ptr<VelocityRelaxation> relaxation;
-  if (is_relaxed)
+  if (made.has_fluid && is_matrix_free)
     relaxation = std::make_unique<ChebyshevRelaxation<dim>>(
         space, constraints,
         typename ChebyshevRelaxation<dim>::Product::Coefficients{
@@ -496,9 +511,9 @@ void IterativeStepSolver<dim>::make_preconditioner()
          << (parts.stiff_is_direct ? made->velocity->factor()->name() : "algebraic multigrid");
   if (has_fluid)
     text << "; fluid block: "
-         << (parts.fluid_is_viscous ? "algebraic multigrid"
-             : matrix_free_velocity ? "Chebyshev relaxation"
-                                    : "relaxation");
+         << (parts.fluid_is_viscous                         ? "algebraic multigrid"
+             : relaxes_without_matrix(stiff_regions, parts) ? "Chebyshev relaxation"
+                                                            : "relaxation");
   text << "; Schur complement: " << (simple ? "simple" : "cahouet-chabard");
   if (matrix_free_velocity)
     text << "; products without a matrix ("

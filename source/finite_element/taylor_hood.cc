@@ -51,8 +51,8 @@ TaylorHood<dim>::TaylorHood(parallel::TriangulationBase<dim> &triangulation,
     : problem(problem),
       log(log),
       space(triangulation, parameters.space, problem.model, problem.regions.size()),
-      operators(problem.regions.size()),
       constraints(space, problem.conditions),
+      operators(problem.regions.size()),
       load_list(space, problem),
       linear_solver(parameters.linear_solver),
       system(space, operators, constraints, parameters.linear_solver),
@@ -86,6 +86,9 @@ bool TaylorHood<dim>::has_products_without_matrix() const
 template <int dim>
 void TaylorHood<dim>::setup()
 {
+  // Those of the old mesh go first: two would need twice the memory.
+  for (RegionOperators &region : operators)
+    region.products = nullptr;
   space.distribute();
   InterruptibleSetUp::end_of_phase(space.communicator, "the numbering");
   const bool is_matrix_free = has_products_without_matrix();

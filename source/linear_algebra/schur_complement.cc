@@ -118,7 +118,7 @@ void SchurComplement::set_diagonal(const TrilinosWrappers::SparseMatrix &diverge
       inverse += 1. / mass_form->diag_element(global);
     if (has_laplacian)
     {
-      double sum = compression.el(global, global); // none where nothing is compressible
+      double sum = compression.el(global, global); // 0 where nothing is compressible
       int n_entries = 0;
       double *values = nullptr;
       int *columns = nullptr;

@@ -17,10 +17,11 @@
 namespace Continua
 {
 /**
- * Relaxes the velocities outside the stiff block by a Chebyshev polynomial of degree 2 in D^-1 A, D
- * the diagonal, for the eigenvalues between an eighth of the largest one and that one (Adams et
- * al., J. Comput. Phys. 188 (2003) 593). Products have no matrix and are of single precision. The
- * fluid's A is inertia above all, whose eigenvalues lie that close together on every mesh.
+ * Relaxes the velocities outside the stiff block. The error is a Chebyshev polynomial of degree 2
+ * in D^-1 A, D the diagonal, for the eigenvalues between an eighth of the largest one and that one
+ * (Adams et al., J. Comput. Phys. 188 (2003) 593). Products have no matrix and are of single
+ * precision. The fluid's A is inertia above all, whose eigenvalues lie that close together on every
+ * mesh.
  */
 template <int dim>
 class ChebyshevRelaxation : public VelocityRelaxation

@@ -108,6 +108,9 @@ private:
   void make_preconditioner();
   /// Which regions are stiff, by the rule above; also finds the velocities of each region.
   std::vector<bool> find_stiff_regions();
+  /// Whether the velocities outside the stiff block are relaxed by products without a matrix.
+  bool relaxes_without_matrix(const std::vector<bool> &stiff_regions,
+                              const VelocityBlocks &parts) const;
   /// Mass, stiffness and supports as matrices, complete in some rows (by local index).
   std::vector<RegionOperators> assembled_at(const std::vector<bool> &rows) const;
   void make_velocity_inverse(Preconditioner &made,

@@ -49,7 +49,8 @@ public:
   /// Takes the coefficients for the products alone, and says whether they are others than before.
   bool take(const SystemCoefficients &wanted);
   const SystemCoefficients &present_coefficients() const { return coefficients; }
-  /// Whether a system of so many unknowns is for the iterative solver; vibrations never are.
+  /// Whether a system of so many unknowns is for the iterative solver. The caller excludes
+  /// vibrations, which never are.
   bool is_iterative_for(const std::size_t n_unknowns) const
   {
     return parameters.type == LinearSolverType::iterative ||

@@ -196,8 +196,8 @@ private:
   const Problem &problem;
   Log &log;
   Space<dim> space;
+  BoundaryConstraints<dim> constraints; ///< outlives the products of the operators
   std::vector<RegionOperators> operators;
-  BoundaryConstraints<dim> constraints;
   Loads<dim> load_list;
   std::map<unsigned int, Loads<dim>> loads_of_regions; ///< that were asked for on this mesh
   const LinearSolverParameters linear_solver;

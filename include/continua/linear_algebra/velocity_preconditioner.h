@@ -30,7 +30,7 @@ class VelocityPreconditioner
 {
 public:
   /// Of the matrix only the rows of the stiff velocities are used, and they are not kept. Without a
-  /// relaxation all velocities must be stiff.
+  /// relaxation all velocities but hanging ones must be stiff.
   VelocityPreconditioner(const dealii::TrilinosWrappers::SparseMatrix &matrix,
                          const VelocityBlocks &blocks,
                          std::unique_ptr<VelocityRelaxation> relaxation);
