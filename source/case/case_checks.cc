@@ -303,17 +303,24 @@ void check_convection(const Case<dim> &input, ParameterSection root)
         "convection needs the rate of the pressure at the end of the step, which the "
         "trapezoidal update does not have",
         "Set Update = implicit");
-  if (input.discretisation.taylor_hood.linear_solver.type == LinearSolverType::iterative)
-    root.subsection("Linear solver")
-        .refuse("Type",
-                "the iterative solver is for symmetric matrices, and convection makes the "
-                "matrix unsymmetric",
-                "Set Type = direct, or Convection = none");
   if (input.discretisation.taylor_hood.linear_solver.direct_solver == DirectSolver::cholmod)
     root.subsection("Linear solver")
         .refuse("Direct solver",
                 "cholmod is for symmetric matrices, and convection makes the matrix unsymmetric",
                 "Use automatic, umfpack or mumps");
+  if (root.subsection("Linear solver").given("Tolerance"))
+    root.subsection("Linear solver")
+        .refuse("Tolerance",
+                "with convection the iterative solver finds corrections of Newton's iteration, "
+                "which end at Newton/Krylov tolerance",
+                "Remove it, or set Convection = none");
+  if (input.discretisation.taylor_hood.linear_solver.type == LinearSolverType::iterative)
+    for (const char *const key : {"Slow iteration", "Tangent products", "Most Krylov iterations"})
+      if (ParameterSection newton = root.subsection("Newton"); newton.given(key))
+        newton.refuse(key,
+                      "Linear solver/Type = iterative makes no use of it: each iteration has the "
+                      "tangent of its own state",
+                      "Remove it, or set Linear solver/Type = direct");
   refuse_what_only_linear_runs_use(input, root);
   if (problem.convection.stabilisation == ConvectionStabilisation::supg)
     for (unsigned int region = 0; region < problem.materials.size(); ++region)

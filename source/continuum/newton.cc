@@ -323,7 +323,8 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
       try
       {
         const FactorTime time(log.timer());
-        operators.linearise(balanced);
+        if (operators.linearise(balanced))
+          ++report.factors;
       }
       catch (const RunError &error)
       {
@@ -335,15 +336,24 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
       }
       has_factor = true;
       factor_is_poor = takes_krylov = false;
-      ++report.factors;
       outlets.respond(report);
       cavities.respond(report);
     }
+    else if (operators.solves_with_kept_derivative())
+      operators.keep_derivative(balanced);
     if (takes_krylov)
       correct_by_krylov(
           input, balanced,
           {std::max(norms.momentum, accepted_momentum), std::max(norms.mass, accepted_mass)},
           report);
+    else if (operators.solves_with_kept_derivative())
+    {
+      // An inexact solve leaves a part of its right-hand side. That is the residual, without the
+      // ports' forces it would be much more: their part of the correction is taken out again.
+      operators.solve(zero_velocity, momentum_work, mass_work, velocity_change, pressure_change,
+                      report);
+      outlets.add_pressure_responses(-1., velocity_change, pressure_change);
+    }
     else
       operators.solve(zero_velocity, momentum, mass, velocity_change, pressure_change, report);
     cavities.couple(input.step, velocity_change, pressure_change, balanced.cavity_pressures);

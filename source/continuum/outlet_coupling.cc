@@ -185,6 +185,18 @@ void OutletCoupling::add_responses(DistributedVector &velocity, DistributedVecto
   }
 }
 
+void OutletCoupling::add_pressure_responses(const double factor,
+                                            DistributedVector &velocity,
+                                            DistributedVector &pressure) const
+{
+  for (unsigned int i = 0; i < ports.size(); ++i)
+    if (!ports[i].holds_flow)
+    {
+      velocity.add(factor * pressures[i], ports[i].velocity_response);
+      pressure.add(factor * pressures[i], ports[i].pressure_response);
+    }
+}
+
 void OutletCoupling::couple(const Step &step,
                             const DistributedVector &velocity_old,
                             DistributedVector &velocity,

@@ -101,6 +101,41 @@ std::vector<std::vector<double>> rigid_motions(const Space<dim> &space)
   }
   return modes;
 }
+
+/// Coordinates of the owned pressures, one vector for each direction [m]. Where pressures are
+/// broken at interfaces, those of each region are shifted away from those of the others.
+template <int dim>
+SchurComplement::Places places_of_pressures(const Space<dim> &space, const unsigned int n_regions)
+{
+  SchurComplement::Places places(dim, std::vector<double>(space.pressure_owned.n_elements(), 0.));
+  std::vector<unsigned int> components(space.pressure_owned.n_elements(), 0);
+  std::vector<types::global_dof_index> indices;
+  double size = 0.;
+  for (const auto &cell : space.pressure_dofs.active_cell_iterators())
+    if (cell->is_locally_owned())
+    {
+      const FiniteElement<dim> &element = cell->get_fe();
+      indices.resize(element.n_dofs_per_cell());
+      cell->get_dof_indices(indices);
+      for (unsigned int i = 0; i < indices.size(); ++i)
+        if (space.pressure_owned.is_element(indices[i]))
+        {
+          const unsigned int local = space.pressure_owned.index_within_set(indices[i]);
+          const Point<dim> point =
+              space.mapping.transform_unit_to_real_cell(cell, element.unit_support_point(i));
+          for (unsigned int c = 0; c < dim; ++c)
+            places[c][local] = point[c];
+          components[local] = space.pressure_component(cell->material_id());
+          size = std::max(size, std::abs(point[0]));
+        }
+    }
+  if (n_regions == 1)
+    return places;
+  const double shift = 10. * Utilities::MPI::max(size, space.communicator);
+  for (std::size_t i = 0; i < components.size(); ++i)
+    places[0][i] += shift * components[i];
+  return places;
+}
 } // namespace
 
 template <int dim>
@@ -482,12 +517,13 @@ void IterativeStepSolver<dim>::make_preconditioner()
   if (n_stiff > 0 && has_fluid && has_inertia && !simple)
     let_walls_yield(stiff_regions, *made->velocity, mobility);
 
+  const SchurComplement::Places places = places_of_pressures(space, n_regions);
   if (simple)
   {
     for (unsigned int i = 0; i < mobility.locally_owned_size(); ++i)
       mobility.begin()[i] = 1. / velocity_operator().diagonal().begin()[i];
     made->schur_complement =
-        std::make_unique<SchurComplement>(divergence, compression, nullptr, &mobility);
+        std::make_unique<SchurComplement>(divergence, compression, nullptr, &mobility, places);
   }
   else
   {
@@ -501,7 +537,7 @@ void IterativeStepSolver<dim>::make_preconditioner()
       if (!is_left_out[i])
         pressures.push_back(i);
     made->schur_complement = std::make_unique<SchurComplement>(
-        divergence, compression, &mass_form, has_inertia ? &mobility : nullptr, pressures);
+        divergence, compression, &mass_form, has_inertia ? &mobility : nullptr, places, pressures);
   }
 
   std::ostringstream text;
@@ -564,6 +600,34 @@ unsigned int IterativeStepSolver<dim>::solve(const DistributedVector &momentum,
   last_velocity.equ(1., velocity);
   last_pressure.equ(1., pressure);
   return iterations;
+}
+
+template <int dim>
+unsigned int IterativeStepSolver<dim>::solve_tangent(const SaddlePointSolver::FurtherPart &further,
+                                                     const double tolerance,
+                                                     const DistributedVector &momentum,
+                                                     const DistributedVector &mass,
+                                                     DistributedVector &velocity,
+                                                     DistributedVector &pressure)
+{
+  velocity = 0.;
+  pressure = 0.;
+  SaddlePointSolver::Blocks tangent = blocks();
+  tangent.further = further;
+  const KrylovReport report =
+      solver.solve(tangent, *preconditioner->velocity, *preconditioner->schur_complement,
+                   preconditioner->augmentation, momentum, mass, velocity, pressure, tolerance,
+                   parameters.maximum_iterations, true);
+  if (!report.converged)
+  {
+    std::ostringstream text;
+    text << "the iterative solver has not converged for a correction of Newton's iteration: after "
+         << report.iterations << " iterations the residual is " << report.residual
+         << " of that at the start, and Newton/Krylov tolerance is " << tolerance
+         << "; a smaller time step or Linear solver/Type = direct helps";
+    throw StepFailure(text.str());
+  }
+  return report.iterations;
 }
 
 template <int dim>

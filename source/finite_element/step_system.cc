@@ -112,6 +112,7 @@ bool StepSystem<dim>::take(const SystemCoefficients &wanted)
   if (coefficients == wanted)
     return false;
   coefficients = wanted;
+  is_prepared = false;
   return true;
 }
 
@@ -187,6 +188,20 @@ void StepSystem<dim>::solve_packed(const DistributedVector &momentum,
   kept_factors.front().factor->solve(packed);
   std::copy(packed.begin(), middle, velocity.begin());
   std::copy(middle, packed.end(), pressure.begin());
+}
+
+template <int dim>
+void StepSystem<dim>::solve_tangent(const SaddlePointSolver::FurtherPart &further,
+                                    const double tolerance,
+                                    DistributedVector &momentum,
+                                    DistributedVector &mass,
+                                    DistributedVector &velocity,
+                                    DistributedVector &pressure)
+{
+  for (const unsigned int index : pressure_hanging)
+    mass.begin()[index] = 0.;
+  n_iterations +=
+      iterative_solver->solve_tangent(further, tolerance, momentum, mass, velocity, pressure);
 }
 
 template <int dim>

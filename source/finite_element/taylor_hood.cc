@@ -79,8 +79,10 @@ TaylorHood<dim>::TaylorHood(parallel::TriangulationBase<dim> &triangulation,
 template <int dim>
 bool TaylorHood<dim>::has_products_without_matrix() const
 {
-  return !is_nonlinear() && linear_solver.is_matrix_free(space.degree()) &&
-         system.is_iterative_for(space.velocity_dofs.n_dofs() + space.pressure_dofs.n_dofs());
+  return linear_solver.is_matrix_free(space.degree()) &&
+         (is_nonlinear() ? has_iterative_tangent()
+                         : system.is_iterative_for(space.velocity_dofs.n_dofs() +
+                                                   space.pressure_dofs.n_dofs()));
 }
 
 template <int dim>
@@ -125,6 +127,12 @@ void TaylorHood<dim>::setup()
   for (DistributedVector *vector : {&zero_velocity, &velocity_work})
     *vector = space.velocity_vector();
   pressure_work = space.pressure_vector();
+  if (has_iterative_tangent())
+  {
+    for (DistributedVector *vector : {&tangent_change, &tangent_momentum})
+      *vector = space.velocity_vector();
+    tangent_mass = space.pressure_vector();
+  }
   divergence_norm = gradient_norm = 0.;
   for (const RegionOperators &region : operators)
   {
@@ -381,7 +389,9 @@ void TaylorHood<dim>::solve(const DistributedVector &prescribed,
   constraints.restrict_to_free(momentum);
   // The symmetric system has the negative of the mass equation.
   mass *= -1.;
-  if (is_nonlinear())
+  if (has_iterative_tangent())
+    solve_tangent(momentum, mass, velocity, pressure);
+  else if (is_nonlinear())
   {
     space.set_hanging_pressures_to_zero(mass);
     tangent.solve(momentum, mass, velocity, pressure);
@@ -447,12 +457,51 @@ std::string TaylorHood<dim>::place_of_largest(const DistributedVector &momentum,
 }
 
 template <int dim>
-void TaylorHood<dim>::linearise(const BalancedStep &state)
+bool TaylorHood<dim>::has_iterative_tangent() const
 {
+  // In finite deformation the linear terms, of which the preconditioner is, have no stress.
+  return is_nonlinear() && problem.deformation == Deformation::small &&
+         system.is_iterative_for(space.velocity_dofs.n_dofs() + space.pressure_dofs.n_dofs());
+}
+
+template <int dim>
+void TaylorHood<dim>::solve_tangent(DistributedVector &momentum,
+                                    DistributedVector &mass,
+                                    DistributedVector &velocity,
+                                    DistributedVector &pressure)
+{
+  system.solve_tangent(
+      [this](const DistributedVector &of_velocity, const DistributedVector &of_pressure,
+             DistributedVector &momentum_rows, DistributedVector &mass_rows)
+      {
+        tangent_change.equ(1., of_velocity);
+        constraints.set_constrained(tangent_change, zero_velocity);
+        tangent_momentum = 0.;
+        tangent_mass = 0.;
+        terms->add_derivative_product(tangent_change, of_pressure, tangent_momentum, tangent_mass);
+        restrict_residuals(tangent_momentum, tangent_mass);
+        momentum_rows.add(1., tangent_momentum);
+        // The symmetric system has the negative of the mass equation.
+        mass_rows.add(-1., tangent_mass);
+      },
+      problem.newton.krylov_tolerance, momentum, mass, velocity, pressure);
+}
+
+template <int dim>
+bool TaylorHood<dim>::linearise(const BalancedStep &state)
+{
+  if (has_iterative_tangent())
+  {
+    const bool is_new = system.prepare(system.present_coefficients());
+    report_linear_solver();
+    terms->keep_derivative(state);
+    return is_new && system.has_new_factor();
+  }
   const bool is_first = tangent.factor() == nullptr;
   tangent.factorize(system.present_coefficients(), state, *terms);
   if (is_first)
     log.detail("Linear solver: direct, of the tangent; " + tangent.factor()->name());
+  return true;
 }
 
 template <int dim>

@@ -363,13 +363,14 @@ bool CellWise<dim>::is_nonlinear_in(const unsigned int region) const
 }
 
 template <int dim>
-void CellWise<dim>::linearise(const BalancedStep &state)
+bool CellWise<dim>::linearise(const BalancedStep &state)
 {
   using AddEntry = typename CellSystem<dim>::AddEntry;
   system.set_tangent([&](const AddEntry &momentum_row, const AddEntry &mass_row)
                      { convection.add_derivative(state, momentum_row, mass_row); });
   cell_solve->reinit();
   system.set_tangent({});
+  return true;
 }
 
 template <int dim>

@@ -59,6 +59,22 @@ void SaddlePointSolver::multiply_blocks(const Blocks &blocks,
   multiply(blocks.divergence, target.block(1), source.block(0));
   multiply(blocks.compression, pressure_work, source.block(1));
   target.block(1).sadd(-1., -1., pressure_work);
+  if (blocks.further)
+    blocks.further(source.block(0), source.block(1), target.block(0), target.block(1));
+}
+
+void SaddlePointSolver::balance(const DistributedVector &momentum, const DistributedVector &mass)
+{
+  right_hand_side.block(0).equ(1., momentum);
+  right_hand_side.block(1).equ(1., mass);
+  right_hand_side.scale(scale);
+  const double of_momentum = right_hand_side.block(0).l2_norm(),
+               of_mass = right_hand_side.block(1).l2_norm();
+  double ratio = largest_balance;
+  if (of_mass > 0.)
+    ratio = std::max(1. / largest_balance, std::min(largest_balance, of_momentum / of_mass));
+  scale.block(1) *= ratio;
+  inverse_scale.block(1) *= 1. / ratio;
 }
 
 KrylovReport SaddlePointSolver::solve(const Blocks &blocks,
@@ -70,7 +86,8 @@ KrylovReport SaddlePointSolver::solve(const Blocks &blocks,
                                       DistributedVector &velocity,
                                       DistributedVector &pressure,
                                       const double tolerance,
-                                      const unsigned int maximum_iterations)
+                                      const unsigned int maximum_iterations,
+                                      const bool balances_equations)
 {
   for (unsigned int i = 0; i < velocity_work.locally_owned_size(); ++i)
     inverse_scale.block(0).begin()[i] = std::sqrt(blocks.velocity.diagonal().begin()[i]);
@@ -79,6 +96,8 @@ KrylovReport SaddlePointSolver::solve(const Blocks &blocks,
   for (unsigned int b = 0; b < 2; ++b)
     for (unsigned int i = 0; i < scale.block(b).locally_owned_size(); ++i)
       scale.block(b).begin()[i] = 1. / inverse_scale.block(b).begin()[i];
+  if (balances_equations)
+    balance(momentum, mass);
 
   // The operator, its rows scaled; and the preconditioner of such rows.
   const auto multiply_scaled = [&](BlockVector &target, const BlockVector &source)

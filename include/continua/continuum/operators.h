@@ -186,8 +186,12 @@ public:
                                    DistributedVector & /*mass*/)
   {
   }
-  /// Makes the system of solve() the tangent at this state. Throws RunError.
-  virtual void linearise(const BalancedStep &) {}
+  /// Makes the system of solve() the tangent at this state. Whether it had to make a factor or a
+  /// preconditioner. Throws RunError.
+  virtual bool linearise(const BalancedStep &) { return false; }
+  /// Whether solve() multiplies with the derivative that keep_derivative() was given last, so that
+  /// each iterate can have its own at little cost.
+  virtual bool solves_with_kept_derivative() const { return false; }
   /// The next linearise() does not make use of what one before has found out, such as an order of
   /// the unknowns.
   virtual void forget_linearisation() {}

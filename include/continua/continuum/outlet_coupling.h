@@ -60,6 +60,10 @@ public:
               const DistributedVector &velocity_old,
               DistributedVector &velocity,
               DistributedVector &pressure);
+  /// Adds factor times what the present pressures of the ports that hold pressures do to the body.
+  void add_pressure_responses(double factor,
+                              DistributedVector &velocity,
+                              DistributedVector &pressure) const;
   /// Moves the states on to the end of the step, by the flow rates of the last couple().
   void finish_step(const Step &step);
   /// Completes a steady flow, with Z(0). Throws RunError if an outlet lets no steady flow pass.

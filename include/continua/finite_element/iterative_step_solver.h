@@ -57,6 +57,16 @@ public:
                      DistributedVector &velocity,
                      DistributedVector &pressure);
 
+  /// The same for a tangent, which has a further part beside the linear terms (see
+  /// SaddlePointSolver::Blocks): from zero, until the residual is below `tolerance` times that at
+  /// the start. Throws StepFailure if that takes too many iterations.
+  unsigned int solve_tangent(const SaddlePointSolver::FurtherPart &further,
+                             double tolerance,
+                             const DistributedVector &momentum,
+                             const DistributedVector &mass,
+                             DistributedVector &velocity,
+                             DistributedVector &pressure);
+
   /// "FGMRES; stiff block: ..., fluid block: ..., Schur complement: ...".
   std::string name() const;
   /// Of the stiff block; null if it has none.
@@ -130,7 +140,7 @@ private:
   const VelocityOperator &velocity_operator() const;
   SaddlePointSolver::Blocks blocks() const
   {
-    return {velocity_operator(), divergence, compression};
+    return {velocity_operator(), divergence, compression, nullptr};
   }
 };
 } // namespace Continua

@@ -46,7 +46,8 @@ public:
   /// Makes the system that of the coefficients, and says whether they are others than before.
   /// Throws RunError.
   bool prepare(const SystemCoefficients &coefficients);
-  /// Takes the coefficients for the products alone, and says whether they are others than before.
+  /// Takes the coefficients for the products alone, and says whether they are others than before;
+  /// what prepare() made is then of no use until it is called again.
   bool take(const SystemCoefficients &wanted);
   const SystemCoefficients &present_coefficients() const { return coefficients; }
   /// Whether a system of so many unknowns is for the iterative solver. The caller excludes
@@ -65,6 +66,13 @@ public:
              DistributedVector &mass,
              DistributedVector &velocity,
              DistributedVector &pressure);
+  /// Of the iterative solver alone: see IterativeStepSolver.
+  void solve_tangent(const SaddlePointSolver::FurtherPart &further,
+                     double tolerance,
+                     DistributedVector &momentum,
+                     DistributedVector &mass,
+                     DistributedVector &velocity,
+                     DistributedVector &pressure);
   /// result += A U, of the unconstrained matrix.
   void add_velocity_product(const DistributedVector &velocity, DistributedVector &result);
   /// result += factor B U and result += factor B^T p.

@@ -123,9 +123,10 @@ public:
   std::string place_of_largest(const DistributedVector &momentum,
                                const DistributedVector &mass,
                                bool of_momentum) const override;
-  void linearise(const BalancedStep &state) override;
+  bool linearise(const BalancedStep &state) override;
+  bool solves_with_kept_derivative() const override { return has_iterative_tangent(); }
   void forget_linearisation() override { tangent.forget_analysis(); }
-  bool has_derivative_products() const override { return true; }
+  bool has_derivative_products() const override { return !has_iterative_tangent(); }
   void keep_derivative(const BalancedStep &state) override;
   void add_derivative_product(const DistributedVector &velocity,
                               const DistributedVector &pressure,
@@ -212,11 +213,19 @@ private:
   FieldOutput<dim> output;
   std::string linear_solver_reported;
   DistributedVector zero_velocity, velocity_work, pressure_work;
+  // Of products with the tangent.
+  DistributedVector tangent_change, tangent_momentum, tangent_mass;
   /// Of B U by the largest velocity [m^2], and of B^T p by the largest pressure [m^2].
   double divergence_norm = 0., gradient_norm = 0.;
 
   /// Whether mass and stiffness are products without a matrix on this mesh.
   bool has_products_without_matrix() const;
+  /// Whether the steps of Newton's iteration have the iterative solver on this mesh.
+  bool has_iterative_tangent() const;
+  void solve_tangent(DistributedVector &momentum,
+                     DistributedVector &mass,
+                     DistributedVector &velocity,
+                     DistributedVector &pressure);
   void report_linear_solver();
 };
 } // namespace Continua

@@ -120,7 +120,7 @@ public:
   {
     system.add_flux_correction(pressure, mass);
   }
-  void linearise(const BalancedStep &state) override;
+  bool linearise(const BalancedStep &state) override;
   /// The equations of faces' pressures that have no volume are linear: each solve meets them.
   void restrict_residuals(DistributedVector &momentum, DistributedVector &mass) const override;
   ResidualScales residual_scales(const DistributedVector &velocity,

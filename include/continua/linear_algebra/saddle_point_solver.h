@@ -10,6 +10,8 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/vector_memory.h>
 
+#include <functional>
+
 namespace Continua
 {
 /// Of a solve by FGMRES.
@@ -41,11 +43,18 @@ class SaddlePointSolver
 public:
   using BlockVector = dealii::TrilinosWrappers::MPI::BlockVector;
 
-  /// A, B and C.
+  /// Adds a further part of the matrix times velocity and pressure to the rows of both equations.
+  using FurtherPart = std::function<void(const DistributedVector &velocity,
+                                         const DistributedVector &pressure,
+                                         DistributedVector &momentum,
+                                         DistributedVector &mass)>;
+
+  /// A, B and C; what the matrix has beside them, which may be unsymmetric; empty is nothing.
   struct Blocks
   {
     const VelocityOperator &velocity;
     const dealii::TrilinosWrappers::SparseMatrix &divergence, &compression;
+    FurtherPart further;
   };
 
   explicit SaddlePointSolver(unsigned int restart_length);
@@ -53,6 +62,9 @@ public:
   /// Takes the maps of the unknowns from the blocks; allocates.
   void reinit(const Blocks &blocks);
   /// `velocity` and `pressure` hold the initial guess; nothing is taken of it if zero is closer.
+  /// The preconditioner is that of the symmetric part. `balances_equations`: measures the residuals
+  /// of both equations so that they are of one size at the start from zero. Else the one that is
+  /// smaller in the units above may stay as it is; a correction of Newton's iteration needs both.
   KrylovReport solve(const Blocks &blocks,
                      VelocityPreconditioner &velocity_inverse,
                      SchurComplement &schur_complement,
@@ -62,7 +74,8 @@ public:
                      DistributedVector &velocity,
                      DistributedVector &pressure,
                      double tolerance,
-                     unsigned int maximum_iterations);
+                     unsigned int maximum_iterations,
+                     bool balances_equations = false);
 
 private:
   const unsigned int restart_length;
@@ -72,6 +85,11 @@ private:
   DistributedVector velocity_work, pressure_work, augmented;
   dealii::GrowingVectorMemory<BlockVector> memory;
 
+  /// Of the sizes of both equations' residuals.
+  static constexpr double largest_balance = 1e4;
+
+  /// Makes the scaled right-hand sides of both equations equally large.
+  void balance(const DistributedVector &momentum, const DistributedVector &mass);
   void multiply_blocks(const Blocks &blocks, BlockVector &target, const BlockVector &source);
 };
 } // namespace Continua

@@ -24,21 +24,28 @@ namespace Continua
  * each of the two stands for one limit of A, stiffness and inertia. Without M and with D the
  * inverse diagonal of A it is that of SIMPLE (Patankar and Spalding, 1972), without D the mass form
  * alone. Masses are inverted by a sweep of symmetric relaxation, C + B D B^T by a V-cycle of
- * algebraic multigrid.
+ * algebraic multigrid, whose aggregates join pressures that are close to one another: on cells that
+ * are longer than thick the entries of B D B^T along a cell are large and positive, and mislead.
  */
 class SchurComplement
 {
 public:
+  /// Coordinates of this rank's pressures, one vector for each direction [m]. No two pressures have
+  /// the same place.
+  using Places = std::vector<std::vector<double>>;
+
   /// B and C, and one or both of M and the diagonal D; pointers may be null and are not kept.
   SchurComplement(const dealii::TrilinosWrappers::SparseMatrix &divergence,
                   const dealii::TrilinosWrappers::SparseMatrix &compression,
                   const dealii::TrilinosWrappers::SparseMatrix *mass_form,
-                  const DistributedVector *mobility);
+                  const DistributedVector *mobility,
+                  const Places &places);
   /// Of some pressures only, by the local indices of this rank's; the others stay out of it.
   SchurComplement(const dealii::TrilinosWrappers::SparseMatrix &divergence,
                   const dealii::TrilinosWrappers::SparseMatrix &compression,
                   const dealii::TrilinosWrappers::SparseMatrix *mass_form,
                   const DistributedVector *mobility,
+                  const Places &places,
                   const std::vector<unsigned int> &pressures);
 
   /// target = the approximate inverse times source; zero for pressures that stay out.
@@ -50,6 +57,7 @@ private:
   const bool has_mass, has_laplacian;
   dealii::TrilinosWrappers::SparseMatrix mass, laplacian;
   dealii::TrilinosWrappers::PreconditionSSOR mass_inverse;
+  Places places_of_part; ///< of the multigrid, which keeps pointers
   dealii::TrilinosWrappers::PreconditionAMG laplacian_inverse;
   std::unique_ptr<SubMatrix> part; ///< of C
   std::unique_ptr<Epetra_Vector> right_hand_side, solution, correction;
