@@ -27,6 +27,13 @@ def corners(layer):
         yield [numpy.array(layer.points[int(node) - 1]) for node in words[start + 1:start + 9]]
 
 
+def script(name="beside-calculix"):
+    loader = SourceFileLoader("script", os.path.join(ROOT, "scripts", name))
+    module = module_from_spec(spec_from_loader(loader.name, loader))
+    loader.exec_module(module)
+    return module
+
+
 class Meshes(unittest.TestCase):
     def test_elements_are_right_handed(self):
         for place in (calculix.beam((20.0, 5.0)), calculix.cook(1e-3), calculix.quarter_ring(0.01, 0.02)):
@@ -52,6 +59,70 @@ class Meshes(unittest.TestCase):
             self.assertAlmostEqual(sum(force * (layer.points[node - 1][1] - 0.5) for node, force in forces.items()), 0.0)
             self.assertEqual({layer.points[node - 1][0] for node in forces}, {2.0})
 
+    def test_forces_on_an_end_with_uneven_cells(self):
+        for element in calculix.ELEMENTS:
+            layer = calculix.Layer(calculix.beam((2.0, 1.0)), (1, 2), element, 0.5)
+            forces = layer.end_forces(8.0, [1.0, 3.0])
+            self.assertAlmostEqual(sum(forces.values()), 8.0)
+            last = layer.last()[1]
+            # The corners of the lower cell get a quarter of its force of 2, or -1/12 of it.
+            self.assertAlmostEqual(forces[layer.node(layer.last()[0], 0)], -2 / 12 if layer.quadratic else 2 / 4)
+            self.assertAlmostEqual(forces[layer.node(layer.last()[0], last)], -6 / 12 if layer.quadratic else 6 / 4)
+
+    def test_blocks(self):
+        for element in calculix.ELEMENTS:
+            block = calculix.Block(calculix.box((2.0, 1.0, 3.0)), (2, 1, 3), element)
+            found = list(corners(block))
+            self.assertEqual(len(found), 6)
+            volumes = [numpy.linalg.det(numpy.array([points[1] - points[0], points[3] - points[0], points[4] - points[0]])) for points in found]
+            numpy.testing.assert_allclose(volumes, 1.0)
+            # Corners, and of twenty-node elements the middles of the edges along x, y and z.
+            n_nodes = 3 * 2 * 4 + (2 * 2 * 4 + 3 * 1 * 4 + 3 * 2 * 3 if block.quadratic else 0)
+            self.assertEqual(len(block.points), n_nodes)
+            self.assertEqual(block.n_dofs, 3 * n_nodes)
+
+    def test_forces_on_the_top(self):
+        for element in calculix.ELEMENTS:
+            block = calculix.Block(calculix.box((2.0, 1.0, 3.0)), (2, 1, 3), element)
+            # Linear in both directions, which the rule integrates exactly: the force and its moments about both edges.
+            forces = block.top_forces(lambda x, z: (1 + x) * z)
+            points = {node: block.points[node - 1] for node in forces}
+            self.assertEqual({y for _, y, _ in points.values()}, {1.0})
+            self.assertAlmostEqual(sum(forces.values()), 4 * 4.5)
+            self.assertAlmostEqual(sum(force * points[node][0] for node, force in forces.items()), (2 + 8 / 3) * 4.5)
+            self.assertAlmostEqual(sum(force * points[node][2] for node, force in forces.items()), 4 * 9)
+            even = block.top_forces(lambda x, z: 12.0)
+            self.assertAlmostEqual(even[block.node(0, block.last()[1], 0)], -1.0 if block.quadratic else 3.0)
+
+    def test_hyperelastic(self):
+        text, _ = calculix.finite_block("C3D8", (1, 1, 1), 0.25, True)
+        # G = 0.4 and K = 2/3: CalculiX takes G/2 and 2/K.
+        self.assertEqual(text[text.index("*HYPERELASTIC, NEO HOOKE") + 1], "0.2, 3")
+        text, _ = calculix.finite_block("C3D8", (1, 1, 1), 0.25, False)
+        self.assertEqual(text[text.index("*ELASTIC") + 1], "1, 0.25")
+        self.assertIn("*STEP, NLGEOM, INC=1000", text)
+
+    def test_results_of_large_deformation(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(folder, "case.dat"), "w", encoding="utf-8") as stream:
+                stream.write("")
+            with self.assertRaisesRegex(calculix.LoadError, "first increment"):
+                calculix.large_displacement(folder)
+            text = "\n displacements (vx,vy,vz) for set TIP and time  {}\n\n        11  1.0E-01  3.0E-01  0.0E+00\n"
+            with open(os.path.join(folder, "case.dat"), "w", encoding="utf-8") as stream:
+                stream.write(text.format("0.25"))
+            with self.assertRaisesRegex(calculix.LoadError, "at 0.25 of the load"):
+                calculix.large_displacement(folder)
+            with open(os.path.join(folder, "case.dat"), "a", encoding="utf-8") as stream:
+                stream.write(text.format("0.1000000E+01"))
+            self.assertEqual(calculix.large_displacement(folder), (0.1, 0.3))
+            with open(os.path.join(folder, "case.sta"), "w", encoding="utf-8") as stream:
+                stream.write("SUMMARY OF JOB INFORMATION\n  STEP      INC     ATT  ITRS     TOT TIME     STEP TIME      INC TIME\n"
+                             "     1          1     1U    4  0.000000E+00  0.000000E+00  0.100000E+01\n"
+                             "     1          1     2     3  0.250000E+00  0.250000E+00  0.250000E+00\n"
+                             "     1          2     1     2  0.100000E+01  0.100000E+01  0.750000E+00\n")
+            self.assertEqual(calculix.increments(folder), (2, 9))
+
     def test_results(self):
         with tempfile.TemporaryDirectory() as folder:
             with open(os.path.join(folder, "case.dat"), "w", encoding="utf-8") as stream:
@@ -68,14 +139,26 @@ class Meshes(unittest.TestCase):
 
 class Tables(unittest.TestCase):
     def test_the_coarsest_mesh_that_fits(self):
-        loader = SourceFileLoader("beside_calculix", SCRIPT)
-        module = module_from_spec(spec_from_loader(loader.name, loader))
-        loader.exec_module(module)
+        module = script()
         # The time of the coarsest is noise; the first error is small by chance.
-        rows = [("lame-0.3", "a code", (n, 1), 10, error, None, seconds)
+        rows = [module.Row("lame-0.3", "a code", (n, 1), 10, error, None, seconds)
                 for n, error, seconds in ((2, 1e-4, 0.1), (4, 0.03, 0.1), (8, 0.004, 0.35), (16, 0.002, 0.34), (32, 0.0002, 0.4))]
         line = module.table(rows, ["lame-0.3"])[-1]
         self.assertIn("| 2 x 1, 0.1 | 8 x 1, 0.35 | 32 x 1, 0.4 |", line)
+
+
+    def test_large_deformation(self):
+        module = script()
+        rows = [module.Row("block-finite", "a code", (n, n, n), 10, error, None, seconds, (4, 17))
+                for n, error, seconds in ((2, 0.02, 0.1), (4, 5e-5, 0.3))]
+        self.assertIn("| 2 x 2 x 2, 0.1 | 4 x 4 x 4, 0.3 | 4 x 4 x 4, 0.3 | < 0.01 % (4 x 4 x 4, 0.3 s) | - | 4, 17 |",
+                      module.table(rows, ["block-finite"])[-1])
+
+    def test_the_order_of_the_limit(self):
+        module = script("references/finite_strain_block.py")
+        limit, order = module.limit((6, 8, 10), [2 + 5 * n**-3.0 for n in (6, 8, 10)])
+        self.assertAlmostEqual(limit, 2)
+        self.assertAlmostEqual(order, 3)
 
 
 class Calls(unittest.TestCase):
