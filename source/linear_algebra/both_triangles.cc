@@ -8,16 +8,18 @@ BothTriangles::BothTriangles(std::unique_ptr<UnsymmetricFactor> factor) : factor
 {
 }
 
-void BothTriangles::factorize(const SymmetricTriplets &matrix, const std::vector<int> &owned)
+void BothTriangles::factorize(SymmetricTriplets matrix, const std::vector<int> &owned)
 {
   matrix.check(owned);
-  Triplets full{matrix.n, matrix.rows, matrix.columns, matrix.values};
-  for (std::size_t k = 0; k < matrix.rows.size(); ++k)
-    if (matrix.rows[k] != matrix.columns[k])
+  const std::size_t n_lower = matrix.rows.size();
+  Triplets full{matrix.n, std::move(matrix.rows), std::move(matrix.columns),
+                std::move(matrix.values)};
+  for (std::size_t k = 0; k < n_lower; ++k)
+    if (full.rows[k] != full.columns[k])
     {
-      full.rows.push_back(matrix.columns[k]);
-      full.columns.push_back(matrix.rows[k]);
-      full.values.push_back(matrix.values[k]);
+      full.rows.push_back(full.columns[k]);
+      full.columns.push_back(full.rows[k]);
+      full.values.push_back(full.values[k]);
     }
   factor->forget_analysis(); // a factor depends on its matrix alone, as after a restart
   factor->factorize(full, owned);

@@ -85,7 +85,7 @@ CholmodFactor::CholmodFactor() : data(std::make_unique<Data>()) {}
 
 CholmodFactor::~CholmodFactor() = default;
 
-void CholmodFactor::factorize(const SymmetricTriplets &matrix, const std::vector<int> &owned)
+void CholmodFactor::factorize(SymmetricTriplets matrix, const std::vector<int> &owned)
 {
   matrix.check(owned);
   if (owned.size() != static_cast<std::size_t>(matrix.n))

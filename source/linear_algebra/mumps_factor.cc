@@ -1,19 +1,21 @@
 #include <continua/linear_algebra/mumps_factor.h>
 
+#include <utility>
+
 namespace Continua
 {
 MumpsFactor::MumpsFactor(const bool quasi_definite, const MPI_Comm communicator)
     : quasi_definite(quasi_definite),
-      solver(quasi_definite ? MumpsSolver::Symmetry::quasi_definite
-                            : MumpsSolver::Symmetry::symmetric,
+      solver(quasi_definite ? MumpsSymmetry::quasi_definite : MumpsSymmetry::symmetric,
              communicator)
 {
 }
 
-void MumpsFactor::factorize(const SymmetricTriplets &matrix, const std::vector<int> &owned)
+void MumpsFactor::factorize(SymmetricTriplets matrix, const std::vector<int> &owned)
 {
   matrix.check(owned);
-  solver.factorize(matrix.n, matrix.rows, matrix.columns, matrix.values, owned, announce);
+  solver.factorize(matrix.n, std::move(matrix.rows), std::move(matrix.columns),
+                   std::move(matrix.values), owned, announce);
 }
 
 std::string MumpsFactor::name() const

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <dmumps_c.h>
 #include <numeric>
+#include <smumps_c.h>
 #include <stdexcept>
 
 namespace Continua
@@ -41,29 +42,52 @@ std::string reason(const int code)
     return "an internal error";
   }
 }
+
+/// MUMPS's interface for a kind of numbers.
+template <typename Number>
+struct MumpsInterface;
+
+template <>
+struct MumpsInterface<double>
+{
+  using Structure = DMUMPS_STRUC_C;
+  static void call(Structure &structure) { dmumps_c(&structure); }
+  static MPI_Datatype type() { return MPI_DOUBLE; }
+};
+
+template <>
+struct MumpsInterface<float>
+{
+  using Structure = SMUMPS_STRUC_C;
+  static void call(Structure &structure) { smumps_c(&structure); }
+  static MPI_Datatype type() { return MPI_FLOAT; }
+};
 } // namespace
 
-struct MumpsSolver::Data
+template <typename Number>
+struct MumpsSolver<Number>::Data
 {
+  using Interface = MumpsInterface<Number>;
+
   MPI_Comm communicator;
   int n_ranks = 1;
-  DMUMPS_STRUC_C mumps;
+  typename Interface::Structure mumps;
   std::vector<int> owned;
 
   // Kept between solves. One rank: the right-hand side and solution in global order.
-  std::vector<double> global_vector;
+  std::vector<Number> global_vector;
   // Several ranks: `owned` from 1, MUMPS's own distribution of the solution, and the exchange from
   // that to `owned`.
   std::vector<int> owned_from_one, solution_indices;
-  std::vector<double> local_solution, send_buffer, receive_buffer;
+  std::vector<Number> local_solution, send_buffer, receive_buffer;
   std::vector<int> send_order, receive_order;
   std::vector<int> send_counts, send_starts, receive_counts, receive_starts;
 
-  Data(const Symmetry symmetry, const MPI_Comm communicator) : communicator(communicator)
+  Data(const MumpsSymmetry symmetry, const MPI_Comm communicator) : communicator(communicator)
   {
     MPI_Comm_size(communicator, &n_ranks);
     std::memset(&mumps, 0, sizeof(mumps));
-    mumps.sym = symmetry == Symmetry::unsymmetric ? 0 : 2;
+    mumps.sym = symmetry == MumpsSymmetry::unsymmetric ? 0 : 2;
     mumps.par = 1; // rank 0 works, too
     mumps.comm_fortran = MPI_Comm_c2f(communicator);
     run(job_initialise, "start");
@@ -75,7 +99,7 @@ struct MumpsSolver::Data
   ~Data()
   {
     mumps.job = job_terminate;
-    dmumps_c(&mumps);
+    Interface::call(mumps);
   }
 
   Data(const Data &) = delete;
@@ -94,7 +118,7 @@ struct MumpsSolver::Data
   void run(const int job, const std::string &phase)
   {
     mumps.job = job;
-    dmumps_c(&mumps);
+    Interface::call(mumps);
     if (mumps.infog[0] < 0)
       fail(phase);
   }
@@ -106,7 +130,7 @@ struct MumpsSolver::Data
     while (true)
     {
       mumps.job = job_factorise;
-      dmumps_c(&mumps);
+      Interface::call(mumps);
       const int code = mumps.infog[0];
       const bool too_small = code == -8 || code == -9 || code == -17 || code == -20;
       if (!too_small || icntl(14) >= largest_percentage)
@@ -124,7 +148,8 @@ struct MumpsSolver::Data
   void plan_exchange();
 };
 
-void MumpsSolver::Data::plan_exchange()
+template <typename Number>
+void MumpsSolver<Number>::Data::plan_exchange()
 {
   int rank = 0;
   MPI_Comm_rank(communicator, &rank);
@@ -166,19 +191,22 @@ void MumpsSolver::Data::plan_exchange()
   receive_buffer.resize(receive_order.size());
 }
 
-MumpsSolver::MumpsSolver(const Symmetry symmetry, const MPI_Comm communicator)
+template <typename Number>
+MumpsSolver<Number>::MumpsSolver(const MumpsSymmetry symmetry, const MPI_Comm communicator)
     : symmetry(symmetry), communicator(communicator)
 {
 }
 
-MumpsSolver::~MumpsSolver() = default;
+template <typename Number>
+MumpsSolver<Number>::~MumpsSolver() = default;
 
-void MumpsSolver::factorize(const int n,
-                            std::vector<int> rows,
-                            std::vector<int> columns,
-                            std::vector<double> values,
-                            const std::vector<int> &owned,
-                            const std::function<void(double)> &announce)
+template <typename Number>
+void MumpsSolver<Number>::factorize(const int n,
+                                    std::vector<int> rows,
+                                    std::vector<int> columns,
+                                    std::vector<Number> values,
+                                    const std::vector<int> &owned,
+                                    const std::function<void(double)> &announce)
 {
   data = nullptr; // the old factor goes before the new one is made
   data = std::make_unique<Data>(symmetry, communicator);
@@ -206,7 +234,7 @@ void MumpsSolver::factorize(const int n,
   d.icntl(10) = 0;         // no iterative refinement
   d.icntl(24) = 1;         // find the zero pivots of a singular matrix
   d.mumps.cntl[2] = 1e-13; // what counts as zero, relative to the scaled matrix
-  if (symmetry == Symmetry::quasi_definite)
+  if (symmetry == MumpsSymmetry::quasi_definite)
     d.mumps.cntl[0] = 0.; // no pivoting
   d.run(job_analyse, "analysis");
   if (announce)
@@ -237,13 +265,14 @@ void MumpsSolver::factorize(const int n,
   d.mumps.isol_loc = d.solution_indices.data();
   d.mumps.sol_loc = d.local_solution.data();
   // MUMPS says with the first solution how it distributes them.
-  std::vector<double> zero(owned.size(), 0.);
+  std::vector<Number> zero(owned.size(), Number());
   d.mumps.rhs_loc = zero.data();
   d.run(job_solve, "solution");
   d.plan_exchange();
 }
 
-void MumpsSolver::solve(std::vector<double> &x)
+template <typename Number>
+void MumpsSolver<Number>::solve(std::vector<Number> &x)
 {
   Data &d = *data;
   assert(x.size() == d.owned.size());
@@ -261,21 +290,26 @@ void MumpsSolver::solve(std::vector<double> &x)
   d.run(job_solve, "solution");
   for (std::size_t k = 0; k < d.send_order.size(); ++k)
     d.send_buffer[k] = d.local_solution[d.send_order[k]];
-  MPI_Alltoallv(d.send_buffer.data(), d.send_counts.data(), d.send_starts.data(), MPI_DOUBLE,
-                d.receive_buffer.data(), d.receive_counts.data(), d.receive_starts.data(),
-                MPI_DOUBLE, d.communicator);
+  MPI_Alltoallv(d.send_buffer.data(), d.send_counts.data(), d.send_starts.data(),
+                Data::Interface::type(), d.receive_buffer.data(), d.receive_counts.data(),
+                d.receive_starts.data(), Data::Interface::type(), d.communicator);
   for (std::size_t k = 0; k < d.receive_order.size(); ++k)
     x[d.receive_order[k]] = d.receive_buffer[k];
 }
 
-double MumpsSolver::n_entries() const
+template <typename Number>
+double MumpsSolver<Number>::n_entries() const
 {
   const double entries = data->mumps.infog[28];
   return entries >= 0 ? entries : -1e6 * entries; // MUMPS counts large factors in millions
 }
 
-double MumpsSolver::memory() const
+template <typename Number>
+double MumpsSolver<Number>::memory() const
 {
   return 1e6 * data->mumps.infog[21]; // megabytes used in the factorisation, over all ranks
 }
+
+template class MumpsSolver<double>;
+template class MumpsSolver<float>;
 } // namespace Continua

@@ -3,7 +3,7 @@
 namespace Continua
 {
 UnsymmetricMumpsFactor::UnsymmetricMumpsFactor(const MPI_Comm communicator)
-    : solver(MumpsSolver::Symmetry::unsymmetric, communicator)
+    : solver(MumpsSymmetry::unsymmetric, communicator)
 {
 }
 

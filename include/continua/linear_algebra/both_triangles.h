@@ -15,7 +15,7 @@ class BothTriangles : public SymmetricFactor
 public:
   explicit BothTriangles(std::unique_ptr<UnsymmetricFactor> factor);
 
-  void factorize(const SymmetricTriplets &matrix, const std::vector<int> &owned) override;
+  void factorize(SymmetricTriplets matrix, const std::vector<int> &owned) override;
   void solve(std::vector<double> &x) override { factor->solve(x); }
   double n_entries() const override { return factor->n_entries(); }
   double memory() const override { return factor->memory(); }

@@ -23,7 +23,7 @@ public:
    * `owned` must hold every index of the matrix once. A pivot that lost all its digits, |d_k| <=
    * 1e-13 |a_kk|, counts as zero: RunError. In large matrices rounding can hide a singularity.
    */
-  void factorize(const SymmetricTriplets &matrix, const std::vector<int> &owned) override;
+  void factorize(SymmetricTriplets matrix, const std::vector<int> &owned) override;
   void solve(std::vector<double> &x) override;
   double n_entries() const override;
   double memory() const override;

@@ -13,7 +13,7 @@ public:
   /// `quasi_definite`: there is a factor in every order of elimination, so MUMPS does not pivot.
   MumpsFactor(bool quasi_definite, MPI_Comm communicator);
 
-  void factorize(const SymmetricTriplets &matrix, const std::vector<int> &owned) override;
+  void factorize(SymmetricTriplets matrix, const std::vector<int> &owned) override;
   void solve(std::vector<double> &x) override { solver.solve(x); }
   double n_entries() const override { return solver.n_entries(); }
   double memory() const override { return solver.memory(); }
@@ -21,7 +21,7 @@ public:
 
 private:
   const bool quasi_definite;
-  MumpsSolver solver;
+  MumpsSolver<double> solver;
 };
 } // namespace Continua
 

@@ -42,10 +42,11 @@ public:
 
   /**
    * Analyses and factors. `owned` are the global indices whose right-hand side and solution entries
-   * this rank holds (any order, each index on exactly one rank). Throws RunError if the matrix is
+   * this rank holds (any order, each index on exactly one rank). Move the matrix in if nothing else
+   * needs it: its memory then goes with the factorisation. Throws RunError if the matrix is
    * singular, naming the solver and what it said.
    */
-  virtual void factorize(const SymmetricTriplets &matrix, const std::vector<int> &owned) = 0;
+  virtual void factorize(SymmetricTriplets matrix, const std::vector<int> &owned) = 0;
 
   /// In: the right-hand side's owned entries in the order of `owned`; out: the solution's.
   /// Allocates nothing.

@@ -19,7 +19,7 @@ public:
   std::string name() const override;
 
 private:
-  MumpsSolver solver;
+  MumpsSolver<double> solver;
 };
 } // namespace Continua
 
