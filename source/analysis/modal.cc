@@ -334,6 +334,9 @@ void Modal<dim>::check(const Case<dim> &input, ParameterSection root)
       input.discretisation.taylor_hood.linear_solver.type == LinearSolverType::iterative)
     linear_solver.refuse("Type", "vibrations have an indefinite matrix, which is solved directly",
                          "Use automatic or direct");
+  if (!input.discretisation.is_cell_wise() && linear_solver.given("Factor precision"))
+    linear_solver.refuse("Factor precision", "the factor of vibrations has double precision",
+                         "Remove it");
   if (input.modal.shift > 0. &&
       input.discretisation.taylor_hood.linear_solver.direct_solver == DirectSolver::cholmod)
     linear_solver.refuse("Direct solver", "cholmod does not pivot, which a shift needs",

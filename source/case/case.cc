@@ -242,6 +242,8 @@ Case<dim>::Case(ParameterFile &file,
     are_solid.push_back(material.is_solid());
   triangulation = make_triangulation<dim>(communicator, mesh.partition, are_solid);
   extent = geometry->extent();
+  // Once, since the free memory changes.
+  discretisation.taylor_hood.outlook = solver_outlook(*this);
   check_memory(*this, root.subsection("Mesh"));
   if (use == CaseUse::check && extent.n_cells > most_cells_of_check)
     if (std::unique_ptr<Geometry<dim>> coarse = geometry->coarsened(most_cells_of_check))

@@ -248,6 +248,10 @@ void refuse_what_only_linear_runs_use(const Case<dim> &input, ParameterSection r
     if (solver.given(key))
       solver.refuse(key, "with convection Newton's iteration refines, and keeps one factor",
                     "Remove it, or set Convection = none");
+  if (solver.given("Factor precision"))
+    solver.refuse("Factor precision",
+                  "convection makes the matrix unsymmetric, whose factor has double precision",
+                  "Remove it, or set Convection = none");
   for (const BoundaryCondition &condition : problem.conditions)
     if (ParameterSection boundary = root.subsection("Boundaries").subsection(condition.name);
         boundary.given("Inflow pressure") &&

@@ -1,7 +1,6 @@
 #include <continua/base/duration_text.h>
 #include <continua/base/memory_limit.h>
 #include <continua/case/cost_estimate.h>
-#include <continua/finite_element/step_system.h>
 #include <continua/linear_algebra/symmetric_factor.h>
 
 #include <algorithm>
@@ -96,8 +95,9 @@ double fill_of(const CostInput &input, const Bar &bar, const double n_unknowns)
 /// As make_symmetric_factor() chooses.
 bool takes_cholmod(const CostInput &input, const double n_unknowns)
 {
-  if (input.direct_solver != DirectSolver::automatic)
-    return input.direct_solver == DirectSolver::cholmod;
+  const DirectSolver library = input.linear_solver.direct_solver;
+  if (library != DirectSolver::automatic)
+    return library == DirectSolver::cholmod;
   // Entries of the lower triangle for each unknown.
   const double entries = (input.dim == 2 ? 20. : 90.) * n_unknowns;
   return input.n_ranks == 1 && !input.pivots &&
@@ -112,13 +112,17 @@ struct NewtonCounts
 constexpr NewtonCounts counts_of_step{4.5, 0.02};
 constexpr NewtonCounts counts_to_rest{30., 9.}; ///< of all steps on the way
 
-bool chooses_iterative(const CostInput &input, const double n_unknowns)
+SystemSize size_of(const CostInput &input, const Bar &bar)
 {
-  if (input.cell_wise || input.is_nonlinear || input.solver == LinearSolverType::direct)
-    return false;
-  const double limit =
-      input.dim == 2 ? StepSystem<2>::largest_direct_system : StepSystem<3>::largest_direct_system;
-  return input.solver == LinearSolverType::iterative || n_unknowns > limit;
+  SystemSize size;
+  size.dim = input.dim;
+  size.n_unknowns = unknowns_of(input, bar);
+  size.factor_entries = size.n_unknowns * fill_of(input, bar, size.n_unknowns);
+  size.n_factors = input.n_factors;
+  size.n_regions = input.n_regions;
+  size.takes_cholmod = takes_cholmod(input, size.n_unknowns);
+  size.is_matrix_free = input.linear_solver.is_matrix_free(input.degree);
+  return size;
 }
 } // namespace
 
@@ -126,68 +130,75 @@ CostEstimate::CostEstimate(const CostInput &input)
 {
   const Bar bar(input);
   const bool is_plane = bar.is_plane;
+  const SystemSize size = size_of(input, bar);
+  const bool is_linear_system = !input.cell_wise && !input.is_nonlinear;
   n_cells = bar.length * bar.section;
-  n_unknowns = unknowns_of(input, bar);
-  is_iterative = chooses_iterative(input, n_unknowns);
-  factor_entries = is_iterative ? 0. : n_unknowns * fill_of(input, bar, n_unknowns);
-
-  // In a plane the factor of a stiff block counts more than the products.
-  const bool is_lean = is_iterative && input.is_matrix_free && !is_plane;
-  // Mesh, numbering, matrices by region and of the step, vectors.
-  const double bytes_per_unknown = input.cell_wise ? (input.segregated     ? 4500.
-                                                      : input.has_pressure ? 12000.
-                                                                           : 7500.)
-                                   : is_lean       ? 2400.
-                                   : is_iterative  ? (is_plane ? 4500. : 11500.)
-                                                   : (is_plane ? 2900. : 7400.);
-  memory = input.n_ranks * memory_of_program + bytes_per_unknown * n_unknowns +
-           input.n_factors * (input.is_nonlinear ? bytes_per_unsymmetric_entry : bytes_per_entry) *
-               factor_entries;
+  n_unknowns = size.n_unknowns;
+  if (is_linear_system)
+    solver = choose_step_solver(input.linear_solver, size, solver_outlook(input)).solver;
+  factor_entries = solver == StepSolver::iterative ? 0. : size.factor_entries;
 
   const double second = 1., nanosecond = 1e-9 * second, microsecond = 1e-6 * second;
-  double factor_time = 0., solve_time = 0.;
-  if (is_iterative)
+  double solve_time = 0.;
+  if (is_linear_system)
   {
-    factor_time = (is_plane ? 25. : is_lean ? 20. : 150.) * microsecond * n_unknowns;
-    // In space a wall and its liquid take more iterations than one body.
-    const bool is_one_body = is_plane || input.n_regions == 1;
-    solve_time =
-        (is_lean ? (is_one_body ? 2. : 6.) : (is_one_body ? 8. : 35.)) * microsecond * n_unknowns;
-  }
-  else if (input.segregated)
-    solve_time = 1.5 * microsecond * n_unknowns;
-  else if (input.cell_wise)
-  {
-    factor_time = 240. * nanosecond * factor_entries;
-    solve_time = (factor_entries < 4e5 ? 0.7 : 1.6) * nanosecond * factor_entries;
-  }
-  else if (input.is_nonlinear)
-  {
-    factor_time = 130. * nanosecond * factor_entries;
-    solve_time =
-        (is_plane ? 0.25 : 1.8) * microsecond * n_unknowns + 2. * nanosecond * factor_entries;
-  }
-  else if (takes_cholmod(input, n_unknowns))
-  {
-    factor_time = (is_plane ? 160. : 360.) * nanosecond * factor_entries *
-                  std::pow(std::max(1., factor_entries / 1e6), 0.3);
-    solve_time = (factor_entries < 4e5 ? 0.7 : is_plane ? 2.8 : 2.3) * nanosecond * factor_entries;
+    const SolverCost cost = cost_of_solver(solver, size);
+    memory = cost.memory;
+    set_up_time = cost.set_up_time;
+    solve_time = cost.solve_time;
   }
   else
   {
-    factor_time = 140. * nanosecond * factor_entries;
-    solve_time = 0.4 * microsecond * n_unknowns + 1.1 * nanosecond * factor_entries;
+    // Mesh, numbering, matrices by region and of the step, vectors.
+    const double bytes_per_unknown = !input.cell_wise     ? (is_plane ? 2900. : 7400.)
+                                     : input.segregated   ? 4500.
+                                     : input.has_pressure ? 12000.
+                                                          : 7500.;
+    memory = bytes_per_unknown * n_unknowns +
+             input.n_factors *
+                 (input.is_nonlinear ? bytes_per_unsymmetric_entry : bytes_per_entry) *
+                 factor_entries;
+    double factor_time = 0.;
+    if (input.segregated)
+      solve_time = 1.5 * microsecond * n_unknowns;
+    else if (input.cell_wise)
+    {
+      factor_time = 240. * nanosecond * factor_entries;
+      solve_time = (factor_entries < 4e5 ? 0.7 : 1.6) * nanosecond * factor_entries;
+    }
+    else
+    {
+      factor_time = 130. * nanosecond * factor_entries;
+      solve_time =
+          (is_plane ? 0.25 : 1.8) * microsecond * n_unknowns + 2. * nanosecond * factor_entries;
+    }
+    const double assembly = input.cell_wise ? 56. : is_plane ? 12. : 48.;
+    set_up_time = assembly * microsecond * n_unknowns + input.n_factors * factor_time;
+    if (input.is_nonlinear)
+    {
+      const NewtonCounts &counts = input.to_rest ? counts_to_rest : counts_of_step;
+      solve_time = counts.corrections * solve_time + counts.new_factors * factor_time;
+    }
   }
-  const double assembly = input.cell_wise ? 56. : is_plane ? 12. : is_lean ? 15. : 48.;
-  set_up_time = 0.4 * second + assembly * microsecond * n_unknowns + input.n_factors * factor_time;
-  if (input.is_nonlinear)
-  {
-    const NewtonCounts &counts = input.to_rest ? counts_to_rest : counts_of_step;
-    solve_time = counts.corrections * solve_time + counts.new_factors * factor_time;
-  }
+  memory += input.n_ranks * memory_of_program;
+  set_up_time += 0.4 * second;
+  const bool is_lean = solver != StepSolver::direct && size.is_matrix_free;
   step_time = 25. * microsecond + (is_plane || is_lean ? 0.25 : 0.5) * microsecond * n_unknowns +
               solve_time;
   time = set_up_time + input.n_steps * step_time;
+}
+
+SolverOutlook solver_outlook(const CostInput &input)
+{
+  SolverOutlook outlook;
+  outlook.size = size_of(input, Bar(input));
+  // How many steps bring a body to rest is unknown.
+  if (!input.to_rest)
+    outlook.n_solves = input.n_steps;
+  outlook.memory_limit = input.memory_limit;
+  outlook.memory_of_program = memory_of_program;
+  outlook.is_of_vibrations = input.is_of_vibrations;
+  return outlook;
 }
 
 std::string CostEstimate::text() const

@@ -41,6 +41,16 @@ unsigned int ranks_on_this_machine(const MPI_Comm communicator)
   AssertThrowMPI(error);
   return n_ranks;
 }
+
+/// What a run may take on this machine.
+template <int dim>
+MemoryLimit limit_of_machine(const Case<dim> &input)
+{
+  MemoryLimit limit = memory_limit();
+  if (input.mesh.memory_limit > 0.)
+    limit = {input.mesh.memory_limit * 1e9, "Mesh/Memory limit"};
+  return limit;
+}
 } // namespace
 
 template <int dim>
@@ -61,9 +71,9 @@ CostInput cost_input(const Case<dim> &input)
   cost.pivots = std::any_of(input.problem.materials.begin(), input.problem.materials.end(),
                             [](const Material &material) { return material.is_incompressible(); });
   cost.is_nonlinear = input.problem.is_nonlinear();
-  cost.solver = taylor_hood.linear_solver.type;
-  cost.is_matrix_free = taylor_hood.linear_solver.is_matrix_free(cost.degree);
-  cost.direct_solver = taylor_hood.linear_solver.direct_solver;
+  cost.linear_solver = taylor_hood.linear_solver;
+  cost.is_of_vibrations = input.analysis.is_modal();
+  cost.memory_limit = taylor_hood.outlook.memory_limit;
   cost.n_ranks = Utilities::MPI::n_mpi_processes(input.communicator);
   if (input.analysis.is_transient())
   {
@@ -78,6 +88,14 @@ CostInput cost_input(const Case<dim> &input)
     cost.n_steps = cost.to_rest ? 1. : solves_of_modes;
   }
   return cost;
+}
+
+template <int dim>
+SolverOutlook solver_outlook(const Case<dim> &input)
+{
+  CostInput cost = cost_input(input);
+  cost.memory_limit = Utilities::MPI::min(limit_of_machine(input).bytes, input.communicator);
+  return solver_outlook(cost);
 }
 
 template <int dim>
@@ -100,9 +118,7 @@ std::vector<std::string> cost_of(const Case<dim> &input)
 template <int dim>
 MemoryLimit memory_limit_of(const Case<dim> &input)
 {
-  MemoryLimit limit = memory_limit();
-  if (input.mesh.memory_limit > 0.)
-    limit = {input.mesh.memory_limit * 1e9, "Mesh/Memory limit"};
+  MemoryLimit limit = limit_of_machine(input);
   // All ranks decide alike, by the machine with the least for a rank.
   const double n_ranks = Utilities::MPI::n_mpi_processes(input.communicator);
   limit.bytes = Utilities::MPI::min(
@@ -133,10 +149,10 @@ void check_memory(const Case<dim> &input, ParameterSection mesh)
     cells << 0.8 * estimate.n_cells * limit.bytes / estimate.memory;
     remedy = "About " + cells.str() + " cells or fewer fit";
   }
-  if (!estimate.is_iterative && !cost.cell_wise)
+  if (estimate.solver != StepSolver::iterative && !cost.cell_wise)
   {
     CostInput other = cost;
-    other.solver = LinearSolverType::iterative;
+    other.linear_solver.type = LinearSolverType::iterative;
     if (CostEstimate(other).memory <= limit.bytes)
       remedy += "; so does Linear solver/Type = iterative";
   }
@@ -153,6 +169,8 @@ void check_memory(const Case<dim> &input, ParameterSection mesh)
 
 template CostInput cost_input(const Case<2> &);
 template CostInput cost_input(const Case<3> &);
+template SolverOutlook solver_outlook(const Case<2> &);
+template SolverOutlook solver_outlook(const Case<3> &);
 template std::vector<std::string> cost_of(const Case<2> &);
 template std::vector<std::string> cost_of(const Case<3> &);
 template MemoryLimit memory_limit_of(const Case<2> &);

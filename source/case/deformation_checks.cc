@@ -223,6 +223,11 @@ void check_scheme(const Case<dim> &input, ParameterSection root)
     if (solver.given(key))
       solver.refuse(key, "with finite deformation Newton's iteration refines, and keeps one factor",
                     "Remove it, or set Deformation = small");
+  if (solver.given("Factor precision"))
+    solver.refuse("Factor precision",
+                  "finite deformation makes the matrix unsymmetric, whose factor has double "
+                  "precision",
+                  "Remove it, or set Deformation = small");
 }
 } // namespace
 

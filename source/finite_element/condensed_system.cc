@@ -235,6 +235,33 @@ void CondensedRows<dim>::for_compression(const std::vector<double> &compressibil
   }
 }
 
+/// Where the operators have products, the matrices of all cells would take more memory than a
+/// factor of moderate size. They are made for so many parts of the cells, one after the other.
+constexpr unsigned int n_parts_of_cells = 4;
+
+/// Mass and stiffness of a part of the cells as matrices; with the supports in the first part.
+template <int dim>
+std::vector<RegionOperators> matrices_of_part(const Space<dim> &space,
+                                              const std::vector<RegionOperators> &operators,
+                                              const unsigned int part)
+{
+  const std::size_t n_cells = space.triangulation.n_active_cells();
+  std::vector<RegionOperators> result(operators.size());
+  assemble_velocity_operators<dim>(
+      space,
+      [&](const typename DoFHandler<dim>::active_cell_iterator &cell)
+      { return cell->active_cell_index() * n_parts_of_cells / n_cells == part; },
+      result);
+  for (unsigned int region = 0; region < operators.size() && part == 0; ++region)
+    if (operators[region].is_supported)
+    {
+      result[region].is_supported = true;
+      result[region].support_stiffness.copy_from(operators[region].support_stiffness);
+      result[region].support_damping.copy_from(operators[region].support_damping);
+    }
+  return result;
+}
+
 Epetra_Map map_of(const IndexSet &owned, const MPI_Comm communicator)
 {
   return owned.make_trilinos_map(communicator, false);
@@ -415,8 +442,14 @@ SymmetricTriplets condensed_triplets(const Space<dim> &space,
         }
     };
   };
+  // Each part gives the constrained velocities a one on the diagonal; any number does.
+  if (operators.front().products)
+    for (unsigned int part = 0; part < n_parts_of_cells; ++part)
+      CondensedRows<dim>(space, matrices_of_part(space, operators, part), constraints)
+          .for_velocity(coefficients, nullptr, nullptr, adder(0, 0, 1.));
   CondensedRows<dim> rows(space, operators, constraints);
-  rows.for_velocity(coefficients, nullptr, nullptr, adder(0, 0, 1.));
+  if (!operators.front().products)
+    rows.for_velocity(coefficients, nullptr, nullptr, adder(0, 0, 1.));
   rows.for_divergence(adder(n_velocity, 0, -1.));
   rows.for_compression(coefficients.compressibility, adder(n_velocity, n_velocity, -1.));
   return result;

@@ -13,8 +13,10 @@ void LinearSolverParameters::read(ParameterSection section)
   std::string word = word_of(types, type);
   section.add_choice("Type", word, type_choices,
                      "Solver of the step's system: automatic takes a direct one up to 1 million "
-                     "unknowns in two dimensions and 150,000 in three, and for vibrations, else "
-                     "the iterative one. The names of direct solvers belong to Direct solver.");
+                     "unknowns in two dimensions and 30,000 in three, and for vibrations. In three "
+                     "dimensions up to 300,000 it takes the one that is estimated to take less "
+                     "time for all steps, and beyond, or where no factor fits into the memory, the "
+                     "iterative one. The names of direct solvers belong to Direct solver.");
   for (const std::string &old : old_types)
     if (word == old)
       section.refuse("Type", "the direct solvers have an entry of their own",
@@ -24,6 +26,16 @@ void LinearSolverParameters::read(ParameterSection section)
              "automatic takes cholmod on one rank where every material is compressible "
              "and the matrix has no more than 2 million entries, else mumps; umfpack is "
              "there for comparison.");
+  add_choice(section, "Factor precision", factor_precision,
+             {{"automatic", FactorPrecision::automatic},
+              {"double", FactorPrecision::double_precision},
+              {"single", FactorPrecision::single_precision}},
+             "Of a direct solver's factor. A factor in single precision takes half the memory, and "
+             "each solve two or three times the work: FGMRES makes up for the digits, until the "
+             "residual is 1e-12 of the right-hand side. automatic is double unless that does not "
+             "fit into the memory; in three dimensions it is single, too, for more than 150,000 "
+             "unknowns. Single is there for MUMPS only, and not with convection, finite "
+             "deformation or vibrations.");
   section.add("Refinement steps", refinement_steps,
               "Steps of iterative refinement after each direct solve [1].", 0, 5);
   section.add("Kept factors", kept_factors,
@@ -88,10 +100,26 @@ void LinearSolverParameters::read(ParameterSection section)
                        "Remove it, or set Type = " + of + " or automatic");
   };
   if (type == LinearSolverType::iterative)
-    refuse_idle({"Direct solver", "Refinement steps", "Kept factors"}, "direct");
+    refuse_idle({"Direct solver", "Factor precision", "Refinement steps", "Kept factors"},
+                "direct");
+  const bool is_single = factor_precision == FactorPrecision::single_precision;
   if (type == LinearSolverType::direct)
     refuse_idle({"Tolerance", "Maximum iterations", "Restart length", "Schur complement",
-                 "Stiff block", "Fluid block", "Velocity product", "Instruction set"},
+                 "Stiff block", "Fluid block"},
                 "iterative");
+  // A factor in single precision has products of its own.
+  if (type == LinearSolverType::direct && !is_single)
+    refuse_idle({"Velocity product", "Instruction set"}, "iterative");
+  if (!is_single)
+    return;
+  if (direct_solver == DirectSolver::cholmod || direct_solver == DirectSolver::umfpack)
+    section.refuse("Factor precision",
+                   word_of(direct_solver_words(), direct_solver) +
+                       " has no factor in single precision",
+                   "Set Direct solver = mumps or automatic, or Factor precision = double");
+  if (section.given("Refinement steps"))
+    section.refuse("Refinement steps",
+                   "with Factor precision = single FGMRES refines each solve to its own tolerance",
+                   "Remove it, or set Factor precision = double");
 }
 } // namespace Continua

@@ -67,22 +67,6 @@ void MatrixFreeRegions<dim>::multiply(const unsigned int region,
 }
 
 template <int dim>
-void MatrixFreeRegions<dim>::multiply_mass(const unsigned int region,
-                                           DistributedVector &target,
-                                           const DistributedVector &source) const
-{
-  multiply(region, 1., 0., target, source);
-}
-
-template <int dim>
-void MatrixFreeRegions<dim>::multiply_stiffness(const unsigned int region,
-                                                DistributedVector &target,
-                                                const DistributedVector &source) const
-{
-  multiply(region, 0., 1., target, source);
-}
-
-template <int dim>
 void MatrixFreeRegions<dim>::mass_diagonal(const unsigned int region,
                                            DistributedVector &diagonal) const
 {

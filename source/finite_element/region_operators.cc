@@ -292,7 +292,7 @@ void RegionOperators::multiply_mass(DistributedVector &target,
                                     const DistributedVector &source) const
 {
   if (products)
-    products->multiply_mass(number, target, source);
+    products->multiply(number, 1., 0., target, source);
   else
     multiply(mass, target, source);
 }
@@ -301,7 +301,7 @@ void RegionOperators::multiply_stiffness(DistributedVector &target,
                                          const DistributedVector &source) const
 {
   if (products)
-    products->multiply_stiffness(number, target, source);
+    products->multiply(number, 0., 1., target, source);
   else
     multiply(stiffness, target, source);
 }

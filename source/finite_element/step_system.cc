@@ -17,8 +17,13 @@ template <int dim>
 StepSystem<dim>::StepSystem(const Space<dim> &space,
                             const std::vector<RegionOperators> &operators,
                             const BoundaryConstraints<dim> &constraints,
-                            const LinearSolverParameters &parameters)
-    : space(space), operators(operators), constraints(constraints), parameters(parameters)
+                            const LinearSolverParameters &parameters,
+                            const SolverOutlook &outlook)
+    : space(space),
+      operators(operators),
+      constraints(constraints),
+      parameters(parameters),
+      outlook(outlook)
 {
 }
 
@@ -28,7 +33,8 @@ void StepSystem<dim>::reinit()
   is_prepared = false;
   kept_factors.clear();
   iterative_solver = nullptr;
-  for (DistributedVector *vector : {&velocity_product, &velocity_residual, &velocity_correction})
+  for (DistributedVector *vector :
+       {&velocity_product, &velocity_residual, &velocity_correction, &zero_velocity})
     *vector = space.velocity_vector();
   for (DistributedVector *vector : {&pressure_product, &pressure_residual, &pressure_correction})
     *vector = space.pressure_vector();
@@ -37,35 +43,32 @@ void StepSystem<dim>::reinit()
     if (space.pressure_hanging.is_constrained(index))
       pressure_hanging.push_back(space.pressure_owned.index_within_set(index));
   packed.resize(space.velocity_owned.n_elements() + space.pressure_owned.n_elements());
+  mixed_precision.reinit(velocity_product, pressure_product);
+}
+
+template <int dim>
+SolverChoice StepSystem<dim>::choice() const
+{
+  SystemSize size =
+      outlook.size.scaled_to(space.velocity_dofs.n_dofs() + space.pressure_dofs.n_dofs());
+  size.dim = dim;
+  return choose_step_solver(parameters, size, outlook);
 }
 
 template <int dim>
 void StepSystem<dim>::choose()
 {
-  const auto n = space.velocity_dofs.n_dofs() + space.pressure_dofs.n_dofs();
-  const std::string limit =
-      std::to_string(largest_direct_system) + " unknowns in " + std::to_string(dim) + " dimensions";
   const bool is_shifted = std::any_of(coefficients.mass.begin(), coefficients.mass.end(),
                                       [](const double mass) { return mass < 0.; });
-  is_iterative = false;
   if (is_shifted)
   {
     if (parameters.type == LinearSolverType::iterative)
       throw RunError("the iterative solver does not apply to vibrations, whose matrix is "
                      "indefinite; use Linear solver/Type = direct");
-    reason_of_choice = "the matrix of vibrations is indefinite";
-  }
-  else if (parameters.type != LinearSolverType::automatic)
-  {
-    is_iterative = is_iterative_for(n);
-    reason_of_choice = "Linear solver/Type says";
+    chosen = {StepSolver::direct, "the matrix of vibrations is indefinite"};
   }
   else
-  {
-    is_iterative = is_iterative_for(n);
-    reason_of_choice =
-        std::string("there are ") + (is_iterative ? "more" : "no more") + " than " + limit;
-  }
+    chosen = choice();
 }
 
 template <int dim>
@@ -76,7 +79,7 @@ bool StepSystem<dim>::prepare(const SystemCoefficients &wanted)
     return false;
   coefficients = wanted;
   choose();
-  if (is_iterative)
+  if (chosen.solver == StepSolver::iterative)
   {
     if (!iterative_solver)
       iterative_solver =
@@ -93,7 +96,11 @@ bool StepSystem<dim>::prepare(const SystemCoefficients &wanted)
   {
     const auto kept = std::find_if(kept_factors.begin(), kept_factors.end(),
                                    [this](const KeptFactor &candidate)
-                                   { return candidate.coefficients == coefficients; });
+                                   {
+                                     return candidate.coefficients == coefficients &&
+                                            (candidate.single != nullptr) ==
+                                                (chosen.solver == StepSolver::single_precision);
+                                   });
     if (kept != kept_factors.end())
       kept_factors.splice(kept_factors.begin(), kept_factors, kept);
     else
@@ -134,21 +141,28 @@ void StepSystem<dim>::factorize()
     owned.push_back(index);
   for (const auto index : space.pressure_owned)
     owned.push_back(space.velocity_dofs.n_dofs() + index);
-  const SymmetricTriplets matrix = condensed_triplets(space, operators, constraints, coefficients);
+  SymmetricTriplets matrix = condensed_triplets(space, operators, constraints, coefficients);
   KeptFactor made;
   made.coefficients = coefficients;
-  try
+  if (chosen.solver == StepSolver::single_precision)
   {
-    made.factor = make_symmetric_factor(parameters.direct_solver, quasi_definite,
-                                        matrix.values.size(), space.communicator);
+    auto single = std::make_unique<SinglePrecisionFactor>(quasi_definite, space.communicator);
+    made.single = single.get();
+    made.factor = std::move(single);
   }
-  catch (const std::invalid_argument &error)
-  {
-    throw RunError(error.what());
-  }
+  else
+    try
+    {
+      made.factor = make_symmetric_factor(parameters.direct_solver, quasi_definite,
+                                          matrix.values.size(), space.communicator);
+    }
+    catch (const std::invalid_argument &error)
+    {
+      throw RunError(error.what());
+    }
   if (announce)
-    made.factor->announce = [this, &matrix](const double bytes) { announce(matrix.n, bytes); };
-  made.factor->factorize(matrix, owned);
+    made.factor->announce = [this, n = matrix.n](const double bytes) { announce(n, bytes); };
+  made.factor->factorize(std::move(matrix), owned);
   made.factor->announce = nullptr;
   kept_factors.push_front(std::move(made));
 }
@@ -158,7 +172,7 @@ const SymmetricFactor *StepSystem<dim>::factor() const
 {
   if (!is_prepared)
     return nullptr;
-  if (is_iterative)
+  if (chosen.solver == StepSolver::iterative)
     return iterative_solver->factor();
   return kept_factors.empty() ? nullptr : kept_factors.front().factor.get();
 }
@@ -168,7 +182,9 @@ std::string StepSystem<dim>::name() const
 {
   if (!is_prepared)
     return "";
-  return is_iterative ? iterative_solver->name() : factor()->name();
+  if (chosen.solver == StepSolver::iterative)
+    return iterative_solver->name();
+  return (chosen.solver == StepSolver::single_precision ? "FGMRES; " : "") + factor()->name();
 }
 
 template <int dim>
@@ -205,6 +221,49 @@ void StepSystem<dim>::solve_tangent(const SaddlePointSolver::FurtherPart &furthe
 }
 
 template <int dim>
+void StepSystem<dim>::multiply_system(const DistributedVector &velocity,
+                                      const DistributedVector &pressure,
+                                      DistributedVector &momentum,
+                                      DistributedVector &mass)
+{
+  // velocity is zero at constrained dofs; T u puts the masters' share there.
+  velocity_correction.equ(1., velocity);
+  constraints.set_constrained(velocity_correction, zero_velocity);
+  momentum = 0.;
+  add_velocity_product(velocity_correction, momentum);
+  add_gradient(-1., pressure, momentum);
+  constraints.restrict_to_free(momentum);
+  mass = 0.;
+  add_divergence(1., velocity_correction, mass);
+  add_compression(pressure, mass);
+  mass *= -1.;
+  for (const unsigned int index : pressure_hanging)
+    mass.begin()[index] = 0.;
+}
+
+template <int dim>
+void StepSystem<dim>::solve_in_mixed_precision(const DistributedVector &momentum,
+                                               const DistributedVector &mass,
+                                               DistributedVector &velocity,
+                                               DistributedVector &pressure)
+{
+  const KrylovReport report = mixed_precision.solve(
+      [this](const DistributedVector &u, const DistributedVector &p, DistributedVector &rows_of_u,
+             DistributedVector &rows_of_p) { multiply_system(u, p, rows_of_u, rows_of_p); },
+      *kept_factors.front().single, momentum, mass, velocity, pressure, single_precision_tolerance,
+      most_single_precision_iterations);
+  n_iterations += report.iterations;
+  if (report.converged)
+    return;
+  std::ostringstream text;
+  text << "the factor in single precision is too poor: after " << report.iterations
+       << " iterations the residual is " << report.residual
+       << " of the right-hand side, and it has to be " << single_precision_tolerance
+       << ". Use Linear solver/Factor precision = double, or Type = iterative";
+  throw RunError(text.str());
+}
+
+template <int dim>
 double StepSystem<dim>::residual(const DistributedVector &momentum,
                                  const DistributedVector &mass,
                                  const DistributedVector &velocity,
@@ -213,9 +272,7 @@ double StepSystem<dim>::residual(const DistributedVector &momentum,
   // velocity is zero at constrained dofs; T u puts the masters' share there.
   velocity_correction.equ(1., velocity);
   pressure_correction = 0.;
-  DistributedVector zero(velocity);
-  zero = 0.;
-  constraints.set_constrained(velocity_correction, zero);
+  constraints.set_constrained(velocity_correction, zero_velocity);
   velocity_residual = 0.;
   add_velocity_product(velocity_correction, velocity_residual);
   // What round-off leaves is relative to the terms that cancel. Those within B U and B^T p count:
@@ -253,9 +310,14 @@ void StepSystem<dim>::solve(DistributedVector &momentum,
 {
   for (const unsigned int index : pressure_hanging)
     mass.begin()[index] = 0.;
-  if (is_iterative)
+  if (chosen.solver == StepSolver::iterative)
   {
     n_iterations += iterative_solver->solve(momentum, mass, velocity, pressure);
+    return;
+  }
+  if (chosen.solver == StepSolver::single_precision)
+  {
+    solve_in_mixed_precision(momentum, mass, velocity, pressure);
     return;
   }
   solve_packed(momentum, mass, velocity, pressure);
@@ -294,12 +356,19 @@ void StepSystem<dim>::add_velocity_product(const DistributedVector &velocity,
 {
   for (unsigned int region = 0; region < operators.size(); ++region)
   {
-    if (coefficients.mass[region] != 0.)
+    if (operators[region].products)
+    {
+      operators[region].products->multiply(region, coefficients.mass[region],
+                                           coefficients.stiffness[region], velocity_product,
+                                           velocity);
+      result.add(1., velocity_product);
+    }
+    if (!operators[region].products && coefficients.mass[region] != 0.)
     {
       operators[region].multiply_mass(velocity_product, velocity);
       result.add(coefficients.mass[region], velocity_product);
     }
-    if (coefficients.stiffness[region] != 0.)
+    if (!operators[region].products && coefficients.stiffness[region] != 0.)
     {
       operators[region].multiply_stiffness(velocity_product, velocity);
       result.add(coefficients.stiffness[region], velocity_product);

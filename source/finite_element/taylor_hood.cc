@@ -55,7 +55,7 @@ TaylorHood<dim>::TaylorHood(parallel::TriangulationBase<dim> &triangulation,
       operators(problem.regions.size()),
       load_list(space, problem),
       linear_solver(parameters.linear_solver),
-      system(space, operators, constraints, parameters.linear_solver),
+      system(space, operators, constraints, parameters.linear_solver, parameters.outlook),
       metrics(MetricHistory<dim>::make(space, problem)),
       terms(make_nonlinear_terms(space, problem, metrics.get())),
       tangent(space, operators, constraints, parameters.linear_solver.direct_solver),
@@ -81,8 +81,7 @@ bool TaylorHood<dim>::has_products_without_matrix() const
 {
   return linear_solver.is_matrix_free(space.degree()) &&
          (is_nonlinear() ? has_iterative_tangent()
-                         : system.is_iterative_for(space.velocity_dofs.n_dofs() +
-                                                   space.pressure_dofs.n_dofs()));
+                         : system.choice().solver != StepSolver::direct);
 }
 
 template <int dim>
@@ -351,13 +350,16 @@ SystemChange TaylorHood<dim>::prepare(const SystemCoefficients &coefficients, do
 template <int dim>
 void TaylorHood<dim>::report_linear_solver()
 {
-  const std::string text = std::string("Linear solver: ") +
-                           (system.is_direct() ? "direct" : "iterative") + ", as " +
-                           system.reason();
+  const std::string text =
+      std::string("Linear solver: ") +
+      (system.solver() == StepSolver::iterative          ? "iterative"
+       : system.solver() == StepSolver::single_precision ? "direct, in single precision"
+                                                         : "direct") +
+      ", as " + system.reason();
   if (text == linear_solver_reported)
     return;
   linear_solver_reported = text;
-  if (system.is_direct() || !system.is_automatic())
+  if (system.solver() == StepSolver::direct || !system.is_automatic())
     log.detail(text);
   else
     log.line(text);
@@ -461,7 +463,7 @@ bool TaylorHood<dim>::has_iterative_tangent() const
 {
   // In finite deformation the linear terms, of which the preconditioner is, have no stress.
   return is_nonlinear() && problem.deformation == Deformation::small &&
-         system.is_iterative_for(space.velocity_dofs.n_dofs() + space.pressure_dofs.n_dofs());
+         system.choice().solver == StepSolver::iterative;
 }
 
 template <int dim>

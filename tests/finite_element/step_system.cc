@@ -38,10 +38,15 @@ UNIT_TEST(step_system)
   assemble_region_operators(space, operators);
   assemble_supports(space, conditions, operators);
 
-  for (const bool incompressible : {false, true})
+  for (const auto &[incompressible, is_single] : {std::pair(false, false), std::pair(true, false),
+                                                  std::pair(false, true), std::pair(true, true)})
   {
-    const std::string name = incompressible ? "incompressible: " : "compressible: ";
-    StepSystem<2> system(space, operators, constraints, LinearSolverParameters());
+    const std::string name = std::string(incompressible ? "incompressible" : "compressible") +
+                             (is_single ? ", in single precision: " : ": ");
+    LinearSolverParameters parameters;
+    if (is_single)
+      parameters.factor_precision = FactorPrecision::single_precision;
+    StepSystem<2> system(space, operators, constraints, parameters);
     system.reinit();
     const SystemCoefficients coefficients{
         {2., 5.}, {1., 1e4}, {incompressible ? 0. : 0.1, 0.01}, 0.3, 1.};
@@ -71,6 +76,9 @@ UNIT_TEST(step_system)
 
     DistributedVector solved = space.velocity_vector(), solved_pressure = space.pressure_vector();
     system.solve(momentum, mass, solved, solved_pressure);
+    const unsigned int n_iterations = system.take_iterations();
+    check::is_true(name + "iterations",
+                   is_single ? n_iterations > 0 && n_iterations < 5 : n_iterations == 0);
     constraints.set_constrained(solved, zero);
     solved.add(-1., velocity);
     solved_pressure.add(-1., pressure);

@@ -1,7 +1,7 @@
 #ifndef continua_case_cost_estimate_h
 #define continua_case_cost_estimate_h
 
-#include <continua/finite_element/linear_solver_parameters.h>
+#include <continua/finite_element/solver_choice.h>
 #include <continua/mesh/mesh_extent.h>
 
 #include <string>
@@ -22,12 +22,11 @@ struct CostInput
   bool segregated = false;      ///< of the cell-wise one: solved component by component
   bool pivots = false;          ///< the factor does: a material is incompressible
   bool is_nonlinear = false;    ///< the matrix is unsymmetric, and steps are iterated
-  LinearSolverType solver = LinearSolverType::automatic;
-  bool is_matrix_free =
-      true; ///< the iterative solver, if it is taken, stores no velocities' matrix
-  DirectSolver direct_solver = DirectSolver::automatic;
-  unsigned int n_factors = 1; ///< kept at one time
-  double n_steps = 1.;        ///< solves of the step's system
+  bool is_of_vibrations = false;
+  LinearSolverParameters linear_solver;
+  double memory_limit = 1e300; ///< for the choice of the solver, on one machine [bytes]
+  unsigned int n_factors = 1;  ///< kept at one time
+  double n_steps = 1.;         ///< solves of the step's system
   /// The run looks for a state at rest: where it is not linear by some steps, which are not
   /// n_steps.
   bool to_rest = false;
@@ -46,7 +45,8 @@ struct CostEstimate
 
   double n_cells = 0.;
   double n_unknowns = 0.;
-  bool is_iterative = false;
+  /// Of a linear step of finite elements; of others there is always a factor.
+  StepSolver solver = StepSolver::direct;
   double factor_entries = 0.; ///< of one factor; 0 of the iterative solver
   double memory = 0.;         ///< the most that all ranks together hold [bytes]
   double set_up_time = 0.;    ///< mesh, matrices and factors, on one core [s]
@@ -56,6 +56,9 @@ struct CostEstimate
   /// "48034 unknowns in 4800 cells, 390 MB of memory, 1 min 20 s on one core".
   std::string text() const;
 };
+
+/// What the choice of a linear step's solver depends on, of a case.
+SolverOutlook solver_outlook(const CostInput &input);
 
 /// Refinements, not more than those of `input`, with which the run fits into `bytes`; -1 if it does
 /// with none.

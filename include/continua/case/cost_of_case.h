@@ -10,9 +10,14 @@
 
 namespace Continua
 {
-/// What the cost of a case depends on. Collective.
+/// What the cost of a case depends on; the memory for the choice of the solver is that of the
+/// case's outlook. Collective.
 template <int dim>
 CostInput cost_input(const Case<dim> &input);
+
+/// What the choice of a linear step's solver depends on. Collective.
+template <int dim>
+SolverOutlook solver_outlook(const Case<dim> &input);
 
 /// The estimate and what is to be said of the number of ranks, a sentence a line; nothing for an
 /// analysis without fields. Collective.

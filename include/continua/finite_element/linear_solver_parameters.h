@@ -9,9 +9,17 @@ namespace Continua
 /// The solver of the step's system.
 enum class LinearSolverType
 {
-  automatic, ///< by the number of unknowns
+  automatic, ///< choose_step_solver()
   direct,
   iterative
+};
+
+/// The precision of a direct solver's factor. The solution has double precision in any case.
+enum class FactorPrecision
+{
+  automatic, ///< double if that fits into the memory
+  double_precision,
+  single_precision
 };
 
 /// How the iterative solver approximates the pressure's matrix.
@@ -51,6 +59,7 @@ struct LinearSolverParameters
 {
   LinearSolverType type = LinearSolverType::automatic;
   DirectSolver direct_solver = DirectSolver::automatic;
+  FactorPrecision factor_precision = FactorPrecision::automatic;
   unsigned int refinement_steps = 0;
   unsigned int kept_factors = 2;
   // Of the iterative solver.

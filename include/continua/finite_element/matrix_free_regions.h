@@ -25,12 +25,11 @@ public:
                     unsigned int n_regions,
                     InstructionSet instruction_set);
 
-  void multiply_mass(unsigned int region,
-                     DistributedVector &target,
-                     const DistributedVector &source) const override;
-  void multiply_stiffness(unsigned int region,
-                          DistributedVector &target,
-                          const DistributedVector &source) const override;
+  void multiply(unsigned int region,
+                double mass,
+                double stiffness,
+                DistributedVector &target,
+                const DistributedVector &source) const override;
   void mass_diagonal(unsigned int region, DistributedVector &diagonal) const override;
   void stiffness_diagonal(unsigned int region, DistributedVector &diagonal) const override;
   const std::vector<unsigned int> &nodes(const unsigned int region) const override
@@ -45,11 +44,6 @@ private:
   mutable typename Product::Vector source_entries, target_entries;
 
   void find_nodes(const Space<dim> &space);
-  void multiply(unsigned int region,
-                double mass,
-                double stiffness,
-                DistributedVector &target,
-                const DistributedVector &source) const;
 };
 } // namespace Continua
 

@@ -13,12 +13,12 @@ class RegionProducts
 {
 public:
   virtual ~RegionProducts() = default;
-  virtual void multiply_mass(unsigned int region,
-                             DistributedVector &target,
-                             const DistributedVector &source) const = 0;
-  virtual void multiply_stiffness(unsigned int region,
-                                  DistributedVector &target,
-                                  const DistributedVector &source) const = 0;
+  /// target = (mass M + stiffness S) source.
+  virtual void multiply(unsigned int region,
+                        double mass,
+                        double stiffness,
+                        DistributedVector &target,
+                        const DistributedVector &source) const = 0;
   virtual void mass_diagonal(unsigned int region, DistributedVector &diagonal) const = 0;
   virtual void stiffness_diagonal(unsigned int region, DistributedVector &diagonal) const = 0;
   /// Local indices of the owned velocities that are in a product of the region, in their order.

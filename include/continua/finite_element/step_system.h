@@ -6,7 +6,9 @@
 #include <continua/finite_element/iterative_step_solver.h>
 #include <continua/finite_element/linear_solver_parameters.h>
 #include <continua/finite_element/region_operators.h>
+#include <continua/finite_element/solver_choice.h>
 #include <continua/finite_element/space.h>
+#include <continua/linear_algebra/mixed_precision_solver.h>
 #include <continua/linear_algebra/symmetric_factor.h>
 
 #include <functional>
@@ -23,20 +25,24 @@ namespace Continua
  *   [  A   -B^T ] [ U ]   [ f ]       A = sum a0 rho M + alpha S,  C = sum M_p / (K b)
  *   [ -B   -C   ] [ p ] = [ g ]           + supports
  *
- * and its solver: a factor, of which as many are kept as the parameters say, the least recently
- * used goes; or an iterative one. Boundary constraints are eliminated on both sides.
+ * and its solver: a factor in double or single precision, of which as many are kept as the
+ * parameters say, the least recently used goes; or an iterative one. Boundary constraints are
+ * eliminated on both sides.
  */
 template <int dim>
 class StepSystem
 {
 public:
-  /// Up to so many unknowns `automatic` is direct.
-  static constexpr unsigned int largest_direct_system = dim == 2 ? 1000000 : 150000;
+  /// Of solves with a factor in single precision: the residual relative to the right-hand side, and
+  /// the most iterations that it may take.
+  static constexpr double single_precision_tolerance = 1e-12;
+  static constexpr unsigned int most_single_precision_iterations = 40;
 
   StepSystem(const Space<dim> &space,
              const std::vector<RegionOperators> &operators,
              const BoundaryConstraints<dim> &constraints,
-             const LinearSolverParameters &parameters);
+             const LinearSolverParameters &parameters,
+             const SolverOutlook &outlook = {});
 
   /// Called before a factor of so many unknowns is made that will need so much memory [bytes].
   std::function<void(double n_unknowns, double bytes)> announce;
@@ -50,18 +56,14 @@ public:
   /// what prepare() made is then of no use until it is called again.
   bool take(const SystemCoefficients &wanted);
   const SystemCoefficients &present_coefficients() const { return coefficients; }
-  /// Whether a system of so many unknowns is for the iterative solver. The caller excludes
-  /// vibrations, which never are.
-  bool is_iterative_for(const std::size_t n_unknowns) const
-  {
-    return parameters.type == LinearSolverType::iterative ||
-           (parameters.type == LinearSolverType::automatic && n_unknowns > largest_direct_system);
-  }
+  /// The solver of the present space's system. The caller excludes vibrations, whose solver is
+  /// always direct.
+  SolverChoice choice() const;
   /// Whether the last prepare() had to make a factor or a preconditioner.
   bool has_new_factor() const { return made_factor; }
   /// Solves for free dofs; constrained and hanging entries of the result are 0. The right-hand
   /// sides must be restricted. After a new factor the residual is checked once: RunError if it is
-  /// larger than 1e-8 of the right-hand side; RunError if the iterative solver does not converge.
+  /// larger than 1e-8 of the right-hand side; RunError if a solver that iterates does not converge.
   void solve(DistributedVector &momentum,
              DistributedVector &mass,
              DistributedVector &velocity,
@@ -85,15 +87,16 @@ public:
   const SymmetricFactor *factor() const;
   /// Of the solver in use; empty before the first prepare().
   std::string name() const;
-  bool is_direct() const { return !is_iterative; }
+  StepSolver solver() const { return chosen.solver; }
   bool is_automatic() const { return parameters.type == LinearSolverType::automatic; }
-  const std::string &reason() const { return reason_of_choice; }
+  const std::string &reason() const { return chosen.reason; }
   /// Whether the library that made the factor was chosen by the number of ranks, too.
   bool library_depends_on_ranks() const
   {
-    return factor() != nullptr && parameters.direct_solver == DirectSolver::automatic;
+    return factor() != nullptr && chosen.solver != StepSolver::single_precision &&
+           parameters.direct_solver == DirectSolver::automatic;
   }
-  /// Of the iterative solver, since the last call.
+  /// Of a solver that iterates, since the last call.
   unsigned int take_iterations();
 
 private:
@@ -101,31 +104,45 @@ private:
   {
     SystemCoefficients coefficients;
     std::unique_ptr<SymmetricFactor> factor;
+    SinglePrecisionFactor *single = nullptr; ///< the factor, if that is its kind
     bool residual_is_checked = false;
   };
 
   const Space<dim> &space;
   const std::vector<RegionOperators> &operators;
   const BoundaryConstraints<dim> &constraints;
-  LinearSolverParameters parameters;
+  const LinearSolverParameters parameters;
+  const SolverOutlook outlook;
   SystemCoefficients coefficients;
   std::list<KeptFactor> kept_factors; ///< the one in use first
   std::unique_ptr<IterativeStepSolver<dim>> iterative_solver;
-  bool is_prepared = false, is_iterative = false, made_factor = false, has_checked_blocks = false;
-  std::string reason_of_choice;
+  MixedPrecisionSolver mixed_precision;
+  SolverChoice chosen;
+  bool is_prepared = false, made_factor = false, has_checked_blocks = false;
   unsigned int n_iterations = 0;
   std::vector<unsigned int> pressure_hanging; ///< local indices
   std::vector<double> packed;
   DistributedVector velocity_product, pressure_product, velocity_residual, pressure_residual,
-      velocity_correction, pressure_correction;
+      velocity_correction, pressure_correction, zero_velocity;
 
-  /// Decides between direct and iterative for these coefficients.
+  /// Decides on the solver for these coefficients.
   void choose();
   void factorize();
   void solve_packed(const DistributedVector &momentum,
                     const DistributedVector &mass,
                     DistributedVector &velocity,
                     DistributedVector &pressure);
+  /// By a factor in single precision.
+  void solve_in_mixed_precision(const DistributedVector &momentum,
+                                const DistributedVector &mass,
+                                DistributedVector &velocity,
+                                DistributedVector &pressure);
+  /// Overwrites momentum and mass by the product of the restricted system with a solution that is
+  /// zero at constrained dofs.
+  void multiply_system(const DistributedVector &velocity,
+                       const DistributedVector &pressure,
+                       DistributedVector &momentum,
+                       DistributedVector &mass);
   /// Residual of the restricted system for a solution that is zero at constrained dofs; returns its
   /// relative size.
   double residual(const DistributedVector &momentum,

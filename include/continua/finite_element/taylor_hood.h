@@ -26,11 +26,12 @@
 
 namespace Continua
 {
-/// What the Taylor-Hood path reads of the parameter file.
+/// What the Taylor-Hood path reads of the parameter file, and what the case knows of the run.
 struct TaylorHoodParameters
 {
   SpaceParameters space;
   LinearSolverParameters linear_solver;
+  SolverOutlook outlook;
 };
 
 /**
