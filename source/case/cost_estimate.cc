@@ -136,6 +136,8 @@ CostEstimate::CostEstimate(const CostInput &input)
   n_unknowns = size.n_unknowns;
   if (is_linear_system)
     solver = choose_step_solver(input.linear_solver, size, solver_outlook(input)).solver;
+  else if (input.has_convection)
+    solver = choose_tangent_solver(input.linear_solver, size, solver_outlook(input)).solver;
   factor_entries = solver == StepSolver::iterative ? 0. : size.factor_entries;
 
   const double second = 1., nanosecond = 1e-9 * second, microsecond = 1e-6 * second;
@@ -146,6 +148,14 @@ CostEstimate::CostEstimate(const CostInput &input)
     memory = cost.memory;
     set_up_time = cost.set_up_time;
     solve_time = cost.solve_time;
+  }
+  else if (solver == StepSolver::iterative)
+  {
+    const SolverCost cost = cost_of_tangents(solver, size);
+    memory = cost.memory;
+    set_up_time = cost.set_up_time;
+    solve_time =
+        cost.solve_time * (input.to_rest ? counts_to_rest.corrections : counts_of_step.corrections);
   }
   else
   {
@@ -197,6 +207,7 @@ SolverOutlook solver_outlook(const CostInput &input)
     outlook.n_solves = input.n_steps;
   outlook.memory_limit = input.memory_limit;
   outlook.memory_of_program = memory_of_program;
+  outlook.is_of_tangents = input.has_convection;
   outlook.is_of_vibrations = input.is_of_vibrations;
   return outlook;
 }

@@ -16,6 +16,7 @@ constexpr double nanosecond = 1e-9, microsecond = 1e-6; // [s]
 /// Bytes that an entry of a factor takes, with what the solver needs besides.
 constexpr double bytes_per_entry = 11.5;
 constexpr double bytes_per_single_entry = 6.;
+constexpr double bytes_per_unsymmetric_entry = 62.; // while it is made
 /// Of FGMRES with a factor in single precision.
 constexpr double iterations_of_single_precision = 2.;
 
@@ -82,6 +83,12 @@ double time_of(const SolverCost &cost, const double n_solves)
   return cost.set_up_time + n_solves * cost.solve_time;
 }
 
+/// The memory of a factor against the limit.
+std::string memory_against(const double needed, const double limit, const std::string &what)
+{
+  return what + " needs about " + memory_text(needed) + " of " + memory_text(limit);
+}
+
 /// How the size compares with a limit: "there are no more than 30000 unknowns in 3 dimensions".
 std::string size_against(const SystemSize &size, const double limit)
 {
@@ -132,8 +139,8 @@ SolverChoice choose_step_solver(const LinearSolverParameters &parameters,
   { return memory_of(solver) <= outlook.memory_limit; };
   const auto too_large = [&](const StepSolver solver, const std::string &precision)
   {
-    return "a factor in " + precision + " precision needs about " + memory_text(memory_of(solver)) +
-           " of " + memory_text(outlook.memory_limit);
+    return memory_against(memory_of(solver), outlook.memory_limit,
+                          "a factor in " + precision + " precision");
   };
   const bool may_be_single = parameters.factor_precision != FactorPrecision::double_precision &&
                              (parameters.direct_solver == DirectSolver::automatic ||
@@ -187,5 +194,46 @@ SolverChoice choose_step_solver(const LinearSolverParameters &parameters,
   text << "its set-up and " << std::lround(outlook.n_solves) << " solves take about "
        << of_iterations << " s, and those of a factor about " << of_factor << " s";
   return {StepSolver::iterative, text.str()};
+}
+
+SolverCost cost_of_tangents(const StepSolver solver, const SystemSize &size)
+{
+  const bool is_plane = size.dim == 2;
+  SolverCost cost;
+  if (solver == StepSolver::iterative)
+  {
+    // With the derivative as one matrix for each cell.
+    cost = cost_of_iterations(size);
+    cost.memory += (is_plane ? 500. : 2700.) * size.n_unknowns;
+    cost.solve_time = (is_plane ? 20. : 60.) * microsecond * size.n_unknowns;
+    return cost;
+  }
+  cost.memory = (is_plane ? 2900. : 7400.) * size.n_unknowns +
+                bytes_per_unsymmetric_entry * size.factor_entries;
+  cost.set_up_time = (is_plane ? 12. : 48.) * microsecond * size.n_unknowns +
+                     130. * nanosecond * size.factor_entries;
+  cost.solve_time = (is_plane ? 0.25 : 1.8) * microsecond * size.n_unknowns +
+                    2. * nanosecond * size.factor_entries;
+  return cost;
+}
+
+SolverChoice choose_tangent_solver(const LinearSolverParameters &parameters,
+                                   const SystemSize &size,
+                                   const SolverOutlook &outlook)
+{
+  if (parameters.type != LinearSolverType::automatic)
+    return {parameters.type == LinearSolverType::iterative ? StepSolver::iterative
+                                                           : StepSolver::direct,
+            "Linear solver/Type says"};
+  const double largest_system =
+      size.dim == 2 ? largest_direct_system_in_plane : largest_direct_system_in_space;
+  if (size.n_unknowns > largest_system)
+    return {StepSolver::iterative, size_against(size, largest_system)};
+  const double memory =
+      outlook.memory_of_program + cost_of_tangents(StepSolver::direct, size).memory;
+  if (memory > outlook.memory_limit)
+    return {StepSolver::iterative,
+            memory_against(memory, outlook.memory_limit, "a factor of the tangent")};
+  return {StepSolver::direct, size_against(size, largest_system)};
 }
 } // namespace Continua

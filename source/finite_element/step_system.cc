@@ -52,7 +52,8 @@ SolverChoice StepSystem<dim>::choice() const
   SystemSize size =
       outlook.size.scaled_to(space.velocity_dofs.n_dofs() + space.pressure_dofs.n_dofs());
   size.dim = dim;
-  return choose_step_solver(parameters, size, outlook);
+  return outlook.is_of_tangents ? choose_tangent_solver(parameters, size, outlook)
+                                : choose_step_solver(parameters, size, outlook);
 }
 
 template <int dim>

@@ -80,8 +80,7 @@ template <int dim>
 bool TaylorHood<dim>::has_products_without_matrix() const
 {
   return linear_solver.is_matrix_free(space.degree()) &&
-         (is_nonlinear() ? has_iterative_tangent()
-                         : system.choice().solver != StepSolver::direct);
+         (is_nonlinear() ? has_iterative_tangent() : system.choice().solver != StepSolver::direct);
 }
 
 template <int dim>

@@ -31,12 +31,16 @@ SystemSize size_of(const Row &row)
   return reference.scaled_to(row.n_unknowns);
 }
 
-void expect(const Row &row, const LinearSolverParameters &parameters)
+void expect(const Row &row,
+            const LinearSolverParameters &parameters,
+            const bool is_of_tangents = false)
 {
   SolverOutlook outlook;
   outlook.n_solves = row.n_solves;
   outlook.memory_limit = 1e9 * row.memory;
-  const SolverChoice choice = choose_step_solver(parameters, size_of(row), outlook);
+  const SolverChoice choice = is_of_tangents
+                                  ? choose_tangent_solver(parameters, size_of(row), outlook)
+                                  : choose_step_solver(parameters, size_of(row), outlook);
   check::is_true(row.name + ": solver", choice.solver == row.solver);
   const bool is_reason = std::regex_search(choice.reason, std::regex(row.reason));
   check::is_true(row.name + ": reason", is_reason);
@@ -90,6 +94,18 @@ UNIT_TEST(solver_choice)
   parameters = automatic;
   parameters.direct_solver = DirectSolver::umfpack;
   expect({"umfpack, little memory", 3, 1.2e5, 1e4, 1.4, iterative, "needs about"}, parameters);
+
+  // Tangents of convection.
+  parameters = automatic;
+  expect({"tangent", 3, 1.2e5, 1., 100., direct, "^there are no more than 150000"}, parameters,
+         true);
+  expect({"tangent, little memory", 3, 1.2e5, 1e4, 5., iterative,
+          "^a factor of the tangent needs about 7.3 GB of 5.0 GB"},
+         parameters, true);
+  expect({"large tangent", 3, 1.6e5, 1e4, 100., iterative, "^there are more than 150000"},
+         parameters, true);
+  parameters.type = LinearSolverType::direct;
+  expect({"direct tangent", 3, 1.6e5, 1., 1., direct, "Linear solver/Type says"}, parameters, true);
 
   // Entries of a factor grow as nested dissection says.
   SystemSize size = size_of(table.back());

@@ -47,6 +47,7 @@ struct SolverOutlook
   double n_solves = 1e9;         ///< of the whole run, or many
   double memory_limit = 1e300;   ///< what the run may take on one machine [bytes]
   double memory_of_program = 0.; ///< of this [bytes]
+  bool is_of_tangents = false;   ///< see choose_tangent_solver()
   bool is_of_vibrations = false; ///< whose solver is always a factor in double precision
 };
 
@@ -78,6 +79,15 @@ constexpr double largest_single_precision_system_in_space = 300000.;
 SolverChoice choose_step_solver(const LinearSolverParameters &parameters,
                                 const SystemSize &size,
                                 const SolverOutlook &outlook);
+
+/// Of the tangents of Newton's iteration with convection, which are unsymmetric: the same with one
+/// factor in double precision or the iterative solver.
+SolverCost cost_of_tangents(StepSolver solver, const SystemSize &size);
+/// Where the parameters are `automatic`: a factor up to its largest system and where it fits into
+/// the memory, else the iterative solver.
+SolverChoice choose_tangent_solver(const LinearSolverParameters &parameters,
+                                   const SystemSize &size,
+                                   const SolverOutlook &outlook);
 } // namespace Continua
 
 #endif
