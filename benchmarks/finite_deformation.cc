@@ -53,11 +53,13 @@ public:
   {
     residual.add([&]() { Base::add_nonlinear_terms(state, momentum, mass); });
   }
-  void linearise(const BalancedStep &state) override
+  bool linearise(const BalancedStep &state) override
   {
     // The integrals by themselves, which the next call makes again.
     tangent.add([&]() { Base::keep_derivative(state); });
-    linearisation.add([&]() { Base::linearise(state); });
+    bool is_new = false;
+    linearisation.add([&]() { is_new = Base::linearise(state); });
+    return is_new;
   }
   void keep_derivative(const BalancedStep &state) override
   {

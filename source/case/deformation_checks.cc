@@ -209,8 +209,8 @@ void check_scheme(const Case<dim> &input, ParameterSection root)
   if (input.discretisation.taylor_hood.linear_solver.type == LinearSolverType::iterative)
     root.subsection("Linear solver")
         .refuse("Type",
-                "the iterative solver is for symmetric matrices, and finite deformation makes the "
-                "matrix unsymmetric",
+                "the preconditioner of the iterative solver is that of the linear terms, which in "
+                "finite deformation have no stress",
                 "Set Type = direct, or Deformation = small");
   if (input.discretisation.taylor_hood.linear_solver.direct_solver == DirectSolver::cholmod)
     root.subsection("Linear solver")

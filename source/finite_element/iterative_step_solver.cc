@@ -109,6 +109,7 @@ SchurComplement::Places places_of_pressures(const Space<dim> &space, const unsig
 {
   SchurComplement::Places places(dim, std::vector<double>(space.pressure_owned.n_elements(), 0.));
   std::vector<unsigned int> components(space.pressure_owned.n_elements(), 0);
+  std::vector<bool> is_known(space.pressure_owned.n_elements(), false);
   std::vector<types::global_dof_index> indices;
   double size = 0.;
   for (const auto &cell : space.pressure_dofs.active_cell_iterators())
@@ -121,12 +122,16 @@ SchurComplement::Places places_of_pressures(const Space<dim> &space, const unsig
         if (space.pressure_owned.is_element(indices[i]))
         {
           const unsigned int local = space.pressure_owned.index_within_set(indices[i]);
+          if (is_known[local])
+            continue;
+          is_known[local] = true;
+          // Each call maps all support points of the cell.
           const Point<dim> point =
               space.mapping.transform_unit_to_real_cell(cell, element.unit_support_point(i));
           for (unsigned int c = 0; c < dim; ++c)
             places[c][local] = point[c];
           components[local] = space.pressure_component(cell->material_id());
-          size = std::max(size, std::abs(point[0]));
+          size = std::max(size, point.norm());
         }
     }
   if (n_regions == 1)
@@ -561,6 +566,17 @@ void IterativeStepSolver<dim>::make_preconditioner()
 }
 
 template <int dim>
+void IterativeStepSolver<dim>::record_use(const unsigned int iterations)
+{
+  Preconditioner &used = *preconditioner;
+  if (!used.is_used)
+    used.first_iterations = iterations;
+  used.is_used = true;
+  used.is_worn =
+      !(coefficients == used.coefficients) && iterations > 1.5 * used.first_iterations + 5.;
+}
+
+template <int dim>
 unsigned int IterativeStepSolver<dim>::solve(const DistributedVector &momentum,
                                              const DistributedVector &mass,
                                              DistributedVector &velocity,
@@ -591,12 +607,7 @@ unsigned int IterativeStepSolver<dim>::solve(const DistributedVector &momentum,
          << ". Use Linear solver/Type = direct, or more 'Maximum iterations'";
     throw RunError(text.str());
   }
-  Preconditioner &used = *preconditioner;
-  if (!used.is_used)
-    used.first_iterations = report.iterations;
-  used.is_used = true;
-  used.is_worn =
-      !(coefficients == used.coefficients) && report.iterations > 1.5 * used.first_iterations + 5.;
+  record_use(report.iterations);
   last_velocity.equ(1., velocity);
   last_pressure.equ(1., pressure);
   return iterations;
@@ -610,24 +621,33 @@ unsigned int IterativeStepSolver<dim>::solve_tangent(const SaddlePointSolver::Fu
                                                      DistributedVector &velocity,
                                                      DistributedVector &pressure)
 {
-  velocity = 0.;
-  pressure = 0.;
   SaddlePointSolver::Blocks tangent = blocks();
   tangent.further = further;
-  const KrylovReport report =
-      solver.solve(tangent, *preconditioner->velocity, *preconditioner->schur_complement,
-                   preconditioner->augmentation, momentum, mass, velocity, pressure, tolerance,
-                   parameters.maximum_iterations, true);
+  unsigned int iterations = 0;
+  KrylovReport report;
+  for (bool last_try = false;; last_try = true)
+  {
+    velocity = 0.;
+    pressure = 0.;
+    report = solver.solve(tangent, *preconditioner->velocity, *preconditioner->schur_complement,
+                          preconditioner->augmentation, momentum, mass, velocity, pressure,
+                          tolerance, parameters.maximum_iterations, true);
+    iterations += report.iterations;
+    if (report.converged || last_try || coefficients == preconditioner->coefficients)
+      break;
+    make_preconditioner();
+  }
   if (!report.converged)
   {
     std::ostringstream text;
     text << "the iterative solver has not converged for a correction of Newton's iteration: after "
          << report.iterations << " iterations the residual is " << report.residual
          << " of that at the start, and Newton/Krylov tolerance is " << tolerance
-         << "; a smaller time step or Linear solver/Type = direct helps";
+         << "; a smaller time step, more Linear solver/Maximum iterations or Type = direct helps";
     throw StepFailure(text.str());
   }
-  return report.iterations;
+  record_use(report.iterations);
+  return iterations;
 }
 
 template <int dim>

@@ -11,12 +11,15 @@ void LinearSolverParameters::read(ParameterSection section)
   std::vector<std::string> type_choices = choices_of(types);
   type_choices.insert(type_choices.end(), old_types.begin(), old_types.end());
   std::string word = word_of(types, type);
-  section.add_choice("Type", word, type_choices,
-                     "Solver of the step's system: automatic takes a direct one up to 1 million "
-                     "unknowns in two dimensions and 30,000 in three, and for vibrations. In three "
-                     "dimensions up to 300,000 it takes the one that is estimated to take less "
-                     "time for all steps, and beyond, or where no factor fits into the memory, the "
-                     "iterative one. The names of direct solvers belong to Direct solver.");
+  section.add_choice(
+      "Type", word, type_choices,
+      "Solver of the step's system: automatic takes a direct one up to 1 million "
+      "unknowns in two dimensions and 30,000 in three, and for vibrations. In three "
+      "dimensions up to 300,000 it takes the one that is estimated to take less "
+      "time for all steps, and beyond, or where no factor fits into the memory, the "
+      "iterative one. With convection it takes a direct one up to 150,000 unknowns in three "
+      "dimensions, and for a steady flow as long as its factor fits; with finite "
+      "deformation always. The names of direct solvers belong to Direct solver.");
   for (const std::string &old : old_types)
     if (word == old)
       section.refuse("Type", "the direct solvers have an entry of their own",
@@ -33,8 +36,9 @@ void LinearSolverParameters::read(ParameterSection section)
              "Of a direct solver's factor. A factor in single precision takes half the memory, and "
              "each solve two or three times the work: FGMRES makes up for the digits, until the "
              "residual is 1e-12 of the right-hand side. automatic is double unless that does not "
-             "fit into the memory; in three dimensions it is single, too, for more than 150,000 "
-             "unknowns. Single is there for MUMPS only, and not with convection, finite "
+             "fit into the memory; with Type = automatic it is single, too, for more than 150,000 "
+             "unknowns in three dimensions. Single is there for MUMPS only, and not with "
+             "convection, finite "
              "deformation or vibrations.");
   section.add("Refinement steps", refinement_steps,
               "Steps of iterative refinement after each direct solve [1].", 0, 5);

@@ -17,8 +17,11 @@ constexpr double nanosecond = 1e-9, microsecond = 1e-6; // [s]
 constexpr double bytes_per_entry = 11.5;
 constexpr double bytes_per_single_entry = 6.;
 constexpr double bytes_per_unsymmetric_entry = 62.; // while it is made
-/// Of FGMRES with a factor in single precision.
-constexpr double iterations_of_single_precision = 2.;
+/// Uses of a factor in single precision for a solve by FGMRES, which has two iterations: deal.II
+/// tests for convergence at the start of the next one.
+constexpr double uses_of_single_precision = 3.;
+/// As many solves as a run has whose solves nobody can count.
+constexpr double many_solves = 1e9;
 
 SolverCost cost_of_factor(const SystemSize &size)
 {
@@ -56,8 +59,8 @@ SolverCost cost_of_single_precision(const SystemSize &size)
                     size.n_unknowns +
                 size.n_factors * bytes_per_single_entry * size.factor_entries;
   cost.set_up_time = 0.7 * of_factor.set_up_time;
-  cost.solve_time = iterations_of_single_precision *
-                    (0.7 * of_factor.solve_time + 0.3 * microsecond * size.n_unknowns);
+  cost.solve_time =
+      uses_of_single_precision * (0.7 * of_factor.solve_time + 0.3 * microsecond * size.n_unknowns);
   return cost;
 }
 
@@ -106,6 +109,9 @@ SystemSize SystemSize::scaled_to(const double other_unknowns) const
   other.n_unknowns = other_unknowns;
   if (n_unknowns > 0.)
     other.factor_entries *= std::pow(other_unknowns / n_unknowns, dim == 2 ? 1. : 4. / 3.);
+  // CHOLMOD, which one rank alone can have, is there for small matrices.
+  if (dim == 3 && other_unknowns > largest_small_system_in_space)
+    other.takes_cholmod = false;
   return other;
 }
 
@@ -142,7 +148,8 @@ SolverChoice choose_step_solver(const LinearSolverParameters &parameters,
     return memory_against(memory_of(solver), outlook.memory_limit,
                           "a factor in " + precision + " precision");
   };
-  const bool may_be_single = parameters.factor_precision != FactorPrecision::double_precision &&
+  const bool may_be_single = parameters.refinement_steps == 0 &&
+                             parameters.factor_precision != FactorPrecision::double_precision &&
                              (parameters.direct_solver == DirectSolver::automatic ||
                               parameters.direct_solver == DirectSolver::mumps);
   const bool is_free = parameters.type == LinearSolverType::automatic;
@@ -191,8 +198,12 @@ SolverChoice choose_step_solver(const LinearSolverParameters &parameters,
     return factor;
   std::ostringstream text;
   text.precision(3);
-  text << "its set-up and " << std::lround(outlook.n_solves) << " solves take about "
-       << of_iterations << " s, and those of a factor about " << of_factor << " s";
+  text << "its set-up and ";
+  if (outlook.n_solves < many_solves)
+    text << std::lround(outlook.n_solves) << " solves take about " << of_iterations
+         << " s, and those of a factor about " << of_factor << " s";
+  else
+    text << "many solves take less time than those of a factor, as estimated";
   return {StepSolver::iterative, text.str()};
 }
 
@@ -227,13 +238,17 @@ SolverChoice choose_tangent_solver(const LinearSolverParameters &parameters,
             "Linear solver/Type says"};
   const double largest_system =
       size.dim == 2 ? largest_direct_system_in_plane : largest_direct_system_in_space;
-  if (size.n_unknowns > largest_system)
+  // The steps of a search for a steady flow grow, and with them the iterations.
+  const bool is_to_rest = outlook.n_solves >= many_solves;
+  if (size.n_unknowns > largest_system && !is_to_rest)
     return {StepSolver::iterative, size_against(size, largest_system)};
   const double memory =
       outlook.memory_of_program + cost_of_tangents(StepSolver::direct, size).memory;
   if (memory > outlook.memory_limit)
     return {StepSolver::iterative,
             memory_against(memory, outlook.memory_limit, "a factor of the tangent")};
+  if (is_to_rest)
+    return {StepSolver::direct, "a factor of the tangent fits into the memory"};
   return {StepSolver::direct, size_against(size, largest_system)};
 }
 } // namespace Continua

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
 
 namespace Continua
 {
@@ -95,6 +97,12 @@ KrylovReport MixedPrecisionSolver::solve(const Product &product,
     }
     report.iterations = control.last_step();
     report.residual = control.last_value() / size;
+  }
+  else if (std::isnan(size))
+  {
+    // A load is no number. Nor is the solution then, which whoever takes it has to notice.
+    solution = std::numeric_limits<double>::quiet_NaN();
+    report.residual = size;
   }
   velocity.equ(1., solution.block(0));
   pressure.equ(1., solution.block(1));

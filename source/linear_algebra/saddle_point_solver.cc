@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Continua
 {
@@ -170,6 +171,12 @@ KrylovReport SaddlePointSolver::solve(const Blocks &blocks,
     }
     report.iterations = control.last_step();
     report.residual = control.last_value() / size;
+  }
+  else if (std::isnan(size))
+  {
+    // A load is no number. Nor is the solution then, which whoever takes it has to notice.
+    solution = std::numeric_limits<double>::quiet_NaN();
+    report.residual = size;
   }
   else
     solution = 0.;

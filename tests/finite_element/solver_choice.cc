@@ -104,6 +104,8 @@ UNIT_TEST(solver_choice)
          parameters, true);
   expect({"large tangent", 3, 1.6e5, 1e4, 100., iterative, "^there are more than 150000"},
          parameters, true);
+  expect({"large tangent to rest", 3, 1.6e5, 1e9, 100., direct, "fits into the memory"}, parameters,
+         true);
   parameters.type = LinearSolverType::direct;
   expect({"direct tangent", 3, 1.6e5, 1., 1., direct, "Linear solver/Type says"}, parameters, true);
 

@@ -116,6 +116,8 @@ private:
 
   bool is_near(const SystemCoefficients &others) const;
   void make_preconditioner();
+  /// Of a solve that has converged: whether the preconditioner is worn.
+  void record_use(unsigned int iterations);
   /// Which regions are stiff, by the rule above; also finds the velocities of each region.
   std::vector<bool> find_stiff_regions();
   /// Whether the velocities outside the stiff block are relaxed by products without a matrix.

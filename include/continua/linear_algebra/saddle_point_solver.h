@@ -85,7 +85,8 @@ private:
   DistributedVector velocity_work, pressure_work, augmented;
   dealii::GrowingVectorMemory<BlockVector> memory;
 
-  /// Of the sizes of both equations' residuals.
+  /// Of the sizes of both equations' residuals. An equation without a residual keeps it below this
+  /// share of the other: a velocity that loses volume moves the pressures of a whole outlet.
   static constexpr double largest_balance = 1e4;
 
   /// Makes the scaled right-hand sides of both equations equally large.
