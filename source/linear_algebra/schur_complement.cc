@@ -90,8 +90,9 @@ SchurComplement::SchurComplement(const TrilinosWrappers::SparseMatrix &divergenc
     // Which couplings are strong follows from distances. By the entries, in a bend with cells ten
     // times as long as thick, FGMRES takes three times as many iterations. With D of SIMPLE alone,
     // which jumps by orders of magnitude at walls, the entries are the better choice.
-    list.set("aggregation: threshold", has_mass ? 0. : 0.02);
-    list.set("aggregation: aux: enable", has_mass);
+    const bool by_distance = has_mass && !places.empty();
+    list.set("aggregation: threshold", by_distance ? 0. : 0.02);
+    list.set("aggregation: aux: enable", by_distance);
     list.set("aggregation: aux: threshold", 0.01);
     list.set("aggregation: aux: max levels", 10);
     const std::array<const char *, 3> directions = {

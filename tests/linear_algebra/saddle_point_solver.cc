@@ -54,8 +54,8 @@ struct System
     velocity_inverse =
         std::make_unique<VelocityPreconditioner>(augmented_velocity, blocks, nullptr);
     const DistributedVector mobility = distributed(diagonal);
-    schur_complement =
-        std::make_unique<SchurComplement>(divergence, this->compression, nullptr, &mobility);
+    schur_complement = std::make_unique<SchurComplement>(divergence, this->compression, nullptr,
+                                                         &mobility, SchurComplement::Places());
     weights = distributed(List(n_pressures));
     weights.add(augmentation);
   }
@@ -81,7 +81,7 @@ struct System
     std::copy_n(guess.begin() + n_velocities, n_pressures, of_pressure.begin());
     DistributedVector u = distributed(of_velocity), p = distributed(of_pressure);
     const MatrixOperator velocity_operator(velocity);
-    const SaddlePointSolver::Blocks blocks{velocity_operator, divergence, compression};
+    const SaddlePointSolver::Blocks blocks{velocity_operator, divergence, compression, {}};
     SaddlePointSolver solver(30);
     solver.reinit(blocks);
     const KrylovReport report =
