@@ -100,7 +100,7 @@ UNIT_TEST(solver_choice)
   expect({"tangent", 3, 1.2e5, 1., 100., direct, "^there are no more than 150000"}, parameters,
          true);
   expect({"tangent, little memory", 3, 1.2e5, 1e4, 5., iterative,
-          "^a factor of the tangent needs about 7.3 GB of 5.0 GB"},
+          "^a factor of the tangent needs about 7.21 GB of 5 GB"},
          parameters, true);
   expect({"large tangent", 3, 1.6e5, 1e4, 100., iterative, "^there are more than 150000"},
          parameters, true);
