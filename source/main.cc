@@ -41,13 +41,6 @@ ParameterFile::Style style_of(const std::string &name)
   return name == "markdown" ? ParameterFile::Style::markdown : ParameterFile::Style::prm;
 }
 
-std::string output_path(const CommandLine &command_line)
-{
-  if (!command_line.output_directory.empty())
-    return command_line.output_directory;
-  return "output/" + std::filesystem::path(command_line.parameter_file).stem().string();
-}
-
 /// "Continua 0.1.0 (revision)" and the libraries, a line each.
 std::string version_text()
 {
@@ -130,7 +123,7 @@ void perform_file(const CommandLine &command_line, const MPI_Comm communicator)
   }
   // Until here a signal ends the program at once: nothing is written.
   const SignalWatch watch;
-  const OutputDirectory directory(output_path(command_line),
+  const OutputDirectory directory(command_line.output_directory,
                                   command_line.restart     ? OutputDirectory::Mode::restart
                                   : command_line.overwrite ? OutputDirectory::Mode::overwrite
                                                            : OutputDirectory::Mode::fresh,
@@ -193,6 +186,32 @@ void perform(const CommandLine &command_line, const MPI_Comm communicator)
     perform_file(command_line, communicator);
 }
 
+/// Every rank reads the same input and finds the same mistake.
+int refuse(const InputError &error, const MPI_Comm communicator)
+{
+  if (is_writing_rank(communicator))
+    std::cerr << "error: " << printable(error.what()) << std::endl;
+  return status_input_wrong;
+}
+
+/// Several files are checked; a wrong one does not keep those behind it from being checked.
+int validate_files(const CommandLine &command_line, const MPI_Comm communicator)
+{
+  std::vector<std::string> files = command_line.further_files;
+  files.insert(files.begin(), command_line.parameter_file);
+  int status = status_done;
+  for (const std::string &file : files)
+    try
+    {
+      perform_file(command_line.with_file(file), communicator);
+    }
+    catch (const InputError &error)
+    {
+      status = refuse(error, communicator);
+    }
+  return status;
+}
+
 /// The run failed on this rank; the other ranks may be waiting for it.
 int fail(const std::string &text, const MPI_Comm communicator)
 {
@@ -225,15 +244,15 @@ int main(int argc, char **argv)
   const bool is_writer = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   try
   {
-    perform(CommandLine::parse(argc, argv), communicator);
+    const CommandLine command_line = CommandLine::parse(argc, argv);
+    if (!command_line.further_files.empty())
+      return validate_files(command_line, communicator);
+    perform(command_line, communicator);
     return status_done;
   }
   catch (const Continua::InputError &error)
   {
-    // Every rank reads the same input and finds the same mistake.
-    if (is_writer)
-      std::cerr << "error: " << printable(error.what()) << std::endl;
-    return status_input_wrong;
+    return refuse(error, communicator);
   }
   catch (const Continua::Interrupted &interruption)
   {

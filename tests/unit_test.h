@@ -16,8 +16,9 @@ struct Registration
 };
 } // namespace unit_test
 
-/// The unit test of the file `name`.cc; `argc` and `argv` are there for MPI_InitFinalize. All else
-/// in the file belongs into an anonymous namespace: the files of a folder make one program.
+/// The unit test of the file `name`.cc; `argc` and `argv` are there for MPI_InitFinalize. What the
+/// file defines stands in a namespace test_of_`name`, since several files are compiled as one and
+/// the files of a folder make one program.
 #define UNIT_TEST(name)                                                                            \
   static void run_##name(int argc, char **argv);                                                   \
   static const unit_test::Registration registration_of_##name(#name, run_##name);                  \

@@ -54,6 +54,11 @@ const Option &find_option(const std::string &name)
          (nearest.empty() ? "" : "Did you mean " + nearest + "? ") + "--help lists the options");
 }
 
+std::string default_output(const std::string &parameter_file)
+{
+  return "output/" + std::filesystem::path(parameter_file).stem().string();
+}
+
 /// The argument as a shell reads it back.
 std::string shell_quoted(const std::string &argument)
 {
@@ -130,11 +135,10 @@ CommandLine CommandLine::parse(const int argc, const char *const *argv)
     {
       if (argument.empty())
         refuse("", "an argument is empty", "Name one parameter file");
-      if (!result.parameter_file.empty())
-        refuse(argument,
-               "there are two parameter files, the other is '" + result.parameter_file + "'",
-               "Name one; an entry is set with --set \"Section/Key=value\"");
-      result.parameter_file = argument;
+      if (result.parameter_file.empty())
+        result.parameter_file = argument;
+      else
+        result.further_files.push_back(argument);
       continue;
     }
 
@@ -170,6 +174,14 @@ CommandLine CommandLine::parse(const int argc, const char *const *argv)
     apply(result, option.name, value);
   }
 
+  if (!result.further_files.empty() && !result.validate)
+    refuse(result.further_files.front(),
+           "there are two parameter files, the other is '" + result.parameter_file + "'",
+           "Name one, unless they are only checked (--validate); an entry is set with --set "
+           "\"Section/Key=value\"");
+  for (const char *const other : {"--output", "--print-parameters"})
+    if (!result.further_files.empty() && std::find(seen.begin(), seen.end(), other) != seen.end())
+      refuse(other, "it is for one parameter file, and there are several", "Name one");
   if (result.overwrite && result.restart)
     refuse("--overwrite",
            "it excludes --restart: the one removes the checkpoint that the other needs",
@@ -189,8 +201,16 @@ CommandLine CommandLine::parse(const int argc, const char *const *argv)
     refuse("", "the parameter file is missing",
            "Write continua FILE.prm; continua --new begins one, --help lists the options");
   if (result.output_directory.empty() && !result.parameter_file.empty() && !result.new_file)
-    result.output_directory =
-        "output/" + std::filesystem::path(result.parameter_file).stem().string();
+    result.output_directory = default_output(result.parameter_file);
+  return result;
+}
+
+CommandLine CommandLine::with_file(const std::string &file) const
+{
+  CommandLine result = *this;
+  result.parameter_file = file;
+  result.further_files.clear();
+  result.output_directory = default_output(file);
   return result;
 }
 
@@ -198,6 +218,7 @@ std::string CommandLine::usage()
 {
   return R"(Usage: continua FILE.prm [OPTION]...
        mpirun -np N continua FILE.prm [OPTION]...
+       continua --validate FILE.prm...
        continua --new [NAME [FILE.prm]]
 
 Runs what the parameter file describes.
@@ -208,7 +229,8 @@ Runs what the parameter file describes.
   --output DIR                the folder of the results (default: output/<name of the file>)
   --overwrite                 removes the run that the folder holds (its results only)
   --restart                   continues the run that the folder holds from its checkpoint
-  --validate                  reads and checks the input, says what would be run, and stops
+  --validate                  reads and checks the input, says what would be run, and stops;
+                              it also takes several files
   --mesh FILE.vtu             writes the mesh with the names of its regions and boundaries, and stops
   --allow-mesh-commands       lets a .geo file run programs and write files, as gmsh does; without it
                               such a file is refused

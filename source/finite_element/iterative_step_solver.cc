@@ -5,6 +5,8 @@
 #include <continua/finite_element/condensed_system.h>
 #include <continua/finite_element/interface_compliance.h>
 #include <continua/finite_element/matrix_free_regions.h>
+#include <continua/linear_algebra/convergence_factor.h>
+#include <continua/linear_algebra/matrix_product.h>
 #include <continua/linear_algebra/matrix_relaxation.h>
 
 #include <deal.II/base/mpi.h>
@@ -16,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace Continua
@@ -497,6 +500,11 @@ void IterativeStepSolver<dim>::make_preconditioner()
   const std::vector<unsigned int> stiff_pressures =
       has_joint_block ? find_stiff_pressures(stiff_regions) : std::vector<unsigned int>();
   made->has_fluid = has_fluid;
+  made->has_stiff = n_stiff > 0;
+  made->stiff_is_direct = parts.stiff_is_direct;
+  made->is_stiff.assign(space.velocity_owned.n_elements(), false);
+  for (const unsigned int i : parts.stiff)
+    made->is_stiff[i] = true;
 
   // The mass form of the Schur complement follows an augmentation by a bulk modulus of alpha.
   std::vector<double> mass_factors;
@@ -577,40 +585,125 @@ void IterativeStepSolver<dim>::record_use(const unsigned int iterations)
 }
 
 template <int dim>
-unsigned int IterativeStepSolver<dim>::solve(const DistributedVector &momentum,
-                                             const DistributedVector &mass,
-                                             DistributedVector &velocity,
-                                             DistributedVector &pressure)
+KrylovReport IterativeStepSolver<dim>::solve_by_krylov(const SaddlePointSolver::Blocks &system,
+                                                       const double tolerance,
+                                                       const bool is_correction,
+                                                       const DistributedVector &momentum,
+                                                       const DistributedVector &mass,
+                                                       DistributedVector &velocity,
+                                                       DistributedVector &pressure)
 {
   unsigned int iterations = 0;
   KrylovReport report;
   for (bool last_try = false;; last_try = true)
   {
-    velocity.equ(1., last_velocity);
-    pressure.equ(1., last_pressure);
-    report = solver.solve(blocks(), *preconditioner->velocity, *preconditioner->schur_complement,
+    if (is_correction)
+    {
+      velocity = 0.;
+      pressure = 0.;
+    }
+    else
+    {
+      velocity.equ(1., last_velocity);
+      pressure.equ(1., last_pressure);
+    }
+    report = solver.solve(system, *preconditioner->velocity, *preconditioner->schur_complement,
                           preconditioner->augmentation, momentum, mass, velocity, pressure,
-                          parameters.tolerance, parameters.maximum_iterations);
+                          tolerance, parameters.maximum_iterations, is_correction);
     iterations += report.iterations;
-    // A preconditioner of other coefficients may be what fails.
     if (report.converged || last_try || coefficients == preconditioner->coefficients)
       break;
     make_preconditioner();
   }
+  if (report.converged)
+    record_use(report.iterations);
+  return {report.converged, iterations, report.initial_residual, report.residual};
+}
+
+template <int dim>
+std::string IterativeStepSolver<dim>::describe_failure(const KrylovReport &report)
+{
+  Preconditioner &used = *preconditioner;
+  // A + B^T W B, whose inverse the preconditioner of the velocities is.
+  DistributedVector of_pressure = space.pressure_vector(), of_velocity = space.velocity_vector();
+  const LinearFunction matrix = [&](DistributedVector &target, const DistributedVector &source)
+  {
+    velocity_operator().multiply(target, source);
+    multiply(divergence, of_pressure, source);
+    of_pressure.scale(used.augmentation);
+    multiply_transposed(divergence, of_velocity, of_pressure);
+    target.add(1., of_velocity);
+  };
+  const auto factor_of = [&](const bool of_stiff, const LinearFunction &inverse)
+  {
+    DistributedVector is_of_block = space.velocity_vector();
+    for (unsigned int i = 0; i < is_of_block.locally_owned_size(); ++i)
+      if (used.is_stiff[i] == of_stiff &&
+          !space.velocity_hanging.is_constrained(space.velocity_owned.nth_index_in_set(i)))
+        is_of_block.begin()[i] = 1.;
+    return convergence_factor(matrix, inverse, velocity_operator().diagonal(), is_of_block);
+  };
+  const double of_all =
+      report.initial_residual > 0.
+          ? std::pow(report.residual / report.initial_residual,
+                     1. / std::max(1u, std::min(report.iterations, parameters.maximum_iterations)))
+          : 1.;
+  double of_stiff = 0., of_fluid = 0.;
+  std::ostringstream text;
+  text << std::setprecision(2)
+       << "Of its residual, one iteration leaves on average: with all blocks together " << of_all;
+  if (used.has_stiff && used.stiff_is_direct)
+    text << ", the stiff block (a wall) alone 0, since it has a factor";
+  else if (used.has_stiff)
+  {
+    of_stiff = factor_of(true, [&](DistributedVector &target, const DistributedVector &source)
+                         { used.velocity->solve_stiff(target, source); });
+    text << ", the stiff block (a wall) alone " << of_stiff;
+  }
+  if (used.has_fluid)
+  {
+    of_fluid = factor_of(false, [&](DistributedVector &target, const DistributedVector &source)
+                         { used.velocity->relax_fluid(target, source); });
+    text << ", the fluid block alone " << of_fluid;
+  }
+  text << ". ";
+  if (of_all < stalls)
+    text << "No block stalls. Use more Linear solver/Maximum iterations";
+  else if (std::max(of_stiff, of_fluid) < stalls)
+    text << "So the block of the pressure stalls. Use "
+         << (parameters.schur_complement == SchurApproximation::simple
+                 ? "Linear solver/Schur complement = cahouet-chabard"
+                 : "Linear solver/Type = direct");
+  else if (of_stiff > of_fluid)
+    text << "So the stiff block stalls. Use Linear solver/Stiff block = direct";
+  else
+    text << "So the fluid block stalls. Use "
+         << (parameters.fluid_block == FluidBlock::relaxation
+                 ? "Linear solver/Fluid block = automatic"
+                 : "a smaller Time/Time step, or Linear solver/Type = direct");
+  return text.str();
+}
+
+template <int dim>
+unsigned int IterativeStepSolver<dim>::solve(const DistributedVector &momentum,
+                                             const DistributedVector &mass,
+                                             DistributedVector &velocity,
+                                             DistributedVector &pressure)
+{
+  const KrylovReport report =
+      solve_by_krylov(blocks(), parameters.tolerance, false, momentum, mass, velocity, pressure);
   if (!report.converged)
   {
     std::ostringstream text;
     text << "the iterative solver has not converged: after " << report.iterations
          << " iterations the residual is " << report.residual
          << " of the largest term of the equations, and Linear solver/Tolerance is "
-         << parameters.tolerance
-         << ". Use Linear solver/Type = direct, or more 'Maximum iterations'";
+         << parameters.tolerance << ". " << describe_failure(report);
     throw RunError(text.str());
   }
-  record_use(report.iterations);
   last_velocity.equ(1., velocity);
   last_pressure.equ(1., pressure);
-  return iterations;
+  return report.iterations;
 }
 
 template <int dim>
@@ -623,20 +716,8 @@ unsigned int IterativeStepSolver<dim>::solve_tangent(const SaddlePointSolver::Fu
 {
   SaddlePointSolver::Blocks tangent = blocks();
   tangent.further = further;
-  unsigned int iterations = 0;
-  KrylovReport report;
-  for (bool last_try = false;; last_try = true)
-  {
-    velocity = 0.;
-    pressure = 0.;
-    report = solver.solve(tangent, *preconditioner->velocity, *preconditioner->schur_complement,
-                          preconditioner->augmentation, momentum, mass, velocity, pressure,
-                          tolerance, parameters.maximum_iterations, true);
-    iterations += report.iterations;
-    if (report.converged || last_try || coefficients == preconditioner->coefficients)
-      break;
-    make_preconditioner();
-  }
+  const KrylovReport report =
+      solve_by_krylov(tangent, tolerance, true, momentum, mass, velocity, pressure);
   if (!report.converged)
   {
     std::ostringstream text;
@@ -646,8 +727,7 @@ unsigned int IterativeStepSolver<dim>::solve_tangent(const SaddlePointSolver::Fu
          << "; a smaller time step, more Linear solver/Maximum iterations or Type = direct helps";
     throw StepFailure(text.str());
   }
-  record_use(report.iterations);
-  return iterations;
+  return report.iterations;
 }
 
 template <int dim>

@@ -1,5 +1,7 @@
 #include <continua/linear_algebra/krylov_correction.h>
 
+#include <continua/linear_algebra/function_as_matrix.h>
+
 #include <deal.II/lac/precondition.h>
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
@@ -9,21 +11,6 @@
 namespace Continua
 {
 using namespace dealii;
-
-namespace
-{
-/// What deal.II's solvers ask of a matrix, of a function.
-template <typename Function>
-struct ProductAsMatrix
-{
-  const Function &function;
-  template <typename Vector>
-  void vmult(Vector &target, const Vector &source) const
-  {
-    function(target, source);
-  }
-};
-} // namespace
 
 void KrylovCorrection::reinit(const DistributedVector &velocity, const DistributedVector &pressure)
 {
@@ -68,7 +55,7 @@ unsigned int KrylovCorrection::solve(const Derivative &derivative,
                                  SolverGMRES<BlockVector>::AdditionalData(maximum_iterations + 2));
   try
   {
-    gmres.solve(ProductAsMatrix<decltype(multiply)>{multiply}, solution, right_hand_side,
+    gmres.solve(FunctionAsMatrix<decltype(multiply)>{multiply}, solution, right_hand_side,
                 PreconditionIdentity());
   }
   catch (const SolverControl::NoConvergence &)

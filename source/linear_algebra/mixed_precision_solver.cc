@@ -1,5 +1,7 @@
 #include <continua/linear_algebra/mixed_precision_solver.h>
 
+#include <continua/linear_algebra/function_as_matrix.h>
+
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
 
@@ -11,21 +13,6 @@
 namespace Continua
 {
 using namespace dealii;
-
-namespace
-{
-/// What deal.II's solvers ask of a matrix or preconditioner, of a function.
-template <typename Function>
-struct RowsAsMatrix
-{
-  const Function &function;
-  template <typename Vector>
-  void vmult(Vector &target, const Vector &source) const
-  {
-    function(target, source);
-  }
-};
-} // namespace
 
 void MixedPrecisionSolver::reinit(const DistributedVector &velocity,
                                   const DistributedVector &pressure)
@@ -88,8 +75,8 @@ KrylovReport MixedPrecisionSolver::solve(const Product &product,
         control, memory, SolverFGMRES<BlockVector>::AdditionalData(maximum_iterations + 1));
     try
     {
-      solver.solve(RowsAsMatrix<decltype(multiply)>{multiply}, solution, right_hand_side,
-                   RowsAsMatrix<decltype(precondition)>{precondition});
+      solver.solve(FunctionAsMatrix<decltype(multiply)>{multiply}, solution, right_hand_side,
+                   FunctionAsMatrix<decltype(precondition)>{precondition});
     }
     catch (const SolverControl::NoConvergence &)
     {

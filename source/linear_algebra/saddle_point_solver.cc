@@ -1,5 +1,6 @@
 #include <continua/linear_algebra/saddle_point_solver.h>
 
+#include <continua/linear_algebra/function_as_matrix.h>
 #include <continua/linear_algebra/matrix_product.h>
 
 #include <deal.II/lac/solver_control.h>
@@ -14,21 +15,6 @@
 namespace Continua
 {
 using namespace dealii;
-
-namespace
-{
-/// What deal.II's solvers ask of a matrix or preconditioner, of a function.
-template <typename Function>
-struct FunctionAsMatrix
-{
-  const Function &function;
-  void vmult(SaddlePointSolver::BlockVector &target,
-             const SaddlePointSolver::BlockVector &source) const
-  {
-    function(target, source);
-  }
-};
-} // namespace
 
 SaddlePointSolver::SaddlePointSolver(const unsigned int restart_length)
     : restart_length(restart_length)
@@ -170,6 +156,7 @@ KrylovReport SaddlePointSolver::solve(const Blocks &blocks,
       report.converged = false;
     }
     report.iterations = control.last_step();
+    report.initial_residual = control.initial_value() / size;
     report.residual = control.last_value() / size;
   }
   else if (std::isnan(size))

@@ -92,6 +92,12 @@ void VelocityPreconditioner::solve_stiff(DistributedVector &target, const Distri
   add_stiff(target, source);
 }
 
+void VelocityPreconditioner::relax_fluid(DistributedVector &target, const DistributedVector &source)
+{
+  target = 0.;
+  relaxation->add_relaxed(target, source);
+}
+
 void VelocityPreconditioner::vmult(DistributedVector &target, const DistributedVector &source)
 {
   target = 0.;

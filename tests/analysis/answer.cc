@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+namespace test_of_answer
+{
 using namespace Continua;
 
 namespace
@@ -111,3 +113,4 @@ UNIT_TEST(answer)
     modes.add({"mode " + std::to_string(i) + " frequency", 10. * i, "Hz", ""});
   check::equal("rows of many", answer_lines(modes).back(), "  and 7 more in summary.json");
 }
+} // namespace test_of_answer

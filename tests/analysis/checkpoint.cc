@@ -18,6 +18,8 @@
 #include <fstream>
 #include <functional>
 
+namespace test_of_checkpoint
+{
 using namespace Continua;
 namespace fs = std::filesystem;
 
@@ -342,3 +344,4 @@ UNIT_TEST(checkpoint)
   MPI_Barrier(MPI_COMM_WORLD);
   refuses("missing", "output/power.csv' is missing, which the restart continues");
 }
+} // namespace test_of_checkpoint

@@ -12,6 +12,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_modal
+{
 using namespace Continua;
 
 namespace
@@ -110,3 +112,4 @@ UNIT_TEST(modal)
   check::relative("the highest", highest.front(), all.back(), 1e-6);
   check::relative("the one below", highest.back(), all[all.size() - 2], 1e-6);
 }
+} // namespace test_of_modal

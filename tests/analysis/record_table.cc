@@ -13,6 +13,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_record_table
+{
 using namespace Continua;
 
 namespace
@@ -69,3 +71,4 @@ UNIT_TEST(record_table)
                                  "subsection Output\nset Field interval = 1 ms\nend\n"),
                 5, 2, {"mesh changes", "smallest time step"}, {});
 }
+} // namespace test_of_record_table

@@ -12,6 +12,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_refinement_indicator
+{
 namespace
 {
 using namespace Continua;
@@ -67,3 +69,4 @@ UNIT_TEST(refinement_indicator)
   const auto [velocity_left, velocity_right] = largest("velocity");
   check::absolute("velocity at rest", std::max(velocity_left, velocity_right), 0., 1e-12);
 }
+} // namespace test_of_refinement_indicator

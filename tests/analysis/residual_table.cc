@@ -16,6 +16,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_residual_table
+{
 using namespace Continua;
 
 namespace
@@ -112,3 +114,4 @@ UNIT_TEST(residual_table)
     check::is_true("they grow", table.size() >= 2 && table.back()[4] > table[table.size() - 2][4]);
   }
 }
+} // namespace test_of_residual_table

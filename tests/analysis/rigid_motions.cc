@@ -10,6 +10,8 @@
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/grid/grid_generator.h>
 
+namespace test_of_rigid_motions
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -68,3 +70,4 @@ UNIT_TEST(rigid_motions)
   check::equal("round: motions", std::to_string(round.size()), "1");
   check::relative("round: mass", round[0].inertia, 14. * numbers::PI, 1e-12);
 }
+} // namespace test_of_rigid_motions

@@ -13,6 +13,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_transient
+{
 using namespace Continua;
 
 namespace
@@ -93,3 +95,4 @@ UNIT_TEST(transient)
                  read_text("transient/summary.json").find("\"status\": \"failed\"") !=
                      std::string::npos);
 }
+} // namespace test_of_transient

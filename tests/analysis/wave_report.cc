@@ -10,6 +10,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_wave_report
+{
 using namespace Continua;
 
 namespace
@@ -168,3 +170,4 @@ UNIT_TEST(wave_report)
   check::absolute("difference", difference[120], -10., 1e-6);
   std::remove(file.c_str());
 }
+} // namespace test_of_wave_report

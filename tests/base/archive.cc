@@ -13,6 +13,8 @@
 #include <limits>
 #include <sstream>
 
+namespace test_of_archive
+{
 using namespace Continua;
 
 namespace
@@ -128,3 +130,4 @@ UNIT_TEST(archive)
 
   std::filesystem::remove(file);
 }
+} // namespace test_of_archive

@@ -16,6 +16,8 @@
 #include <fstream>
 #include <sstream>
 
+namespace test_of_atomic_file
+{
 using namespace Continua;
 
 namespace
@@ -105,3 +107,4 @@ UNIT_TEST(atomic_file)
   std::filesystem::remove_all("atomic-file-test-folder");
   std::filesystem::remove(file);
 }
+} // namespace test_of_atomic_file

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
+namespace test_of_checksum
+{
 using namespace Continua;
 
 UNIT_TEST(checksum)
@@ -37,3 +39,4 @@ UNIT_TEST(checksum)
   check::throws<RunError>(
       "a folder", []() { Checksum::of_file("/"); }, "cannot read '/': Is a directory");
 }
+} // namespace test_of_checksum

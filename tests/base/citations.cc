@@ -11,6 +11,8 @@
 #include <fstream>
 #include <sstream>
 
+namespace test_of_citations
+{
 using namespace Continua;
 
 UNIT_TEST(citations)
@@ -52,3 +54,4 @@ UNIT_TEST(citations)
   check::equal("written", written.str(), text);
   std::filesystem::remove(file);
 }
+} // namespace test_of_citations

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+namespace test_of_collective
+{
 using namespace Continua;
 
 namespace
@@ -65,3 +67,4 @@ UNIT_TEST(collective)
                    none.size() == n_ranks && std::all_of(none.begin(), none.end(),
                                                          [](const auto &x) { return x.empty(); }));
 }
+} // namespace test_of_collective

@@ -7,6 +7,8 @@
 
 #include <vector>
 
+namespace test_of_command_line
+{
 using namespace Continua;
 
 namespace
@@ -85,6 +87,16 @@ UNIT_TEST(command_line)
   refused("no file", {"--overwrite"}, "parameter file is missing.*continua FILE.prm");
   refused("nothing", {}, "parameter file is missing");
   refused("two files", {"a.prm", "b.prm"}, "'b.prm'.*two parameter files.*'a.prm'");
+  refused("several outputs", {"a.prm", "b.prm", "--validate", "--output", "c"},
+          "'--output'.*for one parameter file");
+  const CommandLine several = parse({"a.prm", "--validate", "b/c.prm", "--set", "Title=d"});
+  check::is_true("several files", several.parameter_file == "a.prm" &&
+                                      several.further_files == std::vector<std::string>{"b/c.prm"});
+  const CommandLine second = several.with_file("b/c.prm");
+  check::is_true("one of several", second.validate && second.parameter_file == "b/c.prm" &&
+                                       second.further_files.empty() &&
+                                       second.output_directory == "output/c" &&
+                                       second.overrides == several.overrides);
   refused("empty argument", {""}, "empty");
   refused("exclusive options", {"a.prm", "--restart", "--overwrite"},
           "'--overwrite'.*excludes --restart");
@@ -104,3 +116,4 @@ UNIT_TEST(command_line)
     check::is_true(std::string("help names ") + word,
                    CommandLine::usage().find(word) != std::string::npos);
 }
+} // namespace test_of_command_line

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
+namespace test_of_csv_table
+{
 using namespace Continua;
 
 namespace
@@ -85,3 +87,4 @@ UNIT_TEST(csv_table)
       "not UTF-8", [] { table("a [\xb5m]\n1\n"); }, ":1: the line has the byte 0xb5");
   std::filesystem::remove(path);
 }
+} // namespace test_of_csv_table

@@ -5,6 +5,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+namespace test_of_entry_pattern
+{
 using namespace Continua;
 
 namespace
@@ -32,3 +34,4 @@ UNIT_TEST(entry_pattern)
   check::throws<dealii::ExceptionBase>(
       "the handler refuses", [&] { handler.set("Length", "3 s"); }, "3 s");
 }
+} // namespace test_of_entry_pattern

@@ -9,6 +9,8 @@
 #include <fstream>
 #include <stdexcept>
 
+namespace test_of_expected_value
+{
 using namespace Continua;
 
 namespace
@@ -104,3 +106,4 @@ UNIT_TEST(expected_value)
   }
   std::filesystem::remove(file);
 }
+} // namespace test_of_expected_value

@@ -21,6 +21,8 @@
 #include <memory>
 #include <sstream>
 
+namespace test_of_folder_lock
+{
 using namespace Continua;
 namespace fs = std::filesystem;
 
@@ -173,3 +175,4 @@ UNIT_TEST(folder_lock)
       "a pipe", []() { FolderLock foreign(folder); }, "it is not a file");
   fs::remove_all(folder);
 }
+} // namespace test_of_folder_lock

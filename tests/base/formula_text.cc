@@ -6,6 +6,8 @@
 
 #include <stdexcept>
 
+namespace test_of_formula_text
+{
 using namespace Continua;
 
 namespace
@@ -37,3 +39,4 @@ UNIT_TEST(formula_text)
   for (const char *const text : {"if (x) 1 else 2", "1 if x", "x then 2", "a else b"})
     check::is_true(text, formula_hint(text).find("(CONDITION ? A : B)") != std::string::npos);
 }
+} // namespace test_of_formula_text

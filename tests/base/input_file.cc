@@ -15,6 +15,8 @@
 #include <fstream>
 #include <stdexcept>
 
+namespace test_of_input_file
+{
 using namespace Continua;
 
 namespace
@@ -113,3 +115,4 @@ UNIT_TEST(input_file)
                "a\\x1b[2J\n\\xe4\u00e4\t\\x7f");
   std::filesystem::remove_all(folder);
 }
+} // namespace test_of_input_file

@@ -2,6 +2,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_interpolant
+{
 using namespace Continua;
 
 UNIT_TEST(interpolant)
@@ -29,3 +31,4 @@ UNIT_TEST(interpolant)
   const Interpolant periodic({0., 1., 3., 4.}, {0., 1., -1., 0.}, Interpolant::Kind::cubic, true);
   check::relative("periodic", (periodic(step) - periodic(0.)) / step, 1., 1e-5);
 }
+} // namespace test_of_interpolant

@@ -12,6 +12,8 @@
 #include <csignal>
 #include <functional>
 
+namespace test_of_interruption
+{
 using namespace Continua;
 
 namespace
@@ -124,3 +126,4 @@ UNIT_TEST(interruption)
                                                           _exit(SignalWatch::pending());
                                                         }) == 0);
 }
+} // namespace test_of_interruption

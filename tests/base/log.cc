@@ -15,6 +15,8 @@
 #include <fstream>
 #include <sstream>
 
+namespace test_of_log
+{
 using namespace Continua;
 
 namespace
@@ -212,3 +214,4 @@ UNIT_TEST(log)
                "lines go on here\ntwo\n");
   std::filesystem::remove(file);
 }
+} // namespace test_of_log

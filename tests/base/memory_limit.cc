@@ -11,6 +11,8 @@
 #include <filesystem>
 #include <fstream>
 
+namespace test_of_memory_limit
+{
 namespace
 {
 using namespace Continua;
@@ -82,3 +84,4 @@ UNIT_TEST(memory_limit)
   check::equal("minutes", duration_text(200.), "3 min 20 s");
   check::equal("hours", duration_text(3721.), "1 h 02 min");
 }
+} // namespace test_of_memory_limit

@@ -2,6 +2,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_nearly_equal
+{
 UNIT_TEST(nearly_equal)
 {
   using Continua::nearly_equal;
@@ -10,3 +12,4 @@ UNIT_TEST(nearly_equal)
   check::is_true("zeros", nearly_equal({0.}, {0.}) && !nearly_equal({0.}, {1e-30}));
   check::is_true("another size", !nearly_equal({1.}, {1., 0.}));
 }
+} // namespace test_of_nearly_equal

@@ -14,6 +14,8 @@
 #include <fstream>
 #include <sstream>
 
+namespace test_of_output_directory
+{
 using namespace Continua;
 namespace fs = std::filesystem;
 using Mode = OutputDirectory::Mode;
@@ -225,3 +227,4 @@ UNIT_TEST(output_directory)
     fs::remove_all(common);
   fs::remove_all(base);
 }
+} // namespace test_of_output_directory

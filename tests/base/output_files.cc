@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace test_of_output_files
+{
 using namespace Continua;
 
 UNIT_TEST(output_files)
@@ -24,3 +26,4 @@ UNIT_TEST(output_files)
   check::is_true("not the lock, which the next run takes over",
                  std::find(names.begin(), names.end(), "lock") == names.end());
 }
+} // namespace test_of_output_files

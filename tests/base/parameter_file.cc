@@ -8,6 +8,8 @@
 #include <limits>
 #include <sstream>
 
+namespace test_of_parameter_file
+{
 using namespace Continua;
 
 namespace
@@ -552,3 +554,4 @@ UNIT_TEST(parameter_file)
   test_rest();
   std::filesystem::remove_all(directory);
 }
+} // namespace test_of_parameter_file

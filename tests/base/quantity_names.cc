@@ -7,6 +7,8 @@
 #include "../parameter_text.h"
 #include "../unit_test.h"
 
+namespace test_of_quantity_names
+{
 using namespace Continua;
 
 UNIT_TEST(quantity_names)
@@ -67,3 +69,4 @@ UNIT_TEST(quantity_names)
   check::is_true("one quantity was not announced, and is named",
                  lines.size() == 1 && check::matches(lines.front(), "quantity mass,"));
 }
+} // namespace test_of_quantity_names

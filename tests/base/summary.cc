@@ -11,6 +11,8 @@
 #include <limits>
 #include <sstream>
 
+namespace test_of_summary
+{
 using namespace Continua;
 
 namespace
@@ -204,3 +206,4 @@ UNIT_TEST(summary)
   check::throws<RunError>(
       "no folder", [&small]() { small.write("no-such-folder/summary.json"); }, "No such file");
 }
+} // namespace test_of_summary

@@ -14,6 +14,8 @@
 #include <limits>
 #include <sstream>
 
+namespace test_of_table_writer
+{
 using namespace Continua;
 
 namespace
@@ -146,3 +148,4 @@ UNIT_TEST(table_writer)
       "cannot write '/dev/full': No space left");
   std::filesystem::remove(file);
 }
+} // namespace test_of_table_writer

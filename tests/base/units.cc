@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+namespace test_of_units
+{
 using namespace Continua;
 
 namespace
@@ -138,3 +140,4 @@ UNIT_TEST(units)
   check::equal("everyday number", shortest_number(-1450000.), "-1450000");
   check::equal("large number", shortest_number(2.2e9), "2.2e+09");
 }
+} // namespace test_of_units

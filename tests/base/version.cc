@@ -6,6 +6,8 @@
 
 #include <deal.II/base/mpi.h>
 
+namespace test_of_version
+{
 using namespace Continua;
 
 UNIT_TEST(version)
@@ -29,3 +31,4 @@ UNIT_TEST(version)
   check::is_true("version", check::matches(version(), "^[0-9]+\\.[0-9]+\\.[0-9]+$"));
   check::is_true("revision", !revision().empty());
 }
+} // namespace test_of_version

@@ -9,6 +9,8 @@
 #include <optional>
 #include <sstream>
 
+namespace test_of_words
+{
 namespace
 {
 using namespace Continua;
@@ -61,3 +63,4 @@ UNIT_TEST(words)
   check::is_true("manual", printed.str().find("| `Colour` | `automatic` | automatic, red, dark "
                                               "green | Of the wall |") != std::string::npos);
 }
+} // namespace test_of_words

@@ -5,6 +5,8 @@
 #include "../parameter_text.h"
 #include "../unit_test.h"
 
+namespace test_of_boundary_condition
+{
 using namespace Continua;
 
 namespace
@@ -278,3 +280,4 @@ UNIT_TEST(boundary_condition)
   refused("entry of another type", child("inlet", "set Type = fixed\nset Pressure = 3") + end,
           ":3: 'inlet/Pressure'");
 }
+} // namespace test_of_boundary_condition

@@ -8,6 +8,8 @@
 #include <fstream>
 #include <memory>
 
+namespace test_of_flow_profile
+{
 using namespace Continua;
 
 namespace
@@ -213,3 +215,4 @@ UNIT_TEST(flow_profile)
   check::absolute("table: rim", relative_velocity(measured, 1., 0.), 0., 0.);
   check::absolute("table: mean", largest_error_of_means(measured), 0., 1e-6);
 }
+} // namespace test_of_flow_profile

@@ -11,6 +11,8 @@
 
 #include <cmath>
 
+namespace test_of_outlets
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -108,3 +110,4 @@ UNIT_TEST(outlets)
       "an outlet of a solid", [&] { outlets<2>(windkessel, plane, solid, true); },
       "'end/Type'.*belongs to a solid.*liquid's 'Region'");
 }
+} // namespace test_of_outlets

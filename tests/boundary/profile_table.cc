@@ -7,6 +7,8 @@
 
 #include <fstream>
 
+namespace test_of_profile_table
+{
 using namespace Continua;
 
 namespace
@@ -78,3 +80,4 @@ UNIT_TEST(profile_table)
   check::throws<InputError>(
       "back again", [] { profile("r [mm], U [m/s]\n1,1\n0,0\n"); }, ":3: .*distance.*not larger");
 }
+} // namespace test_of_profile_table

@@ -16,6 +16,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_absorbing_ends
+{
 namespace
 {
 using namespace Continua;
@@ -122,3 +124,4 @@ UNIT_TEST(absorbing_ends)
     std::filesystem::remove("absorbing-ends-test.bin");
   }
 }
+} // namespace test_of_absorbing_ends

@@ -6,6 +6,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_cost_estimate
+{
 namespace
 {
 using namespace Continua;
@@ -104,3 +106,4 @@ UNIT_TEST(cost_estimate)
   check::is_true("too little work",
                  advice_on_ranks(ranks, 4).find("fewer than 10000 unknowns") != std::string::npos);
 }
+} // namespace test_of_cost_estimate

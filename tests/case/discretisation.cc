@@ -8,6 +8,8 @@
 
 #include <deal.II/base/mpi.h>
 
+namespace test_of_discretisation
+{
 using namespace Continua;
 
 namespace
@@ -74,3 +76,4 @@ UNIT_TEST(discretisation)
         "Cell-wise/Solution");
   }
 }
+} // namespace test_of_discretisation

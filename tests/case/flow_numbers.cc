@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+namespace test_of_flow_numbers
+{
 using namespace Continua;
 
 namespace
@@ -103,3 +105,4 @@ UNIT_TEST(flow_numbers)
   check::relative("and its speed afterwards", driven_by_pressure.reynolds_number(0.2), 2000.,
                   1e-12);
 }
+} // namespace test_of_flow_numbers

@@ -10,6 +10,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_flow_numbers_input
+{
 namespace
 {
 using namespace Continua;
@@ -124,3 +126,4 @@ UNIT_TEST(flow_numbers_input)
   check::relative("square duct", duct("1 m, 0.1 m, 0.1 m", fixed).width, 0.1, 1e-12);
   check::relative("a quarter of it", duct("1 m, 0.05 m, 0.05 m", roller).width, 0.1, 1e-12);
 }
+} // namespace test_of_flow_numbers_input

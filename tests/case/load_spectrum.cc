@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+namespace test_of_load_spectrum
+{
 using namespace Continua;
 
 UNIT_TEST(load_spectrum)
@@ -36,3 +38,4 @@ UNIT_TEST(load_spectrum)
   check::absolute("highest frequency [Hz]", spectrum.highest_frequency(), 6.8 / duration, 10.);
   check::relative("of its energy", spectrum.energy_frequency(), 0.95 / duration, 0.05);
 }
+} // namespace test_of_load_spectrum

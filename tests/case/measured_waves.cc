@@ -9,6 +9,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_measured_waves
+{
 using namespace Continua;
 
 namespace
@@ -65,3 +67,4 @@ UNIT_TEST(measured_waves)
   check::equal("unit of a field", dimension_of_station_field("flow rate").unit(), "m^3/s");
   std::remove(file.c_str());
 }
+} // namespace test_of_measured_waves

@@ -12,6 +12,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_preflight_input
+{
 namespace
 {
 using namespace Continua;
@@ -110,3 +112,4 @@ UNIT_TEST(preflight_input)
   check::is_true("a solid alone",
                  !has_fluid_and_solid(analyses().read_case<2>(of_box, MPI_COMM_WORLD)));
 }
+} // namespace test_of_preflight_input

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace test_of_preflight_report
+{
 using namespace Continua;
 
 namespace
@@ -223,3 +225,4 @@ UNIT_TEST(preflight_report)
   schemes();
   others();
 }
+} // namespace test_of_preflight_report

@@ -13,6 +13,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_tube_wave_case
+{
 namespace
 {
 using namespace Continua;
@@ -203,3 +205,4 @@ UNIT_TEST(tube_wave_case)
       [&]() { problem_of(varying + "subsection Wave theory\nset Segments = 1\nend\n"); },
       "Segments");
 }
+} // namespace test_of_tube_wave_case

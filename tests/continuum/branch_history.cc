@@ -13,6 +13,8 @@
 #include <limits>
 #include <numeric>
 
+namespace test_of_branch_history
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -100,3 +102,4 @@ UNIT_TEST(branch_history)
   history.predict(1, euler_step(5.5, 0.5, Update::implicit), velocity, mixture);
   check::absolute("set from outside", mixture.linfty_norm(), 11. * 0.25 / 2., 1e-14);
 }
+} // namespace test_of_branch_history

@@ -10,6 +10,8 @@
 
 #include <limits>
 
+namespace test_of_bulk_history
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -74,3 +76,4 @@ UNIT_TEST(bulk_history)
   check::absolute("branch after it", history.internal_dilatation(1, 1).linfty_norm(),
                   relaxed - 2. * middle, 1e-14);
 }
+} // namespace test_of_bulk_history

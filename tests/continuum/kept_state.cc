@@ -18,6 +18,8 @@
 #include <optional>
 #include <vector>
 
+namespace test_of_kept_state
+{
 using namespace Continua;
 
 namespace
@@ -193,3 +195,4 @@ UNIT_TEST(kept_state)
     check::is_true("through changes of the step", largest_size > 4 * 2e-3);
   }
 }
+} // namespace test_of_kept_state

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace test_of_outlet_model
+{
 namespace
 {
 using namespace Continua;
@@ -137,3 +139,4 @@ UNIT_TEST(outlet_model)
   two_ports();
   check::is_true("no jump", !OutletModel(make_windkessel()).jumps(0., 1.));
 }
+} // namespace test_of_outlet_model

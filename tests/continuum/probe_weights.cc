@@ -9,6 +9,8 @@
 
 #include <limits>
 
+namespace test_of_probe_weights
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -73,3 +75,4 @@ UNIT_TEST(probe_weights)
   set_mixture(state, 0, materials[0], mixture);
   check::absolute("the mixture as a vector", mixture.linfty_norm(), 3. * 0.7, 1e-14);
 }
+} // namespace test_of_probe_weights

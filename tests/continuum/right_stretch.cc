@@ -9,6 +9,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_right_stretch
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -43,3 +45,4 @@ UNIT_TEST(right_stretch)
   spin[2][1] = -1.;
   check::absolute("a further turn", turned.change(spin * gradient).norm(), 0., 1e-14);
 }
+} // namespace test_of_right_stretch

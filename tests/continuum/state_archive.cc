@@ -14,6 +14,8 @@
 #include <filesystem>
 #include <numeric>
 
+namespace test_of_state_archive
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -158,3 +160,4 @@ UNIT_TEST(state_archive)
   if (is_first)
     std::filesystem::remove(file);
 }
+} // namespace test_of_state_archive

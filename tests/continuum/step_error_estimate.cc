@@ -11,6 +11,8 @@
 #include <limits>
 #include <string>
 
+namespace test_of_step_error_estimate
+{
 using namespace Continua;
 
 namespace
@@ -174,3 +176,4 @@ UNIT_TEST(step_error_estimate)
   check::absolute("crank nicolson: 1/12",
                   ratio_of([](int) { return crank_nicolson_step(0., 0.1); }), 1. / 12., 1e-12);
 }
+} // namespace test_of_step_error_estimate

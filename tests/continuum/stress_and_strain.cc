@@ -6,6 +6,8 @@
 
 #include <limits>
 
+namespace test_of_stress_and_strain
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -71,3 +73,4 @@ UNIT_TEST(stress_and_strain)
   check::absolute("Q with a hoop strain rate", q_criterion(stretching, 2., Model::axisymmetric),
                   -11., 1e-15);
 }
+} // namespace test_of_stress_and_strain

@@ -15,6 +15,8 @@
 #include <cmath>
 #include <limits>
 
+namespace test_of_time_stepping
+{
 namespace
 {
 using namespace Continua;
@@ -324,3 +326,4 @@ UNIT_TEST(time_stepping)
                     1e-13);
   }
 }
+} // namespace test_of_time_stepping

@@ -18,6 +18,8 @@
 #include <functional>
 #include <map>
 
+namespace test_of_vector_numbering
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -243,3 +245,4 @@ UNIT_TEST(vector_numbering)
   test<2>("2-D");
   test<3>("3-D");
 }
+} // namespace test_of_vector_numbering

@@ -108,6 +108,13 @@ def check_list(program, folder):
     for arguments in (["--new"], ["--new", "tube"], ["--print-parameters"], ["my.prm", "--print-parameters=json"], ["my.prm", "--validate"],
                       ["--examples"], ["--version"], ["--help"]):
         full_disk(program, arguments, folder)
+    # A wrong file does not keep those behind it from being checked.
+    with open(os.path.join(folder, "wrong.prm"), "w", encoding="utf-8") as stream:
+        stream.write("set Titel = misspelt\n")
+    for ranks in (1, 2):
+        done = driver.run(program, ["my.prm", "wrong.prm", "my.prm", "--validate"], ranks=ranks, folder=folder)
+        if done.returncode != 2 or done.stdout.count("my.prm: valid\n") != 2 or done.stderr.count("error: wrong.prm:1: ") != 1:
+            raise driver.TestFailure(f"--validate of three files: status {done.returncode}, {done.stdout}{done.stderr}")
     refused(program, ["my.prm", "--mesh", "none/mesh.vtu"], folder, "none/mesh.vtu", "the folder 'none/' does not exist")
     refused(program, ["my.prm", "--mesh", "mesh.vtk"], folder, ".vtu")
     refused(program, ["my.prm", "--mesh", "mesh.vtu", "--validate"], folder, "excludes --validate")

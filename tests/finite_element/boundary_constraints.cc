@@ -6,6 +6,10 @@
 #include "../unit_test.h"
 #include "small_problem.h"
 
+#include <deal.II/dofs/dof_tools.h>
+
+namespace test_of_boundary_constraints
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -188,3 +192,4 @@ UNIT_TEST(boundary_constraints)
     check::is_true("no jump", !s.constraints.jumps(-0.05, 0.05) && !s.constraints.jumps(1., 1.1));
   }
 }
+} // namespace test_of_boundary_constraints

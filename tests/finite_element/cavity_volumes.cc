@@ -14,6 +14,8 @@
 #include "../unit_test.h"
 #include "small_problem.h"
 
+namespace test_of_cavity_volumes
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -169,3 +171,4 @@ UNIT_TEST(cavity_volumes)
   check_volume<3>("octant of a sphere", Model::three_dimensional, false, sphere / 8.);
   check_volume<3>("sphere with hanging nodes", Model::three_dimensional, true, sphere, true);
 }
+} // namespace test_of_cavity_volumes

@@ -11,6 +11,8 @@
 #include "../unit_test.h"
 #include "small_problem.h"
 
+namespace test_of_convective_terms
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -452,3 +454,4 @@ UNIT_TEST(convective_terms)
   terms.set_forces_of(0, state, forces);
   check::is_true("in the liquid", forces.convection.linfty_norm() > 0.1);
 }
+} // namespace test_of_convective_terms

@@ -17,6 +17,8 @@
 #include "../unit_test.h"
 #include "small_problem.h"
 
+namespace test_of_deformation_terms
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -528,3 +530,4 @@ UNIT_TEST(deformation_terms)
     check::relative("sheared and held: heat", terms.relaxation_power(0), 6. * expected_heat, 1e-10);
   }
 }
+} // namespace test_of_deformation_terms

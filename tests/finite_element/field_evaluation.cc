@@ -8,6 +8,8 @@
 #include "../unit_test.h"
 #include "small_problem.h"
 
+namespace test_of_field_evaluation
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -444,3 +446,4 @@ UNIT_TEST(field_evaluation)
     check::absolute("linear state", indicators.linfty_norm(), 0., 1e-5);
   }
 }
+} // namespace test_of_field_evaluation

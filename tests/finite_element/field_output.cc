@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace test_of_field_output
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -112,3 +114,4 @@ UNIT_TEST(field_output)
   test_drawing<2>("2-D: ");
   test_drawing<3>("3-D: ");
 }
+} // namespace test_of_field_output

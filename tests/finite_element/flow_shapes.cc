@@ -9,6 +9,8 @@
 #include "../unit_test.h"
 #include "small_problem.h"
 
+namespace test_of_flow_shapes
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -116,3 +118,4 @@ UNIT_TEST(flow_shapes)
   check::relative("parabola: axis", Utilities::MPI::max(largest, MPI_COMM_WORLD), 2. / (9. * M_PI),
                   1e-12);
 }
+} // namespace test_of_flow_shapes

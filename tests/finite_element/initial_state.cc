@@ -5,6 +5,8 @@
 #include "../unit_test.h"
 #include "small_problem.h"
 
+namespace test_of_initial_state
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -46,3 +48,4 @@ UNIT_TEST(initial_state)
   exact.add(-1., pressure);
   check::absolute("beside an incompressible region", exact.linfty_norm(), 0., 1e-9);
 }
+} // namespace test_of_initial_state

@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+namespace test_of_interface_compliance
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -72,3 +74,4 @@ UNIT_TEST(interface_compliance)
             { velocity.equ(-1., force); });
   check::absolute("moves against the pressure: no compliance", against.linfty_norm(), 0., 0.);
 }
+} // namespace test_of_interface_compliance

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 
+namespace test_of_iterative_step_solver
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -140,3 +142,4 @@ UNIT_TEST(iterative_step_solver)
       },
       "use Linear solver/Type = direct");
 }
+} // namespace test_of_iterative_step_solver

@@ -9,6 +9,8 @@
 #include "../unit_test.h"
 #include "small_problem.h"
 
+namespace test_of_kelly_indicator
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -114,3 +116,4 @@ UNIT_TEST(kelly_indicator)
   compare_with_library<3>();
   kinks();
 }
+} // namespace test_of_kelly_indicator

@@ -11,6 +11,8 @@
 
 #include <limits>
 
+namespace test_of_ledger
+{
 namespace
 {
 using namespace Continua;
@@ -191,3 +193,4 @@ UNIT_TEST(ledger)
   test<2>(Model::axisymmetric, true);
   test<3>(Model::three_dimensional, false);
 }
+} // namespace test_of_ledger

@@ -6,6 +6,8 @@
 #include "../unit_test.h"
 #include "small_problem.h"
 
+namespace test_of_loads
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -157,3 +159,4 @@ UNIT_TEST(loads)
                     -40. * numbers::PI + 8. * numbers::PI, 1e-13);
   }
 }
+} // namespace test_of_loads

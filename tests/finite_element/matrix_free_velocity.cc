@@ -16,6 +16,8 @@
 
 #include <algorithm>
 
+namespace test_of_matrix_free_velocity
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -259,3 +261,4 @@ UNIT_TEST(matrix_free_velocity)
   check::is_true("every processor has the baseline", can_run(InstructionSet::baseline));
   check::is_true("the widest one can run", can_run(widest_instruction_set()));
 }
+} // namespace test_of_matrix_free_velocity

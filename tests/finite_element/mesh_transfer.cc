@@ -7,6 +7,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_mesh_transfer
+{
 namespace
 {
 using namespace Continua;
@@ -97,3 +99,4 @@ UNIT_TEST(mesh_transfer)
   test<2>();
   test<3>();
 }
+} // namespace test_of_mesh_transfer

@@ -16,6 +16,8 @@
 #include "../unit_test.h"
 #include "small_problem.h"
 
+namespace test_of_metric_history
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -230,3 +232,4 @@ UNIT_TEST(metric_history)
   const Space<2> space(mesh, SpaceParameters(), Model::plane_strain, 2);
   check::is_true("none in small deformation", MetricHistory<2>::make(space, problem) == nullptr);
 }
+} // namespace test_of_metric_history

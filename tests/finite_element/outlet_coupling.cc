@@ -16,6 +16,8 @@
 #include <cmath>
 #include <memory>
 
+namespace test_of_outlet_coupling
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -381,3 +383,4 @@ UNIT_TEST(outlet_coupling)
   two_outlets();
   two_ports();
 }
+} // namespace test_of_outlet_coupling

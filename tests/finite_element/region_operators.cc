@@ -7,6 +7,8 @@
 #include "../unit_test.h"
 #include "small_problem.h"
 
+namespace test_of_region_operators
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -156,3 +158,4 @@ UNIT_TEST(region_operators)
                     7., 1e-13);
   }
 }
+} // namespace test_of_region_operators

@@ -9,6 +9,8 @@
 #include "../unit_test.h"
 #include "small_problem.h"
 
+namespace test_of_section_flow
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -196,3 +198,4 @@ UNIT_TEST(section_flow)
   test_cone<3>(4., 8, {0.5, 0.6});
   test_bend();
 }
+} // namespace test_of_section_flow

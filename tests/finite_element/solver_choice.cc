@@ -7,6 +7,8 @@
 
 #include <regex>
 
+namespace test_of_solver_choice
+{
 using namespace Continua;
 
 namespace
@@ -114,3 +116,4 @@ UNIT_TEST(solver_choice)
   check::relative("scaled entries", size.scaled_to(8. * size.n_unknowns).factor_entries,
                   16. * size.factor_entries, 1e-12);
 }
+} // namespace test_of_solver_choice

@@ -10,6 +10,8 @@
 #include "../unit_test.h"
 #include "small_problem.h"
 
+namespace test_of_space
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -129,3 +131,4 @@ UNIT_TEST(space)
   check::relative("measure in axisymmetry", tube.measure(Point<2>(1., 3.)), 6. * numbers::PI,
                   1e-14);
 }
+} // namespace test_of_space

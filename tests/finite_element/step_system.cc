@@ -8,6 +8,8 @@
 #include "../unit_test.h"
 #include "small_problem.h"
 
+namespace test_of_step_system
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -92,3 +94,4 @@ UNIT_TEST(step_system)
     check::is_true(name + "another support, another factor", system.prepare(others));
   }
 }
+} // namespace test_of_step_system

@@ -10,6 +10,8 @@
 #include "../unit_test.h"
 #include "small_problem.h"
 
+namespace test_of_streamline_terms
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -136,3 +138,4 @@ UNIT_TEST(streamline_terms)
                       }),
                   2. * 52. * tau, 1e-12);
 }
+} // namespace test_of_streamline_terms

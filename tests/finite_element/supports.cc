@@ -9,6 +9,8 @@
 
 #include <limits>
 
+namespace test_of_supports
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -159,3 +161,4 @@ UNIT_TEST(supports)
   axisymmetric();
   curved();
 }
+} // namespace test_of_supports

@@ -8,6 +8,8 @@
 #include "../unit_test.h"
 #include "small_problem.h"
 
+namespace test_of_taylor_hood_vibration
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -163,3 +165,4 @@ UNIT_TEST(taylor_hood_vibration)
     check::absolute("no velocity", velocity.linfty_norm(), 0., 0.);
   }
 }
+} // namespace test_of_taylor_hood_vibration

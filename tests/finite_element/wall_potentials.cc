@@ -14,6 +14,8 @@
 #include "../unit_test.h"
 #include "small_problem.h"
 
+namespace test_of_wall_potentials
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -163,3 +165,4 @@ UNIT_TEST(wall_potentials)
       [&]() { parameters.at<2>(Model::plane_strain, Point<2>(1., 0.), Tensor<2, 3>()); },
       "a potential has no slope there");
 }
+} // namespace test_of_wall_potentials

@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+namespace test_of_wall_shear_stress
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -131,3 +133,4 @@ UNIT_TEST(wall_shear_stress)
   test_nodes("finer liquid", true);
   test_nodes("finer solid", false);
 }
+} // namespace test_of_wall_shear_stress

@@ -13,6 +13,8 @@
 #include <cmath>
 #include <map>
 
+namespace test_of_cell_convection
+{
 namespace
 {
 using namespace cell_meshes;
@@ -305,3 +307,4 @@ UNIT_TEST(cell_convection)
   check_power<2>(Model::plane_strain);
   check_power<3>(Model::three_dimensional);
 }
+} // namespace test_of_cell_convection

@@ -9,6 +9,8 @@
 #include <map>
 #include <tuple>
 
+namespace test_of_cell_evaluation
+{
 using namespace cell_meshes;
 using dealii::Point;
 using dealii::Tensor;
@@ -308,3 +310,4 @@ UNIT_TEST(cell_evaluation)
   test_order(false);
   test_order(true);
 }
+} // namespace test_of_cell_evaluation

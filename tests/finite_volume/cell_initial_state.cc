@@ -7,6 +7,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_cell_initial_state
+{
 namespace
 {
 using namespace cell_meshes;
@@ -81,3 +83,4 @@ UNIT_TEST(cell_initial_state)
   test<2>();
   test<3>();
 }
+} // namespace test_of_cell_initial_state

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace test_of_cell_kelly_indicator
+{
 using namespace cell_meshes;
 using dealii::Point;
 using dealii::Tensor;
@@ -85,3 +87,4 @@ UNIT_TEST(cell_kelly_indicator)
   test<2>();
   test<3>();
 }
+} // namespace test_of_cell_kelly_indicator

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 
+namespace test_of_cell_ledger
+{
 namespace
 {
 using namespace cell_meshes;
@@ -203,3 +205,4 @@ UNIT_TEST(cell_ledger)
   test<2>(Model::axisymmetric, PowerOperator::wide, "wide");
   test<3>(Model::three_dimensional, PowerOperator::scheme, "scheme");
 }
+} // namespace test_of_cell_ledger

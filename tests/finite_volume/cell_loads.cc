@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+namespace test_of_cell_loads
+{
 namespace
 {
 using namespace cell_meshes;
@@ -199,3 +201,4 @@ UNIT_TEST(cell_loads)
   check_pressure<3>(Model::three_dimensional);
   check_jumps();
 }
+} // namespace test_of_cell_loads

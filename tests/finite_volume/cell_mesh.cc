@@ -9,6 +9,8 @@
 #include <map>
 #include <optional>
 
+namespace test_of_cell_mesh
+{
 using namespace cell_meshes;
 namespace
 {
@@ -283,3 +285,4 @@ UNIT_TEST(cell_mesh)
     check::absolute("trapezium: volume", sum(volume), pi + 2. * pi / 3. * 0.5, 1e-14);
   }
 }
+} // namespace test_of_cell_mesh

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 
+namespace test_of_cell_operators
+{
 using namespace cell_meshes;
 
 namespace
@@ -131,3 +133,4 @@ UNIT_TEST(cell_operators)
       "an incompressible one", [&]() { traction_coefficients(solid, parameters); },
       "no finite longitudinal modulus");
 }
+} // namespace test_of_cell_operators

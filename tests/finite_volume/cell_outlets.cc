@@ -15,6 +15,8 @@
 #include <cmath>
 #include <memory>
 
+namespace test_of_cell_outlets
+{
 namespace
 {
 using namespace cell_meshes;
@@ -176,3 +178,4 @@ UNIT_TEST(cell_outlets)
   check_step("windkessel: ", inlet, windkessel, store);
   check_step("windkessel, flow: ", inlet, windkessel + by_flow, store);
 }
+} // namespace test_of_cell_outlets

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace test_of_cell_output
+{
 using namespace cell_meshes;
 using dealii::Point;
 using dealii::Tensor;
@@ -103,3 +105,4 @@ UNIT_TEST(cell_output)
   test<2>(Model::axisymmetric);
   test<3>(Model::three_dimensional);
 }
+} // namespace test_of_cell_output

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace test_of_cell_system
+{
 namespace
 {
 using namespace cell_meshes;
@@ -232,3 +234,4 @@ UNIT_TEST(cell_system)
   check_numbers<2>(0.7);
   check_numbers<3>(0.);
 }
+} // namespace test_of_cell_system

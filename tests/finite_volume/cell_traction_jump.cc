@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace test_of_cell_traction_jump
+{
 using namespace cell_meshes;
 using dealii::Point;
 using dealii::Tensor;
@@ -118,3 +120,4 @@ UNIT_TEST(cell_traction_jump)
   test<2>();
   test<3>();
 }
+} // namespace test_of_cell_traction_jump

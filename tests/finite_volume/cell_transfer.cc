@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+namespace test_of_cell_transfer
+{
 using namespace cell_meshes;
 using dealii::Point;
 using dealii::Tensor;
@@ -229,3 +231,4 @@ UNIT_TEST(cell_transfer)
   test_axisymmetric();
   test_held();
 }
+} // namespace test_of_cell_transfer

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+namespace test_of_cell_vibration
+{
 namespace
 {
 using namespace cell_meshes;
@@ -137,3 +139,4 @@ UNIT_TEST(cell_vibration)
   test<2>(Model::axisymmetric);
   test<3>(Model::three_dimensional);
 }
+} // namespace test_of_cell_vibration

@@ -7,6 +7,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_cell_wise
+{
 namespace
 {
 using namespace cell_meshes;
@@ -54,3 +56,4 @@ UNIT_TEST(cell_wise)
                2. * h / 3., 4. / 3., -1. / 3., false);
   check_update("crank-nicolson", PressureUpdate::euler, crank_nicolson, 0.5 * h, 1., 0., false);
 }
+} // namespace test_of_cell_wise

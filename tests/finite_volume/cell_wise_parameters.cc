@@ -9,6 +9,8 @@
 
 #include <tuple>
 
+namespace test_of_cell_wise_parameters
+{
 namespace
 {
 using namespace Continua;
@@ -91,3 +93,4 @@ UNIT_TEST(cell_wise_parameters)
       "no such formulation", []() { read("set Formulation = pressure\n"); },
       "Formulation.*velocity-pressure");
 }
+} // namespace test_of_cell_wise_parameters

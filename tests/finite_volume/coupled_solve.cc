@@ -11,6 +11,8 @@
 
 #include <algorithm>
 
+namespace test_of_coupled_solve
+{
 namespace
 {
 using namespace cell_meshes;
@@ -164,3 +166,4 @@ UNIT_TEST(coupled_solve)
       },
       "singular");
 }
+} // namespace test_of_coupled_solve

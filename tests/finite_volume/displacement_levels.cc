@@ -8,6 +8,8 @@
 
 #include <deal.II/base/mpi.h>
 
+namespace test_of_displacement_levels
+{
 using namespace Continua;
 
 namespace
@@ -80,3 +82,4 @@ UNIT_TEST(displacement_levels)
   check::relative("four levels again", own(), 50., 1e-12);
   check::absolute("and exact for the cubic", second(0.2, true), -2. + 3. * (t + 0.2), 1e-9);
 }
+} // namespace test_of_displacement_levels

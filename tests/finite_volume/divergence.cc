@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace test_of_divergence
+{
 using namespace cell_meshes;
 
 namespace
@@ -169,3 +171,4 @@ UNIT_TEST(divergence)
       check_order("axisymmetric, " + sequence.name, turned, 1., 1.5);
   }
 }
+} // namespace test_of_divergence

@@ -11,6 +11,8 @@
 
 #include <cmath>
 
+namespace test_of_excess_velocity
+{
 namespace
 {
 using namespace cell_meshes;
@@ -159,3 +161,4 @@ UNIT_TEST(excess_velocity)
   check_model<2>(Model::axisymmetric);
   check_model<3>(Model::three_dimensional);
 }
+} // namespace test_of_excess_velocity

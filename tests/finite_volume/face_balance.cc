@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+namespace test_of_face_balance
+{
 namespace
 {
 using namespace cell_meshes;
@@ -114,3 +116,4 @@ UNIT_TEST(face_balance)
   test<2>("fluid beside solid", Model::plane_strain, true);
   test<3>("3-D", Model::three_dimensional, false);
 }
+} // namespace test_of_face_balance

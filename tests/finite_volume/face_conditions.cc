@@ -10,6 +10,8 @@
 
 #include <algorithm>
 
+namespace test_of_face_conditions
+{
 namespace
 {
 using namespace cell_meshes;
@@ -216,3 +218,4 @@ UNIT_TEST(face_conditions)
   check_flow_rate();
   check_times();
 }
+} // namespace test_of_face_conditions

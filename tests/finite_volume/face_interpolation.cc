@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+namespace test_of_face_interpolation
+{
 using namespace cell_meshes;
 
 UNIT_TEST(face_interpolation)
@@ -61,3 +63,4 @@ UNIT_TEST(face_interpolation)
   check::absolute("blended", largest(blended_error), 0., 1e-14);
   check::absolute("a face's own value, on its side", largest(own_error), 0., 0.);
 }
+} // namespace test_of_face_interpolation

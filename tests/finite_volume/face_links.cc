@@ -10,6 +10,8 @@
 
 #include <algorithm>
 
+namespace test_of_face_links
+{
 namespace
 {
 using namespace cell_meshes;
@@ -169,3 +171,4 @@ UNIT_TEST(face_links)
   check_oblique<2>();
   check_oblique<3>();
 }
+} // namespace test_of_face_links

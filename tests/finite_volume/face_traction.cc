@@ -10,6 +10,8 @@
 
 #include <algorithm>
 
+namespace test_of_face_traction
+{
 namespace
 {
 using namespace cell_meshes;
@@ -184,3 +186,4 @@ UNIT_TEST(face_traction)
   check_meshes<3>(Model::three_dimensional, {{4. / 3., 2., false}});
   check_checkerboard();
 }
+} // namespace test_of_face_traction

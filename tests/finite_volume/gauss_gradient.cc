@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 
+namespace test_of_gauss_gradient
+{
 using namespace cell_meshes;
 
 namespace
@@ -147,3 +149,4 @@ UNIT_TEST(gauss_gradient)
   }
   check_order("3-D, warped faces: linear functions", warped[0], warped[1], 2.);
 }
+} // namespace test_of_gauss_gradient

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+namespace test_of_held_cells
+{
 namespace
 {
 using namespace cell_meshes;
@@ -126,3 +128,4 @@ UNIT_TEST(held_cells)
   check_linear<3>(Model::three_dimensional);
   check_random();
 }
+} // namespace test_of_held_cells

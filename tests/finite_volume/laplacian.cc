@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace test_of_laplacian
+{
 using namespace cell_meshes;
 
 namespace
@@ -98,3 +100,4 @@ UNIT_TEST(laplacian)
   check::absolute("a checkerboard seen by the compact stencil", largest(seen), 0., 1e-12);
   check::absolute("and not by the wide one", largest(unseen), 0., 1e-13);
 }
+} // namespace test_of_laplacian

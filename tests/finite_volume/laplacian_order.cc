@@ -10,6 +10,8 @@
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/vector.h>
 
+namespace test_of_laplacian_order
+{
 using namespace cell_meshes;
 
 namespace
@@ -80,3 +82,4 @@ UNIT_TEST(laplacian_order)
                   poisson_error(sequence, 8, axisymmetric),
                   poisson_error(sequence, 16, axisymmetric), 2.);
 }
+} // namespace test_of_laplacian_order

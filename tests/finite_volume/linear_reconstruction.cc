@@ -10,6 +10,8 @@
 
 #include <algorithm>
 
+namespace test_of_linear_reconstruction
+{
 namespace
 {
 using namespace cell_meshes;
@@ -93,3 +95,4 @@ UNIT_TEST(linear_reconstruction)
   test<2>(Model::axisymmetric);
   test<3>(Model::three_dimensional);
 }
+} // namespace test_of_linear_reconstruction

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 
+namespace test_of_loaded_faces
+{
 namespace
 {
 using namespace cell_meshes;
@@ -133,3 +135,4 @@ UNIT_TEST(loaded_faces)
   check_shear();
   check_others();
 }
+} // namespace test_of_loaded_faces

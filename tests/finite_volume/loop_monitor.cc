@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+namespace test_of_loop_monitor
+{
 using namespace Continua;
 
 namespace
@@ -66,3 +68,4 @@ UNIT_TEST(loop_monitor)
     monitor.goes_on(correction(1e-2, magnitude *= i % 3 == 0 ? 0.1 : 1.5));
   check::is_true("ups and downs", !monitor.converged());
 }
+} // namespace test_of_loop_monitor

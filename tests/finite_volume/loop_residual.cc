@@ -10,6 +10,8 @@
 #include <limits>
 #include <vector>
 
+namespace test_of_loop_residual
+{
 UNIT_TEST(loop_residual)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
@@ -44,3 +46,4 @@ UNIT_TEST(loop_residual)
   check::throws<std::invalid_argument>(
       "four components", []() { LoopResidual(4, MPI_COMM_SELF); }, "one to three");
 }
+} // namespace test_of_loop_residual

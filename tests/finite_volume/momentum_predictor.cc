@@ -10,6 +10,8 @@
 
 #include <algorithm>
 
+namespace test_of_momentum_predictor
+{
 namespace
 {
 using namespace cell_meshes;
@@ -158,3 +160,4 @@ UNIT_TEST(momentum_predictor)
   check_one_material<3>(Model::three_dimensional);
   check_two_materials();
 }
+} // namespace test_of_momentum_predictor

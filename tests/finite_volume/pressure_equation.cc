@@ -11,6 +11,8 @@
 
 #include <algorithm>
 
+namespace test_of_pressure_equation
+{
 namespace
 {
 using namespace cell_meshes;
@@ -177,3 +179,4 @@ UNIT_TEST(pressure_equation)
   check_one_material<3>(Model::three_dimensional, 0.);
   check_two_materials();
 }
+} // namespace test_of_pressure_equation

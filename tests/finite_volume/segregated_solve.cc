@@ -10,6 +10,8 @@
 
 #include <random>
 
+namespace test_of_segregated_solve
+{
 namespace
 {
 using namespace cell_meshes;
@@ -126,3 +128,4 @@ UNIT_TEST(segregated_solve)
   test<2>("PISO, fluid beside solid", Formulation::velocity_pressure, plane, true);
   test<3>("PISO, three dimensions", Formulation::velocity_pressure, plane, false);
 }
+} // namespace test_of_segregated_solve

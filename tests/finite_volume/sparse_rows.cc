@@ -9,6 +9,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_sparse_rows
+{
 using namespace Continua;
 
 UNIT_TEST(sparse_rows)
@@ -54,3 +56,4 @@ UNIT_TEST(sparse_rows)
   check::absolute("empty afterwards", matrix.frobenius_norm(), 4. * std::sqrt(double(n_ranks)),
                   1e-14);
 }
+} // namespace test_of_sparse_rows

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+namespace test_of_split_equations
+{
 namespace
 {
 using namespace cell_meshes;
@@ -136,3 +138,4 @@ UNIT_TEST(split_equations)
   test<2>("without a pressure", Model::plane_strain, Formulation::velocity, false);
   test<3>("3-D", Model::three_dimensional, Formulation::velocity_pressure, false);
 }
+} // namespace test_of_split_equations

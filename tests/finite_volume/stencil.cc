@@ -6,6 +6,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_stencil
+{
 using namespace Continua;
 
 UNIT_TEST(stencil)
@@ -31,3 +33,4 @@ UNIT_TEST(stencil)
     check::absolute("its second component", coefficient[1] + 2. * expected, 0., 0.);
   }
 }
+} // namespace test_of_stencil

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+namespace test_of_surface_normal_gradient
+{
 using namespace cell_meshes;
 
 namespace
@@ -83,3 +85,4 @@ UNIT_TEST(surface_normal_gradient)
                                      2. * leaning_mesh.faces()[f].normal[0]));
   check::absolute("leaning: the compact part is over-relaxed", largest(compact), 0., 1e-13);
 }
+} // namespace test_of_surface_normal_gradient

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <map>
 
+namespace test_of_value_space
+{
 using namespace cell_meshes;
 
 namespace
@@ -126,3 +128,4 @@ UNIT_TEST(value_space)
   check_space<2>("divided, common", divided, InterfaceValue::common, 28 + 20 + 9);
   check_space<2>("divided, broken", divided, InterfaceValue::broken, 28 + 20 + 2 * 9);
 }
+} // namespace test_of_value_space

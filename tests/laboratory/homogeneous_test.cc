@@ -11,6 +11,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_homogeneous_test
+{
 using namespace Continua;
 
 namespace
@@ -155,3 +157,4 @@ UNIT_TEST(homogeneous_test)
       "a stress beyond all numbers", [&] { stiff.at(HomogeneousTestType::uniaxial, 40.); },
       "no equilibrium.*40");
 }
+} // namespace test_of_homogeneous_test

@@ -11,6 +11,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_laboratory_specimen
+{
 using namespace Continua;
 
 namespace
@@ -261,3 +263,4 @@ UNIT_TEST(laboratory_specimen)
             std::abs(cube - cylinder));
   }
 }
+} // namespace test_of_laboratory_specimen

@@ -15,6 +15,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_large_strain_tests
+{
 using namespace Continua;
 
 namespace
@@ -234,3 +236,4 @@ UNIT_TEST(large_strain_tests)
   refused_file("a table of shear without its column",
                large_strain_file(rubber, "set Shear table = shear.csv\n"), "shear.csv:1.*'shear'");
 }
+} // namespace test_of_large_strain_tests

@@ -13,6 +13,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_material_laboratory
+{
 namespace
 {
 using namespace Continua;
@@ -72,3 +74,4 @@ UNIT_TEST(material_laboratory)
   check::absolute("rows of the loops", rows_of(directory.path() + "/harmonic-1.csv").size(), 40.,
                   0.);
 }
+} // namespace test_of_material_laboratory

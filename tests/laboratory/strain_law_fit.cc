@@ -11,6 +11,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_strain_law_fit
+{
 using namespace Continua;
 
 namespace
@@ -108,3 +110,4 @@ UNIT_TEST(strain_law_fit)
       [&] { fit_strain_law(stiff, 1e5, 0., along, {curve_of(neo, 1e5, 0., Type::uniaxial)}); },
       "cannot begin");
 }
+} // namespace test_of_strain_law_fit

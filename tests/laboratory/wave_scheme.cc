@@ -10,6 +10,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_wave_scheme
+{
 using namespace Continua;
 
 namespace
@@ -96,3 +98,4 @@ UNIT_TEST(wave_scheme)
       bar.speed_ratio(amplification_of(WaveScheme::velocity_crank_nicolson, bar.theta()).of_wave()),
       2. * std::atan(0.5 * bar.theta()) / (2. * M_PI * 0.5 / 8.), 1e-12);
 }
+} // namespace test_of_wave_scheme

@@ -6,6 +6,8 @@
 
 #include <deal.II/base/mpi.h>
 
+namespace test_of_cholmod_factor
+{
 UNIT_TEST(cholmod_factor)
 {
   using namespace Continua;
@@ -70,3 +72,4 @@ UNIT_TEST(cholmod_factor)
   check::throws<std::invalid_argument>(
       "cholmod, incompressible", [&]() { made(DirectSolver::cholmod, false); }, "compressible");
 }
+} // namespace test_of_cholmod_factor

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace test_of_eigenpairs
+{
 namespace
 {
 using Continua::LinearMap;
@@ -133,3 +135,4 @@ UNIT_TEST(eigenpairs)
       },
       "out of order");
 }
+} // namespace test_of_eigenpairs

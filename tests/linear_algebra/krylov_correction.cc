@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace test_of_krylov_correction
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -125,3 +127,4 @@ UNIT_TEST(krylov_correction)
   check::is_true("largest number of iterations", cut.solve(1., 1e-10, 2) == 2);
   check::is_true("what two of them have reached", cut.error() > 1e-8 && cut.error() < 1.);
 }
+} // namespace test_of_krylov_correction

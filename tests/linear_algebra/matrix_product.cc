@@ -9,6 +9,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_matrix_product
+{
 namespace
 {
 using namespace Continua;
@@ -89,3 +91,4 @@ UNIT_TEST(matrix_product)
   check::is_true("values in one row",
                  of_all_ranks(rows_with_values(added), n) == std::pair(1u, 5u));
 }
+} // namespace test_of_matrix_product

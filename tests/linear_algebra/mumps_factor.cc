@@ -6,6 +6,8 @@
 
 #include <deal.II/base/mpi.h>
 
+namespace test_of_mumps_factor
+{
 UNIT_TEST(mumps_factor)
 {
   using namespace Continua;
@@ -73,3 +75,4 @@ UNIT_TEST(mumps_factor)
                make_symmetric_factor(DirectSolver::mumps, true, 1, MPI_COMM_WORLD)->name(),
                "MUMPS, L D L^T without pivoting");
 }
+} // namespace test_of_mumps_factor

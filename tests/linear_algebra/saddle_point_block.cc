@@ -7,6 +7,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_saddle_point_block
+{
 namespace
 {
 using namespace Continua;
@@ -79,3 +81,4 @@ UNIT_TEST(saddle_point_block)
   check_block("a part", 3, 2);
   check_block("velocities alone", 4, 0);
 }
+} // namespace test_of_saddle_point_block

@@ -11,6 +11,8 @@
 
 #include <numeric>
 
+namespace test_of_saddle_point_solver
+{
 namespace
 {
 using namespace Continua;
@@ -163,3 +165,4 @@ UNIT_TEST(saddle_point_solver)
   check::is_true("too few iterations",
                  !report.converged && report.iterations == 2 && report.residual > 1e-13);
 }
+} // namespace test_of_saddle_point_solver

@@ -13,6 +13,8 @@
 #include <array>
 #include <cmath>
 
+namespace test_of_schur_complement
+{
 namespace
 {
 using namespace Continua;
@@ -156,3 +158,4 @@ UNIT_TEST(schur_complement)
     std::cout << reduction << std::endl;
   check::is_true("weak couplings: multigrid reduces the residual", reduction < 0.2);
 }
+} // namespace test_of_schur_complement

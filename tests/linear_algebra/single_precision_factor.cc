@@ -14,6 +14,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
+namespace test_of_single_precision_factor
+{
 using namespace Continua;
 namespace problems = symmetric_problems;
 
@@ -165,3 +167,4 @@ UNIT_TEST(single_precision_factor)
   solve("nearly incompressible", m, problems::saddle_point(m, 1e3, 1e-9, false));
   solve("badly scaled", m, badly_scaled(compressible));
 }
+} // namespace test_of_single_precision_factor

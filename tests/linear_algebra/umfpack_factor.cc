@@ -6,6 +6,8 @@
 
 #include <deal.II/base/mpi.h>
 
+namespace test_of_umfpack_factor
+{
 UNIT_TEST(umfpack_factor)
 {
   using namespace Continua;
@@ -44,3 +46,4 @@ UNIT_TEST(umfpack_factor)
       "owns every index");
   check::equal("name", factor.name(), "UMFPACK, L U");
 }
+} // namespace test_of_umfpack_factor

@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+namespace test_of_unsymmetric_factor
+{
 // What make_unsymmetric_factor gives: every solver on one rank, MUMPS on several.
 UNIT_TEST(unsymmetric_factor)
 {
@@ -90,3 +92,4 @@ UNIT_TEST(unsymmetric_factor)
       "cholmod", [&]() { make_unsymmetric_factor(DirectSolver::cholmod, MPI_COMM_WORLD); },
       "for symmetric matrices");
 }
+} // namespace test_of_unsymmetric_factor

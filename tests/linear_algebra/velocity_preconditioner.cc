@@ -11,6 +11,8 @@
 
 #include <numeric>
 
+namespace test_of_velocity_preconditioner
+{
 namespace
 {
 using namespace Continua;
@@ -122,3 +124,4 @@ UNIT_TEST(velocity_preconditioner)
   check::absolute("stiff and fluid: three steps", distance(apply(of_mixed, source), expected), 0.,
                   1e-11);
 }
+} // namespace test_of_velocity_preconditioner

@@ -7,6 +7,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_flow_curve
+{
 using namespace Continua;
 
 UNIT_TEST(flow_curve)
@@ -35,3 +37,4 @@ UNIT_TEST(flow_curve)
                   std::log(0.05255 * 0.6432) + 0.7 * std::log(3.313) - 1.3 * std::log(rate), 1e-12);
   check::absolute("slope at rest", blood.slope_over_rate(0.), 0., 0.);
 }
+} // namespace test_of_flow_curve

@@ -7,6 +7,8 @@
 #include "../unit_test.h"
 #include "strain_at_point.h"
 
+namespace test_of_holzapfel_gasser_ogden
+{
 using namespace Continua;
 using namespace strain_at_point;
 
@@ -78,3 +80,4 @@ UNIT_TEST(holzapfel_gasser_ogden)
                     nearly.energy(uniaxial(l, {oblique})), 1e-11);
   }
 }
+} // namespace test_of_holzapfel_gasser_ogden

@@ -14,6 +14,8 @@
 #include "../unit_test.h"
 #include "strain_at_point.h"
 
+namespace test_of_internal_metric
+{
 using namespace Continua;
 using namespace strain_at_point;
 
@@ -312,3 +314,4 @@ UNIT_TEST(internal_metric)
   check_rest();
   check_simple_shear();
 }
+} // namespace test_of_internal_metric

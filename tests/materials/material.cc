@@ -8,6 +8,8 @@
 #include "../parameter_text.h"
 #include "../unit_test.h"
 
+namespace test_of_material
+{
 using namespace Continua;
 
 namespace
@@ -293,3 +295,4 @@ UNIT_TEST(material)
   refused("unknown law", "set Type = rubber\n", ":1: 'Type'.*rubber.*hookean");
   refused("entry of another law", solid("0.3") + "set Viscosity = 1\n", ":5.*Viscosity");
 }
+} // namespace test_of_material

@@ -9,6 +9,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_prestretch
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -36,3 +38,4 @@ UNIT_TEST(prestretch)
   check::relative("half of it: volume",
                   ring.volume_ratio(0.5) * determinant(ring.inverse(axis, around, 0.5)), 1., 1e-14);
 }
+} // namespace test_of_prestretch

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <complex>
 
+namespace test_of_prony_series
+{
 using namespace Continua;
 
 namespace
@@ -147,3 +149,4 @@ UNIT_TEST(prony_series)
   check::absolute("constant Poisson's ratio", ratio.real(), 0.45, 1e-12);
   check::absolute("constant Poisson's ratio: real", ratio.imag(), 0., 1e-12);
 }
+} // namespace test_of_prony_series

@@ -11,6 +11,8 @@
 #include <functional>
 #include <iomanip>
 
+namespace test_of_relaxation_test
+{
 using namespace Continua;
 
 namespace
@@ -170,3 +172,4 @@ UNIT_TEST(relaxation_test)
           strain + "set Cross-section = 1 mm^2\n", ":3: 'Cross-section'.*which need none");
   refused("no strain", "time [s], stress [Pa]\n1,3\n2,2\n3,1\n", "", "'Strain' is missing");
 }
+} // namespace test_of_relaxation_test

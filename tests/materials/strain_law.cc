@@ -9,6 +9,8 @@
 #include "../unit_test.h"
 #include "strain_at_point.h"
 
+namespace test_of_strain_law
+{
 using namespace Continua;
 using namespace strain_at_point;
 using dealii::SymmetricTensor;
@@ -213,3 +215,4 @@ UNIT_TEST(strain_law)
       },
       "no mean stress");
 }
+} // namespace test_of_strain_law

@@ -9,6 +9,8 @@
 #include "../parameter_text.h"
 #include "../unit_test.h"
 
+namespace test_of_strain_law_parameters
+{
 using namespace Continua;
 
 namespace
@@ -81,3 +83,4 @@ UNIT_TEST(strain_law_parameters)
               "set Strain law = holzapfel gasser ogden\nset Fibre stiffness = -1 kPa\n",
               ":3: 'wall/Fibre stiffness'");
 }
+} // namespace test_of_strain_law_parameters

@@ -7,6 +7,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_volume_law
+{
 using namespace Continua;
 
 UNIT_TEST(volume_law)
@@ -59,3 +61,4 @@ UNIT_TEST(volume_law)
   check::relative("incompressible: density", VolumeLaw{}.density_ratio(1e9), 1., 1e-15);
   check::is_true("too low a pressure", VolumeLaw{1. / 20., 1., 2.}.stiffening(-19.) < 0.);
 }
+} // namespace test_of_volume_law

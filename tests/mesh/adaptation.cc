@@ -10,6 +10,8 @@
 #include "../parameter_text.h"
 #include "../unit_test.h"
 
+namespace test_of_adaptation
+{
 using namespace dealii;
 using namespace Continua;
 
@@ -108,3 +110,4 @@ UNIT_TEST(adaptation)
                        divided.n_active_cells() == (minimum == 1 ? 16 : 4));
   }
 }
+} // namespace test_of_adaptation

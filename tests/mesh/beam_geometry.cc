@@ -3,6 +3,8 @@
 #include "../unit_test.h"
 #include "mesh_measures.h"
 
+namespace test_of_beam_geometry
+{
 using namespace Continua;
 
 UNIT_TEST(beam_geometry)
@@ -31,3 +33,4 @@ UNIT_TEST(beam_geometry)
   check::relative("bar: back", bar.boundary("back"), 2., 1e-13);
   check::relative("bar: front", bar.boundary("front"), 2., 1e-13);
 }
+} // namespace test_of_beam_geometry

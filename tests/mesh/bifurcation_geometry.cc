@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <map>
 
+namespace test_of_bifurcation_geometry
+{
 using namespace Continua;
 using dealii::Point;
 using dealii::Tensor;
@@ -360,3 +362,4 @@ UNIT_TEST(bifurcation_geometry)
   test_distributed();
   test_input();
 }
+} // namespace test_of_bifurcation_geometry

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <vector>
 
+namespace test_of_bifurcation_manifold
+{
 using namespace Continua;
 using dealii::Point;
 using Part = BifurcationManifold::Part;
@@ -103,3 +105,4 @@ UNIT_TEST(bifurcation_manifold)
   check::absolute("across the end of a turn",
                   middle(rings, {{2., -c, -s}, {2., -c, s}}).distance({2., -1.2, 0.}), 0., 1e-14);
 }
+} // namespace test_of_bifurcation_manifold

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+namespace test_of_bifurcation_shape
+{
 using namespace Continua;
 using bifurcation_shapes::Daughter;
 using bifurcation_shapes::make;
@@ -194,3 +196,4 @@ UNIT_TEST(bifurcation_shape)
       },
       "not in its branch");
 }
+} // namespace test_of_bifurcation_shape

@@ -4,6 +4,8 @@
 #include "../unit_test.h"
 #include "mesh_measures.h"
 
+namespace test_of_box_geometry
+{
 using namespace Continua;
 
 UNIT_TEST(box_geometry)
@@ -76,3 +78,4 @@ UNIT_TEST(box_geometry)
         left_is_at_y_0 &= std::abs(face->center()[1]) < 1e-14;
   check::is_true("cuboid: turned", left_is_at_y_0);
 }
+} // namespace test_of_box_geometry

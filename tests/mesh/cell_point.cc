@@ -8,6 +8,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_cell_point
+{
 using namespace dealii;
 
 UNIT_TEST(cell_point)
@@ -52,3 +54,4 @@ UNIT_TEST(cell_point)
                                                                Point<3>(1., 1., 1.), unit_3d));
   }
 }
+} // namespace test_of_cell_point

@@ -9,6 +9,8 @@
 
 #include <string>
 
+namespace test_of_cells_in_tree_order
+{
 using namespace dealii;
 
 namespace
@@ -39,3 +41,4 @@ UNIT_TEST(cells_in_tree_order)
   check::is_true("divided from left to right", order_after({1, 3}) == expected);
   check::is_true("divided from right to left", order_after({3, 1}) == expected);
 }
+} // namespace test_of_cells_in_tree_order

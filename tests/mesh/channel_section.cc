@@ -9,6 +9,8 @@
 
 #include <stdexcept>
 
+namespace test_of_channel_section
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -71,3 +73,4 @@ UNIT_TEST(channel_section)
                   (turned.direction - Tensor<1, 2>(Point<2>(-std::sin(0.3), std::cos(0.3)))).norm(),
                   0., 1e-12);
 }
+} // namespace test_of_channel_section

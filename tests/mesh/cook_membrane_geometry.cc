@@ -3,6 +3,8 @@
 #include "../unit_test.h"
 #include "mesh_measures.h"
 
+namespace test_of_cook_membrane_geometry
+{
 using namespace Continua;
 
 UNIT_TEST(cook_membrane_geometry)
@@ -20,3 +22,4 @@ UNIT_TEST(cook_membrane_geometry)
                   1e-13);
   check::relative("top", panel.boundary("top"), std::sqrt(48. * 48. + 16. * 16.) * 1e-3, 1e-13);
 }
+} // namespace test_of_cook_membrane_geometry

@@ -10,6 +10,8 @@
 #include <fstream>
 #include <functional>
 
+namespace test_of_curved_vessel_geometry
+{
 using namespace Continua;
 using dealii::Point;
 using dealii::numbers::PI;
@@ -205,3 +207,4 @@ UNIT_TEST(curved_vessel_geometry)
   test_manifold();
   test_bad_input();
 }
+} // namespace test_of_curved_vessel_geometry

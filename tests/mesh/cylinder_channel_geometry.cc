@@ -17,6 +17,8 @@
 #include <limits>
 #include <set>
 
+namespace test_of_cylinder_channel_geometry
+{
 using namespace Continua;
 using dealii::Point;
 using dealii::numbers::PI;
@@ -480,3 +482,4 @@ UNIT_TEST(cylinder_channel_geometry)
   test_distorted();
   test_input();
 }
+} // namespace test_of_cylinder_channel_geometry

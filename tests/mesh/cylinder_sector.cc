@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace test_of_cylinder_sector
+{
 using namespace Continua;
 using dealii::Point;
 using dealii::numbers::PI;
@@ -79,3 +81,4 @@ UNIT_TEST(cylinder_sector)
   sector.sides = {{-1.025, 1.025}};
   check::absolute("narrow gap: places", error_of_places(sector), 0., 1e-12);
 }
+} // namespace test_of_cylinder_sector

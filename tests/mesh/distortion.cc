@@ -5,6 +5,8 @@
 #include "../unit_test.h"
 #include "mesh_measures.h"
 
+namespace test_of_distortion
+{
 using namespace Continua;
 
 namespace
@@ -74,3 +76,4 @@ UNIT_TEST(distortion)
   test<2>("plane");
   test<3>("space");
 }
+} // namespace test_of_distortion

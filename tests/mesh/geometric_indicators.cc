@@ -8,6 +8,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_geometric_indicators
+{
 using namespace dealii;
 using namespace Continua;
 
@@ -98,3 +100,4 @@ UNIT_TEST(geometric_indicators)
                    followed && left && n_changes <= 3);
   }
 }
+} // namespace test_of_geometric_indicators

@@ -5,6 +5,8 @@
 #include "geometry_text.h"
 #include "mesh_measures.h"
 
+namespace test_of_geometry
+{
 using namespace Continua;
 
 namespace
@@ -154,3 +156,4 @@ UNIT_TEST(geometry)
       "odd circumference", [] { make<3>("set Type = tube\n", "set Circumferential cells = 3\n"); },
       std::string(parameter_file_of_the_test) + ":5.*/Circumferential cells'.*odd");
 }
+} // namespace test_of_geometry

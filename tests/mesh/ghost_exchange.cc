@@ -9,6 +9,8 @@
 #include <deal.II/distributed/tria.h>
 #include <deal.II/grid/grid_generator.h>
 
+namespace test_of_ghost_exchange
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -65,3 +67,4 @@ UNIT_TEST(ghost_exchange)
   check_exchange<2>("plane");
   check_exchange<3>("space");
 }
+} // namespace test_of_ghost_exchange

@@ -6,6 +6,8 @@
 
 #include <sstream>
 
+namespace test_of_gmsh_file
+{
 using namespace Continua;
 using meshes::squares;
 
@@ -78,3 +80,4 @@ UNIT_TEST(gmsh_file)
           meshes::with(squares, "$Nodes", "$PartitionedEntities\n$EndPartitionedEntities\n$Nodes"),
           "23:.*partition");
 }
+} // namespace test_of_gmsh_file

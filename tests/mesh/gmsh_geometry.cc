@@ -6,6 +6,8 @@
 
 #include <deal.II/base/mpi.h>
 
+namespace test_of_gmsh_geometry
+{
 using namespace Continua;
 using meshes::squares;
 using meshes::with;
@@ -96,3 +98,4 @@ UNIT_TEST(gmsh_geometry)
   check::absolute("without a file, for the manual",
                   measures::Measures<2>(GmshGeometry<2>({"", 1.}, false)).mesh.n_cells(), 1., 0.);
 }
+} // namespace test_of_gmsh_geometry

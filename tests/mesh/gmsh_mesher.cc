@@ -11,6 +11,8 @@
 #include <filesystem>
 #include <fstream>
 
+namespace test_of_gmsh_mesher
+{
 using namespace Continua;
 
 UNIT_TEST(gmsh_mesher)
@@ -94,3 +96,4 @@ UNIT_TEST(gmsh_mesher)
   check::is_true("error of gmsh", why.find("wrong.geo: 'Geometry/File'") == 0 &&
                                       why.find("line 2") != std::string::npos);
 }
+} // namespace test_of_gmsh_mesher

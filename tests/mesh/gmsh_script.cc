@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <fstream>
 
+namespace test_of_gmsh_script
+{
 using namespace Continua;
 
 namespace
@@ -114,3 +116,4 @@ UNIT_TEST(gmsh_script)
   std::filesystem::current_path("..");
   std::filesystem::remove_all(folder);
 }
+} // namespace test_of_gmsh_script

@@ -4,6 +4,8 @@
 
 #include <limits>
 
+namespace test_of_grading
+{
 using namespace Continua;
 
 UNIT_TEST(grading)
@@ -55,3 +57,4 @@ UNIT_TEST(grading)
   check::relative("fine enough", ratio_for_last_cell(200, 1. / 128., 2.), 1., 1e-12);
   check::relative("last of one", ratio_for_last_cell(1, 1. / 128., 2.), 1., 1e-12);
 }
+} // namespace test_of_grading

@@ -3,6 +3,8 @@
 #include "../unit_test.h"
 #include "mesh_measures.h"
 
+namespace test_of_hollow_cylinder_geometry
+{
 using namespace Continua;
 
 UNIT_TEST(hollow_cylinder_geometry)
@@ -47,3 +49,4 @@ UNIT_TEST(hollow_cylinder_geometry)
   check::absolute("ring: refined vertices on the arcs", error, 0., 1e-13);
   check::is_true("ring: symmetry planes", in_its_plane);
 }
+} // namespace test_of_hollow_cylinder_geometry

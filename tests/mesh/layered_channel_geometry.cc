@@ -3,6 +3,8 @@
 #include "../unit_test.h"
 #include "mesh_measures.h"
 
+namespace test_of_layered_channel_geometry
+{
 using namespace Continua;
 
 UNIT_TEST(layered_channel_geometry)
@@ -42,3 +44,4 @@ UNIT_TEST(layered_channel_geometry)
   check::relative("duct: back", duct.boundary("back"), 25., 1e-13);
   check::relative("duct: front", duct.boundary("front"), 25., 1e-13);
 }
+} // namespace test_of_layered_channel_geometry

@@ -2,6 +2,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_layered_stack
+{
 using namespace Continua;
 
 UNIT_TEST(layered_stack)
@@ -39,3 +41,4 @@ UNIT_TEST(layered_stack)
   check::is_true("names with one layer",
                  stack.region_names() == std::vector<std::string>({"fluid", "wall"}));
 }
+} // namespace test_of_layered_stack

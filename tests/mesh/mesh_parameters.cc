@@ -5,6 +5,8 @@
 
 #include <fstream>
 
+namespace test_of_mesh_parameters
+{
 using namespace Continua;
 
 namespace
@@ -29,3 +31,4 @@ UNIT_TEST(mesh_parameters)
   check::throws<InputError>(
       "negative", [] { read("set Refinements = -1\n"); }, "mesh_parameters.prm:2.*Refinements");
 }
+} // namespace test_of_mesh_parameters

@@ -7,6 +7,8 @@
 
 #include <fstream>
 
+namespace test_of_painted_geometry
+{
 using namespace Continua;
 
 namespace
@@ -53,3 +55,4 @@ UNIT_TEST(painted_geometry)
   check::throws<InputError>(
       "nothing left", [] { painted("set a = 1\n"); }, "painted.prm.*'body'");
 }
+} // namespace test_of_painted_geometry

@@ -8,6 +8,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_partition
+{
 using namespace Continua;
 using dealii::Point;
 
@@ -68,3 +70,4 @@ UNIT_TEST(partition)
       check::relative(name + ": by the weights", most, 2. / n_ranks, 0.1);
     }
 }
+} // namespace test_of_partition

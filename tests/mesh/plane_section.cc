@@ -13,6 +13,8 @@
 
 #include <iostream>
 
+namespace test_of_plane_section
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -178,3 +180,4 @@ UNIT_TEST(plane_section)
   test_rectangle();
   test_bar();
 }
+} // namespace test_of_plane_section

@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+namespace test_of_region_expression
+{
 using namespace Continua;
 
 namespace
@@ -35,3 +37,4 @@ UNIT_TEST(region_expression)
       [] { RegionExpression expression(std::string(9000, '(') + "x" + std::string(9000, ')')); },
       "more than 100 brackets");
 }
+} // namespace test_of_region_expression

@@ -6,6 +6,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_regions_of_boundary
+{
 using namespace Continua;
 
 UNIT_TEST(regions_of_boundary)
@@ -54,3 +56,4 @@ UNIT_TEST(regions_of_boundary)
   check::relative("refined: wall 2", dealii::Utilities::MPI::sum(outermost, MPI_COMM_WORLD), 1e-4,
                   1e-12);
 }
+} // namespace test_of_regions_of_boundary

@@ -10,6 +10,8 @@
 
 #include <stdexcept>
 
+namespace test_of_round_section
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -113,3 +115,4 @@ UNIT_TEST(round_section)
         "neither a disc");
   }
 }
+} // namespace test_of_round_section

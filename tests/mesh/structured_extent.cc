@@ -11,6 +11,8 @@
 
 #include <fstream>
 
+namespace test_of_structured_extent
+{
 namespace
 {
 using namespace Continua;
@@ -94,3 +96,4 @@ UNIT_TEST(structured_extent)
   check::relative("never less than one", structured_extent(coarsened_cells({7, 5}, 0.5)).n_cells,
                   1., 1e-12);
 }
+} // namespace test_of_structured_extent

@@ -2,6 +2,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_structured_mesh
+{
 using namespace Continua;
 
 UNIT_TEST(structured_mesh)
@@ -42,3 +44,4 @@ UNIT_TEST(structured_mesh)
           [](const dealii::Point<2> &p) { return dealii::Point<2>(3. * p[0] + p[1], 2. * p[1]); });
   check::relative("area after a shear", slanted.begin()->measure(), 6., 1e-14);
 }
+} // namespace test_of_structured_mesh

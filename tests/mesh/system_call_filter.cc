@@ -13,6 +13,8 @@
 #include <fstream>
 #include <thread>
 
+namespace test_of_system_call_filter
+{
 using namespace Continua;
 
 namespace
@@ -67,3 +69,4 @@ UNIT_TEST(system_call_filter)
   check::is_true("and run programs", std::system("true") == 0);
   std::filesystem::remove_all(folder);
 }
+} // namespace test_of_system_call_filter

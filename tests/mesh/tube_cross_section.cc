@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+namespace test_of_tube_cross_section
+{
 using namespace Continua;
 using dealii::Point;
 
@@ -94,3 +96,4 @@ UNIT_TEST(tube_cross_section)
                   (TubeCrossSection::point(0.7, -0.4) - TubeCrossSection::point(0.7, 7.6)).norm(),
                   0., 1e-15);
 }
+} // namespace test_of_tube_cross_section

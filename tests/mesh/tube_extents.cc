@@ -7,6 +7,8 @@
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 
+namespace test_of_tube_extents
+{
 using namespace Continua;
 using namespace dealii;
 
@@ -98,3 +100,4 @@ UNIT_TEST(tube_extents)
     check::relative("in space, axial cell", extents.axial_cell, 1., 1e-12);
   }
 }
+} // namespace test_of_tube_extents

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <map>
 
+namespace test_of_tube_geometry
+{
 using namespace Continua;
 using dealii::Point;
 using dealii::numbers::PI;
@@ -311,3 +313,4 @@ UNIT_TEST(tube_geometry)
   test_distributed<3>("distributed tube", coarse(TubeLaw::taper(1., 1., 0.5, 0.1, 0.2),
                                                  TubeCrossSection::Sector::full));
 }
+} // namespace test_of_tube_geometry

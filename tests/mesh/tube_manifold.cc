@@ -2,6 +2,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_tube_manifold
+{
 using namespace Continua;
 using dealii::Point;
 
@@ -86,3 +88,4 @@ UNIT_TEST(tube_manifold)
   check::absolute("the place there",
                   middle<3>(core, a, b).distance({1., 0.75 * side, 0.375 * side}), 0., 1e-14);
 }
+} // namespace test_of_tube_manifold

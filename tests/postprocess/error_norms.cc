@@ -6,6 +6,8 @@
 #include <continua/base/parameter_file.h>
 #include <continua/postprocess/error_norms.h>
 
+namespace test_of_error_norms
+{
 using namespace Continua;
 
 namespace
@@ -69,3 +71,4 @@ UNIT_TEST(error_norms)
   check::throws<InputError>(
       "components", []() { run<2>("  set Velocity = x\n", Model::plane_strain); }, "exact.prm:2");
 }
+} // namespace test_of_error_norms

@@ -15,6 +15,8 @@
 #include <filesystem>
 #include <set>
 
+namespace test_of_field_writer
+{
 using namespace Continua;
 
 namespace
@@ -231,3 +233,4 @@ UNIT_TEST(field_writer)
       [&]() { FieldWriter<3>(MPI_COMM_WORLD, "no such folder", 1, false).write(solid, 0.); },
       "cannot write 'no such folder/fields/solution-00000.*No such file");
 }
+} // namespace test_of_field_writer

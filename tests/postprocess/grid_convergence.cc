@@ -7,6 +7,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_grid_convergence
+{
 using namespace Continua;
 using Behaviour = GridConvergence::Behaviour;
 
@@ -145,3 +147,4 @@ UNIT_TEST(grid_convergence)
   implausible_orders();
   no_order();
 }
+} // namespace test_of_grid_convergence

@@ -6,6 +6,8 @@
 
 #include <deal.II/base/mpi.h>
 
+namespace test_of_loop_record
+{
 using namespace Continua;
 
 namespace
@@ -60,3 +62,4 @@ UNIT_TEST(loop_record)
   check::absolute("residual", value(summary, "largest residual"), 3e-4, 1e-19);
   check::absolute("steps at the cap", value(summary, "steps that reached the cap"), 2., 0.);
 }
+} // namespace test_of_loop_record

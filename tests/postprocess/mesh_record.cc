@@ -7,6 +7,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_mesh_record
+{
 using namespace Continua;
 
 namespace
@@ -51,3 +53,4 @@ UNIT_TEST(mesh_record)
   check::relative("mean unknowns", quantity(summary, "unknowns (mean)"), 1875., 1e-12);
   check::absolute("most unknowns", quantity(summary, "unknowns (largest)"), 3000., 0.);
 }
+} // namespace test_of_mesh_record

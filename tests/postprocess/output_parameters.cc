@@ -5,6 +5,8 @@
 #include <continua/base/parameter_file.h>
 #include <continua/postprocess/output_parameters.h>
 
+namespace test_of_output_parameters
+{
 using namespace Continua;
 
 namespace
@@ -59,3 +61,4 @@ UNIT_TEST(output_parameters)
   check::throws<InputError>(
       "unknown entry", []() { read("  set Fields interval = 1 s\n"); }, "Field interval");
 }
+} // namespace test_of_output_parameters

@@ -5,6 +5,8 @@
 #include <continua/base/input_error.h>
 #include <continua/postprocess/power_record.h>
 
+namespace test_of_power_record
+{
 using namespace Continua;
 
 namespace
@@ -273,3 +275,4 @@ UNIT_TEST(power_record)
       []() { PowerRecord<2>(MPI_COMM_WORLD, {"body"}).open("no such folder/power.csv"); },
       "no such folder/power.csv");
 }
+} // namespace test_of_power_record

@@ -11,6 +11,8 @@
 
 #include <filesystem>
 
+namespace test_of_probes
+{
 using namespace Continua;
 
 namespace
@@ -434,3 +436,4 @@ UNIT_TEST(probes)
   refuses("unknown entry", "set Fields = pressure\nset Pont = 0, 0\n" + point, "Point");
   test_walls();
 }
+} // namespace test_of_probes

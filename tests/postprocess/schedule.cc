@@ -2,6 +2,8 @@
 
 #include <continua/postprocess/schedule.h>
 
+namespace test_of_schedule
+{
 using Continua::Schedule;
 
 namespace
@@ -50,3 +52,4 @@ UNIT_TEST(schedule)
   check::absolute("never", count({0., Zero::never, 10., false, false}, 0., step, 100), 0., 0.);
   check::is_true("steady", Schedule(0., Zero::never, 0., false, true).due(0., 0.));
 }
+} // namespace test_of_schedule

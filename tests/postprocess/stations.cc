@@ -10,6 +10,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_stations
+{
 namespace
 {
 using namespace Continua;
@@ -147,3 +149,4 @@ UNIT_TEST(stations)
   refuses("beside the axis", "set Stations = 0.5\n", {"axis pressure"},
           "the axis is not in the fluid", 0.1);
 }
+} // namespace test_of_stations

@@ -12,6 +12,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_analyses
+{
 using namespace Continua;
 
 namespace
@@ -93,3 +95,4 @@ UNIT_TEST(analyses)
       { make(solid_box(section_time + "subsection Refinement study\nset Cycles = 0\nend\n")); },
       "Refinement study/Cycles");
 }
+} // namespace test_of_analyses

@@ -18,6 +18,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_documentation
+{
 namespace
 {
 using namespace Continua;
@@ -197,3 +199,4 @@ UNIT_TEST(documentation)
                                      boundaries({"clamped end", "free end", "bottom", "top"}));
   std::filesystem::remove("documentation-test.prm");
 }
+} // namespace test_of_documentation

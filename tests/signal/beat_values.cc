@@ -9,6 +9,8 @@
 #include <limits>
 #include <stdexcept>
 
+namespace test_of_beat_values
+{
 using namespace Continua;
 
 namespace
@@ -72,3 +74,4 @@ UNIT_TEST(beat_values)
   check::throws<std::invalid_argument>(
       "a beat that is not there", [&]() { of(sine, 4); }, "does not have this beat");
 }
+} // namespace test_of_beat_values

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <functional>
 
+namespace test_of_beats
+{
 using namespace Continua;
 
 namespace
@@ -55,3 +57,4 @@ UNIT_TEST(beats)
   check::is_true("no load", of([](double) { return 3.; }).number == 0);
   check::is_true("no sample", find_beats({}).number == 0);
 }
+} // namespace test_of_beats

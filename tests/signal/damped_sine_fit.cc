@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+namespace test_of_damped_sine_fit
+{
 using namespace Continua;
 
 namespace
@@ -155,3 +157,4 @@ UNIT_TEST(damped_sine_fit)
   test_long_record();
   test_failures();
 }
+} // namespace test_of_damped_sine_fit

@@ -7,6 +7,8 @@
 
 #include <functional>
 
+namespace test_of_energy_frequency
+{
 using namespace Continua;
 
 namespace
@@ -66,3 +68,4 @@ UNIT_TEST(energy_frequency)
   check::absolute("constant", of([](const double) { return 0.1; }, 1.), 0., 0.);
   check::absolute("nothing", energy_frequency({}, 1.), 0., 0.);
 }
+} // namespace test_of_energy_frequency

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <stdexcept>
 
+namespace test_of_expression
+{
 using namespace Continua;
 
 namespace
@@ -162,3 +164,4 @@ UNIT_TEST(expression)
   test_refusals();
   test_sections();
 }
+} // namespace test_of_expression

@@ -10,6 +10,8 @@
 #include <functional>
 #include <limits>
 
+namespace test_of_first_pulse
+{
 namespace
 {
 using namespace Continua;
@@ -129,3 +131,4 @@ UNIT_TEST(first_pulse)
   check::is_true("not a number: none",
                  is_none(find_first_pulse(History(triangle, -2., 4., 0.125).times, values)));
 }
+} // namespace test_of_first_pulse

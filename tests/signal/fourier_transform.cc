@@ -6,6 +6,8 @@
 
 #include <stdexcept>
 
+namespace test_of_fourier_transform
+{
 using namespace Continua;
 
 UNIT_TEST(fourier_transform)
@@ -47,3 +49,4 @@ UNIT_TEST(fourier_transform)
       },
       "n/2");
 }
+} // namespace test_of_fourier_transform

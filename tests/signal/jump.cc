@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+namespace test_of_jump
+{
 using namespace Continua;
 
 UNIT_TEST(jump)
@@ -36,3 +38,4 @@ UNIT_TEST(jump)
                                0., 1.));
   check::is_true("a constant", !jumps_within([](double) { return 3.; }, 0., 1.));
 }
+} // namespace test_of_jump

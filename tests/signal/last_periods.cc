@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+namespace test_of_last_periods
+{
 using namespace Continua;
 
 namespace
@@ -120,3 +122,4 @@ UNIT_TEST(last_periods)
   test_change();
   test_without_periods();
 }
+} // namespace test_of_last_periods

@@ -7,6 +7,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_linear_recurrence
+{
 using namespace Continua;
 
 namespace
@@ -66,3 +68,4 @@ UNIT_TEST(linear_recurrence)
   check::is_true("fewer numbers are refused", is_refused({1., 0.5, 0.25, 0.125}, 2));
   check::is_true("zeros are refused", is_refused({0., 0., 0., 0.}, 2));
 }
+} // namespace test_of_linear_recurrence

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+namespace test_of_sign_change
+{
 using namespace Continua;
 
 UNIT_TEST(sign_change)
@@ -21,3 +23,4 @@ UNIT_TEST(sign_change)
   check::relative("at a jump of the position's value", find_sign_change({{1., -1.}, {1., 1.}}, 0),
                   1., 1e-15);
 }
+} // namespace test_of_sign_change

@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+namespace test_of_signal_analysis
+{
 using namespace Continua;
 
 namespace
@@ -173,3 +175,4 @@ UNIT_TEST(signal_analysis)
   test_first_maximum();
   test_no_oscillation();
 }
+} // namespace test_of_signal_analysis

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <limits>
 
+namespace test_of_time_table
+{
 using namespace Continua;
 
 namespace
@@ -177,3 +179,4 @@ UNIT_TEST(time_table)
   test_cubic();
   test_refusals();
 }
+} // namespace test_of_time_table

@@ -8,6 +8,8 @@
 #include <functional>
 #include <stdexcept>
 
+namespace test_of_wave_analysis
+{
 using namespace Continua;
 
 namespace
@@ -195,3 +197,4 @@ UNIT_TEST(wave_analysis)
       },
       "increase");
 }
+} // namespace test_of_wave_analysis

@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <fstream>
 
+namespace test_of_waveform
+{
 using namespace Continua;
 
 namespace
@@ -149,3 +151,4 @@ UNIT_TEST(waveform)
     check::equal(after, warning("set After the table = " + std::string(after) + "\n"), "");
   check::equal("no table", Waveform(3.).table_warning(2.), "");
 }
+} // namespace test_of_waveform

@@ -11,6 +11,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_comparison
+{
 using namespace Continua;
 
 namespace
@@ -144,3 +146,4 @@ UNIT_TEST(comparison)
   std::filesystem::remove_all(output);
   std::filesystem::remove(parameter_file);
 }
+} // namespace test_of_comparison

@@ -13,6 +13,8 @@
 #include "../parameter_text.h"
 #include "../unit_test.h"
 
+namespace test_of_comparison_report
+{
 using namespace Continua;
 using Verdict = ComparisonReport::Verdict;
 
@@ -198,3 +200,4 @@ UNIT_TEST(comparison_report)
                      std::string::npos);
   std::filesystem::remove("comparison-test.csv");
 }
+} // namespace test_of_comparison_report

@@ -10,6 +10,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_refinement_report
+{
 using namespace Continua;
 
 namespace
@@ -134,3 +136,4 @@ UNIT_TEST(refinement_report)
                              text.str().find(",\"it diverged\"\n") != std::string::npos);
   std::filesystem::remove("refinement-test.csv");
 }
+} // namespace test_of_refinement_report

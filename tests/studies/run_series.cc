@@ -14,6 +14,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_run_series
+{
 using namespace Continua;
 
 UNIT_TEST(run_series)
@@ -121,3 +123,4 @@ UNIT_TEST(run_series)
   }
   check::is_true("it states the same, to all digits", equal);
 }
+} // namespace test_of_run_series

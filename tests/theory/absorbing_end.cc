@@ -4,6 +4,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_absorbing_end
+{
 using namespace waves;
 
 /// Behind an end that absorbs, nothing is different from a tube that goes on: as long as nothing
@@ -57,3 +59,4 @@ UNIT_TEST(absorbing_end)
   check::throws<std::invalid_argument>(
       "wall absorbs, liquid does not", [&]() { history(half); }, "the liquid's does not");
 }
+} // namespace test_of_absorbing_end

@@ -5,6 +5,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_amplification
+{
 using namespace Continua;
 
 namespace
@@ -75,3 +77,4 @@ UNIT_TEST(amplification)
   check::relative("frequency error", of(crank_nicolson_step(0., dt), 0.5).frequency_error(),
                   2. * std::atan(0.25) / 0.5 - 1., 1e-12);
 }
+} // namespace test_of_amplification

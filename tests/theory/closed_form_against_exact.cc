@@ -6,6 +6,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_closed_form_against_exact
+{
 using namespace Continua;
 
 namespace
@@ -88,3 +90,4 @@ UNIT_TEST(closed_form_against_exact)
     }
   }
 }
+} // namespace test_of_closed_form_against_exact

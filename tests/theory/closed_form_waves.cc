@@ -5,6 +5,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_closed_form_waves
+{
 using namespace Continua;
 
 namespace
@@ -99,3 +101,4 @@ UNIT_TEST(closed_form_waves)
     check::is_true(name + "the wall rests", mode.wall_displacement == 0. && mode.hoop_stress == 0.);
   }
 }
+} // namespace test_of_closed_form_waves

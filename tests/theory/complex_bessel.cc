@@ -8,6 +8,8 @@
 
 #include <limits>
 
+namespace test_of_complex_bessel
+{
 using namespace Continua;
 
 namespace
@@ -65,3 +67,4 @@ UNIT_TEST(complex_bessel)
       },
       "too large");
 }
+} // namespace test_of_complex_bessel

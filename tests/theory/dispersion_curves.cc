@@ -7,6 +7,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_dispersion_curves
+{
 using namespace waves;
 
 namespace
@@ -67,3 +69,4 @@ UNIT_TEST(dispersion_curves)
   steel.fluid.compression = Compression::elastic(1. / 2.2e9);
   follow("steel", steel, 500., 2000., std::sqrt(200e9 / 7850.));
 }
+} // namespace test_of_dispersion_curves

@@ -9,6 +9,8 @@
 
 #include <limits>
 
+namespace test_of_exact_dispersion
+{
 using namespace Continua;
 
 namespace
@@ -715,3 +717,4 @@ UNIT_TEST(exact_dispersion)
   balances();
   very_thin_wall();
 }
+} // namespace test_of_exact_dispersion

@@ -10,6 +10,8 @@
 
 #include <functional>
 
+namespace test_of_impedance_fit
+{
 using namespace waves;
 
 namespace
@@ -165,3 +167,4 @@ UNIT_TEST(impedance_fit)
   powers();
   tube_a();
 }
+} // namespace test_of_impedance_fit

@@ -5,6 +5,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_korteweg
+{
 using namespace Continua;
 
 UNIT_TEST(korteweg)
@@ -67,3 +69,4 @@ UNIT_TEST(korteweg)
       std::abs(characteristic_impedance(1000., {5., 1.}, 0.001) / 1e6 - Complex(5., 1.)), 0.,
       1e-14);
 }
+} // namespace test_of_korteweg

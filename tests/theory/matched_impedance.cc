@@ -7,6 +7,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_matched_impedance
+{
 using namespace waves;
 
 namespace
@@ -122,3 +124,4 @@ UNIT_TEST(matched_impedance)
         matched_impedances(rigid, WallEnd::absorbing, 1., frequencies)[1](0, 0),
         std::sqrt(1000. * 2.25e9) / (pi * 1e-4), 1e-3);
 }
+} // namespace test_of_matched_impedance

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <stdexcept>
 
+namespace test_of_stream_waves
+{
 using namespace Continua;
 
 namespace
@@ -151,3 +153,4 @@ UNIT_TEST(stream_waves)
   test_at_rest();
   test_refusals();
 }
+} // namespace test_of_stream_waves

@@ -5,6 +5,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_tube_a
+{
 using namespace waves;
 
 namespace
@@ -49,3 +51,4 @@ UNIT_TEST(tube_a)
 {
   tube_a();
 }
+} // namespace test_of_tube_a

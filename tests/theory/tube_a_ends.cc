@@ -5,6 +5,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_tube_a_ends
+{
 using namespace waves;
 
 namespace
@@ -70,3 +72,4 @@ UNIT_TEST(tube_a_ends)
   check::relative("earlier reflection of clamped ends [ms]",
                   (return_time(WallEnd::free) - return_time(WallEnd::clamped)) * 1e3, 0.6065, 0.01);
 }
+} // namespace test_of_tube_a_ends

@@ -4,6 +4,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_tube_section
+{
 using namespace Continua;
 
 namespace
@@ -84,3 +86,4 @@ UNIT_TEST(tube_section)
   other.layers[0].compression = Compression::elastic(1e-7);
   check::is_true("no relaxation of the volume", !(section == other));
 }
+} // namespace test_of_tube_section

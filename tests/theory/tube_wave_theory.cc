@@ -8,6 +8,8 @@
 #include <array>
 #include <functional>
 
+namespace test_of_tube_wave_theory
+{
 using namespace waves;
 
 namespace
@@ -259,3 +261,4 @@ UNIT_TEST(tube_wave_theory)
   branches(tube, whole);
   windkessel(tube);
 }
+} // namespace test_of_tube_wave_theory

@@ -7,6 +7,8 @@
 
 #include <stdexcept>
 
+namespace test_of_tube_waves_closed_form
+{
 using namespace Continua;
 
 namespace
@@ -73,3 +75,4 @@ UNIT_TEST(tube_waves_closed_form)
   check::throws<std::domain_error>(
       "above the ring frequency", [&a] { membrane_wave_number(a, 3537., 1.72e6); }, "ring");
 }
+} // namespace test_of_tube_waves_closed_form

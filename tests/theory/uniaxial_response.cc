@@ -9,6 +9,8 @@
 
 #include "../unit_test.h"
 
+namespace test_of_uniaxial_response
+{
 using namespace Continua;
 
 namespace
@@ -163,3 +165,4 @@ UNIT_TEST(uniaxial_response)
       wall.c * wall.step_strain(1., 1.);
   check::relative("power law: creep under relaxation", folded, 1., 1e-6);
 }
+} // namespace test_of_uniaxial_response

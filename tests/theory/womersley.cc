@@ -7,6 +7,8 @@
 
 #include <stdexcept>
 
+namespace test_of_womersley
+{
 using namespace Continua;
 
 namespace
@@ -86,3 +88,4 @@ UNIT_TEST(womersley)
   check::throws<std::invalid_argument>(
       "no radius", [] { Womersley(0., 1., 1.); }, "radius");
 }
+} // namespace test_of_womersley

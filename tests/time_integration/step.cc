@@ -9,6 +9,8 @@
 #include <complex>
 #include <limits>
 
+namespace test_of_step
+{
 using namespace Continua;
 
 namespace
@@ -208,3 +210,4 @@ UNIT_TEST(step)
   check::is_true("backward differencing, theta = 100: damped",
                  decay_of_backward_differencing(100., 10) < 0.1);
 }
+} // namespace test_of_step

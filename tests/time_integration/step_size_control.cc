@@ -8,6 +8,8 @@
 
 #include <functional>
 
+namespace test_of_step_size_control
+{
 using namespace Continua;
 
 namespace
@@ -198,3 +200,4 @@ UNIT_TEST(step_size_control)
     check::is_true("load goes on bit by bit", same && half.at_end());
   }
 }
+} // namespace test_of_step_size_control

@@ -6,6 +6,8 @@
 #include "../parameter_text.h"
 #include "../unit_test.h"
 
+namespace test_of_time_control
+{
 using namespace Continua;
 
 namespace
@@ -154,3 +156,4 @@ UNIT_TEST(time_control)
           ":3: 'Time step changes'.*increase");
   refused("jumps not sorted", good + "set Jump times = 3 s, 2 s\n", ":3: 'Jump times'");
 }
+} // namespace test_of_time_control

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+namespace test_of_centreline
+{
 using namespace Continua;
 using Point = dealii::Point<3>;
 
@@ -144,3 +146,4 @@ UNIT_TEST(centreline)
   test_circle();
   test_helix();
 }
+} // namespace test_of_centreline

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+namespace test_of_spin_coating
+{
 using namespace Continua;
 
 namespace
@@ -81,3 +83,4 @@ UNIT_TEST(spin_coating)
       "stripe", [] { read("set Stripe distance = 0\n"); }, "spin-coating.prm:2: .*Stripe distance");
   std::filesystem::remove("spin-coating.prm");
 }
+} // namespace test_of_spin_coating

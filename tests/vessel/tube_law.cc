@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+namespace test_of_tube_law
+{
 using namespace Continua;
 
 namespace
@@ -209,3 +211,4 @@ UNIT_TEST(tube_law)
   std::filesystem::remove("tube-law.prm");
   std::filesystem::remove("tube-law.csv");
 }
+} // namespace test_of_tube_law

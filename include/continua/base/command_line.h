@@ -8,16 +8,17 @@ namespace Continua
 {
 /**
  * What is typed behind the name of the program; usage() has the options. The value of --set,
- * --output,
- * --mesh and --new may also follow an equals sign. FILE and options may stand in any order.
+ * --output, --mesh and --new may also follow an equals sign. FILE and options may stand in any
+ * order.
  */
 struct CommandLine
 {
   /// Empty only with --version, --help, --examples, --print-parameters and --new; with --new the
   /// file to write.
   std::string parameter_file;
-  std::vector<std::string> overrides; ///< of --set
-  std::string output_directory;       ///< default output/<name of the .prm>
+  std::vector<std::string> further_files; ///< only with --validate: they are checked, too
+  std::vector<std::string> overrides;     ///< of --set
+  std::string output_directory;           ///< default output/<name of the .prm>
   bool overwrite = false;
   bool restart = false;
   bool validate = false;
@@ -31,9 +32,11 @@ struct CommandLine
   std::string template_name;        ///< of --new; empty: list them
   std::string text; ///< the command line as typed, quoted so that a shell reads it back
 
-  /// Throws InputError for an unknown option (with the nearest one), a missing or a second file, or
-  /// options that exclude each other.
+  /// Throws InputError for an unknown option (with the nearest one), a missing file, a second file
+  /// without --validate, or options that exclude each other.
   static CommandLine parse(int argc, const char *const *argv);
+  /// The same for one of the further files.
+  CommandLine with_file(const std::string &file) const;
   /// What --help prints, with the exit statuses.
   static std::string usage();
 };

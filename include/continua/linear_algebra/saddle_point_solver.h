@@ -19,7 +19,7 @@ struct KrylovReport
 {
   bool converged = true;
   unsigned int iterations = 0;
-  double residual = 0.; ///< relative, as the tolerance
+  double initial_residual = 0., residual = 0.; ///< relative, as the tolerance
 };
 
 /**

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Reads and checks a parameter file without running it: shipped.py PROGRAM CASE.prm WORKING_FOLDER.
+"""Prints the entries of a parameter file: printed.py PROGRAM CASE.prm WORKING_FOLDER.
 
 The program prints the entries of the file into the folder as printed.prm (what a run writes as parameters.prm) and as
-printed.json; the test parameter_files/plain_handler compares the two.
+printed.json; the test printed/plain_handler compares the two.
 """
 
 import os
