@@ -639,7 +639,7 @@ std::string IterativeStepSolver<dim>::describe_failure(const KrylovReport &repor
     DistributedVector is_of_block = space.velocity_vector();
     for (unsigned int i = 0; i < is_of_block.locally_owned_size(); ++i)
       if (used.is_stiff[i] == of_stiff &&
-          !space.velocity_hanging.is_constrained(space.velocity_owned.nth_index_in_set(i)))
+          !constraints.all().is_constrained(space.velocity_owned.nth_index_in_set(i)))
         is_of_block.begin()[i] = 1.;
     return convergence_factor(matrix, inverse, velocity_operator().diagonal(), is_of_block);
   };
@@ -667,20 +667,20 @@ std::string IterativeStepSolver<dim>::describe_failure(const KrylovReport &repor
     text << ", the fluid block alone " << of_fluid;
   }
   text << ". ";
-  if (of_all < stalls)
-    text << "No block stalls. Use more Linear solver/Maximum iterations";
-  else if (std::max(of_stiff, of_fluid) < stalls)
-    text << "So the block of the pressure stalls. Use "
-         << (parameters.schur_complement == SchurApproximation::simple
-                 ? "Linear solver/Schur complement = cahouet-chabard"
-                 : "Linear solver/Type = direct");
-  else if (of_stiff > of_fluid)
+  if (of_stiff >= stalls && of_stiff > of_fluid)
     text << "So the stiff block stalls. Use Linear solver/Stiff block = direct";
-  else
+  else if (of_fluid >= stalls)
     text << "So the fluid block stalls. Use "
          << (parameters.fluid_block == FluidBlock::relaxation
                  ? "Linear solver/Fluid block = automatic"
                  : "a smaller Time/Time step, or Linear solver/Type = direct");
+  else if (of_all >= stalls)
+    text << "So the block of the pressure stalls. Use "
+         << (parameters.schur_complement == SchurApproximation::simple
+                 ? "Linear solver/Schur complement = cahouet-chabard"
+                 : "Linear solver/Type = direct");
+  else
+    text << "No block stalls. Use more Linear solver/Maximum iterations";
   return text.str();
 }
 

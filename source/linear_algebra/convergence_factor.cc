@@ -5,8 +5,8 @@
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
 
-#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace Continua
 {
@@ -43,17 +43,20 @@ double convergence_factor(const LinearFunction &matrix,
     target.scale(is_of_block);
   };
 
-  // Without order, and the same on any number of ranks.
+  // The same on any number of ranks. A phase that grows with the square has all wave lengths alike.
   DistributedVector solution(is_of_block), right_hand_side(is_of_block);
   const IndexSet owned = solution.locally_owned_elements();
   for (unsigned int i = 0; i < solution.locally_owned_size(); ++i)
-    solution.begin()[i] = scale.begin()[i] * std::sin(1e4 * (1. + owned.nth_index_in_set(i)));
-  multiply(right_hand_side, solution);
+  {
+    const double index = owned.nth_index_in_set(i);
+    right_hand_side.begin()[i] *= std::sin(index * (index + 1.));
+  }
   solution = 0.;
   const double size = right_hand_side.l2_norm();
   if (size == 0.)
     return 0.;
   IterationNumberControl control(n_iterations, small_enough * size);
+  control.enable_history_data();
   GrowingVectorMemory<DistributedVector> memory;
   SolverFGMRES<DistributedVector> solver(
       control, memory, SolverFGMRES<DistributedVector>::AdditionalData(n_iterations + 1));
@@ -67,6 +70,11 @@ double convergence_factor(const LinearFunction &matrix,
     // A product is no number.
     return 1.;
   }
-  return std::pow(control.last_value() / size, 1. / std::max(1u, control.last_step()));
+  // What is easy goes first.
+  const std::vector<double> &residuals = control.get_history_data();
+  const std::size_t last = residuals.size() - 1, middle = last / 2;
+  return last == 0 || residuals[last] == 0.
+             ? 0.
+             : std::pow(residuals[last] / residuals[middle], 1. / (last - middle));
 }
 } // namespace Continua

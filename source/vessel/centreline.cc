@@ -176,7 +176,12 @@ void Centreline::make_frames()
       sample_positions.push_back(knots[i] + (knots[i + 1] - knots[i]) * k / samples_per_interval);
   sample_positions.push_back(knots.back());
   for (const double position : sample_positions)
+  {
     sample_points.push_back(derivatives(position).point);
+    const std::size_t i = sample_ways.size();
+    sample_ways.push_back(
+        i == 0 ? 0. : sample_ways.back() + sample_points[i].distance(sample_points[i - 1]));
+  }
 
   Tensor direction = tangent(0.);
   Tensor binormal = across(normal_of_plane(points), direction);
@@ -248,16 +253,21 @@ Centreline::Frame Centreline::frame(const double position) const
 
 double Centreline::nearest(const Point &place) const
 {
+  // A sample is nearer than another by at most the way from one to the other, so that all which are
+  // too near to this one to be the nearest are left out.
   std::size_t sample = 0;
   double least = std::numeric_limits<double>::max();
-  for (std::size_t i = 0; i < sample_points.size(); ++i)
+  for (std::size_t i = 0; i < sample_points.size();)
   {
-    const double square = (place - sample_points[i]).norm_square();
-    if (square < least)
+    const double distance = place.distance(sample_points[i]);
+    if (distance < least)
     {
-      least = square;
+      least = distance;
       sample = i;
     }
+    i = std::lower_bound(sample_ways.begin() + i + 1, sample_ways.end(),
+                         sample_ways[i] + distance - least) -
+        sample_ways.begin();
   }
   const auto ahead = [&](const double position)
   { return (place - point(position)) * tangent(position); };
@@ -279,13 +289,14 @@ double Centreline::nearest(const Point &place) const
     const double residual = distance * at.first;
     (residual > 0. ? lower : upper) = position;
     const double derivative = distance * at.second - at.first.norm_square();
-    double next = derivative < 0. ? position - residual / derivative : lower;
+    const double newton = derivative < 0. ? -residual / derivative : upper - lower;
+    // Round-off may let a step this small leave the bounds.
+    if (std::abs(newton) <= 1e-15 * length())
+      break;
+    double next = position + newton;
     if (next <= lower || next >= upper)
       next = 0.5 * (lower + upper);
-    const double change = std::abs(next - position);
     position = next;
-    if (change <= 1e-15 * length())
-      break;
   }
   return position;
 }

@@ -13,9 +13,10 @@ using LinearFunction =
 
 /**
  * How good a preconditioner is for a block of a matrix, that is for some of its rows and the same
- * columns: the factor by which one iteration of FGMRES with it reduces the residual, on average over
- * 20 iterations, or over fewer that reduce it to 1e-10. Residuals are measured with the inverse of
- * the diagonal. The solution is without any order. 0 is an exact inverse, 1 one that does not help.
+ * columns: the factor by which one iteration of FGMRES with it reduces the residual. It takes 20
+ * iterations, or fewer that reduce the residual to 1e-10, and averages over the second half of
+ * them. Residuals are measured with the inverse of the diagonal. The right-hand side is without any
+ * order. 0 is an exact inverse, 1 one that does not help.
  */
 double convergence_factor(const LinearFunction &matrix,
                           const LinearFunction &preconditioner,
