@@ -155,7 +155,39 @@ void perform_new(const CommandLine &command_line)
   print_all(text.str());
 }
 
-void perform(const CommandLine &command_line, const MPI_Comm communicator)
+/// Every rank reads the same input and finds the same mistake.
+int refuse(const InputError &error, const MPI_Comm communicator)
+{
+  if (is_writing_rank(communicator))
+    std::cerr << "error: " << printable(error.what()) << std::endl;
+  return status_input_wrong;
+}
+
+/// Several files are checked; a wrong one does not keep those behind it from being checked.
+int validate_files(const CommandLine &command_line, const MPI_Comm communicator)
+{
+  std::vector<std::string> files = command_line.further_files;
+  files.insert(files.begin(), command_line.parameter_file);
+  int status = status_done;
+  for (const std::string &file : files)
+    try
+    {
+      perform_file(command_line.with_file(file), communicator);
+    }
+    catch (const InputError &error)
+    {
+      status = refuse(error, communicator);
+    }
+    catch (...)
+    {
+      if (is_writing_rank(communicator))
+        std::cerr << "the check of " << printable(file) << " failed:" << std::endl;
+      throw;
+    }
+  return status;
+}
+
+int perform(const CommandLine &command_line, const MPI_Comm communicator)
 {
   const bool is_writer = is_writing_rank(communicator);
   if (command_line.help || command_line.version)
@@ -182,34 +214,11 @@ void perform(const CommandLine &command_line, const MPI_Comm communicator)
     if (is_writer)
       print_all(text.str());
   }
+  else if (!command_line.further_files.empty())
+    return validate_files(command_line, communicator);
   else
     perform_file(command_line, communicator);
-}
-
-/// Every rank reads the same input and finds the same mistake.
-int refuse(const InputError &error, const MPI_Comm communicator)
-{
-  if (is_writing_rank(communicator))
-    std::cerr << "error: " << printable(error.what()) << std::endl;
-  return status_input_wrong;
-}
-
-/// Several files are checked; a wrong one does not keep those behind it from being checked.
-int validate_files(const CommandLine &command_line, const MPI_Comm communicator)
-{
-  std::vector<std::string> files = command_line.further_files;
-  files.insert(files.begin(), command_line.parameter_file);
-  int status = status_done;
-  for (const std::string &file : files)
-    try
-    {
-      perform_file(command_line.with_file(file), communicator);
-    }
-    catch (const InputError &error)
-    {
-      status = refuse(error, communicator);
-    }
-  return status;
+  return status_done;
 }
 
 /// The run failed on this rank; the other ranks may be waiting for it.
@@ -244,11 +253,7 @@ int main(int argc, char **argv)
   const bool is_writer = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   try
   {
-    const CommandLine command_line = CommandLine::parse(argc, argv);
-    if (!command_line.further_files.empty())
-      return validate_files(command_line, communicator);
-    perform(command_line, communicator);
-    return status_done;
+    return perform(CommandLine::parse(argc, argv), communicator);
   }
   catch (const Continua::InputError &error)
   {

@@ -5,6 +5,7 @@
 #include <continua/finite_element/condensed_system.h>
 #include <continua/finite_element/interface_compliance.h>
 #include <continua/finite_element/matrix_free_regions.h>
+#include <continua/finite_element/stalled_block.h>
 #include <continua/linear_algebra/convergence_factor.h>
 #include <continua/linear_algebra/matrix_product.h>
 #include <continua/linear_algebra/matrix_relaxation.h>
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iomanip>
 #include <sstream>
 
 namespace Continua
@@ -502,6 +502,8 @@ void IterativeStepSolver<dim>::make_preconditioner()
   made->has_fluid = has_fluid;
   made->has_stiff = n_stiff > 0;
   made->stiff_is_direct = parts.stiff_is_direct;
+  made->fluid_is_viscous = parts.fluid_is_viscous;
+  made->has_inertia = has_inertia;
   made->is_stiff.assign(space.velocity_owned.n_elements(), false);
   for (const unsigned int i : parts.stiff)
     made->is_stiff[i] = true;
@@ -617,7 +619,8 @@ KrylovReport IterativeStepSolver<dim>::solve_by_krylov(const SaddlePointSolver::
   }
   if (report.converged)
     record_use(report.iterations);
-  return {report.converged, iterations, report.initial_residual, report.residual};
+  report.iterations = iterations;
+  return report;
 }
 
 template <int dim>
@@ -643,45 +646,23 @@ std::string IterativeStepSolver<dim>::describe_failure(const KrylovReport &repor
         is_of_block.begin()[i] = 1.;
     return convergence_factor(matrix, inverse, velocity_operator().diagonal(), is_of_block);
   };
-  const double of_all =
-      report.initial_residual > 0.
-          ? std::pow(report.residual / report.initial_residual,
-                     1. / std::max(1u, std::min(report.iterations, parameters.maximum_iterations)))
-          : 1.;
-  double of_stiff = 0., of_fluid = 0.;
-  std::ostringstream text;
-  text << std::setprecision(2)
-       << "Of its residual, one iteration leaves on average: with all blocks together " << of_all;
-  if (used.has_stiff && used.stiff_is_direct)
-    text << ", the stiff block (a wall) alone 0, since it has a factor";
-  else if (used.has_stiff)
-  {
-    of_stiff = factor_of(true, [&](DistributedVector &target, const DistributedVector &source)
-                         { used.velocity->solve_stiff(target, source); });
-    text << ", the stiff block (a wall) alone " << of_stiff;
-  }
+  BlockFactors factors;
+  factors.residual = report.residual;
+  factors.of_all = report.late_factor;
+  factors.has_stiff = used.has_stiff;
+  factors.has_fluid = used.has_fluid;
+  factors.stiff_is_direct = used.stiff_is_direct;
+  factors.fluid_is_viscous = used.fluid_is_viscous;
+  factors.has_inertia = used.has_inertia;
+  if (used.has_stiff && !used.stiff_is_direct)
+    factors.of_stiff =
+        factor_of(true, [&](DistributedVector &target, const DistributedVector &source)
+                  { used.velocity->solve_stiff(target, source); });
   if (used.has_fluid)
-  {
-    of_fluid = factor_of(false, [&](DistributedVector &target, const DistributedVector &source)
-                         { used.velocity->relax_fluid(target, source); });
-    text << ", the fluid block alone " << of_fluid;
-  }
-  text << ". ";
-  if (of_stiff >= stalls && of_stiff > of_fluid)
-    text << "So the stiff block stalls. Use Linear solver/Stiff block = direct";
-  else if (of_fluid >= stalls)
-    text << "So the fluid block stalls. Use "
-         << (parameters.fluid_block == FluidBlock::relaxation
-                 ? "Linear solver/Fluid block = automatic"
-                 : "a smaller Time/Time step, or Linear solver/Type = direct");
-  else if (of_all >= stalls)
-    text << "So the block of the pressure stalls. Use "
-         << (parameters.schur_complement == SchurApproximation::simple
-                 ? "Linear solver/Schur complement = cahouet-chabard"
-                 : "Linear solver/Type = direct");
-  else
-    text << "No block stalls. Use more Linear solver/Maximum iterations";
-  return text.str();
+    factors.of_fluid =
+        factor_of(false, [&](DistributedVector &target, const DistributedVector &source)
+                  { used.velocity->relax_fluid(target, source); });
+  return describe_stalled_block(factors, parameters);
 }
 
 template <int dim>

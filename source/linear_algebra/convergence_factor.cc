@@ -12,6 +12,14 @@ namespace Continua
 {
 using namespace dealii;
 
+double late_factor(const std::vector<double> &residuals)
+{
+  if (residuals.size() < 2 || residuals.back() == 0.)
+    return 0.;
+  const std::size_t last = residuals.size() - 1, middle = last / 2;
+  return std::pow(residuals[last] / residuals[middle], 1. / (last - middle));
+}
+
 double convergence_factor(const LinearFunction &matrix,
                           const LinearFunction &preconditioner,
                           const DistributedVector &diagonal,
@@ -23,11 +31,11 @@ double convergence_factor(const LinearFunction &matrix,
   // Roots of the diagonal and of its inverse, zero outside of the block.
   DistributedVector scale(is_of_block), inverse_scale(is_of_block), work(is_of_block);
   for (unsigned int i = 0; i < scale.locally_owned_size(); ++i)
-  {
-    const double root = std::sqrt(diagonal.begin()[i]);
-    scale.begin()[i] /= root;
-    inverse_scale.begin()[i] *= root;
-  }
+    if (is_of_block.begin()[i] > 0.)
+    {
+      inverse_scale.begin()[i] = std::sqrt(diagonal.begin()[i]);
+      scale.begin()[i] = 1. / inverse_scale.begin()[i];
+    }
   const auto multiply = [&](DistributedVector &target, const DistributedVector &source)
   {
     work.equ(1., source);
@@ -40,10 +48,9 @@ double convergence_factor(const LinearFunction &matrix,
     work.equ(1., source);
     work.scale(inverse_scale);
     preconditioner(target, work);
-    target.scale(is_of_block);
   };
 
-  // The same on any number of ranks. A phase that grows with the square has all wave lengths alike.
+  // The phase grows with the square of the index, so that all wave lengths occur alike.
   DistributedVector solution(is_of_block), right_hand_side(is_of_block);
   const IndexSet owned = solution.locally_owned_elements();
   for (unsigned int i = 0; i < solution.locally_owned_size(); ++i)
@@ -70,11 +77,6 @@ double convergence_factor(const LinearFunction &matrix,
     // A product is no number.
     return 1.;
   }
-  // What is easy goes first.
-  const std::vector<double> &residuals = control.get_history_data();
-  const std::size_t last = residuals.size() - 1, middle = last / 2;
-  return last == 0 || residuals[last] == 0.
-             ? 0.
-             : std::pow(residuals[last] / residuals[middle], 1. / (last - middle));
+  return late_factor(control.get_history_data());
 }
 } // namespace Continua

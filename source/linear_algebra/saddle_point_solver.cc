@@ -1,5 +1,6 @@
 #include <continua/linear_algebra/saddle_point_solver.h>
 
+#include <continua/linear_algebra/convergence_factor.h>
 #include <continua/linear_algebra/function_as_matrix.h>
 #include <continua/linear_algebra/matrix_product.h>
 
@@ -144,6 +145,7 @@ KrylovReport SaddlePointSolver::solve(const Blocks &blocks,
   if (size > 0.)
   {
     SolverControl control(maximum_iterations, tolerance * size);
+    control.enable_history_data();
     SolverFGMRES<BlockVector> solver(control, memory,
                                      SolverFGMRES<BlockVector>::AdditionalData(restart_length));
     try
@@ -156,7 +158,7 @@ KrylovReport SaddlePointSolver::solve(const Blocks &blocks,
       report.converged = false;
     }
     report.iterations = control.last_step();
-    report.initial_residual = control.initial_value() / size;
+    report.late_factor = late_factor(control.get_history_data());
     report.residual = control.last_value() / size;
   }
   else if (std::isnan(size))

@@ -178,9 +178,9 @@ void Centreline::make_frames()
   for (const double position : sample_positions)
   {
     sample_points.push_back(derivatives(position).point);
-    const std::size_t i = sample_ways.size();
-    sample_ways.push_back(
-        i == 0 ? 0. : sample_ways.back() + sample_points[i].distance(sample_points[i - 1]));
+    const std::size_t i = ways_to_samples.size();
+    ways_to_samples.push_back(
+        i == 0 ? 0. : ways_to_samples.back() + sample_points[i].distance(sample_points[i - 1]));
   }
 
   Tensor direction = tangent(0.);
@@ -253,8 +253,8 @@ Centreline::Frame Centreline::frame(const double position) const
 
 double Centreline::nearest(const Point &place) const
 {
-  // A sample is nearer than another by at most the way from one to the other, so that all which are
-  // too near to this one to be the nearest are left out.
+  // A sample is nearer than another by at most the way between them. So a sample to which the way
+  // is too short to be the nearest is left out.
   std::size_t sample = 0;
   double least = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < sample_points.size();)
@@ -265,9 +265,9 @@ double Centreline::nearest(const Point &place) const
       least = distance;
       sample = i;
     }
-    i = std::lower_bound(sample_ways.begin() + i + 1, sample_ways.end(),
-                         sample_ways[i] + distance - least) -
-        sample_ways.begin();
+    i = std::lower_bound(ways_to_samples.begin() + i + 1, ways_to_samples.end(),
+                         ways_to_samples[i] + distance - least) -
+        ways_to_samples.begin();
   }
   const auto ahead = [&](const double position)
   { return (place - point(position)) * tangent(position); };
@@ -296,6 +296,8 @@ double Centreline::nearest(const Point &place) const
     double next = position + newton;
     if (next <= lower || next >= upper)
       next = 0.5 * (lower + upper);
+    if (next == position)
+      break;
     position = next;
   }
   return position;

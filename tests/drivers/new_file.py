@@ -115,6 +115,8 @@ def check_list(program, folder):
         done = driver.run(program, ["my.prm", "wrong.prm", "my.prm", "--validate"], ranks=ranks, folder=folder)
         if done.returncode != 2 or done.stdout.count("my.prm: valid\n") != 2 or done.stderr.count("error: wrong.prm:1: ") != 1:
             raise driver.TestFailure(f"--validate of three files: status {done.returncode}, {done.stdout}{done.stderr}")
+    if not driver.run_to_the_end(program, ["my.prm", "wrong.prm", "--validate", "--help"], folder=folder).stdout.startswith("Usage:"):
+        raise driver.TestFailure("--help beside several files prints no help")
     refused(program, ["my.prm", "--mesh", "none/mesh.vtu"], folder, "none/mesh.vtu", "the folder 'none/' does not exist")
     refused(program, ["my.prm", "--mesh", "mesh.vtk"], folder, ".vtu")
     refused(program, ["my.prm", "--mesh", "mesh.vtu", "--validate"], folder, "excludes --validate")

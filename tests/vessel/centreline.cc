@@ -137,6 +137,28 @@ void test_helix()
     error = std::max(error, std::abs(line.nearest(frame.point - 0.6 * frame.binormal) - position));
   }
   check::absolute("helix: nearest", error, 0., 1e-12);
+
+  // Wherever a place is: near the axis, between turns and far away, no sample is nearer, and far
+  // away from the origin, too.
+  bool is_nearest = true;
+  for (const double shift : {0., 1e3})
+  {
+    std::vector<Point> points = points_of(helix, 64);
+    for (Point &point : points)
+      point[0] += shift;
+    const Centreline moved(points);
+    for (unsigned int i = 0; i < 300; ++i)
+    {
+      const double size = i % 3 == 0 ? 0.1 : i % 3 == 1 ? 2. : 30.;
+      const Point place(shift + size * std::sin(1. * i * i), size * std::sin(2. * i * i),
+                        3. + size * std::sin(3. * i * i));
+      const double position = moved.nearest(place);
+      const double distance = place.distance(moved.point(position));
+      for (const double sample : moved.samples())
+        is_nearest &= distance <= place.distance(moved.point(sample)) + 1e-9;
+    }
+  }
+  check::is_true("helix: no sample is nearer", is_nearest);
 }
 } // namespace
 

@@ -79,9 +79,6 @@ private:
   static constexpr double stiff_ratio = 10.;
   static constexpr double viscous_ratio = 100.;
   static constexpr double comparable = 1e-3;
-  /// A block that leaves so much of its residual in an iteration stalls: ten iterations and more
-  /// for a digit.
-  static constexpr double stalls = 0.8;
   /// Of the stiff block: 1/(K b) is at least so many 1/alpha.
   static constexpr double least_compressibility = 1e-3;
   /// Up to so many velocities of all ranks the stiff block has a factor.
@@ -96,7 +93,7 @@ private:
     std::unique_ptr<SchurComplement> schur_complement;
     DistributedVector augmentation; ///< W
     std::vector<bool> is_stiff;     ///< of each owned velocity
-    bool has_stiff = false, stiff_is_direct = true;
+    bool has_stiff = false, stiff_is_direct = true, fluid_is_viscous = false, has_inertia = true;
     unsigned int first_iterations = 0;
     bool is_used = false, is_worn = false, has_fluid = true;
     std::string name;
@@ -121,8 +118,8 @@ private:
 
   bool is_near(const SystemCoefficients &others) const;
   void make_preconditioner();
-  /// From the guess that is in `velocity` and `pressure`, and once more with a new preconditioner
-  /// if it was one of other coefficients that failed. The report counts the iterations of both.
+  /// From the last solution, or from zero for a correction; once more with a new preconditioner if
+  /// it was one of other coefficients that failed. The report counts the iterations of both.
   KrylovReport solve_by_krylov(const SaddlePointSolver::Blocks &system,
                                double tolerance,
                                bool is_correction,
@@ -130,8 +127,8 @@ private:
                                const DistributedVector &mass,
                                DistributedVector &velocity,
                                DistributedVector &pressure);
-  /// Which block of the preconditioner it is that a solve fails by, what each leaves of its own
-  /// error in an iteration, and what to do. Costs as much as 40 iterations.
+  /// Measures each block of the preconditioner alone, names the one that stalls, and says what to
+  /// do. Takes as long as 40 iterations.
   std::string describe_failure(const KrylovReport &report);
   /// Of a solve that has converged: whether the preconditioner is worn.
   void record_use(unsigned int iterations);

@@ -19,7 +19,9 @@ struct KrylovReport
 {
   bool converged = true;
   unsigned int iterations = 0;
-  double initial_residual = 0., residual = 0.; ///< relative, as the tolerance
+  double residual = 0.; ///< relative, as the tolerance
+  double late_factor =
+      0.; ///< of the residual in an iteration (see late_factor()); not of all solvers
 };
 
 /**

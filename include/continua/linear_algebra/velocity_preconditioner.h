@@ -55,7 +55,8 @@ public:
   /// target = what the stiff velocities alone do under the source, zero elsewhere: by the factor,
   /// or by one cycle of multigrid. There have to be stiff ones.
   void solve_stiff(DistributedVector &target, const DistributedVector &source);
-  /// target = the relaxation of the fluid's velocities alone. There have to be some.
+  /// target = the relaxation alone, without the stiff block; what it leaves at stiff velocities has
+  /// no meaning. There has to be a fluid.
   void relax_fluid(DistributedVector &target, const DistributedVector &source);
 
   /// Of the stiff block; null if there is none.

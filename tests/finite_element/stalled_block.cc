@@ -1,0 +1,79 @@
+// Which block a solve that has not converged stalls by, and the remedy, as a table.
+
+#include <continua/finite_element/stalled_block.h>
+
+#include "../unit_test.h"
+
+#include <limits>
+
+namespace test_of_stalled_block
+{
+using namespace Continua;
+
+namespace
+{
+/// A tube whose wall has multigrid and whose blocks are all good enough.
+BlockFactors good()
+{
+  BlockFactors factors;
+  factors.residual = 1e-3;
+  factors.has_stiff = factors.has_fluid = true;
+  factors.of_all = 0.7;
+  factors.of_stiff = 0.3;
+  factors.of_fluid = 0.2;
+  return factors;
+}
+
+void expect(const std::string &name,
+            const BlockFactors &factors,
+            const LinearSolverParameters &parameters,
+            const std::string &pattern)
+{
+  const std::string text = describe_stalled_block(factors, parameters);
+  const bool matches = check::matches(text, pattern);
+  check::is_true(matches ? name : name + ", " + text, matches);
+}
+} // namespace
+
+UNIT_TEST(stalled_block)
+{
+  LinearSolverParameters parameters;
+  parameters.restart_length = parameters.maximum_iterations;
+  BlockFactors factors = good();
+  expect("all is good", factors, parameters,
+         "together 0.7, the stiff block alone 0.3, the fluid block alone 0.2. No block stalls.*more "
+         "Linear solver/Maximum iterations");
+  factors.of_all = 0.9;
+  expect("pressure", factors, parameters,
+         "block of the pressure stalls, or what couples.*: use Linear solver/Type = direct$");
+  parameters.restart_length = 30;
+  expect("pressure, or the restart", factors, parameters, "larger Linear solver/Restart length");
+  parameters.schur_complement = SchurApproximation::simple;
+  expect("pressure of simple", factors, parameters, "use Linear solver/Schur complement = cahouet");
+
+  factors.of_stiff = 0.85;
+  expect("stiff block", factors, parameters, "So the stiff block stalls.*Stiff block = direct");
+  factors.of_all = 0.7;
+  expect("stiff block, not yet all", factors, parameters, "So the stiff block stalls");
+  factors.of_fluid = 0.9;
+  expect("the worse of both", factors, parameters,
+         "So the fluid block stalls.*Fluid block = algebraic multigrid");
+  factors.fluid_is_viscous = true;
+  expect("fluid with multigrid", factors, parameters, "fluid block stalls: use a smaller Time/Time");
+  factors.has_inertia = false;
+  expect("fluid without inertia", factors, parameters,
+         "fluid block stalls: use Linear solver/Type = direct");
+
+  factors = good();
+  factors.of_all = 0.99;
+  factors.stiff_is_direct = true;
+  factors.of_stiff = 0.;
+  expect("a factor", factors, parameters, "the stiff block alone 0, since it has a factor");
+  factors.has_stiff = factors.has_fluid = false;
+  expect("no blocks", factors, parameters, "together 0.99. So the block of the pressure");
+  factors.residual = 1e-14;
+  expect("round-off", factors, parameters, "round-off: use a larger Linear solver/Tolerance");
+  factors.residual = std::numeric_limits<double>::quiet_NaN();
+  expect("no number", factors, parameters, "^The residual is no number");
+}
+} // namespace test_of_stalled_block
