@@ -33,16 +33,16 @@ std::string describe_stalled_block(const BlockFactors &factors,
     text << "So the stiff block stalls: use Linear solver/Stiff block = direct";
   else if (factors.of_fluid >= stalling_factor)
     text << "So the fluid block stalls: use "
-         << (!factors.fluid_is_viscous ? "Linear solver/Fluid block = algebraic multigrid" :
-             factors.has_inertia ? "a smaller Time/Time step, or Linear solver/Type = direct" :
-                                   "Linear solver/Type = direct");
+         << (!factors.fluid_is_viscous ? "Linear solver/Fluid block = algebraic multigrid"
+             : factors.has_inertia     ? "a smaller Time/Time step, or Linear solver/Type = direct"
+                                       : "Linear solver/Type = direct");
   else if (factors.of_all >= stalling_factor)
     text << "So the block of the pressure stalls, or what couples the blocks: use "
-         << (parameters.schur_complement == SchurApproximation::simple ?
-                 "Linear solver/Schur complement = cahouet-chabard" :
-             parameters.restart_length < parameters.maximum_iterations ?
-                 "a larger Linear solver/Restart length, or Type = direct" :
-                 "Linear solver/Type = direct");
+         << (parameters.schur_complement == SchurApproximation::simple
+                 ? "Linear solver/Schur complement = cahouet-chabard"
+             : parameters.restart_length < parameters.maximum_iterations
+                 ? "a larger Linear solver/Restart length, or Type = direct"
+                 : "Linear solver/Type = direct");
   else
     text << "No block stalls: use more Linear solver/Maximum iterations";
   return text.str();

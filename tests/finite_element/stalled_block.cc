@@ -40,9 +40,10 @@ UNIT_TEST(stalled_block)
   LinearSolverParameters parameters;
   parameters.restart_length = parameters.maximum_iterations;
   BlockFactors factors = good();
-  expect("all is good", factors, parameters,
-         "together 0.7, the stiff block alone 0.3, the fluid block alone 0.2. No block stalls.*more "
-         "Linear solver/Maximum iterations");
+  expect(
+      "all is good", factors, parameters,
+      "together 0.7, the stiff block alone 0.3, the fluid block alone 0.2. No block stalls.*more "
+      "Linear solver/Maximum iterations");
   factors.of_all = 0.9;
   expect("pressure", factors, parameters,
          "block of the pressure stalls, or what couples.*: use Linear solver/Type = direct$");
@@ -59,7 +60,8 @@ UNIT_TEST(stalled_block)
   expect("the worse of both", factors, parameters,
          "So the fluid block stalls.*Fluid block = algebraic multigrid");
   factors.fluid_is_viscous = true;
-  expect("fluid with multigrid", factors, parameters, "fluid block stalls: use a smaller Time/Time");
+  expect("fluid with multigrid", factors, parameters,
+         "fluid block stalls: use a smaller Time/Time");
   factors.has_inertia = false;
   expect("fluid without inertia", factors, parameters,
          "fluid block stalls: use Linear solver/Type = direct");
