@@ -8,8 +8,6 @@
 #include "../unit_test.h"
 #include "dense_systems.h"
 
-#include <limits>
-
 namespace test_of_convergence_factor
 {
 using namespace Continua;
@@ -64,11 +62,9 @@ UNIT_TEST(convergence_factor)
   check::is_true("both halves", factor(two_halves, one) > 0.5);
   check::relative("second half", factor(two_halves, one, n / 2), 0.1716, 0.06);
   check::absolute("no rows", factor(two_halves, one, n), 0., 0.);
-  List not_a_number(one);
-  not_a_number[n / 2] = std::numeric_limits<double>::quiet_NaN();
-  check::absolute("no number", factor(two_halves, not_a_number), 1., 0.);
 
-  check::relative("second half", late_factor({1., 1e-3, 1e-5, 5e-6, 2.5e-6}), 0.5, 1e-12);
+  check::relative("second half of the residuals", late_factor({1., 1e-3, 1e-5, 5e-6, 2.5e-6}), 0.5,
+                  1e-12);
   check::relative("one iteration", late_factor({4., 1.}), 0.25, 1e-12);
   check::absolute("nothing left", late_factor({4., 0.}), 0., 0.);
   check::absolute("no iteration", late_factor({4.}), 0., 0.);
