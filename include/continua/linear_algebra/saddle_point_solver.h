@@ -19,9 +19,8 @@ struct KrylovReport
 {
   bool converged = true;
   unsigned int iterations = 0;
-  double residual = 0.; ///< relative, as the tolerance
-  double late_factor =
-      0.; ///< of the residual in an iteration (see late_factor()); not of all solvers
+  double residual = 0.;    ///< relative, as the tolerance
+  double late_factor = 0.; ///< see late_factor(); MixedPrecisionSolver does not fill it in
 };
 
 /**
