@@ -47,6 +47,7 @@ SectionFlow<dim>::SectionFlow(const Space<dim> &space,
 {
   if (axis != nullptr)
     position = axis->position(point);
+  find_ranges();
 }
 
 template <int dim>
@@ -68,19 +69,40 @@ double SectionFlow<dim>::Ramps::value(const unsigned int ramp, const double dist
 }
 
 template <int dim>
-std::array<double, 2>
-SectionFlow<dim>::range_of(const typename Triangulation<dim>::cell_iterator &cell) const
+void SectionFlow<dim>::find_ranges()
 {
-  std::array<double, 2> range = {
-      {std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()}};
-  for (const unsigned int v : cell->vertex_indices())
+  // A distance along an axis is a search: once for each vertex, not for each of its cells.
+  const double not_found = std::numeric_limits<double>::infinity();
+  std::vector<double> at_vertices(space.triangulation.n_vertices(), not_found);
+  const double no_number = std::numeric_limits<double>::quiet_NaN();
+  ranges.assign(space.triangulation.n_active_cells(), {{no_number, no_number}});
+  for (const auto &cell : space.triangulation.active_cell_iterators())
   {
-    const double at_vertex = distance(cell->vertex(v));
-    if (std::isnan(at_vertex))
-      return {{at_vertex, at_vertex}};
-    range = {{std::min(range[0], at_vertex), std::max(range[1], at_vertex)}};
+    if (!cell->is_locally_owned() || !counts(cell))
+      continue;
+    std::array<double, 2> range = {
+        {std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()}};
+    for (const unsigned int v : cell->vertex_indices())
+    {
+      double &at_vertex = at_vertices[cell->vertex_index(v)];
+      if (at_vertex == not_found)
+        at_vertex = distance(cell->vertex(v));
+      if (std::isnan(at_vertex))
+      {
+        range = {{no_number, no_number}};
+        break;
+      }
+      range = {{std::min(range[0], at_vertex), std::max(range[1], at_vertex)}};
+    }
+    ranges[cell->active_cell_index()] = range;
   }
-  return range;
+}
+
+template <int dim>
+bool SectionFlow<dim>::is_near(const Ramps &ramps, const std::array<double, 2> &range)
+{
+  const double margin = range[1] - range[0];
+  return range[0] <= ramps.end() + margin && range[1] >= ramps.begin() - margin;
 }
 
 template <int dim>
@@ -95,14 +117,9 @@ typename SectionFlow<dim>::Ramps SectionFlow<dim>::ramps() const
   const auto largest = [this](const double value)
   { return Utilities::MPI::max(value, space.communicator); };
   double begin = std::numeric_limits<double>::max(), end = -begin;
-  std::vector<std::array<double, 2>> cells;
-  for (const auto &cell : space.triangulation.active_cell_iterators())
-    if (cell->is_locally_owned() && counts(cell))
+  for (const auto &range : ranges)
+    if (!std::isnan(range[0]))
     {
-      const std::array<double, 2> range = range_of(cell);
-      if (std::isnan(range[0]))
-        continue;
-      cells.push_back(range);
       begin = std::min(begin, range[0]);
       end = std::max(end, range[1]);
     }
@@ -117,7 +134,7 @@ typename SectionFlow<dim>::Ramps SectionFlow<dim>::ramps() const
   for (double reach = slack; reach < 2. * result.width || result.width == 0.;)
   {
     double longest = 0.;
-    for (const auto &range : cells)
+    for (const auto &range : ranges)
       if (range[0] <= reach && range[1] >= -reach)
         longest = std::max(longest, range[1] - range[0]);
     longest = largest(longest);
@@ -154,13 +171,8 @@ void SectionFlow<dim>::for_cells(const Ramps &ramps,
       nodal_values.size(), std::vector<Tensor<1, dim>>(quadrature.size()));
   for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
   {
-    if (!cell->is_locally_owned() || !counts(cell))
+    if (!is_near(ramps, ranges[cell->active_cell_index()]))
       continue;
-    // Curved cells and hanging nodes reach a little farther than the ramps do.
-    const std::array<double, 2> range = range_of(cell);
-    const double margin = range[1] - range[0];
-    if (!(range[0] <= ramps.end() + margin && range[1] >= ramps.begin() - margin))
-      continue; // also in another branch
     velocity.reinit(cell);
     pressure.reinit(typename DoFHandler<dim>::active_cell_iterator(
         &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs));
@@ -244,35 +256,40 @@ bool SectionFlow<dim>::add_weights(DistributedVector &weights) const
   if (places.centres.empty())
     return false;
 
-  std::vector<DistributedVector> nodal_values;
-  for (unsigned int ramp = 0; ramp < places.centres.size(); ++ramp)
+  const unsigned int n_ramps = places.centres.size();
+  std::vector<DistributedVector> owned_values(n_ramps, space.pressure_vector());
+  std::vector<types::global_dof_index> indices;
+  for (const auto &cell : space.pressure_dofs.active_cell_iterators())
   {
-    DistributedVector values = space.pressure_vector();
-    std::vector<types::global_dof_index> indices;
-    for (const auto &cell : space.pressure_dofs.active_cell_iterators())
-    {
-      if (!cell->is_locally_owned() || !counts(cell))
-        continue;
-      // What is far from the ramps does not matter.
-      if (std::isnan(range_of(cell)[0]))
-        continue;
-      const FiniteElement<dim> &element = cell->get_fe();
-      indices.resize(element.n_dofs_per_cell());
-      cell->get_dof_indices(indices);
-      for (unsigned int i = 0; i < indices.size(); ++i)
-        if (space.pressure_owned.is_element(indices[i]))
-        {
-          const Point<dim> node =
-              space.mapping.transform_unit_to_real_cell(cell, element.unit_support_point(i));
-          values(indices[i]) = places.value(ramp, distance(node));
-        }
-    }
+    if (!cell->is_locally_owned())
+      continue;
+    const std::array<double, 2> &range = ranges[cell->active_cell_index()];
+    if (std::isnan(range[0]))
+      continue;
+    // Far from the ramps all nodes of a cell are before them or behind them.
+    const bool near = is_near(places, range);
+    const FiniteElement<dim> &element = cell->get_fe();
+    indices.resize(element.n_dofs_per_cell());
+    cell->get_dof_indices(indices);
+    for (unsigned int i = 0; i < indices.size(); ++i)
+      if (space.pressure_owned.is_element(indices[i]))
+      {
+        const double at_node = near ? distance(space.mapping.transform_unit_to_real_cell(
+                                          cell, element.unit_support_point(i)))
+                                    : range[0];
+        for (unsigned int ramp = 0; ramp < n_ramps; ++ramp)
+          owned_values[ramp](indices[i]) = places.value(ramp, at_node);
+      }
+  }
+  std::vector<DistributedVector> nodal_values;
+  for (DistributedVector &values : owned_values)
+  {
     values.compress(VectorOperation::insert);
     nodal_values.push_back(space.ghosted_pressure(values));
   }
 
   const std::vector<double> factor = factors(places, nodal_values);
-  std::vector<types::global_dof_index> indices(space.velocity_element.n_dofs_per_cell());
+  indices.resize(space.velocity_element.n_dofs_per_cell());
   for_cells(places, nodal_values,
             [&](const auto &cell, const FEValues<dim> &values, const auto &gradients)
             {

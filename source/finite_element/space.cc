@@ -43,7 +43,7 @@ Space<dim>::Space(parallel::TriangulationBase<dim> &triangulation,
                   const unsigned int n_regions)
     : communicator(triangulation.get_communicator()),
       triangulation(triangulation),
-      mapping(parameters.velocity_degree),
+      mapping(parameters.velocity_degree, triangulation),
       mappings(mapping),
       velocity_element(FE_Q<dim>(parameters.velocity_degree), dim),
       velocity_dofs(triangulation),
@@ -67,6 +67,7 @@ Space<dim>::Space(parallel::TriangulationBase<dim> &triangulation,
 template <int dim>
 void Space<dim>::distribute()
 {
+  mapping.keep_points();
   // Numbers that follow the cells' places in the tree: deal.II's own follow the order in which
   // cells were made, so that a mesh read from a checkpoint would have others than the run that
   // wrote it.

@@ -36,7 +36,7 @@ class SectionFlow
 {
 public:
   /// Of the regions (material ids; empty: all) through the plane; the flow along `normal`, of any
-  /// length, counts as positive. `axis`: of the vessel, or null.
+  /// length, counts as positive. `axis`: of the vessel, or null. For the present mesh.
   SectionFlow(const Space<dim> &space,
               const std::set<unsigned int> &regions,
               const dealii::Point<dim> &point,
@@ -54,6 +54,10 @@ private:
   const dealii::Tensor<1, dim> normal;
   const std::shared_ptr<const VesselAxis<dim>> axis;
   double position = 0.; ///< of the section along the axis [m]
+  /// The distances of a cell's vertices from the section, the least and the largest, by
+  /// active_cell_index() [m]; not numbers if the cell belongs to another branch, as a whole or in
+  /// part, to another rank, or to a region that does not count.
+  std::vector<std::array<double, 2>> ranges;
 
   /// From the section along the axis, or along the normal [m]; not a number in another branch.
   double distance(const dealii::Point<dim> &place) const;
@@ -69,10 +73,10 @@ private:
     /// 1 before the ramp, 0 behind it.
     double value(unsigned int ramp, double distance) const;
   };
-  /// The distances of a cell's vertices from the section, the least and the largest [m]; not
-  /// numbers if the cell belongs to another branch, as a whole or in part.
-  std::array<double, 2>
-  range_of(const typename dealii::Triangulation<dim>::cell_iterator &cell) const;
+  void find_ranges();
+  /// Whether a cell of this range may reach into the ramps: curved cells and hanging nodes reach a
+  /// little farther than their vertices. False in another branch.
+  static bool is_near(const Ramps &ramps, const std::array<double, 2> &range);
   bool counts(const typename dealii::Triangulation<dim>::cell_iterator &cell) const;
   /// No ramps if the plane misses the regions.
   Ramps ramps() const;

@@ -2,6 +2,7 @@
 #define continua_finite_element_space_h
 
 #include <continua/base/parameter_section.h>
+#include <continua/finite_element/kept_mapping.h>
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/materials/model.h>
 
@@ -10,7 +11,6 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
-#include <deal.II/fe/mapping_q.h>
 #include <deal.II/hp/fe_collection.h>
 #include <deal.II/hp/mapping_collection.h>
 #include <deal.II/lac/affine_constraints.h>
@@ -97,7 +97,7 @@ public:
   MPI_Comm communicator;
   dealii::parallel::TriangulationBase<dim> &triangulation;
   /// Of the velocity's degree, so that curved boundaries (manifolds) cost no order of convergence.
-  dealii::MappingQ<dim> mapping;
+  KeptMapping<dim> mapping;
   dealii::hp::MappingCollection<dim> mappings; ///< the same, for the hp space
   dealii::FESystem<dim> velocity_element;
   dealii::hp::FECollection<dim> pressure_elements; ///< by region, or one if continuous
