@@ -90,6 +90,7 @@ void Run<dim>::initialise(const std::string &mesh_file)
   const InterruptibleSetUp set_up(command_line.restart
                                       ? "the checkpoint stands, go on with --restart"
                                       : "nothing is computed yet, begin anew with --overwrite");
+  log.memory_use().mark("coarse mesh and case");
   {
     TimerOutput::Scope scope(log.timer(), "mesh");
     if (mesh_file.empty())
@@ -98,12 +99,14 @@ void Run<dim>::initialise(const std::string &mesh_file)
       dynamic_cast<parallel::distributed::Triangulation<dim> &>(*input.triangulation)
           .load(mesh_file);
   }
+  log.memory_use().mark("mesh");
   InterruptibleSetUp::end_of_phase(input.communicator, "the mesh");
   input.power_laws.report_series(log, summary);
   input.absorbing_ends.report(log, summary);
   solver = make_solver<dim>(*input.triangulation, input.problem, input.discretisation, log);
   solver->initialise();
   input.probes.attach(*solver, input.problem.model);
+  log.memory_use().mark("state and probes");
   InterruptibleSetUp::end_of_phase(input.communicator, "the initial state");
 
   const SolverSizes sizes = solver->sizes();
@@ -138,6 +141,7 @@ template <int dim>
 bool Run<dim>::adapt(const double time)
 {
   TimerOutput::Scope scope(log.timer(), "adapt mesh");
+  log.memory_use().mark("steps and output");
   const AdaptationParameters &adaptation = input.adaptation;
   const unsigned int most_changes =
       adaptation.is_geometric() ? std::max(1u, adaptation.maximum_level - adaptation.minimum_level)
@@ -147,6 +151,7 @@ bool Run<dim>::adapt(const double time)
   {
     solver->prepare_refinement();
     input.triangulation->execute_coarsening_and_refinement();
+    log.memory_use().mark("mesh");
     solver->transfer();
     changed = true;
   }
@@ -236,10 +241,16 @@ void Run<dim>::write_summary(const std::string &status)
         citations.add(key);
   }
   summary.set("wall time [s]", log.wall_times());
+  log.memory_use().mark("steps and output");
+  if (memory_held() > 0.)
+    summary.set("memory of the first rank by part [bytes]",
+                std::map<std::string, double>(log.memory_use().parts().begin(),
+                                              log.memory_use().parts().end()));
   // Of this rank: the others may have failed.
   summary.set("peak memory of the first rank [bytes]", peak_memory());
   summary.set("warnings", log.warnings());
   log.timing_summary();
+  log.memory_summary();
   report_output_share();
   if (is_writer)
   {

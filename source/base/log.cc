@@ -1,6 +1,7 @@
 #include <continua/base/duration_text.h>
 #include <continua/base/input_error.h>
 #include <continua/base/log.h>
+#include <continua/base/memory_limit.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -98,11 +99,13 @@ struct Log::Implementation
 
   std::ostringstream nowhere;
   dealii::TimerOutput timer;
+  MemoryUse memory_use;
 };
 
 Log::Log(const MPI_Comm communicator, const bool on_screen, const double report_interval)
     : implementation(std::make_unique<Implementation>(communicator, on_screen, report_interval))
 {
+  implementation->memory_use.mark("before the run"); // program, libraries, runs before
 }
 
 Log::~Log()
@@ -244,6 +247,29 @@ void Log::timing_summary()
     text << "  " << std::left << std::setw(static_cast<int>(width)) << name << std::right
          << std::fixed << std::setprecision(3) << std::setw(12) << seconds << " s"
          << std::setprecision(1) << std::setw(7) << 100. * seconds / total << " %";
+    detail(text.str());
+  }
+}
+
+MemoryUse &Log::memory_use()
+{
+  return implementation->memory_use;
+}
+
+void Log::memory_summary()
+{
+  if (memory_held() == 0.)
+    return;
+  std::size_t width = 0;
+  for (const auto &[part, bytes] : memory_use().parts())
+    width = std::max(width, part.size());
+  detail("Memory by part (the program: " + memory_text(memory_held()) + " now, " +
+         memory_text(peak_memory()) + " at most):");
+  for (const auto &[part, bytes] : memory_use().parts())
+  {
+    std::ostringstream text;
+    text << "  " << std::left << std::setw(static_cast<int>(width)) << part << std::right
+         << std::fixed << std::setprecision(1) << std::setw(12) << bytes / 1e6 << " MB";
     detail(text.str());
   }
 }

@@ -150,11 +150,13 @@ template <int dim>
 IterativeStepSolver<dim>::IterativeStepSolver(const Space<dim> &space,
                                               const std::vector<RegionOperators> &operators,
                                               const BoundaryConstraints<dim> &constraints,
-                                              const LinearSolverParameters &parameters)
+                                              const LinearSolverParameters &parameters,
+                                              MemoryUse *const memory_use)
     : space(space),
       operators(operators),
       constraints(constraints),
       parameters(parameters),
+      memory_use(memory_use),
       solver(parameters.restart_length),
       last_velocity(space.velocity_vector()),
       last_pressure(space.pressure_vector())
@@ -203,6 +205,8 @@ bool IterativeStepSolver<dim>::prepare(const SystemCoefficients &wanted)
   }
   assemble_pressure_mass(space, operators, coefficients.compressibility, compression);
   solver.reinit(blocks());
+  if (is_first)
+    mark_memory("blocks of the system");
   if (preconditioner && !preconditioner->is_worn && is_near(preconditioner->coefficients))
     return false;
   make_preconditioner();
@@ -528,6 +532,7 @@ void IterativeStepSolver<dim>::make_preconditioner()
         made->augmentation.begin()[i] = alpha / volume.begin()[i];
   }
   make_velocity_inverse(*made, stiff_regions, stiff_pressures, parts, has_joint_block);
+  mark_memory("preconditioner of the velocities");
 
   if (n_stiff > 0 && has_fluid && has_inertia && !simple)
     let_walls_yield(stiff_regions, *made->velocity, mobility);
@@ -573,6 +578,14 @@ void IterativeStepSolver<dim>::make_preconditioner()
   preconditioner = std::move(made);
   mass_diagonals.clear();
   stiffness_diagonals.clear();
+  mark_memory("preconditioner of the pressure");
+}
+
+template <int dim>
+void IterativeStepSolver<dim>::mark_memory(const std::string &part) const
+{
+  if (memory_use != nullptr)
+    memory_use->mark(part);
 }
 
 template <int dim>

@@ -83,8 +83,8 @@ bool StepSystem<dim>::prepare(const SystemCoefficients &wanted)
   if (chosen.solver == StepSolver::iterative)
   {
     if (!iterative_solver)
-      iterative_solver =
-          std::make_unique<IterativeStepSolver<dim>>(space, operators, constraints, parameters);
+      iterative_solver = std::make_unique<IterativeStepSolver<dim>>(space, operators, constraints,
+                                                                    parameters, memory_use);
     made_factor = iterative_solver->prepare(coefficients);
     // Only at the start: a later mesh or time step may need what this one does not.
     if (!has_checked_blocks && parameters.fluid_block != FluidBlock::automatic &&
@@ -107,6 +107,8 @@ bool StepSystem<dim>::prepare(const SystemCoefficients &wanted)
     else
     {
       factorize();
+      if (memory_use != nullptr)
+        memory_use->mark("factor");
       made_factor = true;
     }
   }

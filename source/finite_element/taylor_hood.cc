@@ -74,6 +74,7 @@ TaylorHood<dim>::TaylorHood(parallel::TriangulationBase<dim> &triangulation,
          << memory_text(bytes);
     log.note(text.str());
   };
+  system.memory_use = &log.memory_use();
 }
 
 template <int dim>
@@ -90,6 +91,7 @@ void TaylorHood<dim>::setup()
   for (RegionOperators &region : operators)
     region.products = nullptr;
   space.distribute();
+  log.memory_use().mark("numbering and constraints");
   InterruptibleSetUp::end_of_phase(space.communicator, "the numbering");
   const bool is_matrix_free = has_products_without_matrix();
   if (is_matrix_free)
@@ -97,6 +99,7 @@ void TaylorHood<dim>::setup()
   else
     assemble_region_operators(space, operators);
   assemble_supports(space, problem.conditions, operators);
+  log.memory_use().mark("matrices of the regions");
   InterruptibleSetUp::end_of_phase(space.communicator, "the assembly");
   constraints.build();
   if (is_matrix_free)
@@ -109,6 +112,7 @@ void TaylorHood<dim>::setup()
       operators[region].number = region;
     }
   }
+  log.memory_use().mark("products without a matrix");
   for (const std::string &conflict : constraints.conflicts())
     log.warning(conflict);
   load_list.build();
@@ -116,8 +120,12 @@ void TaylorHood<dim>::setup()
   system.reinit();
   if (metrics != nullptr)
     metrics->reinit();
+  log.memory_use().mark("loads, ends and evaluation");
   if (is_nonlinear())
+  {
     terms->reinit();
+    log.memory_use().mark("cells of the terms that are not linear");
+  }
   tangent.reinit();
   cavities.reinit();
   evaluation.rebuild();
@@ -137,6 +145,7 @@ void TaylorHood<dim>::setup()
     divergence_norm += region.divergence.linfty_norm();
     gradient_norm += region.divergence.l1_norm();
   }
+  log.memory_use().mark("loads, ends and evaluation");
 }
 
 template <int dim>
@@ -500,6 +509,7 @@ bool TaylorHood<dim>::linearise(const BalancedStep &state)
   }
   const bool is_first = tangent.factor() == nullptr;
   tangent.factorize(system.present_coefficients(), state, *terms);
+  log.memory_use().mark("factor");
   if (is_first)
     log.detail("Linear solver: direct, of the tangent; " + tangent.factor()->name());
   return true;

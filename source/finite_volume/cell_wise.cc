@@ -96,9 +96,11 @@ template <int dim>
 void CellWise<dim>::setup()
 {
   space.distribute();
+  log.memory_use().mark("numbering and constraints");
   InterruptibleSetUp::end_of_phase(space.communicator, "the numbering");
   conditions.build();
   assemble_cell_operators(space, problem, conditions, parameters, operators, closure);
+  log.memory_use().mark("matrices of the regions");
   InterruptibleSetUp::end_of_phase(space.communicator, "the assembly");
   load_list.build();
   system.reinit();
@@ -341,6 +343,7 @@ SystemChange CellWise<dim>::prepare_cells(const CellCoefficients &coefficients)
   if (is_nonlinear())
     return SystemChange::coefficients;
   cell_solve->reinit();
+  log.memory_use().mark("factor");
   return SystemChange::factor;
 }
 

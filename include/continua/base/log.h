@@ -1,6 +1,8 @@
 #ifndef continua_base_log_h
 #define continua_base_log_h
 
+#include <continua/base/memory_use.h>
+
 #include <deal.II/base/timer.h>
 
 #include <mpi.h>
@@ -58,6 +60,11 @@ public:
   std::map<std::string, double> wall_times() const;
   /// Writes the wall times to log.txt.
   void timing_summary();
+
+  /// What holds the memory of this rank, by part.
+  MemoryUse &memory_use();
+  /// Writes to log.txt what holds the memory of rank 0, where the system says it.
+  void memory_summary();
 
 private:
   struct Implementation;

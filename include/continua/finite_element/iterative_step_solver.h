@@ -1,6 +1,7 @@
 #ifndef continua_finite_element_iterative_step_solver_h
 #define continua_finite_element_iterative_step_solver_h
 
+#include <continua/base/memory_use.h>
 #include <continua/finite_element/boundary_constraints.h>
 #include <continua/finite_element/linear_solver_parameters.h>
 #include <continua/finite_element/matrix_free_velocity.h>
@@ -42,7 +43,8 @@ public:
   IterativeStepSolver(const Space<dim> &space,
                       const std::vector<RegionOperators> &operators,
                       const BoundaryConstraints<dim> &constraints,
-                      const LinearSolverParameters &parameters);
+                      const LinearSolverParameters &parameters,
+                      MemoryUse *memory_use = nullptr);
 
   /**
    * Assembles the blocks of new coefficients. The preconditioner is made anew if there is none yet,
@@ -103,6 +105,7 @@ private:
   const std::vector<RegionOperators> &operators;
   const BoundaryConstraints<dim> &constraints;
   const LinearSolverParameters parameters;
+  MemoryUse *const memory_use;
   SystemCoefficients coefficients;
   // Of the present coefficients: A in one of the two forms, B and C.
   std::unique_ptr<MatrixFreeVelocity<dim>> matrix_free_velocity;
@@ -118,6 +121,7 @@ private:
 
   bool is_near(const SystemCoefficients &others) const;
   void make_preconditioner();
+  void mark_memory(const std::string &part) const;
   /// From the last solution, or from zero for a correction; once more with a new preconditioner if
   /// it was one of other coefficients that failed. The report counts the iterations of both.
   KrylovReport solve_by_krylov(const SaddlePointSolver::Blocks &system,

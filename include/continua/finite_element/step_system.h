@@ -1,6 +1,7 @@
 #ifndef continua_finite_element_step_system_h
 #define continua_finite_element_step_system_h
 
+#include <continua/base/memory_use.h>
 #include <continua/finite_element/boundary_constraints.h>
 #include <continua/finite_element/condensed_system.h>
 #include <continua/finite_element/iterative_step_solver.h>
@@ -46,6 +47,8 @@ public:
 
   /// Called before a factor of so many unknowns is made that will need so much memory [bytes].
   std::function<void(double n_unknowns, double bytes)> announce;
+  /// Is told what the solvers take; null: nothing is.
+  MemoryUse *memory_use = nullptr;
 
   /// Forgets the factor: mesh or constraints have changed.
   void reinit();

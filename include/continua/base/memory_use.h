@@ -1,0 +1,33 @@
+#ifndef continua_base_memory_use_h
+#define continua_base_memory_use_h
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Continua
+{
+/// The memory that this process holds now [bytes]; 0 if the system does not say it.
+double memory_held();
+
+/**
+ * What holds the memory of this process, by the parts of a run. A part holds by how much the memory
+ * of the process has grown between the mark before and the part's own mark. Libraries count, too.
+ */
+class MemoryUse
+{
+public:
+  /// The growth since the last mark, or since the start of the process, belongs to `part`. Memory
+  /// that was freed goes back to the system first.
+  void mark(const std::string &part);
+  /// In the order of their first marks; negative where a part has freed more than it has taken
+  /// [bytes].
+  const std::vector<std::pair<std::string, double>> &parts() const { return bytes_of_parts; }
+
+private:
+  double last = 0.; ///< [bytes]
+  std::vector<std::pair<std::string, double>> bytes_of_parts;
+};
+} // namespace Continua
+
+#endif
