@@ -122,6 +122,7 @@ SystemSize size_of(const CostInput &input, const Bar &bar)
   size.n_regions = input.n_regions;
   size.takes_cholmod = takes_cholmod(input, size.n_unknowns);
   size.is_matrix_free = input.linear_solver.is_matrix_free(input.degree);
+  size.has_matrices_of_cells = input.has_supg || !size.is_matrix_free;
   return size;
 }
 } // namespace

@@ -73,6 +73,8 @@ CostInput cost_input(const Case<dim> &input)
   cost.is_nonlinear = input.problem.is_nonlinear();
   cost.has_convection = input.problem.convection.is_on && !cost.cell_wise &&
                         input.problem.deformation == Deformation::small;
+  cost.has_supg = cost.has_convection &&
+                  input.problem.convection.stabilisation == ConvectionStabilisation::supg;
   cost.linear_solver = taylor_hood.linear_solver;
   cost.is_of_vibrations = input.analysis.is_modal();
   cost.memory_limit = taylor_hood.outlook.memory_limit;

@@ -14,7 +14,9 @@ namespace Continua
 using namespace dealii;
 
 template <int dim>
-ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space, const Problem &problem)
+ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space,
+                                      const Problem &problem,
+                                      const std::optional<InstructionSet> instruction_set)
     // Products of three functions and of the radius are integrated exactly on parallelograms, where
     // density and compressibility are constant.
     : Base(space,
@@ -22,7 +24,8 @@ ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space, const Problem &pr
            QGauss<dim>((3 * space.degree() + 2 + (space.is_axisymmetric() ? 1 : 0)) / 2),
            PhaseShare::liquid),
       inflow_terms(space, problem),
-      streamline_terms(space, problem, quadrature)
+      streamline_terms(space, problem, quadrature),
+      instruction_set(instruction_set)
 {
   const unsigned int n_velocity = dim * cells.n_functions(), n_pressure = cells.n_pressures();
   for (Vector<double> *vector : {&cell_velocity, &cell_acceleration, &cell_inflow})
@@ -46,6 +49,118 @@ void ConvectiveTerms<dim>::reinit()
   Base::reinit();
   acceleration.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
   pressure_rate.reinit(space.pressure_owned, space.pressure_relevant, space.communicator);
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::make_product()
+{
+  typename Product::Input input(space.mapping, space.velocity_dofs, space.velocity_hanging);
+  input.is_axisymmetric = space.is_axisymmetric();
+  input.is_skew = problem.convection.term == ConvectiveTerm::skew;
+  input.constant_viscosity = problem.convection.constant_viscosity();
+  has_compressible_liquid = false;
+  for (const Material &material : problem.materials)
+  {
+    typename Product::Liquid liquid;
+    liquid.share = 1. - material.phase();
+    liquid.density = material.density;
+    liquid.volume_law = material.volume_law();
+    liquid.flow_curve = material.shear.flow_curve;
+    input.liquids.push_back(liquid);
+    if (liquid.share > 0. && liquid.volume_law.inverse_bulk_modulus != 0.)
+      has_compressible_liquid = true;
+  }
+  const unsigned int n_cells = space.triangulation.n_active_cells();
+  input.has_cell.resize(n_cells);
+  input.viscosity_over_speed.resize(n_cells);
+  if (has_compressible_liquid)
+    input.pressure_places.resize(std::size_t(n_cells) * Product::n_pressures);
+  some_cells_have_matrices = false;
+  for (const Cell &cell : cells.all())
+    if (inflow_terms.has_face(cell.pressure_cell))
+      some_cells_have_matrices = true;
+    else
+    {
+      const unsigned int index = cell.velocity_cell->active_cell_index();
+      input.has_cell[index] = true;
+      input.viscosity_over_speed[index] = problem.convection.viscosity_over_speed(
+          problem.materials[cell.region].density, cell.size);
+      if (has_compressible_liquid)
+        std::copy(cell.pressure_places.begin(), cell.pressure_places.end(),
+                  input.pressure_places.begin() + std::size_t(index) * Product::n_pressures);
+    }
+  some_cells_have_matrices =
+      Utilities::MPI::max(some_cells_have_matrices ? 1 : 0, space.communicator) > 0;
+  product = make_matrix_free_convection<dim>(*instruction_set, input);
+  of_product.volume.assign(input.pressure_places.size(), 0.);
+  for (typename Product::Vector *const vector :
+       {&of_product.state.velocity, &of_product.state.acceleration, &of_product.velocity,
+        &of_product.momentum})
+    product->initialise(*vector);
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::forget_derivative()
+{
+  product = nullptr;
+  Base::forget_derivative();
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::keep_derivative(const BalancedStep &state, const KeptDerivative form)
+{
+  if (form == KeptDerivative::matrices || !instruction_set || streamline_terms.are_on())
+    product = nullptr;
+  else if (product == nullptr)
+    make_product();
+  Base::keep_derivative(state, form);
+  if (product == nullptr)
+    return;
+  typename Product::State &kept = of_product.state;
+  std::copy(state.velocity.begin(), state.velocity.end(), kept.velocity.begin());
+  kept.velocity.update_ghost_values();
+  if (has_compressible_liquid)
+  {
+    std::copy(state.acceleration.begin(), state.acceleration.end(), kept.acceleration.begin());
+    kept.acceleration.update_ghost_values();
+    // With the ghost entries, which end() leaves out.
+    const unsigned int n_entries = pressure.trilinos_vector().MyLength();
+    kept.pressure.assign(pressure.begin(), pressure.begin() + n_entries);
+    kept.pressure_rate.assign(pressure_rate.begin(), pressure_rate.begin() + n_entries);
+  }
+  kept.acceleration_by_velocity = step.a0;
+  kept.pressure_rate_by_pressure = 1. / step.pressure_time;
+  product->set(&kept);
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::add_derivative_product(const DistributedVector &of_velocity,
+                                                  const DistributedVector &of_pressure,
+                                                  DistributedVector &momentum,
+                                                  DistributedVector &volume)
+{
+  if (product == nullptr || some_cells_have_matrices)
+    Base::add_derivative_product(of_velocity, of_pressure, momentum, volume);
+  else if (has_compressible_liquid)
+    space.copy_pressure(of_pressure, pressure_work, pressure);
+  if (product == nullptr)
+    return;
+  std::copy(of_velocity.begin(), of_velocity.end(), of_product.velocity.begin());
+  product->multiply(of_product.momentum, of_product.volume, of_product.velocity, pressure.begin());
+  for (unsigned int i = 0; i < momentum.locally_owned_size(); ++i)
+    momentum.begin()[i] += of_product.momentum.local_element(i);
+  if (!has_compressible_liquid)
+    return;
+  for (const Cell &cell : cells.all())
+    if (!needs_matrix(cell))
+    {
+      const double *const rows =
+          &of_product
+               .volume[std::size_t(cell.velocity_cell->active_cell_index()) * Product::n_pressures];
+      std::copy(rows, rows + Product::n_pressures, cell_volume.begin());
+      space.pressure_hanging.distribute_local_to_global(cell_volume, cell.pressure_indices, volume);
+    }
+  volume.compress(VectorOperation::add);
 }
 
 template <int dim>

@@ -6,6 +6,7 @@
 // Quadratic elements and mappings are all that is asked for.
 #define FE_EVAL_FACTORY_DEGREE_MAX 2
 
+#include <continua/finite_element/matrix_free_convection.templates.h>
 #include <continua/finite_element/matrix_free_product.templates.h>
 
 #include <deal.II/matrix_free/evaluation_template_face_factory.templates.h>
@@ -18,3 +19,4 @@
 #include <deal.II/matrix_free/shape_info.templates.h>
 
 CONTINUA_INSTANTIATE_MATRIX_FREE_PRODUCT(matrix_free_product_avx512, 8)
+CONTINUA_INSTANTIATE_MATRIX_FREE_CONVECTION(matrix_free_convection_avx512, 8)

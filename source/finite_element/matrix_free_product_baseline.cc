@@ -1,4 +1,6 @@
 // As deal.II's package is compiled: one cell at a time.
+#include <continua/finite_element/matrix_free_convection.templates.h>
 #include <continua/finite_element/matrix_free_product.templates.h>
 
 CONTINUA_INSTANTIATE_MATRIX_FREE_PRODUCT(matrix_free_product_baseline, 1)
+CONTINUA_INSTANTIATE_MATRIX_FREE_CONVECTION(matrix_free_convection_baseline, 1)

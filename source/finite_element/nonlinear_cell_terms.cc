@@ -49,7 +49,7 @@ void NonlinearCellTerms<dim>::reinit()
   pressure.reinit(space.pressure_owned, space.pressure_relevant, space.communicator);
   velocity_work = space.velocity_vector();
   pressure_work = space.pressure_vector();
-  cell_derivatives.clear();
+  forget_derivative();
   cells.reinit();
 }
 
@@ -106,12 +106,13 @@ void NonlinearCellTerms<dim>::add_derivative(const BalancedStep &state,
 }
 
 template <int dim>
-void NonlinearCellTerms<dim>::keep_derivative(const BalancedStep &state)
+void NonlinearCellTerms<dim>::keep_derivative(const BalancedStep &state, KeptDerivative /*form*/)
 {
   take(state);
   cell_derivatives.resize(cells.all().size());
   for (std::size_t k = 0; k < cell_derivatives.size(); ++k)
-    set_derivative(cells.all()[k], cell_derivatives[k]);
+    if (needs_matrix(cells.all()[k]))
+      set_derivative(cells.all()[k], cell_derivatives[k]);
 }
 
 template <int dim>
@@ -124,6 +125,8 @@ void NonlinearCellTerms<dim>::add_derivative_product(const DistributedVector &of
   const double *const velocities = velocity.begin(), *const pressures = pressure.begin();
   for (std::size_t k = 0; k < cell_derivatives.size(); ++k)
   {
+    if (cell_derivatives[k].empty())
+      continue;
     const Cell &cell = cells.all()[k];
     const unsigned int n_velocity = cell.velocity_places.size(),
                        n_pressure = cell.pressure_places.size();

@@ -213,10 +213,17 @@ SolverCost cost_of_tangents(const StepSolver solver, const SystemSize &size)
   SolverCost cost;
   if (solver == StepSolver::iterative)
   {
-    // With the derivative as one matrix for each cell.
     cost = cost_of_iterations(size);
-    cost.memory += (is_plane ? 500. : 2700.) * size.n_unknowns;
-    cost.solve_time = (is_plane ? 20. : 60.) * microsecond * size.n_unknowns;
+    if (size.has_matrices_of_cells)
+    {
+      cost.memory += (is_plane ? 500. : 2700.) * size.n_unknowns;
+      cost.solve_time = (is_plane ? 20. : 60.) * microsecond * size.n_unknowns;
+    }
+    else
+    {
+      cost.memory += 300. * size.n_unknowns;
+      cost.solve_time = (is_plane ? 7. : 15.) * microsecond * size.n_unknowns;
+    }
     return cost;
   }
   cost.memory = (is_plane ? 2900. : 7400.) * size.n_unknowns +

@@ -33,12 +33,16 @@ constexpr double least_announced_factor = 0.5e9;
 template <int dim>
 std::unique_ptr<NonlinearCellTerms<dim>> make_nonlinear_terms(const Space<dim> &space,
                                                               const Problem &problem,
+                                                              const LinearSolverParameters &solver,
                                                               MetricHistory<dim> *const metrics)
 {
   if (problem.deformation == Deformation::finite)
     return std::make_unique<DeformationTerms<dim>>(space, problem, metrics);
   if (problem.convection.is_on)
-    return std::make_unique<ConvectiveTerms<dim>>(space, problem);
+    return std::make_unique<ConvectiveTerms<dim>>(space, problem,
+                                                  solver.is_matrix_free(space.degree())
+                                                      ? std::optional(solver.instruction_set)
+                                                      : std::nullopt);
   return nullptr;
 }
 } // namespace
@@ -57,7 +61,7 @@ TaylorHood<dim>::TaylorHood(parallel::TriangulationBase<dim> &triangulation,
       linear_solver(parameters.linear_solver),
       system(space, operators, constraints, parameters.linear_solver, parameters.outlook),
       metrics(MetricHistory<dim>::make(space, problem)),
-      terms(make_nonlinear_terms(space, problem, metrics.get())),
+      terms(make_nonlinear_terms(space, problem, linear_solver, metrics.get())),
       tangent(space, operators, constraints, parameters.linear_solver.direct_solver),
       cavities(space, problem),
       mesh_transfer(space),
@@ -90,6 +94,9 @@ void TaylorHood<dim>::setup()
   // Those of the old mesh go first: two would need twice the memory.
   for (RegionOperators &region : operators)
     region.products = nullptr;
+  if (is_nonlinear())
+    terms->forget_derivative();
+  derivative_is_marked = false;
   space.distribute();
   log.memory_use().mark("numbering and constraints");
   InterruptibleSetUp::end_of_phase(space.communicator, "the numbering");
@@ -504,7 +511,7 @@ bool TaylorHood<dim>::linearise(const BalancedStep &state)
   {
     const bool is_new = system.prepare(system.present_coefficients());
     report_linear_solver();
-    terms->keep_derivative(state);
+    keep_derivative(state);
     return is_new && system.has_new_factor();
   }
   const bool is_first = tangent.factor() == nullptr;
@@ -518,7 +525,12 @@ bool TaylorHood<dim>::linearise(const BalancedStep &state)
 template <int dim>
 void TaylorHood<dim>::keep_derivative(const BalancedStep &state)
 {
-  terms->keep_derivative(state);
+  // A factor's result is the same on every processor, and so is that of its slow iterations.
+  terms->keep_derivative(state, has_iterative_tangent() ? KeptDerivative::without_matrix
+                                                        : KeptDerivative::matrices);
+  if (!derivative_is_marked)
+    log.memory_use().mark("derivative for products");
+  derivative_is_marked = true;
 }
 
 template <int dim>

@@ -136,7 +136,7 @@ void check_derivative(const std::string &name,
   else
     problem.materials[0].shear.flow_curve = FlowCurve{2., 0.3, 0.8, 0.4, 1.5};
   add_open_end(problem);
-  ConvectiveTerms<dim> terms(space, problem);
+  ConvectiveTerms<dim> terms(space, problem, std::nullopt);
   terms.reinit();
   const BalancedStep state = make_state(space);
   // Any change, nothing at hanging nodes.
@@ -206,7 +206,7 @@ double power_of_enclosed_flow(const Space<dim> &space, const ConvectiveTerm term
   Problem problem = make_problem(Model::plane_strain, 0., 0.);
   problem.convection.term = term;
   problem.convection.stabilisation = ConvectionStabilisation::none;
-  ConvectiveTerms<dim> terms(space, problem);
+  ConvectiveTerms<dim> terms(space, problem, std::nullopt);
   terms.reinit();
   BalancedStep state = make_state(space);
   state.velocity = enclosed_flow(space);
@@ -220,7 +220,7 @@ template <int dim>
 double
 rate_of_kinetic_energy(const Space<dim> &space, const Problem &problem, const BalancedStep &state)
 {
-  ConvectiveTerms<dim> terms(space, problem);
+  ConvectiveTerms<dim> terms(space, problem, std::nullopt);
   terms.reinit();
   const BranchHistory history(problem.materials);
   const double h = 1e-5;
@@ -290,7 +290,7 @@ UNIT_TEST(convective_terms)
     Problem gas = make_problem(Model::plane_strain, 0.05, 1.);
     BalancedStep moving = make_state(square_space);
     moving.velocity = enclosed_flow(square_space);
-    ConvectiveTerms<2> terms(square_space, gas);
+    ConvectiveTerms<2> terms(square_space, gas, std::nullopt);
     terms.reinit();
     NonlinearForces forces = make_forces(square_space);
     terms.set_forces_of(0, moving, forces);
@@ -324,7 +324,7 @@ UNIT_TEST(convective_terms)
                                                                      return Tensor<1, 2>({1., 0.});
                                                                    });
     NonlinearForces forces = make_forces(round_space);
-    ConvectiveTerms<2> of_liquid(round_space, ring);
+    ConvectiveTerms<2> of_liquid(round_space, ring, std::nullopt);
     of_liquid.reinit();
     of_liquid.set_forces_of(0, moving, forces);
     // int 2 pi r dr dx = 6 pi m^3, its mean of x is 1/2.
@@ -346,7 +346,7 @@ UNIT_TEST(convective_terms)
     check::relative("ring: grad-div by itself", forces.stabilisation * outward.velocity,
                     0.15 * 3. * 2. * 8. * numbers::PI * std::log(5.), 1e-3);
     ring = make_problem(Model::axisymmetric, 0.5, 0.);
-    ConvectiveTerms<2> of_gas(round_space, ring);
+    ConvectiveTerms<2> of_gas(round_space, ring, std::nullopt);
     of_gas.reinit();
     DistributedVector momentum = round_space.velocity_vector(),
                       volume = round_space.pressure_vector();
@@ -368,7 +368,7 @@ UNIT_TEST(convective_terms)
       BalancedStep moving = make_state(of_space);
       moving.velocity = small_problem::interpolated<2>(of_space, [&](const Point<2> &x)
                                                        { return gradient * Tensor<1, 2>(x); });
-      ConvectiveTerms<2> terms(of_space, thinning);
+      ConvectiveTerms<2> terms(of_space, thinning, std::nullopt);
       terms.reinit();
       NonlinearForces forces = make_forces(of_space);
       terms.set_forces_of(0, moving, forces);
@@ -397,7 +397,7 @@ UNIT_TEST(convective_terms)
     for (const double direction : {1., -1.})
     {
       moving.velocity *= direction;
-      ConvectiveTerms<2> terms(square_space, open);
+      ConvectiveTerms<2> terms(square_space, open, std::nullopt);
       terms.reinit();
       terms.set_forces_of(0, moving, forces);
       const double power = forces.inflow * moving.velocity;
@@ -428,7 +428,7 @@ UNIT_TEST(convective_terms)
   for (const bool is_skew : {false, true})
   {
     problem.convection.term = is_skew ? ConvectiveTerm::skew : ConvectiveTerm::advective;
-    ConvectiveTerms<2> terms(square_space, problem);
+    ConvectiveTerms<2> terms(square_space, problem, std::nullopt);
     terms.reinit();
     DistributedVector momentum = square_space.velocity_vector(),
                       volume = square_space.pressure_vector();
@@ -445,7 +445,7 @@ UNIT_TEST(convective_terms)
 
   // A solid has no such terms.
   problem = make_problem(Model::plane_strain, 0.05, 1.);
-  ConvectiveTerms<2> terms(space, problem);
+  ConvectiveTerms<2> terms(space, problem, std::nullopt);
   terms.reinit();
   state = make_state(space);
   NonlinearForces forces = make_forces(space);

@@ -44,7 +44,7 @@ double power(const Space<dim> &space,
   problem.convection.is_on = true;
   problem.convection.stabilisation = ConvectionStabilisation::supg;
   problem.convection.stabilisation_viscosity = 1e-200; // grad-div comes with it
-  ConvectiveTerms<dim> terms(space, problem);
+  ConvectiveTerms<dim> terms(space, problem, std::nullopt);
   terms.reinit();
   BalancedStep state;
   state.step = euler_step(0., 0.1, Update::implicit);

@@ -23,6 +23,7 @@ struct CostInput
   bool pivots = false;          ///< the factor does: a material is incompressible
   bool is_nonlinear = false;    ///< the matrix is unsymmetric, and steps are iterated
   bool has_convection = false;  ///< small deformation, not cell-wise
+  bool has_supg = false;        ///< convection, with this stabilisation
   bool is_of_vibrations = false;
   LinearSolverParameters linear_solver;
   double memory_limit = 1e300; ///< for the choice of the solver, on one machine [bytes]

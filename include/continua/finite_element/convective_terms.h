@@ -1,11 +1,13 @@
 #ifndef continua_finite_element_convective_terms_h
 #define continua_finite_element_convective_terms_h
 
+#include <continua/base/instruction_set.h>
 #include <continua/continuum/balanced_step.h>
 #include <continua/continuum/nonlinear_terms.h>
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/flow_point.h>
 #include <continua/finite_element/inflow_terms.h>
+#include <continua/finite_element/matrix_free_convection.h>
 #include <continua/finite_element/nonlinear_cell_terms.h>
 #include <continua/finite_element/space.h>
 #include <continua/finite_element/streamline_terms.h>
@@ -16,6 +18,8 @@
 #include <deal.II/lac/vector.h>
 
 #include <array>
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace Continua
@@ -40,8 +44,12 @@ template <int dim>
 class ConvectiveTerms : public NonlinearCellTerms<dim>
 {
 public:
-  /// Both must outlive it.
-  ConvectiveTerms(const Space<dim> &space, const Problem &problem);
+  /// `instruction_set`: of products with the derivative that need no matrix; they need quadratic
+  /// velocities. Without a set, with StreamlineTerms, and in cells with InflowTerms there is a
+  /// matrix of each cell in any case. The first two must outlive it.
+  ConvectiveTerms(const Space<dim> &space,
+                  const Problem &problem,
+                  std::optional<InstructionSet> instruction_set);
 
   void reinit() override;
 
@@ -52,6 +60,13 @@ public:
   set_forces_of(unsigned int region, const BalancedStep &state, NonlinearForces &forces) override;
   /// With the density and the compressibility that follow the pressure.
   NonlinearEnergy energy_of(unsigned int region, const State &state) override;
+  void keep_derivative(const BalancedStep &state,
+                       KeptDerivative form = KeptDerivative::matrices) override;
+  void forget_derivative() override;
+  void add_derivative_product(const DistributedVector &of_velocity,
+                              const DistributedVector &of_pressure,
+                              DistributedVector &momentum,
+                              DistributedVector &volume) override;
 
 private:
   using Base = NonlinearCellTerms<dim>;
@@ -99,10 +114,28 @@ private:
   // Derivatives by the unknowns at a point: of the divergence, of the source m, along the flow.
   std::vector<double> traces, sources, along, pressure_sources, pressure_rates, densities;
 
+  using Product = MatrixFreeConvection<dim>;
+  /// Work space of products without a matrix.
+  struct ProductVectors
+  {
+    typename Product::State state;
+    typename Product::Vector velocity, momentum;
+    std::vector<double> volume; ///< of each cell
+  };
+  const std::optional<InstructionSet> instruction_set;
+  std::unique_ptr<Product> product; ///< null: there are none
+  ProductVectors of_product;
+  bool has_compressible_liquid = false, some_cells_have_matrices = true; ///< on any rank
+
   void take(const BalancedStep &state) override;
   void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix) override;
   /// Pressures of a liquid that is incompressible enter by SUPG alone.
   PressureEntries pressure_entries(const Cell &cell) const override;
+  bool needs_matrix(const Cell &cell) const override
+  {
+    return product == nullptr || inflow_terms.has_face(cell.pressure_cell);
+  }
+  void make_product();
   /// Makes the state's entries those of the cell.
   void visit(const Cell &cell);
   const Material &material() const { return problem.materials[present->region]; }

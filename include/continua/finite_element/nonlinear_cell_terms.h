@@ -18,11 +18,18 @@
 
 namespace Continua
 {
+/// How the derivative is kept for products.
+enum class KeptDerivative
+{
+  matrices,      ///< of the cells: the same on every processor
+  without_matrix ///< the state alone, where the terms can
+};
+
 /**
  * What the equations of a step have beside their linear terms, as integrals over cells and faces of
  * the reference mesh: rows of momentum N_u(U, p) [N] and of volume N_p(U, p) [m^3/s], and their
  * derivative. The part that does not depend on what is integrated: the sums over the cells, the
- * derivative as one matrix, and as one matrix a cell.
+ * derivative as one matrix, and as one matrix a cell for products.
  */
 template <int dim>
 class NonlinearCellTerms
@@ -80,15 +87,18 @@ public:
   void add_derivative(const BalancedStep &state,
                       const dealii::AffineConstraints<double> &constraints,
                       Triplets &matrix);
-  /// Keeps the same derivative as one matrix a cell, without constraints.
-  void keep_derivative(const BalancedStep &state);
+  /// Keeps the same derivative for products, without constraints. Collective.
+  virtual void keep_derivative(const BalancedStep &state,
+                               KeptDerivative form = KeptDerivative::matrices);
+  /// Frees what is kept of it.
+  virtual void forget_derivative() { cell_derivatives.clear(); }
   /// Adds its product with changes of velocity [m/s] and pressure [Pa], which obey their
   /// constraints, to the rows of momentum [N] and of volume [m^3/s], with the hanging nodes
   /// condensed. Collective.
-  void add_derivative_product(const DistributedVector &of_velocity,
-                              const DistributedVector &of_pressure,
-                              DistributedVector &momentum,
-                              DistributedVector &volume);
+  virtual void add_derivative_product(const DistributedVector &of_velocity,
+                                      const DistributedVector &of_pressure,
+                                      DistributedVector &momentum,
+                                      DistributedVector &volume);
 
 protected:
   using Cell = QuadratureCell<dim>;
@@ -114,6 +124,8 @@ protected:
   /// volume times -1.
   virtual void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix) = 0;
   virtual PressureEntries pressure_entries(const Cell &cell) const = 0;
+  /// Whether products with the derivative need the matrix of that cell.
+  virtual bool needs_matrix(const Cell & /*cell*/) const { return true; }
 
   void take(const DistributedVector &of_velocity, const DistributedVector &of_pressure);
   /// The entries of a vector with ghosts at a cell's places.
@@ -122,7 +134,7 @@ protected:
                           dealii::Vector<double> &values);
 
 private:
-  /// The kept derivative of each cell, and work space for its product.
+  /// The kept derivative of each cell that needs one, and work space for its product.
   std::vector<dealii::FullMatrix<double>> cell_derivatives;
   dealii::Vector<double> cell_change, cell_product, cell_momentum, cell_volume;
 };

@@ -25,6 +25,8 @@ struct SystemSize
   unsigned int n_regions = 1; ///< that have pressures of their own
   bool takes_cholmod = false; ///< for a factor in double precision
   bool is_matrix_free = true; ///< the velocities' products need no matrix
+  /// Products with the tangent of convection need a matrix of each cell.
+  bool has_matrices_of_cells = false;
 
   /// The same body with other cells. Of a factor in space the entries grow with the power 4/3 of
   /// the unknowns (nested dissection: George, SIAM J. Numer. Anal. 10 (1973)).

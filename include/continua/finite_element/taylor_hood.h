@@ -206,6 +206,7 @@ private:
   StepSystem<dim> system;
   std::unique_ptr<MetricHistory<dim>> metrics; ///< null where nothing relaxes in finite deformation
   std::unique_ptr<NonlinearCellTerms<dim>> terms; ///< null where the equations are linear
+  bool derivative_is_marked = false;              ///< in MemoryUse, on this mesh
   TangentSystem<dim> tangent; ///< in the system's place where there are such terms
   CavityVolumes<dim> cavities;
   MeshTransfer<dim> mesh_transfer;

@@ -1,0 +1,385 @@
+#ifndef continua_finite_element_matrix_free_convection_templates_h
+#define continua_finite_element_matrix_free_convection_templates_h
+
+#include <continua/finite_element/matrix_free_convection.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_dgq.h>
+#include <deal.II/matrix_free/fe_evaluation.h>
+#include <deal.II/matrix_free/matrix_free.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace Continua
+{
+/// With `width` cells at a time.
+template <int dim, std::size_t width, bool is_axisymmetric>
+class MatrixFreeConvectionOfWidth : public MatrixFreeConvection<dim>
+{
+public:
+  using Base = MatrixFreeConvection<dim>;
+  using typename Base::Input;
+  using typename Base::Liquid;
+  using typename Base::State;
+  using typename Base::Vector;
+
+  explicit MatrixFreeConvectionOfWidth(const Input &input);
+
+  void initialise(Vector &vector) const override
+  {
+    matrix_free.initialize_dof_vector(vector, of_velocity);
+  }
+  void set(const State *state_of_products) override { state = state_of_products; }
+  void multiply(Vector &momentum,
+                std::vector<double> &volume,
+                const Vector &velocity,
+                const double *pressure) const override;
+
+private:
+  // Those of ConvectiveTerms.
+  static constexpr int degree = 2, n_points = 4;
+  static constexpr unsigned int of_velocity = 0, of_pressure = 1;
+  using Lanes = dealii::VectorizedArray<double, width>;
+  using MatrixFree = dealii::MatrixFree<dim, double, Lanes>;
+  using VelocityCell = dealii::FEEvaluation<dim, degree, n_points, dim, double, Lanes>;
+  using PressureCell = dealii::FEEvaluation<dim, degree - 1, n_points, 1, double, Lanes>;
+  using Vector1 = dealii::Tensor<1, dim, Lanes>;
+  using Vector2 = dealii::Tensor<2, dim, Lanes>;
+
+  static constexpr unsigned int no_cell = static_cast<unsigned int>(-1);
+
+  /// Of the cells of a batch; lanes without a cell that counts have zeros.
+  struct Batch
+  {
+    std::array<unsigned int, width> cells; ///< active_cell_index(), or no_cell
+    std::array<const Liquid *, width> liquids;
+    Lanes share, density, inverse_bulk_modulus, viscosity_over_speed;
+    bool is_liquid = false, is_compressible = false, has_flow_curve = false;
+  };
+
+  /// The state and the change at a point: value, and gradient [component][direction].
+  struct Point
+  {
+    Lanes hoop; ///< 1/r in axisymmetry, else 0
+    Vector1 velocity, acceleration, velocity_change;
+    Vector2 gradient, gradient_change;
+    Lanes pressure = 0., pressure_rate = 0., pressure_change = 0.;
+    Vector1 pressure_gradient, pressure_gradient_change;
+
+    Lanes divergence() const { return trace(gradient) + hoop * velocity[1]; }
+    Lanes divergence_change() const { return trace(gradient_change) + hoop * velocity_change[1]; }
+  };
+  /// What tests the rows at a point: by values, by gradients, and by the values of pressures.
+  struct Tested
+  {
+    Vector1 by_value;
+    Vector2 by_gradient;
+    Lanes of_volume = 0.;
+  };
+
+  /// Pressures are read by the places that are given: this is for their shape functions alone.
+  dealii::DoFHandler<dim> shapes_of_pressure;
+  MatrixFree matrix_free;
+  const std::vector<Liquid> liquids;
+  const double skew; ///< of the terms of the skew form, 1/2 or 0
+  const double constant_viscosity;
+  const std::vector<int> pressure_places;
+  dealii::AlignedVector<Batch> batches;
+  const State *state = nullptr;
+
+  void make_batches(const Input &input);
+  /// The values of a cell's pressures.
+  void read(const Batch &batch, const double *entries, PressureCell &cell) const;
+  Tested differentiate(const Batch &batch, const Point &point) const;
+  /// Adds the terms of a flow curve.
+  void add_viscous(const Batch &batch, const Point &point, Tested &tested) const;
+};
+
+template <int dim, std::size_t width, bool is_axisymmetric>
+MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::MatrixFreeConvectionOfWidth(
+    const Input &input)
+    : shapes_of_pressure(input.dof_handler.get_triangulation()),
+      liquids(input.liquids),
+      skew(input.is_skew ? 0.5 : 0.),
+      constant_viscosity(input.constant_viscosity),
+      pressure_places(input.pressure_places)
+{
+  typename MatrixFree::AdditionalData data;
+  data.tasks_parallel_scheme = MatrixFree::AdditionalData::none;
+  data.mapping_update_flags =
+      dealii::update_values | dealii::update_gradients | dealii::update_JxW_values;
+  if (is_axisymmetric)
+    data.mapping_update_flags |= dealii::update_quadrature_points;
+  // Cells that count are not mixed with others.
+  data.cell_vectorization_category.resize(input.has_cell.size());
+  std::copy(input.has_cell.begin(), input.has_cell.end(), data.cell_vectorization_category.begin());
+  data.cell_vectorization_categories_strict = true;
+  shapes_of_pressure.distribute_dofs(dealii::FE_DGQ<dim>(degree - 1));
+  const dealii::AffineConstraints<double> none;
+  matrix_free.reinit(
+      input.mapping,
+      std::vector<const dealii::DoFHandler<dim> *>{&input.dof_handler, &shapes_of_pressure},
+      std::vector<const dealii::AffineConstraints<double> *>{&input.hanging, &none},
+      std::vector<dealii::QGauss<1>>{dealii::QGauss<1>(n_points)}, data);
+  make_batches(input);
+}
+
+template <int dim, std::size_t width, bool is_axisymmetric>
+void MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::make_batches(const Input &input)
+{
+  batches.resize(matrix_free.n_cell_batches());
+  for (unsigned int number = 0; number < batches.size(); ++number)
+  {
+    Batch &batch = batches[number];
+    batch.cells.fill(no_cell);
+    batch.liquids.fill(nullptr);
+    for (unsigned int lane = 0; lane < matrix_free.n_active_entries_per_cell_batch(number); ++lane)
+    {
+      const auto cell = matrix_free.get_cell_iterator(number, lane, of_velocity);
+      const unsigned int index = cell->active_cell_index();
+      if (!input.has_cell[index])
+        continue;
+      const Liquid &liquid = liquids[cell->material_id()];
+      batch.cells[lane] = index;
+      batch.liquids[lane] = &liquid;
+      batch.share[lane] = liquid.share;
+      batch.density[lane] = liquid.density;
+      batch.inverse_bulk_modulus[lane] = liquid.volume_law.inverse_bulk_modulus;
+      batch.viscosity_over_speed[lane] = input.viscosity_over_speed[index];
+      batch.is_liquid = true;
+      if (liquid.volume_law.inverse_bulk_modulus != 0.)
+        batch.is_compressible = true;
+      if (liquid.flow_curve)
+        batch.has_flow_curve = true;
+    }
+  }
+}
+
+template <int dim, std::size_t width, bool is_axisymmetric>
+void MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::read(const Batch &batch,
+                                                                    const double *const entries,
+                                                                    PressureCell &cell) const
+{
+  for (unsigned int k = 0; k < Base::n_pressures; ++k)
+  {
+    Lanes value = 0.;
+    for (unsigned int lane = 0; lane < width; ++lane)
+      if (batch.cells[lane] != no_cell)
+        value[lane] = entries[pressure_places[batch.cells[lane] * Base::n_pressures + k]];
+    cell.submit_dof_value(value, k);
+  }
+}
+
+template <int dim, std::size_t width, bool is_axisymmetric>
+void MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::add_viscous(const Batch &batch,
+                                                                           const Point &point,
+                                                                           Tested &tested) const
+{
+  // Deviatoric rates of strain in the plane or in space, and across the plane.
+  const auto deviator = [](const Vector2 &gradient, const Lanes mean)
+  {
+    Vector2 rate;
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int d = 0; d < dim; ++d)
+        rate[c][d] = 0.5 * (gradient[c][d] + gradient[d][c]);
+    for (unsigned int c = 0; c < dim; ++c)
+      rate[c][c] -= mean;
+    return rate;
+  };
+  const Lanes mean = point.divergence() / 3., mean_change = point.divergence_change() / 3.;
+  const Vector2 rate = deviator(point.gradient, mean),
+                change = deviator(point.gradient_change, mean_change);
+  const Lanes across = dim == 2 ? point.hoop * point.velocity[1] - mean : Lanes(0.),
+              across_change =
+                  dim == 2 ? point.hoop * point.velocity_change[1] - mean_change : Lanes(0.);
+  Lanes norm_square = across * across, product = across * across_change;
+  for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      norm_square += rate[c][d] * rate[c][d];
+      product += rate[c][d] * change[c][d];
+    }
+  const Lanes shear_rate = std::sqrt(2. * norm_square);
+  Lanes excess = 0., slope = 0.;
+  for (unsigned int lane = 0; lane < width; ++lane)
+    if (batch.liquids[lane] != nullptr && batch.liquids[lane]->flow_curve)
+    {
+      const FlowCurve &curve = *batch.liquids[lane]->flow_curve;
+      excess[lane] = 2. * (curve.viscosity(shear_rate[lane]) - curve.zero_rate_viscosity);
+      slope[lane] = 4. * curve.slope_over_rate(shear_rate[lane]);
+    }
+  const Lanes along = slope * product;
+  tested.by_gradient += excess * change + along * rate;
+  tested.by_value[1] += point.hoop * (excess * across_change + along * across);
+}
+
+template <int dim, std::size_t width, bool is_axisymmetric>
+typename MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::Tested
+MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::differentiate(const Batch &batch,
+                                                                        const Point &point) const
+{
+  Lanes density = batch.density, compressibility = 0., compressibility_slope = 0.;
+  if (batch.is_compressible)
+    for (unsigned int lane = 0; lane < width; ++lane)
+      if (batch.liquids[lane] != nullptr)
+      {
+        const VolumeLaw &law = batch.liquids[lane]->volume_law;
+        density[lane] *= law.density_ratio(point.pressure[lane]);
+        compressibility[lane] = law.compressibility(point.pressure[lane]);
+        compressibility_slope[lane] = law.compressibility_slope(point.pressure[lane]);
+      }
+  const Vector1 &velocity = point.velocity, &change = point.velocity_change;
+  const Lanes motion = point.pressure_rate + velocity * point.pressure_gradient;
+  const Lanes source = compressibility * motion + point.divergence();
+  const Lanes pressure_rate_change = state->pressure_rate_by_pressure * point.pressure_change;
+  const Lanes motion_change = pressure_rate_change + change * point.pressure_gradient +
+                              velocity * point.pressure_gradient_change;
+  const Lanes divergence_change = point.divergence_change();
+  const Lanes source_change = compressibility_slope * point.pressure_change * motion +
+                              compressibility * motion_change + divergence_change;
+  const Lanes density_change = density * compressibility * point.pressure_change;
+
+  Tested tested;
+  const Lanes skew_source = skew * source;
+  tested.by_value =
+      density * (point.gradient * change + point.gradient_change * velocity) +
+      ((density - batch.density) * state->acceleration_by_velocity + density * skew_source) *
+          change +
+      density_change * (point.acceleration + point.gradient * velocity) +
+      (density_change * skew_source + density * skew * source_change) * velocity;
+  // At rest the speed has no derivative.
+  const Lanes speed = velocity.norm();
+  const Lanes along_flow = dealii::compare_and_apply_mask<dealii::SIMDComparison::greater_than>(
+      speed, Lanes(0.),
+      velocity * change / std::max(speed, Lanes(std::numeric_limits<double>::min())), Lanes(0.));
+  const Lanes second_pressure =
+      (constant_viscosity + batch.viscosity_over_speed * speed) * source_change +
+      batch.viscosity_over_speed * source * along_flow;
+  for (unsigned int c = 0; c < dim; ++c)
+    tested.by_gradient[c][c] = second_pressure;
+  tested.by_value[1] += point.hoop * second_pressure;
+  if (batch.has_flow_curve)
+    add_viscous(batch, point, tested);
+  tested.of_volume =
+      source_change - divergence_change - batch.inverse_bulk_modulus * pressure_rate_change;
+  return tested;
+}
+
+template <int dim, std::size_t width, bool is_axisymmetric>
+void MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::multiply(
+    Vector &momentum,
+    std::vector<double> &volume,
+    const Vector &velocity,
+    const double *const pressure) const
+{
+  const auto values = dealii::EvaluationFlags::values;
+  const auto both = dealii::EvaluationFlags::values | dealii::EvaluationFlags::gradients;
+  matrix_free.template cell_loop<Vector, Vector>(
+      [&](const MatrixFree &data, Vector &target, const Vector &source,
+          const std::pair<unsigned int, unsigned int> &range)
+      {
+        VelocityCell of_state(data, of_velocity), of_acceleration(data, of_velocity),
+            of_change(data, of_velocity);
+        PressureCell pressure_of_state(data, of_pressure), rate_of_state(data, of_pressure),
+            pressure_of_change(data, of_pressure);
+        for (unsigned int number = range.first; number < range.second; ++number)
+        {
+          const Batch &batch = batches[number];
+          if (!batch.is_liquid)
+            continue;
+          for (VelocityCell *const cell : {&of_state, &of_acceleration, &of_change})
+            cell->reinit(number);
+          of_state.gather_evaluate(state->velocity, both);
+          of_change.gather_evaluate(source, both);
+          // Only changes of the density multiply the acceleration.
+          if (batch.is_compressible)
+          {
+            of_acceleration.gather_evaluate(state->acceleration, values);
+            for (PressureCell *const cell :
+                 {&pressure_of_state, &rate_of_state, &pressure_of_change})
+              cell->reinit(number);
+            read(batch, state->pressure.data(), pressure_of_state);
+            read(batch, state->pressure_rate.data(), rate_of_state);
+            read(batch, pressure, pressure_of_change);
+            pressure_of_state.evaluate(both);
+            rate_of_state.evaluate(values);
+            pressure_of_change.evaluate(both);
+          }
+          for (unsigned int q = 0; q < of_change.n_q_points; ++q)
+          {
+            Point point;
+            Lanes factor = batch.share;
+            point.hoop = 0.;
+            if constexpr (is_axisymmetric)
+            {
+              const Lanes radius = of_change.quadrature_point(q)[1];
+              point.hoop = 1. / radius;
+              factor *= 2. * dealii::numbers::PI * radius;
+            }
+            point.velocity = of_state.get_value(q);
+            point.gradient = of_state.get_gradient(q);
+            point.velocity_change = of_change.get_value(q);
+            point.gradient_change = of_change.get_gradient(q);
+            if (batch.is_compressible)
+            {
+              point.acceleration = of_acceleration.get_value(q);
+              point.pressure = pressure_of_state.get_value(q);
+              point.pressure_gradient = pressure_of_state.get_gradient(q);
+              point.pressure_rate = rate_of_state.get_value(q);
+              point.pressure_change = pressure_of_change.get_value(q);
+              point.pressure_gradient_change = pressure_of_change.get_gradient(q);
+            }
+            const Tested tested = differentiate(batch, point);
+            of_change.submit_value(factor * tested.by_value, q);
+            of_change.submit_gradient(factor * tested.by_gradient, q);
+            if (batch.is_compressible)
+              pressure_of_change.submit_value(factor * tested.of_volume, q);
+          }
+          of_change.integrate_scatter(both, target);
+          if (!batch.is_compressible)
+            continue;
+          pressure_of_change.integrate(values);
+          for (unsigned int lane = 0; lane < width; ++lane)
+            if (batch.cells[lane] != no_cell)
+              for (unsigned int k = 0; k < Base::n_pressures; ++k)
+                volume[batch.cells[lane] * Base::n_pressures + k] =
+                    pressure_of_change.get_dof_value(k)[lane];
+        }
+      },
+      momentum, velocity, true);
+}
+
+/// `width` is that of double precision.
+template <int dim, std::size_t width>
+std::unique_ptr<MatrixFreeConvection<dim>>
+make_convection_of_width(const typename MatrixFreeConvection<dim>::Input &input)
+{
+  if constexpr (dim == 2)
+    if (input.is_axisymmetric)
+      return std::make_unique<MatrixFreeConvectionOfWidth<dim, width, true>>(input);
+  return std::make_unique<MatrixFreeConvectionOfWidth<dim, width, false>>(input);
+}
+} // namespace Continua
+
+/// The functions of one instruction set, with the width of double precision.
+#define CONTINUA_INSTANTIATE_MATRIX_FREE_CONVECTION(name, width)                                   \
+  namespace Continua                                                                               \
+  {                                                                                                \
+  template <int dim>                                                                               \
+  std::unique_ptr<MatrixFreeConvection<dim>>                                                       \
+  name(const typename MatrixFreeConvection<dim>::Input &input)                                     \
+  {                                                                                                \
+    return make_convection_of_width<dim, width>(input);                                            \
+  }                                                                                                \
+  template std::unique_ptr<MatrixFreeConvection<2>>                                                \
+  name<2>(const MatrixFreeConvection<2>::Input &);                                                 \
+  template std::unique_ptr<MatrixFreeConvection<3>>                                                \
+  name<3>(const MatrixFreeConvection<3>::Input &);                                                 \
+  }
+
+#endif

@@ -1,0 +1,26 @@
+#include <continua/finite_element/matrix_free_convection.h>
+
+#include <deal.II/base/exceptions.h>
+
+namespace Continua
+{
+template <int dim>
+std::unique_ptr<MatrixFreeConvection<dim>>
+make_matrix_free_convection(const InstructionSet instruction_set,
+                            const typename MatrixFreeConvection<dim>::Input &input)
+{
+  AssertThrow(can_run(instruction_set), dealii::ExcInternalError());
+#ifdef CONTINUA_WIDE_INSTRUCTIONS
+  if (instruction_set == InstructionSet::avx512)
+    return matrix_free_convection_avx512<dim>(input);
+  if (instruction_set == InstructionSet::avx2)
+    return matrix_free_convection_avx2<dim>(input);
+#endif
+  return matrix_free_convection_baseline<dim>(input);
+}
+
+template std::unique_ptr<MatrixFreeConvection<2>>
+make_matrix_free_convection<2>(InstructionSet, const MatrixFreeConvection<2>::Input &);
+template std::unique_ptr<MatrixFreeConvection<3>>
+make_matrix_free_convection<3>(InstructionSet, const MatrixFreeConvection<3>::Input &);
+} // namespace Continua
