@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <sstream>
 #include <utility>
 
@@ -192,7 +193,7 @@ template <int dim>
 typename ConvectiveTerms<dim>::Point ConvectiveTerms<dim>::point(const unsigned int q) const
 {
   const typename Cell::Point &geometry = present->points[q];
-  const unsigned int n_functions = cells.n_functions();
+  const std::size_t n_functions = cells.n_functions();
   const double *const values = cells.values(q), *const pressure_values = cells.pressure_values(q);
   const Tensor<1, dim> *const gradients = cells.gradients(q), *const pressure_gradients =
                                                                   cells.pressure_gradients(q);
@@ -248,7 +249,7 @@ template <int dim>
 void ConvectiveTerms<dim>::set_functions(const unsigned int q)
 {
   const typename Cell::Point &geometry = present->points[q];
-  const unsigned int n_functions = cells.n_functions();
+  const std::size_t n_functions = cells.n_functions();
   functions.values = cells.values(q);
   functions.pressure_values = cells.pressure_values(q);
   for (unsigned int a = 0; a < n_functions; ++a)
@@ -292,7 +293,7 @@ void ConvectiveTerms<dim>::add_derivative_of_viscosity(const Point &here,
   const double excess =
       2. * here.weight * (curve.viscosity(here.shear_rate) - curve.zero_rate_viscosity);
   const double slope = 4. * here.weight * curve.slope_over_rate(here.shear_rate);
-  const unsigned int n_functions = cells.n_functions();
+  const std::size_t n_functions = cells.n_functions();
   for (unsigned int c = 0; c < dim; ++c)
     for (unsigned int a = 0; a < n_functions; ++a)
     {
@@ -318,7 +319,7 @@ void ConvectiveTerms<dim>::add_tested(const Tested &tested,
                                       const unsigned int q,
                                       Vector<double> &rows) const
 {
-  const unsigned int n_functions = cells.n_functions();
+  const std::size_t n_functions = cells.n_functions();
   const double *const values = cells.values(q);
   const Tensor<1, dim> *const gradients = cells.gradients(q);
   for (unsigned int c = 0; c < dim; ++c)
@@ -489,8 +490,8 @@ void ConvectiveTerms<dim>::integrate_derivative(FullMatrix<double> &matrix)
   if (streamline_terms.are_on())
     streamline_terms.visit(present->velocity_cell, step);
   const double rate_by_pressure = 1. / step.pressure_time;
-  const unsigned int n_functions = cells.n_functions(), n_velocity = dim * n_functions,
-                     n_pressure = cells.n_pressures();
+  const std::size_t n_functions = cells.n_functions(), n_velocity = dim * n_functions,
+                    n_pressure = cells.n_pressures();
   matrix.reinit(n_velocity + n_pressure, n_velocity + n_pressure);
   for (unsigned int q = 0; q < cells.n_points(); ++q)
   {
