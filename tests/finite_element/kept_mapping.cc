@@ -94,6 +94,18 @@ void check_mapping(const std::string &name)
   check::is_true(name + ": of a finer mesh", same_points<dim>(*mapping, mesh));
   mapping->keep_points();
   check::is_true(name + ": kept anew", same_points<dim>(*mapping, mesh));
+  // The small cells go, and others come that take over their numbers.
+  for (const auto &cell : mesh.active_cell_iterators())
+    if (cell->is_locally_owned())
+    {
+      if (cell->level() == 2)
+        cell->set_coarsen_flag();
+      else
+        cell->set_refine_flag();
+    }
+  mesh.execute_coarsening_and_refinement();
+  check::is_true(name + ": of a mesh with other small cells", same_points<dim>(*mapping, mesh));
+  mapping->keep_points();
   for (const auto &cell : mesh.active_cell_iterators())
     if (cell->is_locally_owned())
       cell->set_coarsen_flag();
