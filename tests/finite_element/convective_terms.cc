@@ -9,12 +9,14 @@
 #include <cmath>
 
 #include "../unit_test.h"
-#include "small_problem.h"
+#include "flow_state.h"
 
 namespace test_of_convective_terms
 {
 using namespace Continua;
 using namespace dealii;
+using flow_state::make_state;
+using flow_state::wave;
 
 namespace
 {
@@ -44,44 +46,6 @@ void add_open_end(Problem &problem)
   condition.region_ids = {0};
   condition.inflow_pressure = InflowPressure::total;
   problem.conditions.push_back(condition);
-}
-
-template <int dim>
-double wave(const Point<dim> &x, const double phase)
-{
-  double sum = phase;
-  for (unsigned int c = 0; c < dim; ++c)
-    sum += (1.3 + 0.7 * c + 0.2 * phase) * x[c];
-  return std::sin(sum);
-}
-
-/// A state without any symmetry.
-template <int dim>
-BalancedStep make_state(const Space<dim> &space)
-{
-  const auto vector = [&](const double phase)
-  {
-    return small_problem::interpolated<dim>(space,
-                                            [phase](const Point<dim> &x)
-                                            {
-                                              Tensor<1, dim> value;
-                                              for (unsigned int c = 0; c < dim; ++c)
-                                                value[c] = wave(x, phase + 2. * c);
-                                              return value;
-                                            });
-  };
-  const auto scalar = [&](const double phase)
-  {
-    return small_problem::interpolated_pressure<dim>(
-        space, [phase](const Point<dim> &x, unsigned int) { return wave(x, phase); });
-  };
-  BalancedStep state;
-  state.step = backward_differencing_step(0., 0.1, 0.1, Update::implicit);
-  state.velocity = vector(0.);
-  state.acceleration = vector(1.);
-  state.pressure = scalar(2.);
-  state.pressure_rate = scalar(3.);
-  return state;
 }
 
 /// The rows of momentum and of the negative of volume, one after the other.

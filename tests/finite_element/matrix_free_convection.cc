@@ -7,50 +7,18 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <cmath>
-
 #include "../unit_test.h"
-#include "small_problem.h"
+#include "flow_state.h"
 
 namespace test_of_matrix_free_convection
 {
 using namespace Continua;
 using namespace dealii;
+using flow_state::make_state;
+using flow_state::wave;
 
 namespace
 {
-template <int dim>
-Tensor<1, dim> flow(const Point<dim> &x, const double phase)
-{
-  Tensor<1, dim> value;
-  for (unsigned int c = 0; c < dim; ++c)
-    value[c] = std::sin(phase + 1.3 * x[0] + (0.4 + c) * x[1] + 0.7 * x[dim - 1]);
-  return value;
-}
-
-template <int dim>
-BalancedStep make_state(const Space<dim> &space)
-{
-  const auto scalar = [&](const double phase)
-  {
-    return small_problem::interpolated_pressure<dim>(
-        space, [phase](const Point<dim> &x, const unsigned int region)
-        { return flow<dim>(x, phase + region)[0]; });
-  };
-  const auto vector = [&](const double phase)
-  {
-    return small_problem::interpolated<dim>(space, [phase](const Point<dim> &x)
-                                            { return flow<dim>(x, phase); });
-  };
-  BalancedStep state;
-  state.step = backward_differencing_step(0., 0.1, 0.1, Update::implicit);
-  state.velocity = vector(0.);
-  state.acceleration = vector(1.);
-  state.pressure = scalar(2.);
-  state.pressure_rate = scalar(3.);
-  return state;
-}
-
 struct Rows
 {
   DistributedVector momentum, volume;
@@ -79,11 +47,12 @@ Rows product_of(const Space<dim> &space,
   }
   terms.keep_derivative(state, form);
   Rows rows = {space.velocity_vector(), space.pressure_vector()};
-  const DistributedVector velocity = small_problem::interpolated<dim>(space, [](const Point<dim> &x)
-                                                                      { return flow<dim>(x, 7.); }),
+  const DistributedVector velocity = small_problem::interpolated<dim>(
+                              space, [](const Point<dim> &x)
+                              { return wave(x, 7.) * Point<dim>::unit_vector(dim - 1) + 0.3 * x; }),
                           pressure = small_problem::interpolated_pressure<dim>(
                               space, [](const Point<dim> &x, const unsigned int region)
-                              { return flow<dim>(x, 9. - region)[0]; });
+                              { return wave(x, 9. - region); });
   terms.add_derivative_product(velocity, pressure, rows.momentum, rows.volume);
   return rows;
 }
