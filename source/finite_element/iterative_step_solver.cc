@@ -1,6 +1,7 @@
 #include <continua/finite_element/iterative_step_solver.h>
 
 #include <continua/base/input_error.h>
+#include <continua/base/memory_limit.h>
 #include <continua/finite_element/chebyshev_relaxation.h>
 #include <continua/finite_element/condensed_system.h>
 #include <continua/finite_element/interface_compliance.h>
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace Continua
@@ -452,9 +454,15 @@ void IterativeStepSolver<dim>::make_velocity_inverse(
   {
     TrilinosWrappers::SparseMatrix block_compression;
     assemble_pressure_mass(space, operators, compressibility, block_compression);
+    auto block = std::make_unique<SaddlePointBlock>(
+        made.velocity_matrix.trilinos_matrix(), divergence.trilinos_matrix(),
+        block_compression.trilinos_matrix(), parts.stiff, stiff_pressures);
+    // The memory is largest in the factorisation.
+    if (!needs_all_rows)
+      made.velocity_matrix.clear();
+    block->factorize(parts.most_factor_bytes);
     made.velocity = std::make_unique<VelocityPreconditioner>(
-        made.velocity_matrix, divergence, block_compression, parts, stiff_pressures,
-        std::move(relaxation));
+        divergence, std::move(block), stiff_pressures, std::move(relaxation));
   }
   else
     made.velocity = std::make_unique<VelocityPreconditioner>(made.velocity_matrix, parts,
@@ -464,10 +472,41 @@ void IterativeStepSolver<dim>::make_velocity_inverse(
 }
 
 template <int dim>
+double IterativeStepSolver<dim>::most_factor_bytes(const unsigned int n_stiff) const
+{
+  const double unlimited = std::numeric_limits<double>::infinity();
+  if (parameters.stiff_block != StiffBlock::automatic)
+    return parameters.stiff_block == StiffBlock::direct ? unlimited : 0.;
+  const StiffBlockLimits &limits = parameters.stiff_block_limits;
+  if (n_stiff <= (dim == 2 ? limits.small_in_plane : limits.small_in_space))
+    return unlimited;
+  const auto n_velocity = space.velocity_dofs.n_dofs();
+  if (too_large_factor || n_stiff > limits.largest ||
+      n_stiff > limits.largest_share * static_cast<double>(n_velocity))
+    return 0.;
+  return limits.bytes_per_unknown * static_cast<double>(n_velocity + space.pressure_dofs.n_dofs());
+}
+
+template <int dim>
 void IterativeStepSolver<dim>::make_preconditioner()
 {
   // The old one first: two would not fit where one does.
   preconditioner = nullptr;
+  try
+  {
+    preconditioner = made_preconditioner();
+  }
+  catch (const FactorTooLarge &factor)
+  {
+    too_large_factor = factor.bytes;
+    preconditioner = made_preconditioner();
+  }
+}
+
+template <int dim>
+std::unique_ptr<typename IterativeStepSolver<dim>::Preconditioner>
+IterativeStepSolver<dim>::made_preconditioner()
+{
   auto made = std::make_unique<Preconditioner>();
   made->coefficients = coefficients;
 
@@ -490,9 +529,8 @@ void IterativeStepSolver<dim>::make_preconditioner()
       Utilities::MPI::sum(static_cast<unsigned int>(parts.stiff.size()), space.communicator);
   const bool has_fluid =
       Utilities::MPI::sum(static_cast<unsigned int>(parts.fluid.size()), space.communicator) > 0;
-  parts.stiff_is_direct =
-      parameters.stiff_block == StiffBlock::direct ||
-      (parameters.stiff_block == StiffBlock::automatic && n_stiff <= largest_direct_block);
+  parts.most_factor_bytes = most_factor_bytes(n_stiff);
+  parts.stiff_is_direct = parts.most_factor_bytes > 0.;
   parts.fluid_is_viscous = parameters.fluid_block == FluidBlock::algebraic_multigrid ||
                            (parameters.fluid_block == FluidBlock::automatic &&
                             (fluid_ratio > viscous_ratio || !has_inertia));
@@ -565,6 +603,8 @@ void IterativeStepSolver<dim>::make_preconditioner()
   if (n_stiff > 0)
     text << "; stiff block: "
          << (parts.stiff_is_direct ? made->velocity->factor()->name() : "algebraic multigrid");
+  if (n_stiff > 0 && too_large_factor)
+    text << ", since a factor would need " << memory_text(*too_large_factor);
   if (has_fluid)
     text << "; fluid block: "
          << (parts.fluid_is_viscous                         ? "algebraic multigrid"
@@ -575,10 +615,10 @@ void IterativeStepSolver<dim>::make_preconditioner()
     text << "; products without a matrix ("
          << word_of(instruction_set_words(), parameters.instruction_set) << ")";
   made->name = text.str();
-  preconditioner = std::move(made);
   mass_diagonals.clear();
   stiffness_diagonals.clear();
   mark_memory("preconditioner of the pressure");
+  return made;
 }
 
 template <int dim>

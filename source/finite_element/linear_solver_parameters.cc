@@ -66,8 +66,10 @@ void LinearSolverParameters::read(ParameterSection section)
              {{"automatic", StiffBlock::automatic},
               {"direct", StiffBlock::direct},
               {"algebraic multigrid", StiffBlock::algebraic_multigrid}},
-             "What the iterative solver does with the solid: automatic takes a factor up "
-             "to 400,000 of its unknowns in two dimensions, 60,000 in three.");
+             "What the iterative solver does with the solid: automatic takes a factor up to "
+             "400,000 of its velocities in two dimensions and 60,000 in three. Beyond it takes a "
+             "factor if the solid has at most half of all velocities and 1,000,000 of them, and "
+             "the factor needs at most 1 kB for each unknown of the whole system.");
   add_choice(section, "Fluid block", fluid_block,
              {{"automatic", FluidBlock::automatic},
               {"relaxation", FluidBlock::relaxation},

@@ -164,7 +164,8 @@ void StepSystem<dim>::factorize()
       throw RunError(error.what());
     }
   if (announce)
-    made.factor->announce = [this, n = matrix.n](const double bytes) { announce(n, bytes); };
+    made.factor->announce = [this, n = matrix.n](const FactorEstimate &estimate)
+    { announce(n, estimate.memory); };
   made.factor->factorize(std::move(matrix), owned);
   made.factor->announce = nullptr;
   kept_factors.push_front(std::move(made));

@@ -113,7 +113,7 @@ void CholmodFactor::factorize(SymmetricTriplets matrix, const std::vector<int> &
   d.factor = cholmod_analyze(sparse, &d.common);
   // An entry is a number and the place of its row.
   if (announce && d.common.status == CHOLMOD_OK)
-    announce(d.common.lnz * (sizeof(double) + sizeof(int)));
+    announce({d.common.lnz, d.common.lnz * (sizeof(double) + sizeof(int))});
   if (d.common.status == CHOLMOD_OK)
     cholmod_factorize(sparse, d.factor, &d.common);
   cholmod_free_sparse(&sparse, &d.common);

@@ -43,6 +43,12 @@ std::string reason(const int code)
   }
 }
 
+/// MUMPS counts the entries of large factors in millions, with a minus.
+double count_of(const int entries)
+{
+  return entries >= 0 ? entries : -1e6 * entries;
+}
+
 /// MUMPS's interface for a kind of numbers.
 template <typename Number>
 struct MumpsInterface;
@@ -206,7 +212,7 @@ void MumpsSolver<Number>::factorize(const int n,
                                     std::vector<int> columns,
                                     std::vector<Number> values,
                                     const std::vector<int> &owned,
-                                    const std::function<void(double)> &announce)
+                                    const std::function<void(const FactorEstimate &)> &announce)
 {
   data = nullptr; // the old factor goes before the new one is made
   data = std::make_unique<Data>(symmetry, communicator);
@@ -238,7 +244,7 @@ void MumpsSolver<Number>::factorize(const int n,
     d.mumps.cntl[0] = 0.; // no pivoting
   d.run(job_analyse, "analysis");
   if (announce)
-    announce(1e6 * d.mumps.infog[16]); // an estimate in megabytes
+    announce({count_of(d.mumps.infog[19]), 1e6 * d.mumps.infog[16]});
   d.factorize();
   d.mumps.irn_loc = d.mumps.jcn_loc = nullptr;
   d.mumps.a_loc = nullptr;
@@ -300,8 +306,7 @@ void MumpsSolver<Number>::solve(std::vector<Number> &x)
 template <typename Number>
 double MumpsSolver<Number>::n_entries() const
 {
-  const double entries = data->mumps.infog[28];
-  return entries >= 0 ? entries : -1e6 * entries; // MUMPS counts large factors in millions
+  return count_of(data->mumps.infog[28]);
 }
 
 template <typename Number>

@@ -62,6 +62,7 @@ SaddlePointBlock::SaddlePointBlock(const Epetra_CrsMatrix &velocity,
                                    std::vector<unsigned int> pressures_of_block)
     : velocities(std::move(velocities_of_block)),
       pressures(std::move(pressures_of_block)),
+      communicator(dynamic_cast<const Epetra_MpiComm &>(velocity.Comm()).Comm()),
       part(velocities.size() + pressures.size())
 {
   // Velocities of all ranks come first.
@@ -71,7 +72,6 @@ SaddlePointBlock::SaddlePointBlock(const Epetra_CrsMatrix &velocity,
   const int first_velocity = velocities.empty() ? 0 : of_velocities.MinMyGID();
   const int first_pressure = n_velocities + (pressures.empty() ? 0 : of_pressures.MinMyGID());
 
-  SymmetricTriplets block;
   block.n = n_velocities + of_pressures.NumGlobalElements();
   add_entries(velocity, 1., velocities, first_velocity,
               numbers_of_columns(velocity, velocities, first_velocity), block);
@@ -79,14 +79,15 @@ SaddlePointBlock::SaddlePointBlock(const Epetra_CrsMatrix &velocity,
               numbers_of_columns(divergence, velocities, first_velocity), block);
   add_entries(compression, -1., pressures, first_pressure,
               numbers_of_columns(compression, pressures, first_pressure), block);
-  std::vector<int> owned;
   for (std::size_t k = 0; k < velocities.size(); ++k)
     owned.push_back(first_velocity + static_cast<int>(k));
   for (std::size_t k = 0; k < pressures.size(); ++k)
     owned.push_back(first_pressure + static_cast<int>(k));
-  inverse = make_symmetric_factor(DirectSolver::automatic, true, block.values.size(),
-                                  dynamic_cast<const Epetra_MpiComm &>(velocity.Comm()).Comm());
-  inverse->factorize(block, owned);
+}
+
+void SaddlePointBlock::factorize(const double most_bytes)
+{
+  inverse = make_block_factor(std::move(block), owned, most_bytes, communicator);
 }
 
 void SaddlePointBlock::add_solution(const double *const momentum,

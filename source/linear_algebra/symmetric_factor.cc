@@ -1,11 +1,13 @@
 #include <continua/linear_algebra/both_triangles.h>
 #include <continua/linear_algebra/cholmod_factor.h>
 #include <continua/linear_algebra/mumps_factor.h>
+#include <continua/linear_algebra/single_precision_factor.h>
 #include <continua/linear_algebra/symmetric_factor.h>
 #include <continua/linear_algebra/umfpack_factor.h>
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace Continua
 {
@@ -50,5 +52,30 @@ std::unique_ptr<SymmetricFactor> make_symmetric_factor(const DirectSolver choice
         "the solver 'cholmod' does not pivot, so it needs a compressible material everywhere "
         "(1/K > 0); choose mumps or automatic");
   return std::make_unique<CholmodFactor>();
+}
+
+std::unique_ptr<SymmetricFactor> make_block_factor(SymmetricTriplets matrix,
+                                                   const std::vector<int> &owned,
+                                                   const double most_bytes,
+                                                   const MPI_Comm communicator)
+{
+  // On any number of ranks the same precision.
+  std::size_t n_entries = matrix.values.size();
+  MPI_Allreduce(MPI_IN_PLACE, &n_entries, 1, MPI_UNSIGNED_LONG, MPI_SUM, communicator);
+  const bool is_single = n_entries > largest_simplicial_matrix;
+  std::unique_ptr<SymmetricFactor> factor;
+  if (!is_single)
+    factor = make_symmetric_factor(DirectSolver::automatic, true, n_entries, communicator);
+  else
+    factor = std::make_unique<SinglePrecisionFactor>(true, communicator);
+  factor->announce = [most_bytes, is_single](const FactorEstimate &estimate)
+  {
+    const double bytes = estimate.n_entries * (is_single ? sizeof(float) : sizeof(double));
+    if (bytes > most_bytes)
+      throw FactorTooLarge(bytes);
+  };
+  factor->factorize(std::move(matrix), owned);
+  factor->announce = nullptr;
+  return factor;
 }
 } // namespace Continua

@@ -30,28 +30,20 @@ VelocityPreconditioner::VelocityPreconditioner(
   }
   stiff = std::make_unique<SubMatrix>(matrix.trilinos_matrix(), blocks.stiff);
   part.resize(blocks.stiff.size());
-  const SymmetricTriplets triangle = stiff->lower_triangle();
-  stiff_factor = make_symmetric_factor(DirectSolver::automatic, true, triangle.values.size(),
-                                       matrix.get_mpi_communicator());
-  stiff_factor->factorize(triangle, stiff->owned());
+  stiff_factor = make_block_factor(stiff->lower_triangle(), stiff->owned(),
+                                   blocks.most_factor_bytes, matrix.get_mpi_communicator());
 }
 
 VelocityPreconditioner::VelocityPreconditioner(
-    const TrilinosWrappers::SparseMatrix &matrix,
     const TrilinosWrappers::SparseMatrix &divergence,
-    const TrilinosWrappers::SparseMatrix &compression,
-    const VelocityBlocks &blocks,
+    std::unique_ptr<SaddlePointBlock> stiff_block,
     const std::vector<unsigned int> &pressures_of_stiff,
     std::unique_ptr<VelocityRelaxation> relaxation_of_fluid)
     : relaxation(std::move(relaxation_of_fluid)),
       has_stiff(true),
-      residual(matrix.locally_owned_range_indices(), matrix.get_mpi_communicator()),
+      residual(divergence.locally_owned_domain_indices(), divergence.get_mpi_communicator()),
       divergence(&divergence),
-      saddle_point(std::make_unique<SaddlePointBlock>(matrix.trilinos_matrix(),
-                                                      divergence.trilinos_matrix(),
-                                                      compression.trilinos_matrix(),
-                                                      blocks.stiff,
-                                                      pressures_of_stiff)),
+      saddle_point(std::move(stiff_block)),
       stiff_pressures(pressures_of_stiff)
 {
   full_momentum.reinit(residual);

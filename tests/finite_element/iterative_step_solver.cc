@@ -42,11 +42,11 @@ std::vector<BoundaryCondition> read_conditions()
   return conditions;
 }
 
-/// Solves for a known solution.
-void solve(const std::string &name,
-           const unsigned int n_refinements,
-           const SystemCoefficients &coefficients,
-           LinearSolverParameters parameters)
+/// Solves for a known solution; the solver's name.
+std::string solve(const std::string &name,
+                  const unsigned int n_refinements,
+                  const SystemCoefficients &coefficients,
+                  LinearSolverParameters parameters)
 {
   static const std::vector<BoundaryCondition> conditions = read_conditions();
   small_problem::Mesh<2> mesh(MPI_COMM_WORLD);
@@ -105,6 +105,40 @@ void solve(const std::string &name,
   check::is_true(name + ": iterations", n_first > 0 && n_first <= 70);
   system.solve(momentum, mass, solved, solved_pressure);
   check::is_true(name + ": the solution is its own guess", system.take_iterations() <= 1);
+  return system.name();
+}
+
+bool contains(const std::string &text, const std::string &part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+/// Up to where the stiff block has a factor.
+void check_limits(const SystemCoefficients &coefficients)
+{
+  const std::string multigrid = "stiff block: algebraic multigrid";
+  LinearSolverParameters parameters;
+  StiffBlockLimits &limits = parameters.stiff_block_limits;
+  limits.small_in_plane = 0;
+  limits.largest_share = 1.;
+  check::is_true("a small factor is made",
+                 contains(solve("small factor", 1, coefficients, parameters), "L D L^T"));
+  limits.bytes_per_unknown = 1.;
+  check::is_true("a large factor is not made, and the name says why",
+                 contains(solve("large factor", 1, coefficients, parameters),
+                          multigrid + ", since a factor would need "));
+  limits.bytes_per_unknown = 1e6;
+  limits.largest_share = 0.1;
+  check::is_true("a large share of the velocities has multigrid at once",
+                 contains(solve("large share", 1, coefficients, parameters), multigrid + ";"));
+  limits.largest_share = 1.;
+  limits.largest = 10;
+  check::is_true("many velocities have multigrid at once",
+                 contains(solve("many", 1, coefficients, parameters), multigrid + ";"));
+  limits.small_in_plane = 100000;
+  limits.bytes_per_unknown = 1.;
+  check::is_true("a small block has a factor of any size",
+                 contains(solve("small block", 1, coefficients, parameters), "L D L^T"));
 }
 } // namespace
 
@@ -130,6 +164,8 @@ UNIT_TEST(iterative_step_solver)
     simple.schur_complement = SchurApproximation::simple;
     solve(mesh + "simple", n_refinements, jump, simple);
   }
+
+  check_limits(jump);
 
   LinearSolverParameters few;
   few.maximum_iterations = 3;

@@ -63,6 +63,7 @@ void check_block(const std::string &name, const unsigned int n_u, const unsigned
   SaddlePointBlock inverse(velocity.trilinos_matrix(), divergence.trilinos_matrix(),
                            compression.trilinos_matrix(), of_this_rank(n_velocities, n_u),
                            of_this_rank(n_pressures, n_p));
+  inverse.factorize();
   DistributedVector u = distributed(List(n_velocities)), p = distributed(List(n_pressures));
   u.add(outside);
   p.add(outside);

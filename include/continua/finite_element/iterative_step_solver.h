@@ -11,6 +11,7 @@
 #include <continua/linear_algebra/saddle_point_solver.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,8 @@ namespace Continua
  * A alone takes no work for a change of volume; thin walls have many motions whose only work that
  * is. A direct stiff block therefore contains the pressures of the stiff regions, too. Where they
  * are incompressible it has a bulk modulus of 1e3 alpha instead, since its factor does not pivot.
+ *
+ * Where `Stiff block` is automatic, StiffBlockLimits decide between a factor and multigrid.
  *
  * With multigrid on the stiff block, and with the Schur complement of SIMPLE, the pressures of the
  * stiff regions stay in the Schur complement. With multigrid the preconditioner there has the
@@ -83,8 +86,6 @@ private:
   static constexpr double comparable = 1e-3;
   /// Of the stiff block: 1/(K b) is at least so many 1/alpha.
   static constexpr double least_compressibility = 1e-3;
-  /// Up to so many velocities of all ranks the stiff block has a factor.
-  static constexpr unsigned int largest_direct_block = dim == 2 ? 400000 : 60000;
 
   struct Preconditioner
   {
@@ -113,6 +114,8 @@ private:
   std::unique_ptr<MatrixOperator> assembled_velocity;
   dealii::TrilinosWrappers::SparseMatrix divergence, compression;
   std::unique_ptr<Preconditioner> preconditioner;
+  /// That a factor of the stiff block would need, if it was too much; by its analysis, once a mesh.
+  std::optional<double> too_large_factor;
   SaddlePointSolver solver;
   DistributedVector last_velocity, last_pressure;
   // While a preconditioner is made, by region:
@@ -120,7 +123,11 @@ private:
   std::vector<DistributedVector> mass_diagonals, stiffness_diagonals;
 
   bool is_near(const SystemCoefficients &others) const;
+  /// With multigrid where the factor of the stiff block turns out too large.
   void make_preconditioner();
+  std::unique_ptr<Preconditioner> made_preconditioner();
+  /// That the factor of a stiff block of so many velocities may need; zero if it has multigrid.
+  double most_factor_bytes(unsigned int n_stiff) const;
   void mark_memory(const std::string &part) const;
   /// From the last solution, or from zero for a correction; once more with a new preconditioner if
   /// it was one of other coefficients that failed. The report counts the iterations of both.

@@ -33,9 +33,22 @@ enum class SchurApproximation
 /// What the iterative solver does with the solid.
 enum class StiffBlock
 {
-  automatic, ///< direct up to a number of its unknowns
+  automatic, ///< by StiffBlockLimits
   direct,
   algebraic_multigrid
+};
+
+/// Up to where `automatic` takes a factor of the stiff block. It always does up to a number of its
+/// velocities on all ranks. Beyond it does where the factor takes little memory: the block of a
+/// thin wall is nearly a surface, whose factor is small, and for which multigrid is a poor inverse.
+struct StiffBlockLimits
+{
+  unsigned int small_in_plane = 400000, small_in_space = 60000;
+  // Beyond these the analysis alone takes too much memory.
+  unsigned int largest = 1000000;
+  double largest_share = 0.5; ///< of all velocities
+  /// Of the factor, by its analysis, for each unknown of the whole system.
+  double bytes_per_unknown = 1000.;
 };
 
 /// What the iterative solver does with the fluid.
@@ -68,6 +81,7 @@ struct LinearSolverParameters
   unsigned int restart_length = 60;
   SchurApproximation schur_complement = SchurApproximation::automatic;
   StiffBlock stiff_block = StiffBlock::automatic;
+  StiffBlockLimits stiff_block_limits; ///< no entries of the section
   FluidBlock fluid_block = FluidBlock::automatic;
   VelocityProduct velocity_product = VelocityProduct::automatic;
   InstructionSet instruction_set = widest_instruction_set(); ///< of products without a matrix

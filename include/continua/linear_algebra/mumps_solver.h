@@ -1,6 +1,8 @@
 #ifndef continua_linear_algebra_mumps_solver_h
 #define continua_linear_algebra_mumps_solver_h
 
+#include <continua/linear_algebra/factor_estimate.h>
+
 #include <mpi.h>
 
 #include <functional>
@@ -35,13 +37,13 @@ public:
   /// Entries (global indices from 0) are spread over ranks in any way, those that occur twice add.
   /// With pivoting, a pivot of at most 1e-13 of the scaled matrix counts as zero: RunError. In
   /// large matrices, and in single precision, rounding can hide a singularity. `announce`: called
-  /// between analysis and factorisation with the memory that all ranks will need [bytes].
+  /// between analysis and factorisation.
   void factorize(int n,
                  std::vector<int> rows,
                  std::vector<int> columns,
                  std::vector<Number> values,
                  const std::vector<int> &owned,
-                 const std::function<void(double)> &announce = {});
+                 const std::function<void(const FactorEstimate &)> &announce = {});
   /// Allocates nothing of its own; MUMPS does inside.
   void solve(std::vector<Number> &x);
   double n_entries() const;

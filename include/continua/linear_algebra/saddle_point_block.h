@@ -5,6 +5,7 @@
 
 #include <Epetra_CrsMatrix.h>
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -15,12 +16,15 @@ namespace Continua
 class SaddlePointBlock
 {
 public:
-  /// Local indices of this rank's rows of A, and of B and C.
+  /// Local indices of this rank's rows of A, and of B and C. The matrices need not outlive it.
   SaddlePointBlock(const Epetra_CrsMatrix &velocity,
                    const Epetra_CrsMatrix &divergence,
                    const Epetra_CrsMatrix &compression,
                    std::vector<unsigned int> velocities,
                    std::vector<unsigned int> pressures);
+
+  /// To be called once. Throws FactorTooLarge, see make_block_factor(). Collective.
+  void factorize(double most_bytes = std::numeric_limits<double>::infinity());
 
   /// Adds the solution for the block's part of a right-hand side; arrays of the whole system's
   /// owned entries. Allocates nothing.
@@ -30,6 +34,9 @@ public:
 
 private:
   std::vector<unsigned int> velocities, pressures;
+  const MPI_Comm communicator;
+  SymmetricTriplets block; ///< until it is factored
+  std::vector<int> owned;
   std::vector<double> part;
   std::unique_ptr<SymmetricFactor> inverse;
 };

@@ -2,12 +2,14 @@
 #define continua_linear_algebra_symmetric_factor_h
 
 #include <continua/linear_algebra/direct_solver.h>
+#include <continua/linear_algebra/factor_estimate.h>
 
 #include <mpi.h>
 
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -36,9 +38,9 @@ class SymmetricFactor
 public:
   virtual ~SymmetricFactor() = default;
 
-  /// Called on every rank between analysis and factorisation with the memory that the factor of all
-  /// ranks will need [bytes]; UMFPACK does not know it.
-  std::function<void(double)> announce;
+  /// Called on every rank between analysis and factorisation; not by UMFPACK, which has no
+  /// estimate.
+  std::function<void(const FactorEstimate &)> announce;
 
   /**
    * Analyses and factors. `owned` are the global indices whose right-hand side and solution entries
@@ -56,6 +58,16 @@ public:
   virtual double n_entries() const = 0;
   virtual double memory() const = 0;
   virtual std::string name() const = 0;
+};
+
+/// A factor would need more memory than it may.
+struct FactorTooLarge : std::runtime_error
+{
+  explicit FactorTooLarge(double bytes)
+      : std::runtime_error("the factor is too large"), bytes(bytes)
+  {
+  }
+  double bytes; ///< of its entries on all ranks, by the analysis
 };
 
 /// Up to so many entries of the lower triangle `automatic` takes CHOLMOD on one rank: about 100,000
@@ -76,6 +88,18 @@ std::unique_ptr<SymmetricFactor> make_symmetric_factor(DirectSolver choice,
                                                        bool quasi_definite,
                                                        std::size_t n_entries,
                                                        MPI_Comm communicator);
+
+/**
+ * A factor of a quasi-definite block of a matrix, for a preconditioner. With more than
+ * `largest_simplicial_matrix` entries on all ranks it is MUMPS's in single precision, which takes
+ * half the memory of one in double precision; with fewer it is the automatic one. Throws
+ * FactorTooLarge on all ranks, before the factorisation, where its entries on all ranks would need
+ * more than `most_bytes`. Collective.
+ */
+std::unique_ptr<SymmetricFactor> make_block_factor(SymmetricTriplets matrix,
+                                                   const std::vector<int> &owned,
+                                                   double most_bytes,
+                                                   MPI_Comm communicator);
 } // namespace Continua
 
 #endif

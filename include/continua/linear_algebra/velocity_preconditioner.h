@@ -34,11 +34,10 @@ public:
   VelocityPreconditioner(const dealii::TrilinosWrappers::SparseMatrix &matrix,
                          const VelocityBlocks &blocks,
                          std::unique_ptr<VelocityRelaxation> relaxation);
-  /// With the local indices of the stiff pressures; B must outlive it. The stiff block is direct.
-  VelocityPreconditioner(const dealii::TrilinosWrappers::SparseMatrix &matrix,
-                         const dealii::TrilinosWrappers::SparseMatrix &divergence,
-                         const dealii::TrilinosWrappers::SparseMatrix &compression,
-                         const VelocityBlocks &blocks,
+  /// With the factored block of the stiff velocities and pressures, and the local indices of the
+  /// latter; B must outlive it.
+  VelocityPreconditioner(const dealii::TrilinosWrappers::SparseMatrix &divergence,
+                         std::unique_ptr<SaddlePointBlock> stiff_block,
                          const std::vector<unsigned int> &stiff_pressures,
                          std::unique_ptr<VelocityRelaxation> relaxation);
   ~VelocityPreconditioner();
