@@ -51,13 +51,13 @@ snGradSchemes { default corrected; }
 """
 CYLINDER_SOLUTION = """
 solvers
-{
-    p { solver GAMG; smoother GaussSeidel; tolerance 1e-7; relTol 0.01; }
-    pFinal { $p; relTol 0; }
-    U { solver PBiCGStab; preconditioner DILU; tolerance 1e-9; relTol 0; }
-    UFinal { $U; }
-}
-PIMPLE { nOuterCorrectors 2; nCorrectors 2; nNonOrthogonalCorrectors 1; }
+{{
+    p {{ solver GAMG; smoother GaussSeidel; tolerance {tolerance}; relTol 0.01; }}
+    pFinal {{ $p; relTol 0; }}
+    U {{ solver PBiCGStab; preconditioner DILU; tolerance 1e-9; relTol 0; }}
+    UFinal {{ $U; }}
+}}
+PIMPLE {{ nOuterCorrectors 2; nCorrectors 2; nNonOrthogonalCorrectors 1; }}
 """
 TURBULENCE = "simulationType laminar;\n"
 CYLINDER_VELOCITY = """
@@ -177,13 +177,13 @@ def write_files(folder, files):
                          f"object {os.path.basename(name)}; }}\n{text}")
 
 
-def write_cylinder(folder, time_step, end_time, speed):
-    """The files of the flow around the cylinder; times [s], the mean velocity of the inflow [m/s]."""
+def write_cylinder(folder, time_step, end_time, speed, tolerance=1e-7):
+    """The files of the flow around the cylinder; times [s], the mean velocity of the inflow [m/s], the tolerance of the pressure."""
     values = dict(time_step=time_step, end_time=end_time, write_interval=max(1, round(0.5 / time_step)), density=DENSITY,
-                  speed=speed, height=HEIGHT)
+                  speed=speed, height=HEIGHT, tolerance=tolerance)
     write_files(folder, {
         "system/controlDict": CYLINDER_CONTROL.format(**values), "system/fvSchemes": CYLINDER_SCHEMES,
-        "system/fvSolution": CYLINDER_SOLUTION, "constant/transportProperties": "transportModel Newtonian;\nnu 1e-3;\n",
+        "system/fvSolution": CYLINDER_SOLUTION.format(**values), "constant/transportProperties": "transportModel Newtonian;\nnu 1e-3;\n",
         "constant/turbulenceProperties": TURBULENCE, "0/U": CYLINDER_VELOCITY.format(**values), "0/p": CYLINDER_PRESSURE})
 
 
