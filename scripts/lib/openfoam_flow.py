@@ -13,7 +13,7 @@ CHANNEL, HEIGHT = 2.5, 0.41
 DENSITY, DEPTH = 1000, 0.1
 HALF_ANGLE = math.radians(2.5)
 
-# A push across the inflow until 4 s starts the vortices; the flow forgets it.
+# A push across the inflow until 4 s starts the vortices. On coarse meshes they die away after it.
 CYLINDER_CONTROL = """
 application pimpleFoam;
 startFrom latestTime;

@@ -481,8 +481,9 @@ double IterativeStepSolver<dim>::most_factor_bytes(const unsigned int n_stiff) c
   if (n_stiff <= (dim == 2 ? limits.small_in_plane : limits.small_in_space))
     return unlimited;
   const auto n_velocity = space.velocity_dofs.n_dofs();
-  if (too_large_factor || n_stiff > limits.largest ||
-      n_stiff > limits.largest_share * static_cast<double>(n_velocity))
+  if (refused_factor && refused_factor->n_stiff == n_stiff)
+    return 0.;
+  if (n_stiff > limits.largest || n_stiff > limits.largest_share * static_cast<double>(n_velocity))
     return 0.;
   return limits.bytes_per_unknown * static_cast<double>(n_velocity + space.pressure_dofs.n_dofs());
 }
@@ -494,18 +495,18 @@ void IterativeStepSolver<dim>::make_preconditioner()
   preconditioner = nullptr;
   try
   {
-    preconditioner = made_preconditioner();
+    preconditioner = new_preconditioner();
   }
   catch (const FactorTooLarge &factor)
   {
-    too_large_factor = factor.bytes;
-    preconditioner = made_preconditioner();
+    refused_factor = {n_stiff_of_all, factor.bytes};
+    preconditioner = new_preconditioner();
   }
 }
 
 template <int dim>
 std::unique_ptr<typename IterativeStepSolver<dim>::Preconditioner>
-IterativeStepSolver<dim>::made_preconditioner()
+IterativeStepSolver<dim>::new_preconditioner()
 {
   auto made = std::make_unique<Preconditioner>();
   made->coefficients = coefficients;
@@ -527,6 +528,7 @@ IterativeStepSolver<dim>::made_preconditioner()
   VelocityBlocks parts = velocity_blocks(stiff_regions, mobility, fluid_ratio);
   const auto n_stiff =
       Utilities::MPI::sum(static_cast<unsigned int>(parts.stiff.size()), space.communicator);
+  n_stiff_of_all = n_stiff;
   const bool has_fluid =
       Utilities::MPI::sum(static_cast<unsigned int>(parts.fluid.size()), space.communicator) > 0;
   parts.most_factor_bytes = most_factor_bytes(n_stiff);
@@ -603,8 +605,8 @@ IterativeStepSolver<dim>::made_preconditioner()
   if (n_stiff > 0)
     text << "; stiff block: "
          << (parts.stiff_is_direct ? made->velocity->factor()->name() : "algebraic multigrid");
-  if (n_stiff > 0 && too_large_factor)
-    text << ", since a factor would need " << memory_text(*too_large_factor);
+  if (!parts.stiff_is_direct && refused_factor && refused_factor->n_stiff == n_stiff)
+    text << ", since a factor would need " << memory_text(refused_factor->bytes);
   if (has_fluid)
     text << "; fluid block: "
          << (parts.fluid_is_viscous                         ? "algebraic multigrid"

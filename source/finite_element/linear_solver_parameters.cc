@@ -69,7 +69,9 @@ void LinearSolverParameters::read(ParameterSection section)
              "What the iterative solver does with the solid: automatic takes a factor up to "
              "400,000 of its velocities in two dimensions and 60,000 in three. Beyond it takes a "
              "factor if the solid has at most half of all velocities and 1,000,000 of them, and "
-             "the factor needs at most 1 kB for each unknown of the whole system.");
+             "the entries of the factor need at most 1 kB for each unknown of the whole system; "
+             "else it takes algebraic multigrid. A factor of a matrix of more than 2,000,000 "
+             "entries has single precision.");
   add_choice(section, "Fluid block", fluid_block,
              {{"automatic", FluidBlock::automatic},
               {"relaxation", FluidBlock::relaxation},

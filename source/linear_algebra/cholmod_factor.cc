@@ -108,15 +108,18 @@ void CholmodFactor::factorize(SymmetricTriplets matrix, const std::vector<int> &
   triplets.itype = CHOLMOD_INT;
   triplets.xtype = CHOLMOD_REAL;
   triplets.dtype = CHOLMOD_DOUBLE;
-  cholmod_sparse *sparse = cholmod_triplet_to_sparse(&triplets, n_triplets, &d.common);
+  // `announce` may throw.
+  const auto free_sparse = [&d](cholmod_sparse *of_matrix)
+  { cholmod_free_sparse(&of_matrix, &d.common); };
+  const std::unique_ptr<cholmod_sparse, decltype(free_sparse)> sparse(
+      cholmod_triplet_to_sparse(&triplets, n_triplets, &d.common), free_sparse);
   d.check("sorting the entries");
-  d.factor = cholmod_analyze(sparse, &d.common);
+  d.factor = cholmod_analyze(sparse.get(), &d.common);
   // An entry is a number and the place of its row.
   if (announce && d.common.status == CHOLMOD_OK)
     announce({d.common.lnz, d.common.lnz * (sizeof(double) + sizeof(int))});
   if (d.common.status == CHOLMOD_OK)
-    cholmod_factorize(sparse, d.factor, &d.common);
-  cholmod_free_sparse(&sparse, &d.common);
+    cholmod_factorize(sparse.get(), d.factor, &d.common);
   d.check("factorisation");
 
   std::vector<double> diagonal(n, 0.);

@@ -243,8 +243,14 @@ void MumpsSolver<Number>::factorize(const int n,
   if (symmetry == MumpsSymmetry::quasi_definite)
     d.mumps.cntl[0] = 0.; // no pivoting
   d.run(job_analyse, "analysis");
+  // It may throw: MUMPS must not know arrays that are gone.
+  d.mumps.irn_loc = d.mumps.jcn_loc = nullptr;
+  d.mumps.a_loc = nullptr;
   if (announce)
     announce({count_of(d.mumps.infog[19]), 1e6 * d.mumps.infog[16]});
+  d.mumps.irn_loc = rows.data();
+  d.mumps.jcn_loc = columns.data();
+  d.mumps.a_loc = values.data();
   d.factorize();
   d.mumps.irn_loc = d.mumps.jcn_loc = nullptr;
   d.mumps.a_loc = nullptr;

@@ -114,19 +114,25 @@ private:
   std::unique_ptr<MatrixOperator> assembled_velocity;
   dealii::TrilinosWrappers::SparseMatrix divergence, compression;
   std::unique_ptr<Preconditioner> preconditioner;
-  /// That a factor of the stiff block would need, if it was too much; by its analysis, once a mesh.
-  std::optional<double> too_large_factor;
+  /// A stiff block whose factor was refused on this mesh.
+  struct RefusedFactor
+  {
+    unsigned int n_stiff; ///< velocities of the block on all ranks
+    double bytes;         ///< of its entries, by the analysis
+  };
+  std::optional<RefusedFactor> refused_factor;
   SaddlePointSolver solver;
   DistributedVector last_velocity, last_pressure;
   // While a preconditioner is made, by region:
   std::vector<std::vector<bool>> is_of_region; ///< of each owned velocity
   std::vector<DistributedVector> mass_diagonals, stiffness_diagonals;
+  unsigned int n_stiff_of_all = 0; ///< velocities of the stiff block on all ranks
 
   bool is_near(const SystemCoefficients &others) const;
   /// With multigrid where the factor of the stiff block turns out too large.
   void make_preconditioner();
-  std::unique_ptr<Preconditioner> made_preconditioner();
-  /// That the factor of a stiff block of so many velocities may need; zero if it has multigrid.
+  std::unique_ptr<Preconditioner> new_preconditioner();
+  /// Most bytes of the factor of a stiff block of so many velocities; zero if it has multigrid.
   double most_factor_bytes(unsigned int n_stiff) const;
   void mark_memory(const std::string &part) const;
   /// From the last solution, or from zero for a correction; once more with a new preconditioner if
