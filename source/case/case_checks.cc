@@ -123,6 +123,10 @@ void check_linear_solver(const Case<dim> &input, ParameterSection root)
     section.refuse("Velocity product",
                    "matrix-free products are there for Velocity degree = 2 only",
                    "Use automatic or assembled");
+  if (taylor_hood.linear_solver.stiff_block == StiffBlock::polynomial_multigrid &&
+      taylor_hood.space.velocity_degree != 2)
+    section.refuse("Stiff block", "polynomial multigrid is there for Velocity degree = 2 only",
+                   "Use automatic or algebraic multigrid");
   if (section.given("Instruction set") &&
       !taylor_hood.linear_solver.is_matrix_free(taylor_hood.space.velocity_degree))
     section.refuse("Instruction set",

@@ -6,7 +6,9 @@
 #include <continua/finite_element/condensed_system.h>
 #include <continua/finite_element/interface_compliance.h>
 #include <continua/finite_element/matrix_free_regions.h>
+#include <continua/finite_element/polynomial_multigrid.h>
 #include <continua/finite_element/stalled_block.h>
+#include <continua/finite_element/velocity_nodes.h>
 #include <continua/linear_algebra/convergence_factor.h>
 #include <continua/linear_algebra/matrix_product.h>
 #include <continua/linear_algebra/matrix_relaxation.h>
@@ -29,84 +31,6 @@ using namespace dealii;
 
 namespace
 {
-/// Local indices of the owned velocities, the components of a node one after the other.
-template <int dim>
-std::vector<unsigned int> by_nodes(const Space<dim> &space)
-{
-  const unsigned int n_dofs = space.velocity_element.n_dofs_per_cell();
-  std::vector<std::array<unsigned int, dim>> place(n_dofs / dim);
-  for (unsigned int i = 0; i < n_dofs; ++i)
-  {
-    const auto component = space.velocity_element.system_to_component_index(i);
-    place[component.second][component.first] = i;
-  }
-  std::vector<bool> is_known(space.velocity_owned.n_elements(), false);
-  std::vector<unsigned int> order;
-  std::vector<types::global_dof_index> indices(n_dofs);
-  // An owned velocity lies on an owned cell.
-  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
-    if (cell->is_locally_owned())
-    {
-      cell->get_dof_indices(indices);
-      for (const auto &node : place)
-        for (const unsigned int i : node)
-          if (space.velocity_owned.is_element(indices[i]))
-          {
-            const unsigned int local = space.velocity_owned.index_within_set(indices[i]);
-            if (!is_known[local])
-              order.push_back(local);
-            is_known[local] = true;
-          }
-    }
-  return order;
-}
-
-/// The rigid motions at the owned velocities: the translations, then the rotations. In axisymmetry
-/// those of the meridian plane: on the scale of a few cells they take next to no force, too.
-template <int dim>
-std::vector<std::vector<double>> rigid_motions(const Space<dim> &space)
-{
-  const unsigned int n_local = space.velocity_owned.n_elements();
-  std::map<types::global_dof_index, Point<dim>> points;
-  DoFTools::map_dofs_to_support_points(space.mapping, space.velocity_dofs, points);
-  Point<dim> middle;
-  double n_all = n_local;
-  for (const auto index : space.velocity_owned)
-    middle += points.at(index);
-  Utilities::MPI::sum(ArrayView<const double>(&middle[0], dim), space.communicator,
-                      ArrayView<double>(&middle[0], dim));
-  n_all = Utilities::MPI::sum(n_all, space.communicator);
-  middle /= n_all;
-  double size = 0.;
-  for (const auto index : space.velocity_owned)
-    size = std::max(size, points.at(index).distance(middle));
-  size = Utilities::MPI::max(size, space.communicator);
-
-  constexpr unsigned int n_rotations = dim == 2 ? 1 : 3;
-  std::vector<std::vector<double>> modes(dim + n_rotations, std::vector<double>(n_local, 0.));
-  for (unsigned int c = 0; c < dim; ++c)
-  {
-    ComponentMask component(dim, false);
-    component.set(c, true);
-    for (const auto index : DoFTools::extract_dofs(space.velocity_dofs, component))
-    {
-      const unsigned int local = space.velocity_owned.index_within_set(index);
-      const Tensor<1, dim> x = (points.at(index) - middle) / size;
-      modes[c][local] = 1.;
-      for (unsigned int k = 0; k < n_rotations; ++k)
-      {
-        // In the plane of two axes.
-        const unsigned int first = dim == 2 ? 0 : (k + 1) % 3, second = dim == 2 ? 1 : (k + 2) % 3;
-        if (c == first)
-          modes[dim + k][local] = -x[second];
-        else if (c == second)
-          modes[dim + k][local] = x[first];
-      }
-    }
-  }
-  return modes;
-}
-
 /// Coordinates of the owned pressures, one vector for each direction [m]. Where pressures are
 /// broken at interfaces, those of each region are shifted away from those of the others.
 template <int dim>
@@ -231,7 +155,7 @@ VelocityBlocks IterativeStepSolver<dim>::velocity_blocks(const std::vector<bool>
   VelocityBlocks result;
   result.n_components = dim;
   fluid_ratio = 0.;
-  for (const unsigned int i : by_nodes(space))
+  for (const unsigned int i : nodes_in_order(space.velocity_dofs))
   {
     const auto global = space.velocity_owned.nth_index_in_set(i);
     double inertia = 0., stiffness = 0.;
@@ -294,7 +218,7 @@ void IterativeStepSolver<dim>::let_walls_yield(const std::vector<bool> &stiff_re
   if (load.linfty_norm() == 0.)
     return;
   const DistributedVector compliance =
-      interface_compliance<dim>(space, by_nodes(space), load, volume,
+      interface_compliance<dim>(space, nodes_in_order(space.velocity_dofs), load, volume,
                                 [&](DistributedVector &velocity, const DistributedVector &force)
                                 { velocity_inverse.solve_stiff(velocity, force); });
   // A wall that nothing holds moves without bound, or as fast as its inertia lets it.
@@ -414,16 +338,6 @@ void IterativeStepSolver<dim>::make_velocity_inverse(
     const bool has_joint_block)
 {
   const bool is_matrix_free = relaxes_without_matrix(stiff_regions, parts);
-  // Without a relaxation by the matrix only the rows of the stiff block are needed.
-  const bool needs_all_rows = made.has_fluid && !is_matrix_free;
-  std::vector<bool> rows(space.velocity_owned.n_elements(), needs_all_rows);
-  for (const unsigned int i : parts.stiff)
-    rows[i] = true;
-  // Where the regions have no matrices, these are made for the rows alone.
-  std::vector<RegionOperators> of_regions;
-  if (operators.front().products)
-    of_regions = assembled_at(rows);
-  const std::vector<RegionOperators> &assembled = of_regions.empty() ? operators : of_regions;
   // Augmented by a bulk modulus of alpha, or compressible enough for a factor.
   VolumetricStiffness volumetric;
   std::vector<double> compressibility = coefficients.compressibility;
@@ -436,10 +350,11 @@ void IterativeStepSolver<dim>::make_velocity_inverse(
                               parameters.schur_complement != SchurApproximation::simple;
     volumetric.coefficients.push_back(is_augmented ? alpha : 0.);
   }
-  assemble_volumetric_stiffness(space, assembled, volumetric);
-  assemble_velocity_block(space, assembled, constraints, coefficients, &volumetric, &rows,
-                          made.velocity_matrix);
-  of_regions.clear();
+  // Without a relaxation by the matrix only the rows of the stiff block are needed.
+  const bool needs_all_rows = made.has_fluid && !is_matrix_free;
+  const bool needs_stiff_rows = made.has_stiff && !made.has_polynomial_multigrid;
+  if (needs_all_rows || needs_stiff_rows)
+    assemble_rows(needs_all_rows ? nullptr : &parts.stiff, volumetric, made.velocity_matrix);
 
   std::unique_ptr<VelocityRelaxation> relaxation;
   if (made.has_fluid && is_matrix_free)
@@ -464,11 +379,52 @@ void IterativeStepSolver<dim>::make_velocity_inverse(
     made.velocity = std::make_unique<VelocityPreconditioner>(
         divergence, std::move(block), stiff_pressures, std::move(relaxation));
   }
+  else if (made.has_polynomial_multigrid)
+    made.velocity = std::make_unique<VelocityPreconditioner>(
+        space.velocity_vector(), make_polynomial_multigrid(made, volumetric.coefficients),
+        std::move(relaxation));
   else
     made.velocity = std::make_unique<VelocityPreconditioner>(made.velocity_matrix, parts,
                                                              std::move(relaxation));
   if (!needs_all_rows)
     made.velocity_matrix.clear();
+}
+
+template <int dim>
+void IterativeStepSolver<dim>::assemble_rows(const std::vector<unsigned int> *const wanted,
+                                             VolumetricStiffness &volumetric,
+                                             TrilinosWrappers::SparseMatrix &matrix) const
+{
+  std::vector<bool> rows(space.velocity_owned.n_elements(), wanted == nullptr);
+  if (wanted != nullptr)
+    for (const unsigned int i : *wanted)
+      rows[i] = true;
+  // Where the regions have no matrices, these are made for the rows alone.
+  std::vector<RegionOperators> of_regions;
+  if (operators.front().products)
+    of_regions = assembled_at(rows);
+  const std::vector<RegionOperators> &assembled = of_regions.empty() ? operators : of_regions;
+  assemble_volumetric_stiffness(space, assembled, volumetric);
+  assemble_velocity_block(space, assembled, constraints, coefficients, &volumetric, &rows, matrix);
+}
+
+template <int dim>
+std::unique_ptr<VelocityCycle>
+IterativeStepSolver<dim>::make_polynomial_multigrid(const Preconditioner &made,
+                                                    const std::vector<double> &volumetric) const
+{
+  std::unique_ptr<TrilinosWrappers::SparseMatrix> supports;
+  if (matrix_free_velocity->support_matrix() != nullptr)
+  {
+    supports = std::make_unique<TrilinosWrappers::SparseMatrix>();
+    supports->copy_from(*matrix_free_velocity->support_matrix());
+  }
+  return std::make_unique<PolynomialMultigrid<dim>>(
+      space, constraints,
+      typename PolynomialMultigrid<dim>::Product::Coefficients{coefficients.mass,
+                                                               coefficients.stiffness, volumetric},
+      made.is_stiff, divergence, made.augmentation, std::move(supports),
+      parameters.instruction_set);
 }
 
 template <int dim>
@@ -539,8 +495,10 @@ IterativeStepSolver<dim>::new_preconditioner()
   const bool simple = parameters.schur_complement == SchurApproximation::simple;
   const bool has_joint_block = n_stiff > 0 && parts.stiff_is_direct && !simple;
 
-  if (!parts.stiff_is_direct || parts.fluid_is_viscous)
-    parts.modes = rigid_motions(space);
+  made->has_polynomial_multigrid = n_stiff > 0 && !parts.stiff_is_direct && matrix_free_velocity &&
+                                   parameters.stiff_block != StiffBlock::algebraic_multigrid;
+  if ((!parts.stiff_is_direct && !made->has_polynomial_multigrid) || parts.fluid_is_viscous)
+    parts.modes = rigid_motions(space.mapping, space.velocity_dofs);
   const std::vector<unsigned int> stiff_pressures =
       has_joint_block ? find_stiff_pressures(stiff_regions) : std::vector<unsigned int>();
   made->has_fluid = has_fluid;
@@ -604,7 +562,9 @@ IterativeStepSolver<dim>::new_preconditioner()
   text << "FGMRES";
   if (n_stiff > 0)
     text << "; stiff block: "
-         << (parts.stiff_is_direct ? made->velocity->factor()->name() : "algebraic multigrid");
+         << (parts.stiff_is_direct            ? made->velocity->factor()->name()
+             : made->has_polynomial_multigrid ? "polynomial multigrid"
+                                              : "algebraic multigrid");
   if (!parts.stiff_is_direct && refused_factor && refused_factor->n_stiff == n_stiff)
     text << ", since a factor would need " << memory_text(refused_factor->bytes);
   if (has_fluid)

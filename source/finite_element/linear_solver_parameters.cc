@@ -65,13 +65,17 @@ void LinearSolverParameters::read(ParameterSection section)
   add_choice(section, "Stiff block", stiff_block,
              {{"automatic", StiffBlock::automatic},
               {"direct", StiffBlock::direct},
+              {"polynomial multigrid", StiffBlock::polynomial_multigrid},
               {"algebraic multigrid", StiffBlock::algebraic_multigrid}},
              "What the iterative solver does with the solid: automatic takes a factor up to "
              "400,000 of its velocities in two dimensions and 60,000 in three. Beyond it takes a "
              "factor if the solid has at most half of all velocities and 1,000,000 of them, and "
              "the entries of the factor need at most 1 kB for each unknown of the whole system; "
-             "else it takes algebraic multigrid. A factor of a matrix of more than 2,000,000 "
-             "entries has single precision.");
+             "else it takes multigrid. A factor of a matrix of more than 2,000,000 entries has "
+             "single precision. polynomial multigrid relaxes the quadratic velocities by products "
+             "without a matrix and has algebraic multigrid on the linear ones alone; it needs "
+             "Velocity degree = 2 and products without a matrix, and automatic takes it there. "
+             "algebraic multigrid has a matrix of all velocities of the solid.");
   add_choice(section, "Fluid block", fluid_block,
              {{"automatic", FluidBlock::automatic},
               {"relaxation", FluidBlock::relaxation},
@@ -100,6 +104,10 @@ void LinearSolverParameters::read(ParameterSection section)
   if (velocity_product == VelocityProduct::assembled && section.given("Instruction set"))
     section.refuse("Instruction set", "Velocity product = assembled makes no use of it",
                    "Remove it, or set Velocity product = matrix-free");
+  if (velocity_product == VelocityProduct::assembled &&
+      stiff_block == StiffBlock::polynomial_multigrid)
+    section.refuse("Stiff block", "polynomial multigrid needs products without a matrix",
+                   "Set Velocity product = matrix-free, or Stiff block = algebraic multigrid");
   const auto refuse_idle = [&](const std::vector<std::string> &keys, const std::string &of)
   {
     for (const std::string &key : keys)

@@ -1,3 +1,4 @@
+#include <continua/linear_algebra/block_multigrid.h>
 #include <continua/linear_algebra/matrix_product.h>
 #include <continua/linear_algebra/velocity_preconditioner.h>
 
@@ -32,6 +33,17 @@ VelocityPreconditioner::VelocityPreconditioner(
   part.resize(blocks.stiff.size());
   stiff_factor = make_block_factor(stiff->lower_triangle(), stiff->owned(),
                                    blocks.most_factor_bytes, matrix.get_mpi_communicator());
+}
+
+VelocityPreconditioner::VelocityPreconditioner(
+    const DistributedVector &velocities,
+    std::unique_ptr<VelocityCycle> multigrid_of_stiff,
+    std::unique_ptr<VelocityRelaxation> relaxation_of_fluid)
+    : relaxation(std::move(relaxation_of_fluid)),
+      has_stiff(true),
+      stiff_multigrid(std::move(multigrid_of_stiff))
+{
+  residual.reinit(velocities);
 }
 
 VelocityPreconditioner::VelocityPreconditioner(

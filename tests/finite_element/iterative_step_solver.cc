@@ -116,7 +116,7 @@ bool contains(const std::string &text, const std::string &part)
 /// Up to where the stiff block has a factor.
 void check_limits(const SystemCoefficients &coefficients)
 {
-  const std::string multigrid = "stiff block: algebraic multigrid";
+  const std::string multigrid = "stiff block: polynomial multigrid";
   LinearSolverParameters parameters;
   StiffBlockLimits &limits = parameters.stiff_block_limits;
   limits.small_in_plane = 0;
@@ -160,6 +160,10 @@ UNIT_TEST(iterative_step_solver)
     LinearSolverParameters multigrid;
     multigrid.stiff_block = StiffBlock::algebraic_multigrid;
     solve(mesh + "multigrid", n_refinements, bulky, multigrid);
+    multigrid.stiff_block = StiffBlock::polynomial_multigrid;
+    for (const auto &[solid, coefficients] : std::map<std::string, SystemCoefficients>{
+             {"bulky", bulky}, {"a stiff region", jump}, {"incompressible", incompressible}})
+      solve(mesh + "multigrid in the degree, " + solid, n_refinements, coefficients, multigrid);
     LinearSolverParameters simple;
     simple.schur_complement = SchurApproximation::simple;
     solve(mesh + "simple", n_refinements, jump, simple);

@@ -12,6 +12,7 @@
 
 #include "../parameter_text.h"
 #include "../unit_test.h"
+#include "shell_conditions.h"
 #include "small_problem.h"
 
 #include <algorithm>
@@ -23,37 +24,6 @@ using namespace dealii;
 
 namespace
 {
-/// The ranks take turns: each writes the file that it reads.
-std::vector<BoundaryCondition> read_shell_conditions(const unsigned int dim,
-                                                     const std::vector<std::string> &regions)
-{
-  std::vector<std::string> names = {"inner", "outer", "left", "bottom", "back"};
-  names.resize(dim + 2);
-  std::string text = "subsection Boundaries\n"
-                     "subsection inner\nset Type = roller\nend\n"
-                     "subsection outer\nset Type = support\nset Normal stiffness = 2e3\n"
-                     "set Tangential damping = 30\nend\n"
-                     "subsection left\nset Type = fixed\nend\n"
-                     "subsection bottom\nset Type = free\nend\n";
-  text += dim == 3 ? "subsection back\nset Type = free\nend\nend\n" : "end\n";
-  std::set<std::pair<unsigned int, unsigned int>> pairs;
-  for (unsigned int boundary = 0; boundary < names.size(); ++boundary)
-    for (unsigned int region = 0; region < regions.size(); ++region)
-      pairs.insert({boundary, region});
-  std::vector<BoundaryCondition> conditions;
-  for (unsigned int rank = 0; rank < Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD); ++rank)
-  {
-    if (rank == Utilities::MPI::this_mpi_process(MPI_COMM_WORLD))
-    {
-      ParameterFile file = parameters_of(text);
-      conditions = read_boundary_conditions(file.root().subsection("Boundaries"), names, regions,
-                                            pairs, dim, false);
-    }
-    MPI_Barrier(MPI_COMM_WORLD);
-  }
-  return conditions;
-}
-
 /// Largest difference relative to the largest entry of the second.
 double relative_distance(const DistributedVector &a, const DistributedVector &b)
 {
@@ -101,7 +71,7 @@ void check_products(const std::string &name, const Model model)
   small_problem::refine<dim>(mesh, [](const Point<dim> &x) { return x[0] > 0.6; });
   Space<dim> space(mesh, SpaceParameters(), model, regions.size());
   space.distribute();
-  const std::vector<BoundaryCondition> conditions = read_shell_conditions(dim, regions);
+  const std::vector<BoundaryCondition> conditions = shell::read_conditions(dim, regions);
   BoundaryConstraints<dim> constraints(space, conditions);
   constraints.build();
   std::vector<RegionOperators> operators(regions.size());

@@ -3,6 +3,7 @@
 
 #include <continua/base/memory_use.h>
 #include <continua/finite_element/boundary_constraints.h>
+#include <continua/finite_element/condensed_system.h>
 #include <continua/finite_element/linear_solver_parameters.h>
 #include <continua/finite_element/matrix_free_velocity.h>
 #include <continua/finite_element/region_operators.h>
@@ -34,9 +35,10 @@ namespace Continua
  *
  * With multigrid on the stiff block, and with the Schur complement of SIMPLE, the pressures of the
  * stiff regions stay in the Schur complement. With multigrid the preconditioner there has the
- * system augmented by the bulk modulus alpha (see SaddlePointSolver), with int alpha div u div v in
- * the place of B^T W B. An error in the pressure's Schur complement S^-1 = (1 + alpha s)/(s + 1/(K
- * b)) then is at most a factor of two for every s >= 1/alpha.
+ * system augmented by the bulk modulus alpha (see SaddlePointSolver). PolynomialMultigrid takes its
+ * B^T W B as it is, algebraic multigrid int alpha div u div v in its place. An error in the
+ * pressure's Schur complement S^-1 = (1 + alpha s)/(s + 1/(K b)) then is at most a factor of two
+ * for every s >= 1/alpha.
  */
 template <int dim>
 class IterativeStepSolver
@@ -97,6 +99,7 @@ private:
     DistributedVector augmentation; ///< W
     std::vector<bool> is_stiff;     ///< of each owned velocity
     bool has_stiff = false, stiff_is_direct = true, fluid_is_viscous = false, has_inertia = true;
+    bool has_polynomial_multigrid = false; ///< on the stiff block, else algebraic if not direct
     unsigned int first_iterations = 0;
     bool is_used = false, is_worn = false, has_fluid = true;
     std::string name;
@@ -161,6 +164,13 @@ private:
                              const std::vector<unsigned int> &stiff_pressures,
                              const VelocityBlocks &parts,
                              bool has_joint_block);
+  /// A, with the volumetric stiffness, in some rows (by local index); null means all of them.
+  void assemble_rows(const std::vector<unsigned int> *wanted,
+                     VolumetricStiffness &volumetric,
+                     dealii::TrilinosWrappers::SparseMatrix &matrix) const;
+  std::unique_ptr<VelocityCycle>
+  make_polynomial_multigrid(const Preconditioner &made,
+                            const std::vector<double> &volumetric) const;
   VelocityBlocks velocity_blocks(const std::vector<bool> &stiff_regions,
                                  DistributedVector &mobility,
                                  double &fluid_ratio) const;

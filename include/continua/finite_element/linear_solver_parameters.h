@@ -35,6 +35,7 @@ enum class StiffBlock
 {
   automatic, ///< by StiffBlockLimits
   direct,
+  polynomial_multigrid, ///< PolynomialMultigrid
   algebraic_multigrid
 };
 

@@ -33,6 +33,12 @@ public:
   void set(const SystemCoefficients &coefficients);
   void multiply(DistributedVector &target, const DistributedVector &source) const override;
   const DistributedVector &diagonal() const override { return diagonal_entries; }
+  /// The part of the supports, with a one on the diagonal of constrained velocities; null without.
+  /// Of the last set().
+  const dealii::TrilinosWrappers::SparseMatrix *support_matrix() const
+  {
+    return is_supported ? &supports : nullptr;
+  }
 
 private:
   const Space<dim> &space;

@@ -4,6 +4,7 @@
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/linear_algebra/sub_matrix.h>
 #include <continua/linear_algebra/velocity_blocks.h>
+#include <continua/linear_algebra/velocity_cycle.h>
 
 #include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
@@ -14,7 +15,7 @@ namespace Continua
 {
 /// Algebraic multigrid for some of the velocities: smoothed aggregation node by node, that keeps
 /// the modes.
-class BlockMultigrid
+class BlockMultigrid : public VelocityCycle
 {
 public:
   /// `rows`: the local indices of its velocities. Modes and number of components are those of
@@ -23,8 +24,7 @@ public:
                  const std::vector<unsigned int> &rows,
                  const VelocityBlocks &blocks);
 
-  /// Adds what one cycle finds for its part of the source.
-  void add_cycle(DistributedVector &target, const DistributedVector &source);
+  void add_cycle(DistributedVector &target, const DistributedVector &source) override;
 
 private:
   SubMatrix block;

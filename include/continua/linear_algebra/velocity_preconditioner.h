@@ -1,12 +1,12 @@
 #ifndef continua_linear_algebra_velocity_preconditioner_h
 #define continua_linear_algebra_velocity_preconditioner_h
 
-#include <continua/linear_algebra/block_multigrid.h>
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/linear_algebra/saddle_point_block.h>
 #include <continua/linear_algebra/sub_matrix.h>
 #include <continua/linear_algebra/symmetric_factor.h>
 #include <continua/linear_algebra/velocity_blocks.h>
+#include <continua/linear_algebra/velocity_cycle.h>
 #include <continua/linear_algebra/velocity_relaxation.h>
 
 #include <deal.II/lac/trilinos_sparse_matrix.h>
@@ -33,6 +33,10 @@ public:
   /// relaxation all velocities but hanging ones must be stiff.
   VelocityPreconditioner(const dealii::TrilinosWrappers::SparseMatrix &matrix,
                          const VelocityBlocks &blocks,
+                         std::unique_ptr<VelocityRelaxation> relaxation);
+  /// With multigrid for the stiff velocities. `velocities`: a vector of them.
+  VelocityPreconditioner(const DistributedVector &velocities,
+                         std::unique_ptr<VelocityCycle> stiff_multigrid,
                          std::unique_ptr<VelocityRelaxation> relaxation);
   /// With the factored block of the stiff velocities and pressures, and the local indices of the
   /// latter; B must outlive it.
@@ -69,7 +73,7 @@ private:
   const bool has_stiff;
   std::unique_ptr<SubMatrix> stiff;
   std::unique_ptr<SymmetricFactor> stiff_factor;
-  std::unique_ptr<BlockMultigrid> stiff_multigrid;
+  std::unique_ptr<VelocityCycle> stiff_multigrid;
   std::vector<double> part;
   DistributedVector residual;
 
