@@ -14,13 +14,10 @@
 #include <continua/linear_algebra/matrix_relaxation.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/tensor.h>
-#include <deal.II/dofs/dof_tools.h>
 
 #include <Epetra_CrsMatrix.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -497,7 +494,10 @@ IterativeStepSolver<dim>::new_preconditioner()
 
   made->has_polynomial_multigrid = n_stiff > 0 && !parts.stiff_is_direct && matrix_free_velocity &&
                                    parameters.stiff_block != StiffBlock::algebraic_multigrid;
-  if ((!parts.stiff_is_direct && !made->has_polynomial_multigrid) || parts.fluid_is_viscous)
+  const bool has_algebraic_multigrid =
+      (n_stiff > 0 && !parts.stiff_is_direct && !made->has_polynomial_multigrid) ||
+      (has_fluid && parts.fluid_is_viscous);
+  if (has_algebraic_multigrid)
     parts.modes = rigid_motions(space.mapping, space.velocity_dofs);
   const std::vector<unsigned int> stiff_pressures =
       has_joint_block ? find_stiff_pressures(stiff_regions) : std::vector<unsigned int>();

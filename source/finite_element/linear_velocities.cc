@@ -188,7 +188,8 @@ void LinearVelocities<dim>::interpolate(const std::vector<bool> &stiff)
                                   entries.data(), columns.data());
       }
     }
-  matrix.FillComplete(domain, range);
+  const int status = matrix.FillComplete(domain, range);
+  AssertThrow(status >= 0, LACExceptions::ExcTrilinosError(status));
   interpolation_matrix.reinit(matrix);
 }
 
@@ -282,13 +283,16 @@ void LinearVelocities<dim>::add_supports(const TrilinosWrappers::SparseMatrix &s
   const auto &restriction = dynamic_cast<const Epetra_CrsMatrix &>(
       transpose(const_cast<Epetra_CrsMatrix &>(interpolation))); // which it does not change
   Epetra_CrsMatrix half(Copy, interpolation.RowMap(), 0);
-  EpetraExt::MatrixMatrix::Multiply(supports.trilinos_matrix(), false, interpolation, false, half);
+  const auto check = [](const int status)
+  { AssertThrow(status >= 0, LACExceptions::ExcTrilinosError(status)); };
+  check(EpetraExt::MatrixMatrix::Multiply(supports.trilinos_matrix(), false, interpolation, false,
+                                          half));
   Epetra_CrsMatrix product(Copy, restriction.RowMap(), 0);
-  EpetraExt::MatrixMatrix::Multiply(restriction, false, half, false, product);
+  check(EpetraExt::MatrixMatrix::Multiply(restriction, false, half, false, product));
   Epetra_CrsMatrix *sum = nullptr;
-  EpetraExt::MatrixMatrix::Add(product, false, 1., matrix.trilinos_matrix(), false, 1., sum);
+  check(EpetraExt::MatrixMatrix::Add(product, false, 1., matrix.trilinos_matrix(), false, 1., sum));
   const std::unique_ptr<Epetra_CrsMatrix> owner(sum);
-  sum->FillComplete();
+  check(sum->FillComplete());
   matrix.reinit(*sum);
 }
 

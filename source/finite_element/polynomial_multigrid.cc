@@ -53,7 +53,8 @@ PolynomialMultigrid<dim>::PolynomialMultigrid(
   Vector inverse_diagonal(residual);
   inverse_diagonal = 0.f;
   for (unsigned int i = 0; i < stiff.size(); ++i)
-    if (stiff[i] && !constraints.all().is_constrained(space.velocity_owned.nth_index_in_set(i)))
+    if (stiff[i] && residual.local_element(i) > 0.f &&
+        !constraints.all().is_constrained(space.velocity_owned.nth_index_in_set(i)))
     {
       stiff_rows.push_back(i);
       inverse_diagonal.local_element(i) = 1.f / residual.local_element(i);
@@ -68,7 +69,8 @@ PolynomialMultigrid<dim>::PolynomialMultigrid(
   VelocityBlocks blocks;
   blocks.n_components = dim;
   blocks.modes = rigid_motions(space.mapping, linear_velocities.dofs());
-  coarse_cycle = std::make_unique<BlockMultigrid>(coarse_matrix, linear_velocities.nodes(), blocks);
+  coarse_cycle =
+      std::make_unique<BlockMultigrid>(coarse_matrix, linear_velocities.stiff_rows(), blocks);
 }
 
 template <int dim>

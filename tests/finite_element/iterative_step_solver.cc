@@ -131,6 +131,11 @@ void check_limits(const SystemCoefficients &coefficients)
   limits.largest_share = 0.1;
   check::is_true("a large share of the velocities has multigrid at once",
                  contains(solve("large share", 1, coefficients, parameters), multigrid + ";"));
+  parameters.velocity_product = VelocityProduct::assembled;
+  check::is_true("with a matrix it has algebraic multigrid",
+                 contains(solve("large share, assembled", 1, coefficients, parameters),
+                          "stiff block: algebraic multigrid;"));
+  parameters.velocity_product = VelocityProduct::automatic;
   limits.largest_share = 1.;
   limits.largest = 10;
   check::is_true("many velocities have multigrid at once",
@@ -164,6 +169,8 @@ UNIT_TEST(iterative_step_solver)
     for (const auto &[solid, coefficients] : std::map<std::string, SystemCoefficients>{
              {"bulky", bulky}, {"a stiff region", jump}, {"incompressible", incompressible}})
       solve(mesh + "multigrid in the degree, " + solid, n_refinements, coefficients, multigrid);
+    multigrid.schur_complement = SchurApproximation::simple;
+    solve(mesh + "multigrid in the degree, simple", n_refinements, bulky, multigrid);
     LinearSolverParameters simple;
     simple.schur_complement = SchurApproximation::simple;
     solve(mesh + "simple", n_refinements, jump, simple);

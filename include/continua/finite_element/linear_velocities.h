@@ -44,7 +44,7 @@ public:
   }
   /// Local indices of the stiff ones, node by node, with prescribed components, which have no
   /// coupling in the matrix, and without hanging nodes.
-  const std::vector<unsigned int> &nodes() const { return rows; }
+  const std::vector<unsigned int> &stiff_rows() const { return rows; }
   const dealii::DoFHandler<dim> &dofs() const { return dof_handler; }
   DistributedVector vector() const;
 

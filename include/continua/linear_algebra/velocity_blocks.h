@@ -11,7 +11,7 @@ struct VelocityBlocks
 {
   std::vector<unsigned int> stiff; ///< local indices, node by node
   std::vector<unsigned int> fluid; ///< the others, node by node
-  bool stiff_is_direct = true;     ///< else algebraic multigrid
+  bool stiff_is_direct = true;     ///< else multigrid
   /// Of a factor of the stiff ones, see make_block_factor().
   double most_factor_bytes = std::numeric_limits<double>::infinity();
   bool fluid_is_viscous = false; ///< algebraic multigrid on the fluid, else relaxation
