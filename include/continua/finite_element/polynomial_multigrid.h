@@ -17,12 +17,12 @@ namespace Continua
  * Multigrid in the degree of the velocities, for the stiff ones of A + B^T W B. The quadratic
  * velocities are relaxed by Chebyshev polynomials, before and after the linear ones have had a
  * cycle of algebraic multigrid. The products of the relaxation have no matrix and are of single
- * precision, so that no matrix of the quadratic velocities is stored.
+ * precision: this class stores no matrix of the quadratic velocities.
  *
  * The relaxation takes B^T W B as it is. With the integral of W div v div u in its place, which is
- * nearly the same for smooth velocities, the preconditioner takes twice as many iterations: the
- * pressure's Schur complement belongs to B^T W B. The matrix of the linear velocities has the
- * integral, since it keeps a stencil of one cell.
+ * nearly the same for smooth velocities, FGMRES takes 1.3 to 1.9 times as many iterations (a bar of
+ * 8,000 unknowns): the pressure's Schur complement belongs to B^T W B. The matrix of the linear
+ * velocities has the integral, whose entries couple the nodes of one cell only.
  */
 template <int dim>
 class PolynomialMultigrid : public VelocityCycle
