@@ -16,8 +16,8 @@
 
 namespace shell
 {
-/// A roller inside, a support outside, which is inclined or curved as the boundary, and a fixed
-/// end. The ranks take turns: each writes the file that it reads.
+/// A roller inside, a support outside, one fixed end, free boundaries elsewhere. The ranks take
+/// turns: each writes the file that it reads.
 inline std::vector<Continua::BoundaryCondition>
 read_conditions(const unsigned int dim, const std::vector<std::string> &regions)
 {
