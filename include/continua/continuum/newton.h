@@ -36,8 +36,10 @@ struct NewtonInput
  * GMRES and the exact derivative, preconditioned with the kept factor, which is made anew when
  * GMRES needs too many iterations. The iteration ends when the
  * residuals of momentum and of volume are small against the largest ones met in the step, or at the
- * round-off of the terms that cancel in them: a body at rest starts there. The volume of a cavity
- * must differ from the one given by the same fraction at most.
+ * round-off of the terms that cancel in them: a body at rest starts there. In a liquid that comes
+ * to rest under a large pressure the round-off of that pressure remains in the residual of volume,
+ * which the exact derivative then no longer lowers. The volume of a cavity must differ from the one
+ * given by the same fraction at most.
  *
  * Outlets are linear. Each iteration solves without the forces of their ports and adds the body's
  * responses, as a linear step does. The volumes of cavities are equations of their own, whose
