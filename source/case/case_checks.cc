@@ -1,6 +1,7 @@
 #include <continua/case/case_checks.h>
 
 #include <continua/case/deformation_checks.h>
+#include <continua/case/tangent_checks.h>
 #include <continua/finite_volume/cell_wise_checks.h>
 
 #include <deal.II/base/mpi.h>
@@ -316,19 +317,7 @@ void check_convection(const Case<dim> &input, ParameterSection root)
         .refuse("Direct solver",
                 "cholmod is for symmetric matrices, and convection makes the matrix unsymmetric",
                 "Use automatic, umfpack or mumps");
-  if (root.subsection("Linear solver").given("Tolerance"))
-    root.subsection("Linear solver")
-        .refuse("Tolerance",
-                "with convection the iterative solver finds corrections of Newton's iteration, "
-                "which end at Newton/Krylov tolerance",
-                "Remove it, or set Convection = none");
-  if (input.discretisation.taylor_hood.linear_solver.type == LinearSolverType::iterative)
-    for (const char *const key : {"Slow iteration", "Tangent products", "Most Krylov iterations"})
-      if (ParameterSection newton = root.subsection("Newton"); newton.given(key))
-        newton.refuse(key,
-                      "Linear solver/Type = iterative makes no use of it: each iteration has the "
-                      "tangent of its own state",
-                      "Remove it, or set Linear solver/Type = direct");
+  refuse_what_tangents_leave_idle(input.discretisation.taylor_hood.linear_solver.type, root);
   refuse_what_only_linear_runs_use(input, root);
   if (problem.convection.stabilisation == ConvectionStabilisation::supg)
     for (unsigned int region = 0; region < problem.materials.size(); ++region)

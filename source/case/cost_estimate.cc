@@ -122,7 +122,7 @@ SystemSize size_of(const CostInput &input, const Bar &bar)
   size.n_regions = input.n_regions;
   size.takes_cholmod = takes_cholmod(input, size.n_unknowns);
   size.is_matrix_free = input.linear_solver.is_matrix_free(input.degree);
-  size.has_matrices_of_cells = input.has_supg || !size.is_matrix_free;
+  size.has_matrices_of_cells = input.has_supg || input.is_finite || !size.is_matrix_free;
   return size;
 }
 } // namespace
@@ -137,7 +137,7 @@ CostEstimate::CostEstimate(const CostInput &input)
   n_unknowns = size.n_unknowns;
   if (is_linear_system)
     solver = choose_step_solver(input.linear_solver, size, solver_outlook(input)).solver;
-  else if (input.has_convection)
+  else if (input.has_tangents)
     solver = choose_tangent_solver(input.linear_solver, size, solver_outlook(input)).solver;
   factor_entries = solver == StepSolver::iterative ? 0. : size.factor_entries;
 
@@ -208,7 +208,8 @@ SolverOutlook solver_outlook(const CostInput &input)
     outlook.n_solves = input.n_steps;
   outlook.memory_limit = input.memory_limit;
   outlook.memory_of_program = memory_of_program;
-  outlook.is_of_tangents = input.has_convection;
+  outlook.is_of_tangents = input.has_tangents;
+  outlook.is_finite = input.is_finite;
   outlook.is_of_vibrations = input.is_of_vibrations;
   return outlook;
 }

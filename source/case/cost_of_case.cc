@@ -71,9 +71,9 @@ CostInput cost_input(const Case<dim> &input)
   cost.pivots = std::any_of(input.problem.materials.begin(), input.problem.materials.end(),
                             [](const Material &material) { return material.is_incompressible(); });
   cost.is_nonlinear = input.problem.is_nonlinear();
-  cost.has_convection = input.problem.convection.is_on && !cost.cell_wise &&
-                        input.problem.deformation == Deformation::small;
-  cost.has_supg = cost.has_convection &&
+  cost.has_tangents = cost.is_nonlinear && !cost.cell_wise;
+  cost.is_finite = input.problem.deformation == Deformation::finite;
+  cost.has_supg = input.problem.convection.is_on &&
                   input.problem.convection.stabilisation == ConvectionStabilisation::supg;
   cost.linear_solver = taylor_hood.linear_solver;
   cost.is_of_vibrations = input.analysis.is_modal();

@@ -1,5 +1,6 @@
 #include <continua/case/deformation_checks.h>
 
+#include <continua/case/tangent_checks.h>
 #include <continua/continuum/rest_state.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -206,18 +207,13 @@ void check_scheme(const Case<dim> &input, ParameterSection root)
         "finite deformation needs displacement and pressure at the level at which the step "
         "balances, which the trapezoidal update does not have",
         "Set Update = implicit");
-  if (input.discretisation.taylor_hood.linear_solver.type == LinearSolverType::iterative)
-    root.subsection("Linear solver")
-        .refuse("Type",
-                "the preconditioner of the iterative solver is that of the linear terms, which in "
-                "finite deformation have no stress",
-                "Set Type = direct, or Deformation = small");
   if (input.discretisation.taylor_hood.linear_solver.direct_solver == DirectSolver::cholmod)
     root.subsection("Linear solver")
         .refuse("Direct solver",
                 "cholmod is for symmetric matrices, and finite deformation makes the matrix "
                 "unsymmetric",
                 "Use automatic, umfpack or mumps");
+  refuse_what_tangents_leave_idle(input.discretisation.taylor_hood.linear_solver.type, root);
   ParameterSection solver = root.subsection("Linear solver");
   for (const char *const key : {"Refinement steps", "Kept factors"})
     if (solver.given(key))

@@ -4,6 +4,8 @@
 #include <continua/continuum/branch_history.h>
 #include <continua/continuum/bulk_history.h>
 
+#include <algorithm>
+
 namespace Continua
 {
 bool SystemCoefficients::operator==(const SystemCoefficients &other) const
@@ -16,15 +18,22 @@ bool SystemCoefficients::operator==(const SystemCoefficients &other) const
 
 void SystemCoefficients::set(const Problem &problem, const Step &step)
 {
-  const bool is_linear = problem.deformation == Deformation::small;
+  set_of_small_strains(problem, step);
+  if (problem.deformation == Deformation::small)
+    return;
+  for (std::vector<double> *list : {&stiffness, &compressibility})
+    std::fill(list->begin(), list->end(), 0.);
+}
+
+void SystemCoefficients::set_of_small_strains(const Problem &problem, const Step &step)
+{
   for (std::vector<double> *list : {&mass, &stiffness, &compressibility})
     list->clear();
   for (const Material &material : problem.materials)
   {
     mass.push_back(step.a0 * material.density);
-    stiffness.push_back(
-        is_linear ? material.shear.viscosity + BranchHistory::step_stiffness(material, step) : 0.);
-    compressibility.push_back(is_linear ? BulkHistory::step_compressibility(material, step) : 0.);
+    stiffness.push_back(material.shear.viscosity + BranchHistory::step_stiffness(material, step));
+    compressibility.push_back(BulkHistory::step_compressibility(material, step));
   }
   // In the mesh's shape springs of supports are free of force.
   const bool has_supports = problem.has_supports() && !step.finds_unloaded_shape;

@@ -703,7 +703,8 @@ unsigned int IterativeStepSolver<dim>::solve(const DistributedVector &momentum,
 }
 
 template <int dim>
-unsigned int IterativeStepSolver<dim>::solve_tangent(const SaddlePointSolver::FurtherPart &further,
+unsigned int IterativeStepSolver<dim>::solve_tangent(const SaddlePointSolver::Product &further,
+                                                     const SaddlePointSolver::Product &whole,
                                                      const double tolerance,
                                                      const DistributedVector &momentum,
                                                      const DistributedVector &mass,
@@ -712,6 +713,7 @@ unsigned int IterativeStepSolver<dim>::solve_tangent(const SaddlePointSolver::Fu
 {
   SaddlePointSolver::Blocks tangent = blocks();
   tangent.further = further;
+  tangent.whole = whole;
   const KrylovReport report =
       solve_by_krylov(tangent, tolerance, true, momentum, mass, velocity, pressure);
   if (!report.converged)
@@ -720,6 +722,10 @@ unsigned int IterativeStepSolver<dim>::solve_tangent(const SaddlePointSolver::Fu
     text << "the iterative solver has not converged for a correction of Newton's iteration: after "
          << report.iterations << " iterations the residual is " << report.residual
          << " of that at the start, and Newton/Krylov tolerance is " << tolerance
+         << (whole
+                 ? ". The preconditioner is that of small strains in the shape of the mesh, which "
+                   "is poor for thin bodies that rotate and for fibres that stiffen"
+                 : "")
          << "; a smaller time step, more Linear solver/Maximum iterations or Type = direct helps";
     throw StepFailure(text.str());
   }

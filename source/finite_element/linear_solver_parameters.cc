@@ -18,8 +18,8 @@ void LinearSolverParameters::read(ParameterSection section)
       "dimensions up to 300,000 it takes the one that is estimated to take less "
       "time for all steps, and beyond, or where no factor fits into the memory, the "
       "iterative one. With convection it takes a direct one up to 150,000 unknowns in three "
-      "dimensions, and for a steady flow as long as its factor fits; with finite "
-      "deformation always. The names of direct solvers belong to Direct solver.");
+      "dimensions; for a steady flow and with finite deformation as long as its factor fits. The "
+      "names of direct solvers belong to Direct solver.");
   for (const std::string &old : old_types)
     if (word == old)
       section.refuse("Type", "the direct solvers have an entry of their own",

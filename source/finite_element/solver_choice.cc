@@ -216,7 +216,7 @@ SolverCost cost_of_tangents(const StepSolver solver, const SystemSize &size)
     cost = cost_of_iterations(size);
     if (size.has_matrices_of_cells)
     {
-      cost.memory += (is_plane ? 500. : 2700.) * size.n_unknowns;
+      cost.memory += (is_plane ? 250. : 1400.) * size.n_unknowns;
       cost.solve_time = (is_plane ? 20. : 60.) * microsecond * size.n_unknowns;
     }
     else
@@ -245,16 +245,17 @@ SolverChoice choose_tangent_solver(const LinearSolverParameters &parameters,
             "Linear solver/Type says"};
   const double largest_system =
       size.dim == 2 ? largest_direct_system_in_plane : largest_direct_system_in_space;
-  // The steps of a search for a steady flow grow, and with them the iterations.
-  const bool is_to_rest = outlook.n_solves >= many_solves;
-  if (size.n_unknowns > largest_system && !is_to_rest)
+  // The steps of a search for a steady flow grow, and with them the iterations. In finite
+  // deformation these depend on how far the tangent is from that of small strains.
+  const bool prefers_factor = outlook.n_solves >= many_solves || outlook.is_finite;
+  if (size.n_unknowns > largest_system && !prefers_factor)
     return {StepSolver::iterative, size_against(size, largest_system)};
   const double memory =
       outlook.memory_of_program + cost_of_tangents(StepSolver::direct, size).memory;
   if (memory > outlook.memory_limit)
     return {StepSolver::iterative,
             memory_against(memory, outlook.memory_limit, "a factor of the tangent")};
-  if (is_to_rest)
+  if (prefers_factor)
     return {StepSolver::direct, "a factor of the tangent fits into the memory"};
   return {StepSolver::direct, size_against(size, largest_system)};
 }

@@ -31,6 +31,7 @@ template <int dim>
 void StepSystem<dim>::reinit()
 {
   is_prepared = false;
+  nearby = std::nullopt;
   kept_factors.clear();
   iterative_solver = nullptr;
   for (DistributedVector *vector :
@@ -81,18 +82,7 @@ bool StepSystem<dim>::prepare(const SystemCoefficients &wanted)
   coefficients = wanted;
   choose();
   if (chosen.solver == StepSolver::iterative)
-  {
-    if (!iterative_solver)
-      iterative_solver = std::make_unique<IterativeStepSolver<dim>>(space, operators, constraints,
-                                                                    parameters, memory_use);
-    made_factor = iterative_solver->prepare(coefficients);
-    // Only at the start: a later mesh or time step may need what this one does not.
-    if (!has_checked_blocks && parameters.fluid_block != FluidBlock::automatic &&
-        !iterative_solver->has_fluid_block())
-      throw RunError("Linear solver/Fluid block has no effect: every region is stiff at the first "
-                     "time step, so that all velocities are in the stiff block. Remove the entry");
-    has_checked_blocks = true;
-  }
+    prepare_iterative(coefficients);
   else
   {
     const auto kept = std::find_if(kept_factors.begin(), kept_factors.end(),
@@ -112,6 +102,34 @@ bool StepSystem<dim>::prepare(const SystemCoefficients &wanted)
       made_factor = true;
     }
   }
+  is_prepared = true;
+  return true;
+}
+
+template <int dim>
+void StepSystem<dim>::prepare_iterative(const SystemCoefficients &of_preconditioner)
+{
+  if (!iterative_solver)
+    iterative_solver = std::make_unique<IterativeStepSolver<dim>>(space, operators, constraints,
+                                                                  parameters, memory_use);
+  made_factor = iterative_solver->prepare(of_preconditioner);
+  // Only at the start: a later mesh or time step may need what this one does not.
+  if (!has_checked_blocks && parameters.fluid_block != FluidBlock::automatic &&
+      !iterative_solver->has_fluid_block())
+    throw RunError("Linear solver/Fluid block has no effect: every region is stiff at the first "
+                   "time step, so that all velocities are in the stiff block. Remove the entry");
+  has_checked_blocks = true;
+}
+
+template <int dim>
+bool StepSystem<dim>::prepare_nearby(const SystemCoefficients &wanted)
+{
+  made_factor = false;
+  if (is_prepared && nearby == wanted)
+    return false;
+  nearby = wanted;
+  chosen = choice();
+  prepare_iterative(wanted);
   is_prepared = true;
   return true;
 }
@@ -211,7 +229,7 @@ void StepSystem<dim>::solve_packed(const DistributedVector &momentum,
 }
 
 template <int dim>
-void StepSystem<dim>::solve_tangent(const SaddlePointSolver::FurtherPart &further,
+void StepSystem<dim>::solve_tangent(const SaddlePointSolver::Product &further,
                                     const double tolerance,
                                     DistributedVector &momentum,
                                     DistributedVector &mass,
@@ -220,8 +238,20 @@ void StepSystem<dim>::solve_tangent(const SaddlePointSolver::FurtherPart &furthe
 {
   for (const unsigned int index : pressure_hanging)
     mass.begin()[index] = 0.;
-  n_iterations +=
-      iterative_solver->solve_tangent(further, tolerance, momentum, mass, velocity, pressure);
+  if (!nearby)
+  {
+    n_iterations += iterative_solver->solve_tangent(further, nullptr, tolerance, momentum, mass,
+                                                    velocity, pressure);
+    return;
+  }
+  const auto whole = [&](const DistributedVector &of_velocity, const DistributedVector &of_pressure,
+                         DistributedVector &momentum_rows, DistributedVector &mass_rows)
+  {
+    multiply_system(of_velocity, of_pressure, momentum_rows, mass_rows);
+    further(of_velocity, of_pressure, momentum_rows, mass_rows);
+  };
+  n_iterations += iterative_solver->solve_tangent(nullptr, whole, tolerance, momentum, mass,
+                                                  velocity, pressure);
 }
 
 template <int dim>

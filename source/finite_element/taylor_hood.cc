@@ -476,9 +476,7 @@ std::string TaylorHood<dim>::place_of_largest(const DistributedVector &momentum,
 template <int dim>
 bool TaylorHood<dim>::has_iterative_tangent() const
 {
-  // In finite deformation the linear terms, of which the preconditioner is, have no stress.
-  return is_nonlinear() && problem.deformation == Deformation::small &&
-         system.choice().solver == StepSolver::iterative;
+  return is_nonlinear() && system.choice().solver == StepSolver::iterative;
 }
 
 template <int dim>
@@ -509,7 +507,16 @@ bool TaylorHood<dim>::linearise(const BalancedStep &state)
 {
   if (has_iterative_tangent())
   {
-    const bool is_new = system.prepare(system.present_coefficients());
+    bool is_new = false;
+    if (problem.deformation == Deformation::finite)
+    {
+      // The linear terms have no stress there.
+      SystemCoefficients of_small_strains;
+      of_small_strains.set_of_small_strains(problem, state.step);
+      is_new = system.prepare_nearby(of_small_strains);
+    }
+    else
+      is_new = system.prepare(system.present_coefficients());
     report_linear_solver();
     keep_derivative(state);
     return is_new && system.has_new_factor();

@@ -41,6 +41,12 @@ void SaddlePointSolver::multiply_blocks(const Blocks &blocks,
                                         BlockVector &target,
                                         const BlockVector &source)
 {
+  if (blocks.whole)
+  {
+    target = 0.;
+    blocks.whole(source.block(0), source.block(1), target.block(0), target.block(1));
+    return;
+  }
   blocks.velocity.multiply(target.block(0), source.block(0));
   multiply_transposed(blocks.divergence, velocity_work, source.block(1));
   target.block(0).add(-1., velocity_work);

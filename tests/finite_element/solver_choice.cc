@@ -35,9 +35,11 @@ SystemSize size_of(const Row &row)
 
 void expect(const Row &row,
             const LinearSolverParameters &parameters,
-            const bool is_of_tangents = false)
+            const bool is_of_tangents = false,
+            const bool is_finite = false)
 {
   SolverOutlook outlook;
+  outlook.is_finite = is_finite;
   outlook.n_solves = row.n_solves;
   outlook.memory_limit = 1e9 * row.memory;
   const SolverChoice choice = is_of_tangents
@@ -109,6 +111,12 @@ UNIT_TEST(solver_choice)
   expect({"large tangent to rest", 3, 1.6e5, 1e9, 100., direct, "fits into the memory"}, parameters,
          true);
   parameters.type = LinearSolverType::direct;
+  expect(
+      {"large tangent of finite deformation", 3, 1.6e5, 1e4, 100., direct, "fits into the memory"},
+      parameters, true, true);
+  expect({"tangent of finite deformation, little memory", 3, 1.2e5, 1e4, 5., iterative,
+          "^a factor of the tangent needs about 7.21 GB of 5 GB"},
+         parameters, true, true);
   expect({"direct tangent", 3, 1.6e5, 1., 1., direct, "Linear solver/Type says"}, parameters, true);
 
   // Entries of a factor grow as nested dissection says.

@@ -22,7 +22,8 @@ struct CostInput
   bool segregated = false;      ///< of the cell-wise one: solved component by component
   bool pivots = false;          ///< the factor does: a material is incompressible
   bool is_nonlinear = false;    ///< the matrix is unsymmetric, and steps are iterated
-  bool has_convection = false;  ///< small deformation, not cell-wise
+  bool has_tangents = false;    ///< nonlinear, not cell-wise
+  bool is_finite = false;       ///< finite deformation
   bool has_supg = false;        ///< convection, with this stabilisation
   bool is_of_vibrations = false;
   LinearSolverParameters linear_solver;

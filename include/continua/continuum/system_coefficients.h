@@ -23,6 +23,9 @@ struct SystemCoefficients
   /// Takes those of a step. In finite deformation stress and compression are no part of the linear
   /// system; supports are.
   void set(const Problem &problem, const Step &step);
+  /// Takes those of the same body with small strains, which is the same where the deformation is
+  /// small.
+  void set_of_small_strains(const Problem &problem, const Step &step);
   /// Takes those of a body at rest that is all solid (displacement for velocity, mu for alpha, 1/K
   /// for compressibility) or of a steady flow, where dp/dt = 0 and compressibility has no part.
   void set_steady(const Problem &problem);

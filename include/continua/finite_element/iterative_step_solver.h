@@ -64,10 +64,12 @@ public:
                      DistributedVector &velocity,
                      DistributedVector &pressure);
 
-  /// The same for a tangent, which has a further part beside the linear terms (see
-  /// SaddlePointSolver::Blocks): from zero, until the residual is below `tolerance` times that at
-  /// the start. Throws StepFailure if that takes too many iterations.
-  unsigned int solve_tangent(const SaddlePointSolver::FurtherPart &further,
+  /// The same for a tangent, with a part beside the linear terms, or a whole product in their place
+  /// (see SaddlePointSolver::Blocks; the other one is empty): from zero, until the residual is
+  /// below `tolerance` times that at the start. Throws StepFailure if that takes too many
+  /// iterations.
+  unsigned int solve_tangent(const SaddlePointSolver::Product &further,
+                             const SaddlePointSolver::Product &whole,
                              double tolerance,
                              const DistributedVector &momentum,
                              const DistributedVector &mass,

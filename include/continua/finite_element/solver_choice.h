@@ -25,7 +25,7 @@ struct SystemSize
   unsigned int n_regions = 1; ///< that have pressures of their own
   bool takes_cholmod = false; ///< for a factor in double precision
   bool is_matrix_free = true; ///< the velocities' products need no matrix
-  /// Products with the tangent of convection need a matrix of each cell.
+  /// Products with the tangent of convection or of finite deformation need a matrix of each cell.
   bool has_matrices_of_cells = false;
 
   /// The same body with other cells. Of a factor in space the entries grow with the power 4/3 of
@@ -50,6 +50,7 @@ struct SolverOutlook
   double memory_limit = 1e300;   ///< what the run may take on one machine [bytes]
   double memory_of_program = 0.; ///< of this [bytes]
   bool is_of_tangents = false;   ///< see choose_tangent_solver()
+  bool is_finite = false;        ///< tangents of finite deformation
   bool is_of_vibrations = false; ///< whose solver is always a factor in double precision
 };
 
@@ -82,11 +83,12 @@ SolverChoice choose_step_solver(const LinearSolverParameters &parameters,
                                 const SystemSize &size,
                                 const SolverOutlook &outlook);
 
-/// Of the tangents of Newton's iteration with convection, which are unsymmetric: the same with one
-/// factor in double precision or the iterative solver.
+/// Of the tangents of Newton's iteration, which are unsymmetric: the same with one factor in double
+/// precision or the iterative solver.
 SolverCost cost_of_tangents(StepSolver solver, const SystemSize &size);
 /// Where the parameters are `automatic`: a factor up to its largest system and where it fits into
-/// the memory, else the iterative solver.
+/// the memory, else the iterative solver. On the way to rest and in finite deformation a factor has
+/// no largest system.
 SolverChoice choose_tangent_solver(const LinearSolverParameters &parameters,
                                    const SystemSize &size,
                                    const SolverOutlook &outlook);

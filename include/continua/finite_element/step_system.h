@@ -15,6 +15,7 @@
 #include <functional>
 #include <list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -71,8 +72,12 @@ public:
              DistributedVector &mass,
              DistributedVector &velocity,
              DistributedVector &pressure);
-  /// Of the iterative solver alone: see IterativeStepSolver.
-  void solve_tangent(const SaddlePointSolver::FurtherPart &further,
+  /// Of the iterative solver alone: the linear terms stay as take() has them, the preconditioner of
+  /// solve_tangent() becomes that of a system nearby. Says whether this is another than before.
+  bool prepare_nearby(const SystemCoefficients &wanted);
+  /// Of the iterative solver alone, with what the tangent has beside the linear terms: see
+  /// IterativeStepSolver.
+  void solve_tangent(const SaddlePointSolver::Product &further,
                      double tolerance,
                      DistributedVector &momentum,
                      DistributedVector &mass,
@@ -117,7 +122,8 @@ private:
   const LinearSolverParameters parameters;
   const SolverOutlook outlook;
   SystemCoefficients coefficients;
-  std::list<KeptFactor> kept_factors; ///< the one in use first
+  std::optional<SystemCoefficients> nearby; ///< see prepare_nearby()
+  std::list<KeptFactor> kept_factors;       ///< the one in use first
   std::unique_ptr<IterativeStepSolver<dim>> iterative_solver;
   MixedPrecisionSolver mixed_precision;
   SolverChoice chosen;
@@ -142,6 +148,7 @@ private:
                                 DistributedVector &pressure);
   /// Overwrites momentum and mass by the product of the restricted system with a solution that is
   /// zero at constrained dofs.
+  void prepare_iterative(const SystemCoefficients &of_preconditioner);
   void multiply_system(const DistributedVector &velocity,
                        const DistributedVector &pressure,
                        DistributedVector &momentum,

@@ -44,18 +44,20 @@ class SaddlePointSolver
 public:
   using BlockVector = dealii::TrilinosWrappers::MPI::BlockVector;
 
-  /// Adds a further part of the matrix times velocity and pressure to the rows of both equations.
-  using FurtherPart = std::function<void(const DistributedVector &velocity,
-                                         const DistributedVector &pressure,
-                                         DistributedVector &momentum,
-                                         DistributedVector &mass)>;
+  /// Adds a part of the matrix times velocity and pressure to the rows of both equations.
+  using Product = std::function<void(const DistributedVector &velocity,
+                                     const DistributedVector &pressure,
+                                     DistributedVector &momentum,
+                                     DistributedVector &mass)>;
 
-  /// A, B and C; what the matrix has beside them, which may be unsymmetric; empty is nothing.
+  /// A, B and C; what the matrix has beside them, which may be unsymmetric; empty is nothing. Or,
+  /// in the place of all of these, the product of a matrix nearby: the blocks are then those of the
+  /// preconditioner alone.
   struct Blocks
   {
     const VelocityOperator &velocity;
     const dealii::TrilinosWrappers::SparseMatrix &divergence, &compression;
-    FurtherPart further;
+    Product further = nullptr, whole = nullptr;
   };
 
   explicit SaddlePointSolver(unsigned int restart_length);
