@@ -3,6 +3,8 @@
 #include <continua/base/input_error.h>
 #include <continua/continuum/step_extremes.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -13,6 +15,9 @@ namespace
 {
 /// Of the terms that cancel, which a solve leaves.
 constexpr double round_off = 1e-13;
+/// Where a residual of volume counts as round-off of a pressure: the part of the volume that it
+/// loses in a step.
+constexpr double largest_lost_volume = 1e-12;
 /// Share of the state by which differences shift it. They are central: the error of terms of the
 /// third degree is its square.
 constexpr double difference = 1e-6;
@@ -61,8 +66,15 @@ void Newton::reinit()
        {&past_acceleration, &momentum, &momentum_work, &velocity_change})
     vector->reinit(zero_velocity);
   mass = operators.pressure_vector();
-  for (DistributedVector *vector : {&mass_work, &pressure_change})
+  for (DistributedVector *vector : {&mass_work, &pressure_change, &volumes})
     vector->reinit(mass);
+  DistributedVector one(mass);
+  one = 1.;
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+  {
+    operators.multiply_pressure_mass(region, mass_work, one);
+    volumes.add(1., mass_work);
+  }
   krylov.reinit(zero_velocity, mass);
   for (DistributedVector *vector : {&shifted.velocity, &shifted.acceleration})
     vector->reinit(zero_velocity);
@@ -216,7 +228,16 @@ void Newton::set_derivative_product(const NewtonInput &input,
   operators.restrict_residuals(momentum_rows, mass_rows);
 }
 
-void Newton::correct_by_krylov(const NewtonInput &input,
+double Newton::lost_volume(const Step &step) const
+{
+  double largest = 0.;
+  for (unsigned int i = 0; i < volumes.locally_owned_size(); ++i)
+    if (volumes.begin()[i] > 0.) // a hanging node has none
+      largest = std::max(largest, std::abs(mass_work.begin()[i]) / volumes.begin()[i]);
+  return step.size() * Utilities::MPI::max(largest, problem.communicator);
+}
+
+bool Newton::correct_by_krylov(const NewtonInput &input,
                                const BalancedStep &balanced,
                                const ResidualScales &scales,
                                StepReport &report)
@@ -238,6 +259,7 @@ void Newton::correct_by_krylov(const NewtonInput &input,
   // All solves of the step together: a new factor serves many steps.
   if (report.linear_iterations > most)
     factor_is_poor = true;
+  return n_iterations < 3 * most;
 }
 
 void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport &report)
@@ -248,7 +270,8 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
   cavities.begin_step(input.step);
   past_acceleration.equ(1., balanced.acceleration);
   double largest_momentum = 0., largest_mass = 0., previous = 0.;
-  bool takes_krylov = false, was_slow = false, momentum_was_round_off = false;
+  double previous_mass = 0.;
+  bool takes_krylov = false, momentum_was_round_off = false, correction_is_exact = false;
   for (unsigned int iteration = 0;; ++iteration)
   {
     set_rates(input, balanced);
@@ -268,11 +291,11 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
     report.corrections = iteration;
     report.residual = std::max({of_momentum, of_mass, of_cavities});
     const bool is_slow = iteration > 0 && report.residual > problem.newton.slowest_rate * previous;
-    // Where a large pressure is at rest, its round-off moves the liquid by more than the round-off
-    // of the small velocities. It is there when balanced momentum and the exact derivative no
-    // longer lower the residual of volume.
-    const bool volume_is_round_off =
-        is_slow && was_slow && momentum_is_round_off && momentum_was_round_off;
+    // Where a large pressure is at rest, its round-off moves the body by more than the round-off
+    // of the small velocities.
+    const bool volume_is_round_off = momentum_is_round_off && momentum_was_round_off &&
+                                     correction_is_exact && norms.mass > 0.5 * previous_mass &&
+                                     lost_volume(input.step) < largest_lost_volume;
     const bool is_solved = norms.momentum <= accepted_momentum &&
                            (norms.mass <= accepted_mass || volume_is_round_off) &&
                            of_cavities <= std::max(tolerance, round_off);
@@ -314,8 +337,9 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
       throw StepFailure(text.str());
     }
     previous = report.residual;
-    was_slow = is_slow;
+    previous_mass = norms.mass;
     momentum_was_round_off = momentum_is_round_off;
+    correction_is_exact = operators.solves_with_kept_derivative();
     const bool can_take_krylov = has_factor && !factor_is_poor && outlets.is_empty() &&
                                  cavities.is_empty() && operators.has_derivative_products() &&
                                  problem.newton.slow_iteration == SlowIteration::krylov;
@@ -342,7 +366,7 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
         throw StepFailure(std::string("Newton's iteration has no tangent after ") +
                           std::to_string(iteration) + " iterations: " + error.what());
       }
-      has_factor = true;
+      has_factor = correction_is_exact = true;
       factor_is_poor = takes_krylov = false;
       outlets.respond(report);
       cavities.respond(report);
@@ -350,7 +374,7 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
     else if (operators.solves_with_kept_derivative())
       operators.keep_derivative(balanced);
     if (takes_krylov)
-      correct_by_krylov(
+      correction_is_exact = correct_by_krylov(
           input, balanced,
           {std::max(norms.momentum, accepted_momentum), std::max(norms.mass, accepted_mass)},
           report);

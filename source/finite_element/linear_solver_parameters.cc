@@ -51,7 +51,9 @@ void LinearSolverParameters::read(ParameterSection section)
               "equations [1].",
               Range{0., 1e-2, true, false});
   section.add("Maximum iterations", maximum_iterations,
-              "Of the iterative solver; a solve that needs more ends the run [1].", 1);
+              "Of the iterative solver. A solve that needs more ends the run; with convection or "
+              "finite deformation the step then has no solution and is halved [1].",
+              1);
   section.add("Restart length", restart_length,
               "Iterations after which the iterative solver begins anew; it keeps two vectors for "
               "each [1].",

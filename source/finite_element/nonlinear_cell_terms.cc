@@ -110,13 +110,9 @@ void NonlinearCellTerms<dim>::keep_derivative(const BalancedStep &state, KeptDer
 {
   take(state);
   cell_derivatives.resize(cells.all().size());
-  FullMatrix<double> derivative;
   for (std::size_t k = 0; k < cell_derivatives.size(); ++k)
     if (needs_matrix(cells.all()[k]))
-    {
-      set_derivative(cells.all()[k], derivative);
-      cell_derivatives[k] = derivative;
-    }
+      set_derivative(cells.all()[k], cell_derivatives[k]);
 }
 
 template <int dim>

@@ -216,7 +216,7 @@ SolverCost cost_of_tangents(const StepSolver solver, const SystemSize &size)
     cost = cost_of_iterations(size);
     if (size.has_matrices_of_cells)
     {
-      cost.memory += (is_plane ? 250. : 1400.) * size.n_unknowns;
+      cost.memory += (is_plane ? 500. : 2700.) * size.n_unknowns;
       cost.solve_time = (is_plane ? 20. : 60.) * microsecond * size.n_unknowns;
     }
     else

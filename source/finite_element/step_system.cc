@@ -122,16 +122,15 @@ void StepSystem<dim>::prepare_iterative(const SystemCoefficients &of_preconditio
 }
 
 template <int dim>
-bool StepSystem<dim>::prepare_nearby(const SystemCoefficients &wanted)
+void StepSystem<dim>::prepare_nearby(const SystemCoefficients &wanted)
 {
   made_factor = false;
   if (is_prepared && nearby == wanted)
-    return false;
+    return;
   nearby = wanted;
   chosen = choice();
   prepare_iterative(wanted);
   is_prepared = true;
-  return true;
 }
 
 template <int dim>

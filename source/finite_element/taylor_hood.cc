@@ -507,25 +507,25 @@ bool TaylorHood<dim>::linearise(const BalancedStep &state)
 {
   if (has_iterative_tangent())
   {
-    bool is_new = false;
     if (problem.deformation == Deformation::finite)
     {
       // The linear terms have no stress there.
       SystemCoefficients of_small_strains;
       of_small_strains.set_of_small_strains(problem, state.step);
-      is_new = system.prepare_nearby(of_small_strains);
+      system.prepare_nearby(of_small_strains);
     }
     else
-      is_new = system.prepare(system.present_coefficients());
+      system.prepare(system.present_coefficients());
     report_linear_solver();
     keep_derivative(state);
-    return is_new && system.has_new_factor();
+    return system.has_new_factor();
   }
   const bool is_first = tangent.factor() == nullptr;
   tangent.factorize(system.present_coefficients(), state, *terms);
   log.memory_use().mark("factor");
   if (is_first)
-    log.detail("Linear solver: direct, of the tangent; " + tangent.factor()->name());
+    log.detail("Linear solver: direct, of the tangent, as " + system.choice().reason + "; " +
+               tangent.factor()->name());
   return true;
 }
 
@@ -681,8 +681,7 @@ SolverSizes TaylorHood<dim>::sizes() const
     sizes.factor_entries = tangent.factor()->n_entries();
     sizes.factor_memory = tangent.factor()->memory();
     sizes.linear_solver = tangent.factor()->name();
-    sizes.reason_of_linear_solver =
-        problem.convection.is_on ? "convection is on" : "the deformation is finite";
+    sizes.reason_of_linear_solver = system.choice().reason;
     return sizes;
   }
   if (system.factor() != nullptr)

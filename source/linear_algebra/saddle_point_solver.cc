@@ -43,7 +43,6 @@ void SaddlePointSolver::multiply_blocks(const Blocks &blocks,
 {
   if (blocks.whole)
   {
-    target = 0.;
     blocks.whole(source.block(0), source.block(1), target.block(0), target.block(1));
     return;
   }

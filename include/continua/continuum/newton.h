@@ -36,10 +36,12 @@ struct NewtonInput
  * GMRES and the exact derivative, preconditioned with the kept factor, which is made anew when
  * GMRES needs too many iterations. The iteration ends when the
  * residuals of momentum and of volume are small against the largest ones met in the step, or at the
- * round-off of the terms that cancel in them: a body at rest starts there. In a liquid that comes
- * to rest under a large pressure the round-off of that pressure remains in the residual of volume,
- * which the exact derivative then no longer lowers. The volume of a cavity must differ from the one
- * given by the same fraction at most.
+ * round-off of the terms that cancel in them: a body at rest starts there. In a body that comes to
+ * rest under a large pressure the round-off of that pressure remains in the residual of volume. The
+ * iteration ends there, too: when momentum is at round-off, a correction with the exact derivative
+ * has not halved the residual of volume, and what it leaves in a step is below 1e-12 of the volume
+ * of each pressure. The volume of a cavity must differ from the one given by the same fraction at
+ * most.
  *
  * Outlets are linear. Each iteration solves without the forces of their ports and adds the body's
  * responses, as a linear step does. The volumes of cavities are equations of their own, whose
@@ -86,6 +88,7 @@ private:
   BalancedStep shifted;        ///< for differences
   DistributedVector past_acceleration, momentum, momentum_work, velocity_change, zero_velocity;
   DistributedVector mass, mass_work, pressure_change;
+  DistributedVector volumes; ///< of each pressure [m^3]
 
   /// dU/dt and dp/dt of the iterate, and in finite deformation its displacement.
   void set_rates(const NewtonInput &input, BalancedStep &balanced) const;
@@ -109,9 +112,12 @@ private:
                        const DistributedVector &of_pressure,
                        DistributedVector &momentum_rows,
                        DistributedVector &mass_rows);
+  /// What the residual in mass_work leaves in a step, of the volume of each pressure: the largest
+  /// part [1]. Collective.
+  double lost_volume(const Step &step) const;
   /// Sets the changes of velocity and pressure by GMRES. `scales`: sizes in which it measures the
-  /// residuals.
-  void correct_by_krylov(const NewtonInput &input,
+  /// residuals. Says whether it has reached its tolerance.
+  bool correct_by_krylov(const NewtonInput &input,
                          const BalancedStep &balanced,
                          const ResidualScales &scales,
                          StepReport &report);

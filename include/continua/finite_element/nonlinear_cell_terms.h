@@ -134,9 +134,9 @@ protected:
                           dealii::Vector<double> &values);
 
 private:
-  /// The kept derivative of each cell that needs one: in single precision, since what its products
-  /// lose is in the residual of the next iterate. And work space for its product.
-  std::vector<dealii::FullMatrix<float>> cell_derivatives;
+  /// The kept derivative of each cell that needs one, and work space for its product. In single
+  /// precision the round-off of rigid motions would be as large as the stiffness of thin bodies.
+  std::vector<dealii::FullMatrix<double>> cell_derivatives;
   dealii::Vector<double> cell_change, cell_product, cell_momentum, cell_volume;
 };
 } // namespace Continua

@@ -63,7 +63,7 @@ public:
   /// The solver of the present space's system. The caller excludes vibrations, whose solver is
   /// always direct.
   SolverChoice choice() const;
-  /// Whether the last prepare() had to make a factor or a preconditioner.
+  /// Whether the last prepare() or prepare_nearby() had to make a factor or a preconditioner.
   bool has_new_factor() const { return made_factor; }
   /// Solves for free dofs; constrained and hanging entries of the result are 0. The right-hand
   /// sides must be restricted. After a new factor the residual is checked once: RunError if it is
@@ -73,8 +73,8 @@ public:
              DistributedVector &velocity,
              DistributedVector &pressure);
   /// Of the iterative solver alone: the linear terms stay as take() has them, the preconditioner of
-  /// solve_tangent() becomes that of a system nearby. Says whether this is another than before.
-  bool prepare_nearby(const SystemCoefficients &wanted);
+  /// solve_tangent() becomes that of a system nearby.
+  void prepare_nearby(const SystemCoefficients &wanted);
   /// Of the iterative solver alone, with what the tangent has beside the linear terms: see
   /// IterativeStepSolver.
   void solve_tangent(const SaddlePointSolver::Product &further,
@@ -146,9 +146,9 @@ private:
                                 const DistributedVector &mass,
                                 DistributedVector &velocity,
                                 DistributedVector &pressure);
+  void prepare_iterative(const SystemCoefficients &of_preconditioner);
   /// Overwrites momentum and mass by the product of the restricted system with a solution that is
   /// zero at constrained dofs.
-  void prepare_iterative(const SystemCoefficients &of_preconditioner);
   void multiply_system(const DistributedVector &velocity,
                        const DistributedVector &pressure,
                        DistributedVector &momentum,

@@ -44,7 +44,8 @@ class SaddlePointSolver
 public:
   using BlockVector = dealii::TrilinosWrappers::MPI::BlockVector;
 
-  /// Adds a part of the matrix times velocity and pressure to the rows of both equations.
+  /// Adds a part of the matrix times velocity and pressure to the rows of both equations, or sets
+  /// these to the product of the whole.
   using Product = std::function<void(const DistributedVector &velocity,
                                      const DistributedVector &pressure,
                                      DistributedVector &momentum,
