@@ -234,7 +234,7 @@ double Newton::lost_volume(const Step &step) const
   for (unsigned int i = 0; i < volumes.locally_owned_size(); ++i)
     if (volumes.begin()[i] > 0.) // a hanging node has none
       largest = std::max(largest, std::abs(mass_work.begin()[i]) / volumes.begin()[i]);
-  return step.size() * Utilities::MPI::max(largest, problem.communicator);
+  return step.size() * dealii::Utilities::MPI::max(largest, problem.communicator);
 }
 
 bool Newton::correct_by_krylov(const NewtonInput &input,
