@@ -110,13 +110,13 @@ UNIT_TEST(solver_choice)
          parameters, true);
   expect({"large tangent to rest", 3, 1.6e5, 1e9, 100., direct, "fits into the memory"}, parameters,
          true);
-  parameters.type = LinearSolverType::direct;
   expect(
       {"large tangent of finite deformation", 3, 1.6e5, 1e4, 100., direct, "fits into the memory"},
       parameters, true, true);
   expect({"tangent of finite deformation, little memory", 3, 1.2e5, 1e4, 5., iterative,
           "^a factor of the tangent needs about 7.21 GB of 5 GB"},
          parameters, true, true);
+  parameters.type = LinearSolverType::direct;
   expect({"direct tangent", 3, 1.6e5, 1., 1., direct, "Linear solver/Type says"}, parameters, true);
 
   // Entries of a factor grow as nested dissection says.
