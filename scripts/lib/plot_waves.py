@@ -33,6 +33,7 @@ def draw(sheet, runs, normalised):
     if not there or "pressure" in sheet.choice.fields_of(there):
         draw_space_time(sheet, waves, len(runs) > 1)
     draw_dispersion(sheet, runs[0])
+    draw_loaded_tube(sheet, runs)
     draw_spin_coating(sheet, runs)
 
 
@@ -280,10 +281,11 @@ def draw_dispersion(sheet, run):
         sheet.notes.append(f"dispersion of {run['folder']} (no rows in dispersion.csv)")
         return
     names, data = table
-    panels = ("phase speed", "group speed", "attenuation")
+    # About a loaded state there is no group speed.
+    panels = [quantity for quantity in ("phase speed", "group speed", "attenuation") if any(name.endswith(quantity) for name, _ in names)]
     families = list(dict.fromkeys(name.rpartition(": ")[0] for name, _ in names[1:]))
     exact = [family for family in families if family.endswith(" wave")]
-    figure, all_axes = sheet.figure(1.1 if sheet.width > 4 else 1.8, nrows=3, sharex=True)
+    figure, all_axes = sheet.figure((1.1 if sheet.width > 4 else 1.8) * len(panels) / 3, nrows=len(panels), sharex=True)
     for axes, quantity in zip(all_axes, panels):
         for i, (name, unit) in enumerate(names[1:], 1):
             family, _, what = name.rpartition(": ")
@@ -314,6 +316,39 @@ def highest_frequency(summary, last):
     report = summary.get("pre-flight report", {})
     own = report.get("load frequency [Hz]") if isinstance(report, dict) else None
     return min(last, 10 * own) if own else last
+
+
+def draw_loaded_tube(sheet, runs):
+    """Radius and speed of long waves over the mean pressure."""
+    shown = []
+    for run in runs:
+        table = tables.read_table(os.path.join(run["folder"], "loaded-tube.csv"))
+        if table is not None and len(table[1]) > 1:
+            shown.append((run, table))
+    if not shown:
+        return
+    narrow = sheet.width < 4
+    figure, all_axes = sheet.figure(1.5 if narrow else 0.45, nrows=2 if narrow else 1, ncols=1 if narrow else 2)
+    header, columns = [], []
+    pressure_factor, pressure_unit = plot_style.readable(max(data[:, 0].max() for _, (_, data) in shown), "Pa", "pressure")
+    for axes, quantity in zip(all_axes, ("inner radius", "speed of long waves")):
+        for number, (run, (names, data)) in enumerate(shown):
+            i = [name for name, _ in names].index(quantity)
+            unit = names[i][1]
+            factor, axis_unit = plot_style.readable(max(table[1][:, i].max() for _, table in shown), unit, quantity)
+            axes.plot(pressure_factor * data[:, 0], factor * data[:, i], label=run["title"], **plot_style.of_run(number, len(data)))
+            axes.set_ylabel(plot_style.axis_label(quantity, axis_unit))
+        axes.set_xlabel(plot_style.axis_label("pressure", pressure_unit))
+        axes.set_xlim(0, None)
+        axes.set_ylim(0, None)
+    for run, (names, data) in shown:
+        prefix = f"{run['title']}: " if len(shown) > 1 else ""
+        header += [f"{prefix}{name} [{unit}]" for name, unit in names]
+        columns += list(data.T)
+    if len(shown) > 1:
+        plot_style.legend_above(figure, all_axes[0].get_legend_handles_labels()[0], sheet.width)
+    sheet.save(figure, "loaded-tube")
+    sheet.save_data("loaded-tube", header, columns)
 
 
 def draw_spin_coating(sheet, runs):

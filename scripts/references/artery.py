@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Inflation of an artery of two layers with an axial prestretch and an opening angle: the numbers of the files artery-*.prm and
-unloaded-shape-artery.prm.
+unloaded-shape-artery.prm and loaded-artery.prm.
 
     scripts/references/artery.py
 
@@ -18,6 +18,7 @@ import math
 # Of a rabbit's carotid artery: shear modulus, k1 [Pa], k2 [1], angle of the fibres from the circumference, thickness [m]
 # (G. A. Holzapfel, T. C. Gasser, R. W. Ogden, J. Elasticity 61 (2000) 1).
 MEDIA = (3000.0, 2363.2, 0.8393, math.radians(29), 0.26e-3)
+DENSITY = 1060.0  # of the liquid, in the speed of waves [kg/m^3]
 ADVENTITIA = (300.0, 562.0, 0.7112, math.radians(62), 0.13e-3)
 
 
@@ -67,6 +68,13 @@ def radius_at(pressure, *case):
     return middle
 
 
+def distensibility(a, *case):
+    """dA/dp over A [1/Pa] of the section inside, by a difference quotient; a long wave of a liquid of density rho has the speed 1/sqrt(rho D).
+    Many intervals, since fibres that begin to bear somewhere in the wall make a bend in the stress."""
+    h, n = 1e-5 * a, 20000
+    return 4 * h / a / (inflate(*case, a + h, n)[0] - inflate(*case, a - h, n)[0])
+
+
 def image(pressure, inner, along, share):
     """The closed ring whose layers meet under the pressure at this share of the wall: the thickness of its adventitia, and what inflate() gives."""
     low, high = 0.05e-3, 0.5e-3
@@ -86,8 +94,10 @@ if __name__ == "__main__":
         for pressure in (0.0, 5e3, 13.33e3, 21.33e3):
             a = radius_at(pressure, *case)
             _, b, force, around = inflate(*case, a)
+            d = distensibility(a, *case)
             print(f"{name}, opening angle {degrees} deg, axial stretch {along}: at {pressure:g} Pa the inner radius is {a * 1e3:.7f} mm, the outer "
-                  f"one {b * 1e3:.7f} mm, the axial force {force:.7f} N, the stress around inside {around:.2f} Pa")
+                  f"one {b * 1e3:.7f} mm, the axial force {force:.7f} N, the stress around inside {around:.2f} Pa, the distensibility {d:.6e} 1/Pa, "
+                  f"the speed of long waves of a liquid of {DENSITY:g} kg/m^3 {1 / math.sqrt(DENSITY * d):.6f} m/s")
     thickness, a, (_, b, force, around) = image(13.33e3, 0.71e-3, 1.7, 0.625)
     print(f"image of a closed ring, axial stretch 1.7, whose layers meet at 5/8 of the wall under 13330 Pa: the adventitia is {thickness * 1e3:.7f} mm thick "
           f"at rest, the inner radius is {a * 1e3:.7f} mm, the outer one {b * 1e3:.7f} mm, the axial force {force:.7f} N, the stress around inside {around:.2f} Pa")

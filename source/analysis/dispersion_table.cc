@@ -7,13 +7,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 
 namespace Continua
 {
 void write_dispersion_table(const std::string &file,
                             const TubeSection &section,
-                            const double highest_frequency)
+                            const double highest_frequency,
+                            const bool only_long_waves)
 {
   constexpr double two_pi = 6.28318530717958647692;
   constexpr unsigned int n_rows = 80;
@@ -32,9 +34,15 @@ void write_dispersion_table(const std::string &file,
   // Without any loss families cannot be told apart while they are followed: a millionth of the
   // lowest frequency is taken as growth in time.
   const double shift = 1e-6 * two_pi * frequencies.front();
-  const DispersionCurves exact(section, shift, frequencies);
-  const ExactDispersion dispersion(section);
-  const std::vector<ExactDispersion::Family> &families = exact.families();
+  std::unique_ptr<DispersionCurves> exact;
+  std::unique_ptr<ExactDispersion> dispersion;
+  std::vector<ExactDispersion::Family> families;
+  if (!only_long_waves)
+  {
+    exact = std::make_unique<DispersionCurves>(section, shift, frequencies);
+    dispersion = std::make_unique<ExactDispersion>(section);
+    families = exact->families();
+  }
 
   std::vector<std::string> header = {"frequency [Hz]"};
   for (const ExactDispersion::Family family : families)
@@ -52,8 +60,10 @@ void write_dispersion_table(const std::string &file,
       for (const char *quantity : {"wave number [1/m]", "attenuation [1/m]"})
         header.push_back(name + quantity);
     }
-  const std::vector<WaveLevel> levels = {WaveLevel::closed_formula, WaveLevel::membrane,
-                                         WaveLevel::womersley};
+  const std::vector<WaveLevel> levels =
+      only_long_waves ? std::vector<WaveLevel>{WaveLevel::womersley}
+                      : std::vector<WaveLevel>{WaveLevel::closed_formula, WaveLevel::membrane,
+                                               WaveLevel::womersley};
   for (const WaveLevel level : levels)
     for (const char *quantity : {": phase speed [m/s]", ": attenuation [1/m]"})
       header.push_back(word_of(wave_level_words(), level) + quantity);
@@ -63,7 +73,8 @@ void write_dispersion_table(const std::string &file,
   for (unsigned int i = 0; i < n_rows; ++i)
   {
     const double frequency = frequencies[i], omega = two_pi * frequency;
-    exact.evaluate(frequency, modes);
+    if (exact)
+      exact->evaluate(frequency, modes);
     std::vector<double> row = {frequency};
     for (unsigned int m = 0; m < modes.size(); ++m)
     {
@@ -72,7 +83,7 @@ void write_dispersion_table(const std::string &file,
           families[m] == ExactDispersion::axial_wave)
       {
         row.push_back(omega / k.real());
-        row.push_back(dispersion.group_speed({omega, -shift}, k));
+        row.push_back(dispersion->group_speed({omega, -shift}, k));
       }
       else
         row.push_back(k.real());

@@ -1,9 +1,11 @@
 #include <continua/analysis/linear_wave_theory.h>
 
 #include <continua/analysis/dispersion_table.h>
+#include <continua/analysis/loaded_tube_report.h>
 #include <continua/analysis/stream_report.h>
 #include <continua/analysis/wave_report.h>
 #include <continua/base/interruption.h>
+#include <continua/case/loaded_tube_case.h>
 #include <continua/case/measured_waves.h>
 #include <continua/case/tube_wave_case.h>
 #include <continua/postprocess/writing_rank.h>
@@ -102,9 +104,9 @@ Beats beats_of(const std::function<double(double)> &inlet, const double end_time
   return find_beats(samples);
 }
 
-/// rho c/A with Korteweg's speed of a thick wall at each station, where the wall's modulus depends
-/// on frequency that at `frequency` [Hz]; layers of liquid do not count. Empty where there is no
-/// tube, or no wave in it.
+/// rho c/A with Korteweg's speed of a thick wall (about a loaded state of the thin one) at each
+/// station, where the wall's modulus depends on frequency that at `frequency` [Hz]; layers of
+/// liquid do not count. Empty where there is no tube, or no wave in it.
 template <int dim>
 std::vector<double>
 impedances_of(const Case<dim> &input, const StationsProbe &probe, const double frequency)
@@ -132,7 +134,7 @@ impedances_of(const Case<dim> &input, const StationsProbe &probe, const double f
     const double speed =
         korteweg_speed(tube, section.hoop_modulus(omega),
                        section.tethered ? Anchoring::throughout : Anchoring::expansion_joints,
-                       WallTheory::thick)
+                       is_about_loaded_state(input) ? WallTheory::thin : WallTheory::thick)
             .real();
     impedances.push_back(
         characteristic_impedance(section.fluid.density, speed,
@@ -183,6 +185,7 @@ template <int dim>
 void LinearWaveTheory<dim>::name_quantities(const Case<dim> &input, QuantityNames &names)
 {
   name_all(input, false, names);
+  LoadedTubeReport<dim>::name_quantities(input, names);
   StreamReport<dim>::name_quantities(input, names);
 }
 
@@ -234,6 +237,7 @@ void LinearWaveTheory<dim>::perform()
     run.log.warning(
         "the histories and the dispersion are those of a liquid at rest; with Mean flow "
         "only the speeds on the stream are reported");
+  LoadedTubeReport<dim>::add(run);
   StreamReport<dim>::add(run);
   run.finish(0, end);
 }
@@ -370,7 +374,8 @@ void LinearWaveTheory<dim>::describe(const TubeWaveTheory &theory, const TubeWav
   try
   {
     write_dispersion_table(run.directory.file("dispersion.csv"),
-                           wave_case.problem.segments.front().section, highest);
+                           wave_case.problem.segments.front().section, highest,
+                           is_about_loaded_state(run.input));
   }
   catch (const RunError &error)
   {

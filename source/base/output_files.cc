@@ -25,6 +25,7 @@ const std::vector<std::string> &output_files()
                                                  "harmonic.csv",
                                                  "inflation.csv",
                                                  "input",
+                                                 "loaded-tube.csv",
                                                  "log.txt",
                                                  "modes.csv",
                                                  "modulus.csv",

@@ -1,5 +1,6 @@
 #include <continua/case/deformation_checks.h>
 
+#include <continua/case/loaded_tube_case.h>
 #include <continua/case/tangent_checks.h>
 #include <continua/continuum/rest_state.h>
 
@@ -239,6 +240,10 @@ void check_deformation(const Case<dim> &input, ParameterSection root)
       root.subsection("Wall directions")
           .refuse("", "fibres and prestretch are for finite deformation",
                   "Remove the section, or set Deformation = finite");
+    if (ParameterSection theory = root.subsection("Wave theory"); theory.given("Mean pressure"))
+      theory.refuse("Mean pressure",
+                    "with small deformation a mean pressure does not change the waves",
+                    "Leave the entry out, or set Deformation = finite");
     if (problem.finds_unloaded_shape())
       root.refuse("Unloaded shape",
                   "with small deformation the shape of the mesh is also the one without load",
@@ -246,8 +251,10 @@ void check_deformation(const Case<dim> &input, ParameterSection root)
     return;
   }
   if (!input.analysis.has_fields)
-    root.refuse("Deformation", "wave theory is linear",
-                "Set Deformation = small, or Analysis = transient");
+    return check_loaded_tube(input, root);
+  if (ParameterSection theory = root.subsection("Wave theory"); theory.given("Mean pressure"))
+    theory.refuse("Mean pressure", "a run has the pressures that act on the body",
+                  "Leave the entry out, or set Analysis = linear wave theory");
   if (input.analysis.is_modal())
     root.refuse("Deformation", "vibrations are linear", "Set Deformation = small");
   if (problem.model == Model::plane_stress)

@@ -1,5 +1,6 @@
 #include <continua/case/tube_wave_case.h>
 
+#include <continua/case/loaded_tube_case.h>
 #include <continua/theory/korteweg.h>
 #include <continua/vessel/tube_law.h>
 
@@ -75,6 +76,15 @@ std::string read_wall_end(const Case<dim> &input, const std::string &boundary, W
 
 template <int dim>
 TubeSection tube_section_at(const Case<dim> &input, const TubeLaw &law, const double z)
+{
+  const TubeSection section = tube_section_of_mesh(input, law, z);
+  return is_about_loaded_state(input)
+             ? LoadedTube(section).section_about(input.wave_theory.mean_pressure)
+             : section;
+}
+
+template <int dim>
+TubeSection tube_section_of_mesh(const Case<dim> &input, const TubeLaw &law, const double z)
 {
   TubeSection section;
   section.inner_radius = 0.5 * law.inner_diameter(z);
@@ -342,6 +352,8 @@ template double direction_of_pulse(const Case<2> &, unsigned int);
 template double direction_of_pulse(const Case<3> &, unsigned int);
 template TubeSection tube_section_at(const Case<2> &, const TubeLaw &, double);
 template TubeSection tube_section_at(const Case<3> &, const TubeLaw &, double);
+template TubeSection tube_section_of_mesh(const Case<2> &, const TubeLaw &, double);
+template TubeSection tube_section_of_mesh(const Case<3> &, const TubeLaw &, double);
 template std::string why_no_tube_of_liquid(const Case<2> &);
 template std::string why_no_tube_of_liquid(const Case<3> &);
 template std::string make_tube_wave_case(const Case<2> &, TubeWaveCase &);

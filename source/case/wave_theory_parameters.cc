@@ -59,6 +59,11 @@ void WaveTheoryParameters::read(ParameterSection section)
   section.add("Highest frequency", highest_frequency, Dimensions::frequency,
               "Of the dispersion table [Hz]; 0: the highest one kept of the inlet's spectrum.",
               Range::not_negative());
+  section.add("Mean pressure", mean_pressure, Dimensions::pressure,
+              "With Deformation = finite: the pressure in the tube about which the waves run. It "
+              "inflates the tube from the shape of the mesh; the pressures of waves count from it "
+              "[Pa].",
+              Range::not_negative());
   section.add(
       "Mean flow", stream.mean_velocity, Dimensions::velocity,
       "Mean velocity over the section of a stream in the tube: the speeds of waves with and "

@@ -51,7 +51,9 @@ MetricHistory<dim>::MetricHistory(const Space<dim> &space, const Problem &proble
       if (!std::isinf(branch.relaxation_time))
         branches.back().push_back(branch);
     n_branches = std::max(n_branches, branches.back().size());
+    balanced_weights.emplace_back(branches.back().size(), MetricWeights(0.));
   }
+  step_weights = balanced_weights;
   metrics.resize(n_branches);
   elements.push_back(FESystem<dim>(FE_Nothing<dim>(), n_stresses<dim>()));
   elements.push_back(FESystem<dim>(
@@ -146,16 +148,14 @@ void MetricHistory<dim>::start(const unsigned int cell, const unsigned int q, co
 template <int dim>
 void MetricHistory<dim>::predict(const Step &step)
 {
-  balanced_weights.assign(branches.size(), {});
-  step_weights.assign(branches.size(), {});
   // What the body comes to at rest does not depend on how long the steps on the way there are.
   const double size = step.is_towards_rest ? std::numeric_limits<double>::infinity() : step.size();
   for (std::size_t region = 0; region < branches.size(); ++region)
-    for (const Branch &branch : branches[region])
+    for (std::size_t k = 0; k < branches[region].size(); ++k)
     {
-      balanced_weights[region].emplace_back((step.extrapolate ? 0.5 : 1.) * size /
-                                            branch.relaxation_time);
-      step_weights[region].emplace_back(size / branch.relaxation_time);
+      const double ratio = size / branches[region][k].relaxation_time;
+      balanced_weights[region][k] = MetricWeights(step.extrapolate ? 0.5 * ratio : ratio);
+      step_weights[region][k] = MetricWeights(ratio);
     }
   for (const auto &cell : space.triangulation.active_cell_iterators())
   {

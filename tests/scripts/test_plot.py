@@ -367,6 +367,21 @@ class Waves(unittest.TestCase):
             self.assertEqual(sorted(os.listdir(os.path.join(folder, "plots"))),
                              [f"{kind}.{end}" for kind in ("dispersion", "spin-coating") for end in ("csv", "png", "svg")])
 
+    def test_about_a_loaded_state(self):
+        with tempfile.TemporaryDirectory() as folder:
+            write(os.path.join(folder, "dispersion.csv"), "frequency [Hz],womersley: phase speed [m/s],womersley: attenuation [1/m]\n1,2,0.1\n10,2.1,0.3\n")
+            write(os.path.join(folder, "loaded-tube.csv"),
+                  "pressure [Pa],inner radius [m],outer radius [m],distensibility [1/Pa],speed of long waves [m/s]\n"
+                  "0,5e-4,8e-4,7e-4,1.2\n10000,1.2e-3,1.4e-3,2e-5,7\n")
+            done = plot(folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(sorted(os.listdir(os.path.join(folder, "plots"))),
+                             [f"{kind}.{end}" for kind in ("dispersion", "loaded-tube") for end in ("csv", "png", "svg")])
+            with open(os.path.join(folder, "plots", "loaded-tube.svg"), encoding="utf-8") as stream:
+                drawn = stream.read()
+            for text in ("Inner radius [mm]", "Speed of long waves [m/s]", "Pressure [kPa]"):
+                self.assertIn(text, drawn)
+
 
 class Material(unittest.TestCase):
     def test_files(self):

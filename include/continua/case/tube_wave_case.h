@@ -44,9 +44,14 @@ double direction_of_pulse(const Case<dim> &input, unsigned int branch);
 template <int dim>
 std::string read_wall_end(const Case<dim> &input, const std::string &boundary, WallEnd &wall_end);
 
-/// The cross-section at z [m] of the case's tube, or of a branch of its vessel, with that law.
+/// The cross-section at z [m] of the case's tube, or of a branch of its vessel, with that law, as
+/// waves find it. About a loaded state it is LoadedTube::section_about(), and throws as that does.
 template <int dim>
 TubeSection tube_section_at(const Case<dim> &input, const TubeLaw &law, double z);
+
+/// The same in the shape of the mesh.
+template <int dim>
+TubeSection tube_section_of_mesh(const Case<dim> &input, const TubeLaw &law, double z);
 
 /// Sets how the outer surface of a section is held and supported.
 void set_hold(const BoundaryCondition &outside, TubeSection &section);

@@ -31,6 +31,7 @@ struct WaveTheoryParameters
   unsigned int computed_sections = 0;          ///< of its segments; 0: by the tube's law
   double spectral_tolerance = 1e-5;            ///< of the inlet's spectrum
   double highest_frequency = 0.; ///< [Hz] of the dispersion table; 0: that of the inlet
+  double mean_pressure = 0.;     ///< about which the waves run, with finite deformation [Pa]
   Stream stream;                 ///< a mean velocity of zero: there is none
   double stream_frequency = 0.;  ///< [Hz] of the waves in the viscous stream; 0: none
 
