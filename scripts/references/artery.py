@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Inflation of an artery of two layers with an axial prestretch and an opening angle: the numbers of the files artery-*.prm and
+"""Inflation of an artery of two layers with an axial prestretch and an opening angle: the numbers of the files artery-*.prm,
 unloaded-shape-artery.prm and loaded-artery.prm.
 
     scripts/references/artery.py
@@ -18,8 +18,8 @@ import math
 # Of a rabbit's carotid artery: shear modulus, k1 [Pa], k2 [1], angle of the fibres from the circumference, thickness [m]
 # (G. A. Holzapfel, T. C. Gasser, R. W. Ogden, J. Elasticity 61 (2000) 1).
 MEDIA = (3000.0, 2363.2, 0.8393, math.radians(29), 0.26e-3)
-DENSITY = 1060.0  # of the liquid, in the speed of waves [kg/m^3]
 ADVENTITIA = (300.0, 562.0, 0.7112, math.radians(62), 0.13e-3)
+DENSITY = 1060.0  # of the liquid, in the speed of waves [kg/m^3]
 
 
 def differences(layer, across, around, along):

@@ -64,7 +64,9 @@ void ClosedFormWaves::evaluate(const double frequency, std::vector<WaveMode> &mo
   {
     mode.wall_displacement =
         mode.wave_number * mode.junction[WaveMode::flow_rate] / (2. * PI * radius * omega);
-    mode.hoop_stress = radius / thickness;
+    // Of p R/h, whose h becomes thinner, dh = -h/(R + h) dR, where there is a mean pressure.
+    mode.hoop_stress = radius / thickness + section.mean_pressure * mode.wall_displacement *
+                                                (1. + radius / (radius + thickness)) / thickness;
   }
   modes.assign(1, mode);
 }

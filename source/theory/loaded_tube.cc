@@ -8,6 +8,7 @@
 
 #include <gsl/gsl_integration.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -32,7 +33,7 @@ double square_of(const double x)
 /// Of a stress over a layer. It has a bend where fibres begin to bear.
 const auto integrate_stress = [](const auto &integrand, const double begin, const double end)
 {
-  static const QIterated<1> quadrature(QGauss<1>(8), 64);
+  static const QIterated<1> quadrature(QGauss<1>(8), 32);
   double sum = 0.;
   for (unsigned int q = 0; q < quadrature.size(); ++q)
     sum += quadrature.weight(q) * integrand(begin + quadrature.point(q)[0] * (end - begin));
@@ -143,13 +144,18 @@ double LoadedTube::inner_radius(const double wanted) const
 
 double LoadedTube::inner_radius(const double wanted, const double start) const
 {
-  constexpr double down = 0.9, up = 1.01, farthest = 50.;
+  constexpr double down = 0.9, up = 1.02, farthest = 50.;
+  // A ring that was opened has a much smaller radius when it is closed.
+  double volume_ratio = 1.;
+  for (const Material &layer : mesh.layers)
+    volume_ratio = std::min(volume_ratio, layer.prestretch.volume_ratio(1.));
+  const double smallest = mesh.inner_radius * volume_ratio / farthest;
   double low = start;
   while (!(pressure(low) < wanted))
   {
     low *= down;
-    if (low * farthest < mesh.inner_radius)
-      throw std::domain_error("Its wall holds no pressure.");
+    if (low < smallest)
+      throw std::domain_error("no radius was found at which the wall balances a pressure.");
   }
   double high = low, reached = pressure(low);
   while (reached < wanted)
@@ -160,7 +166,7 @@ double LoadedTube::inner_radius(const double wanted, const double start) const
     if (!(next > reached) || high > farthest * mesh.inner_radius)
     {
       std::ostringstream text;
-      text << "Its pressure rises no further than " << reached << " Pa, at the inner radius of "
+      text << "its pressure rises no further than " << reached << " Pa, at the inner radius of "
            << low << " m.";
       throw std::domain_error(text.str());
     }
@@ -220,6 +226,7 @@ TubeSection LoadedTube::section_about(const double pressure) const
 
   TubeSection section = mesh;
   section.inner_radius = a;
+  section.mean_pressure = pressure;
   section.layer_thicknesses = {thickness};
   section.layers = {wall};
   section.tethered = true;

@@ -1,6 +1,7 @@
 // A tube under pressure in finite deformation: closed form of rubber, the quadrature of another
 // program for an artery, Lame's tube as the limit, and a branch that relaxes.
 
+#include <continua/theory/closed_form_waves.h>
 #include <continua/theory/korteweg.h>
 #include <continua/theory/loaded_tube.h>
 
@@ -58,6 +59,7 @@ TubeSection artery(const double inner_radius, const double opening_angle)
     layer.prestretch.axial = 1.7;
     layer.prestretch.opening_angle = opening_angle * degree;
   }
+  layers[1].density = 1200.;
   return tube(inner_radius, {0.26e-3, 0.13e-3}, layers);
 }
 
@@ -165,7 +167,46 @@ UNIT_TEST(loaded_tube)
                   shear.branches.at(0).shear_modulus * of_thin_layer, rubber.stiffness(a), 1e-9);
   // Mass of the wall over its present area: that at rest over the area at rest here.
   check::relative("density", section.layers.at(0).density, 1050., 1e-12);
-  check::relative("density of a stretched artery", about.layers.at(0).density, 1050., 1e-12);
+  // By the areas of the layers, 0.26 and 0.13 mm from 1.43 mm on.
+  check::relative("density of a stretched artery", about.layers.at(0).density,
+                  (1050. * 0.8112 + 1200. * 0.4563) / (0.8112 + 0.4563), 1e-12);
+
+  // Two layers with a branch each and a prestretch: J0 = 1/1.5, 2 mm and 1 mm from 10 mm on. About
+  // the state of the inner radius 12 mm the layers are between r^2 = 144, 144 + 44/1.5 and
+  // 144 + 69/1.5 mm^2.
+  Material first = layer_of(1e5), second = layer_of(3e5);
+  first.shear.branches.push_back({5e4, 0.3});
+  second.shear.branches.push_back({2e4, 0.1});
+  for (Material *const layer : {&first, &second})
+    layer->prestretch.axial = 1.5;
+  const LoadedTube two_layers(tube(0.01, {2e-3, 1e-3}, {first, second}));
+  const TubeSection two = two_layers.section_about(two_layers.pressure(0.012));
+  const double inside = 144e-6, middle = inside + 44e-6 / 1.5, outside = inside + 69e-6 / 1.5,
+               thickness = std::sqrt(outside) - std::sqrt(inside);
+  const auto part = [&](const double inner_square, const double outer_square)
+  { return std::pow(0.012, 3) * (1. / inner_square - 1. / outer_square) / (2. * thickness); };
+  check::relative("two layers: branch of the inner one",
+                  two.layers.at(0).shear.branches.at(1).shear_modulus, 5e4 * part(inside, middle),
+                  1e-9);
+  check::relative("two layers: branch of the outer one",
+                  two.layers.at(0).shear.branches.at(2).shear_modulus, 2e4 * part(middle, outside),
+                  1e-9);
+
+  // The mean hoop stress is p a/h.
+  const double mean = 13.33e3, change = 1.;
+  const auto hoop = [&](const double pressure)
+  {
+    const double inner = opened.inner_radius(pressure);
+    return pressure * inner / (opened.outer_radius(inner) - inner);
+  };
+  std::vector<WaveMode> modes;
+  ClosedFormWaves(about, WaveLevel::womersley, 0.).evaluate(1e-3, modes);
+  check::relative("hoop stress of a wave", modes.at(0).hoop_stress.real(),
+                  (hoop(mean + change) - hoop(mean - change)) / (2. * change), 1e-4);
+
+  // A ring that opens nearly by a full turn.
+  const LoadedTube wide(artery(20e-3, 350.));
+  check::relative("opening angle of 350 degrees", wide.pressure(wide.inner_radius(5e3)), 5e3, 1e-9);
 
   check::throws<std::invalid_argument>(
       "a compressible layer",

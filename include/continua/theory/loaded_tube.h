@@ -3,7 +3,6 @@
 
 #include <continua/theory/tube_section.h>
 
-#include <string>
 #include <vector>
 
 namespace Continua
@@ -31,7 +30,7 @@ public:
   double pressure(double inner_radius) const;
   /// dp/da [Pa/m], all branches relaxed.
   double stiffness(double inner_radius) const;
-  /// a [m] under a pressure that rises slowly from zero. Throws std::domain_error if the tube has
+  /// a [m] under that pressure, on the way up from a pressure below it. Throws std::domain_error if the tube has
   /// a largest pressure below this one, or holds no pressure.
   double inner_radius(double pressure) const;
   /// The same, found faster from a radius that is near.

@@ -12,6 +12,7 @@ namespace Continua
 struct TubeSection
 {
   double inner_radius = 0.01; ///< R [m]
+  double mean_pressure = 0.;  ///< of the loaded state whose radius and wall these are [Pa]
   Material fluid;
   std::vector<double>
       layer_thicknesses;        ///< from the inner to the outer layer [m]; empty: rigid wall
