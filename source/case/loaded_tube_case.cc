@@ -65,13 +65,10 @@ void check_loaded_tube(const Case<dim> &input, ParameterSection root)
   if (input.problem.convection.is_on)
     root.refuse("Convection", "wave theory is linear", "Set Convection = none");
   if (input.problem.finds_unloaded_shape())
-    root.refuse("Unloaded shape", "wave theory inflates the tube from the shape of the mesh",
-                "Set Unloaded shape = mesh, and give the radii that the wall has without load (those of "
-                "the opened ring beside an Opening angle)");
-  if (root.has_subsection("Wall directions"))
-    root.subsection("Wall directions")
-        .refuse("", "the fibres of a tube of theory have the directions of the tube",
-                "Remove the section");
+    root.refuse(
+        "Unloaded shape", "wave theory inflates the tube from the shape of the mesh",
+        "Set Unloaded shape = mesh, and give the radii that the wall has without load (those of "
+        "the opened ring beside an Opening angle)");
   ParameterSection theory = root.subsection("Wave theory");
   if (input.wave_theory.level != WaveLevel::womersley)
     theory.refuse(theory.given("Level") ? "Level" : "",
@@ -81,9 +78,10 @@ void check_loaded_tube(const Case<dim> &input, ParameterSection root)
     theory.refuse("Mean flow", "about a loaded state theory has the liquid at rest",
                   "Leave the entry out, or set Deformation = small");
   if (!theory.given("Mean pressure"))
-    theory.refuse_missing("the entry 'Mean pressure' is missing: with Deformation = finite the waves "
-                          "run about the state under it",
-                          "Add 'set Mean pressure = ...', which may be 0 Pa");
+    theory.refuse_missing(
+        "the entry 'Mean pressure' is missing: with Deformation = finite the waves "
+        "run about the state under it",
+        "Add 'set Mean pressure = ...', which may be 0 Pa");
   check_layers(input.problem, root.subsection("Materials"));
   check_outside(input, root.subsection("Boundaries"));
   TubeWaveCase wave_case;

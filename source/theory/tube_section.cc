@@ -40,10 +40,10 @@ bool is_same(const Material &a, const Material &b)
 bool operator==(const TubeSection &a, const TubeSection &b)
 {
   return a.inner_radius == b.inner_radius && a.mean_pressure == b.mean_pressure &&
-         a.tethered == b.tethered &&
-         a.radial_stiffness == b.radial_stiffness && a.radial_damping == b.radial_damping &&
-         a.axial_stiffness == b.axial_stiffness && a.axial_damping == b.axial_damping &&
-         a.layer_thicknesses == b.layer_thicknesses && is_same(a.fluid, b.fluid) &&
+         a.tethered == b.tethered && a.radial_stiffness == b.radial_stiffness &&
+         a.radial_damping == b.radial_damping && a.axial_stiffness == b.axial_stiffness &&
+         a.axial_damping == b.axial_damping && a.layer_thicknesses == b.layer_thicknesses &&
+         is_same(a.fluid, b.fluid) &&
          std::equal(a.layers.begin(), a.layers.end(), b.layers.begin(), b.layers.end(), is_same);
 }
 
