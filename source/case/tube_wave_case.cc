@@ -265,7 +265,7 @@ std::string why_not_covered(const Case<dim> &input, const std::vector<VesselBran
   if (branches.size() > 1)
   {
     // How a wall's axial motion goes on into the branches depends on the junction.
-    if (!outside->tangential.is_fixed())
+    if (outside == nullptr || !outside->tangential.is_fixed())
       return "the vessel divides, and its wall is not held axially (outside: Tangential = fixed)";
     if (input.wave_theory.far_end == FarEnd::branches)
       return "the vessel divides, and 'Wave theory/Far end' gives it other branches";
