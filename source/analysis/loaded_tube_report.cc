@@ -5,7 +5,6 @@
 #include <continua/case/tube_wave_case.h>
 #include <continua/theory/korteweg.h>
 
-#include <cmath>
 #include <sstream>
 #include <stdexcept>
 

@@ -91,7 +91,7 @@ void check_loaded_tube(const Case<dim> &input, ParameterSection root)
   }
   catch (const std::domain_error &error)
   {
-    theory.refuse(theory.given("Mean pressure") ? "Mean pressure" : "",
+    theory.refuse("Mean pressure",
                   std::string("the tube does not bear the mean pressure: ") + error.what(),
                   "Give a lower pressure or a stiffer wall");
   }

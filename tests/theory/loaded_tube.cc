@@ -107,27 +107,25 @@ UNIT_TEST(loaded_tube)
     double pressure, inner_radius, outer_radius, distensibility;
   };
   const LoadedTube closed(artery(0.71e-3, 0.)), opened(artery(1.43e-3, 160.));
-  for (const Row &row : {Row{0., 0.4778812e-3, 0.8022504e-3, 6.532547e-4},
-                         Row{5e3, 1.0622350e-3, 1.2424083e-3, 5.984159e-5},
-                         Row{13.33e3, 1.1892885e-3, 1.3526427e-3, 1.350235e-5}})
+  const auto compare =
+      [](const std::string &name, const LoadedTube &tube, const std::vector<Row> &rows)
   {
-    const double inner = closed.inner_radius(row.pressure);
-    check::relative("closed ring: inner radius", inner, row.inner_radius, 2e-7);
-    check::relative("closed ring: outer radius", closed.outer_radius(inner), row.outer_radius,
-                    2e-7);
-    check::relative("closed ring: distensibility", closed.distensibility(inner), row.distensibility,
-                    1e-6);
-  }
-  for (const Row &row : {Row{0., 0.4923582e-3, 0.8103285e-3, 6.704961e-4},
-                         Row{13.33e3, 1.2743468e-3, 1.4276468e-3, 1.462897e-5}})
-  {
-    const double inner = opened.inner_radius(row.pressure);
-    check::relative("opened ring: inner radius", inner, row.inner_radius, 2e-7);
-    check::relative("opened ring: outer radius", opened.outer_radius(inner), row.outer_radius,
-                    2e-7);
-    check::relative("opened ring: distensibility", opened.distensibility(inner), row.distensibility,
-                    1e-6);
-  }
+    for (const Row &row : rows)
+    {
+      const double inner = tube.inner_radius(row.pressure);
+      check::relative(name + ": inner radius", inner, row.inner_radius, 2e-7);
+      check::relative(name + ": outer radius", tube.outer_radius(inner), row.outer_radius, 2e-7);
+      check::relative(name + ": distensibility", tube.distensibility(inner), row.distensibility,
+                      1e-6);
+    }
+  };
+  compare("closed ring", closed,
+          {{0., 0.4778812e-3, 0.8022504e-3, 6.532547e-4},
+           {5e3, 1.0622350e-3, 1.2424083e-3, 5.984159e-5},
+           {13.33e3, 1.1892885e-3, 1.3526427e-3, 1.350235e-5}});
+  compare("opened ring", opened,
+          {{0., 0.4923582e-3, 0.8103285e-3, 6.704961e-4},
+           {13.33e3, 1.2743468e-3, 1.4276468e-3, 1.462897e-5}});
   // The thin layer that stands for the wall: the same speed, 1/sqrt(rho D), from Korteweg's
   // formula.
   const TubeSection about = opened.section_about(13.33e3);

@@ -31,7 +31,7 @@ public:
   /// dp/da [Pa/m], all branches relaxed.
   double stiffness(double inner_radius) const;
   /// a [m] under that pressure, on the way up from a pressure below it. Throws std::domain_error if
-  /// the tube has a largest pressure below this one, or holds no pressure.
+  /// the tube has a largest pressure below this one, or no balance at a small radius.
   double inner_radius(double pressure) const;
   /// The same, found faster from a radius that is near.
   double inner_radius(double pressure, double start) const;
