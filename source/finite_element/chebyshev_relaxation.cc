@@ -12,24 +12,26 @@ constexpr double eigenvalue_ratio = 8.;
 } // namespace
 
 template <int dim>
-ChebyshevRelaxation<dim>::ChebyshevRelaxation(const Space<dim> &space,
-                                              const BoundaryConstraints<dim> &constraints,
+ChebyshevRelaxation<dim>::ChebyshevRelaxation(const Product &cells,
                                               const typename Product::Coefficients &coefficients,
-                                              const std::vector<unsigned int> &fluid,
-                                              const InstructionSet instruction_set)
-    : product(make_matrix_free_product<dim, float>(
-          instruction_set,
-          {space.mapping, space.velocity_dofs, constraints.all(), space.is_axisymmetric()}))
+                                              const std::vector<unsigned int> &fluid)
+    : product(cells.share()), product_at_fluid(cells.share())
 {
   product->set(coefficients);
+  product_at_fluid->set(coefficients);
   product->initialise(source_entries);
   product->initialise(target_entries);
   product->find_diagonal(target_entries);
+  std::vector<bool> is_fluid(source_entries.locally_owned_size(), false);
   for (const unsigned int i : fluid)
     if (target_entries.local_element(i) > 0.f) // else constrained
+    {
+      is_fluid[i] = true;
       source_entries.local_element(i) = 1.f / target_entries.local_element(i);
+    }
+  product_at_fluid->restrict_to(is_fluid);
   polynomial = std::make_unique<ChebyshevPolynomial>(
-      [this](Vector &target, const Vector &source) { product->multiply(target, source); },
+      [this](Vector &target, const Vector &source) { product_at_fluid->multiply(target, source); },
       source_entries, polynomial_degree, eigenvalue_ratio);
 }
 

@@ -356,10 +356,10 @@ void IterativeStepSolver<dim>::make_velocity_inverse(
   std::unique_ptr<VelocityRelaxation> relaxation;
   if (made.has_fluid && is_matrix_free)
     relaxation = std::make_unique<ChebyshevRelaxation<dim>>(
-        space, constraints,
+        single_precision_cells(),
         typename ChebyshevRelaxation<dim>::Product::Coefficients{
             coefficients.mass, coefficients.stiffness, volumetric.coefficients},
-        parts.fluid, parameters.instruction_set);
+        parts.fluid);
   else if (made.has_fluid)
     relaxation = std::make_unique<MatrixRelaxation>(made.velocity_matrix, parts);
   if (has_joint_block)
@@ -406,9 +406,19 @@ void IterativeStepSolver<dim>::assemble_rows(const std::vector<unsigned int> *co
 }
 
 template <int dim>
+const MatrixFreeProduct<dim, float> &IterativeStepSolver<dim>::single_precision_cells()
+{
+  if (!single_precision_product)
+    single_precision_product = make_matrix_free_product<dim, float>(
+        parameters.instruction_set,
+        {space.mapping, space.velocity_dofs, constraints.all(), space.is_axisymmetric()});
+  return *single_precision_product;
+}
+
+template <int dim>
 std::unique_ptr<VelocityCycle>
-IterativeStepSolver<dim>::make_polynomial_multigrid(const Preconditioner &made,
-                                                    const std::vector<double> &volumetric) const
+IterativeStepSolver<dim>::make_polynomial_multigrid(Preconditioner &made,
+                                                    const std::vector<double> &volumetric)
 {
   std::unique_ptr<TrilinosWrappers::SparseMatrix> supports;
   if (matrix_free_velocity->support_matrix() != nullptr)
@@ -416,12 +426,20 @@ IterativeStepSolver<dim>::make_polynomial_multigrid(const Preconditioner &made,
     supports = std::make_unique<TrilinosWrappers::SparseMatrix>();
     supports->copy_from(*matrix_free_velocity->support_matrix());
   }
-  return std::make_unique<PolynomialMultigrid<dim>>(
-      space, constraints,
+  auto result = std::make_unique<PolynomialMultigrid<dim>>(
+      single_precision_cells(), space, constraints,
       typename PolynomialMultigrid<dim>::Product::Coefficients{coefficients.mass,
                                                                coefficients.stiffness, volumetric},
       made.is_stiff, divergence, made.augmentation, std::move(supports),
-      parameters.instruction_set);
+      parameters.stiff_block_limits.linear_bytes_per_unknown * n_unknowns());
+  made.multigrid_name = result->name();
+  return result;
+}
+
+template <int dim>
+double IterativeStepSolver<dim>::n_unknowns() const
+{
+  return static_cast<double>(space.velocity_dofs.n_dofs() + space.pressure_dofs.n_dofs());
 }
 
 template <int dim>
@@ -438,7 +456,7 @@ double IterativeStepSolver<dim>::most_factor_bytes(const unsigned int n_stiff) c
     return 0.;
   if (n_stiff > limits.largest || n_stiff > limits.largest_share * static_cast<double>(n_velocity))
     return 0.;
-  return limits.bytes_per_unknown * static_cast<double>(n_velocity + space.pressure_dofs.n_dofs());
+  return limits.bytes_per_unknown * n_unknowns();
 }
 
 template <int dim>
@@ -563,7 +581,7 @@ IterativeStepSolver<dim>::new_preconditioner()
   if (n_stiff > 0)
     text << "; stiff block: "
          << (parts.stiff_is_direct            ? made->velocity->factor()->name()
-             : made->has_polynomial_multigrid ? "polynomial multigrid"
+             : made->has_polynomial_multigrid ? made->multigrid_name
                                               : "algebraic multigrid");
   if (!parts.stiff_is_direct && refused_factor && refused_factor->n_stiff == n_stiff)
     text << ", since a factor would need " << memory_text(refused_factor->bytes);

@@ -1,9 +1,16 @@
 #include <continua/finite_element/polynomial_multigrid.h>
 #include <continua/finite_element/velocity_nodes.h>
+#include <continua/linear_algebra/block_factor.h>
+#include <continua/linear_algebra/block_multigrid.h>
 #include <continua/linear_algebra/matrix_operator.h>
 #include <continua/linear_algebra/matrix_product.h>
 
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace Continua
@@ -12,13 +19,54 @@ using namespace dealii;
 
 namespace
 {
-constexpr unsigned int polynomial_degree = 3;
+// For cells as long as thick.
+constexpr unsigned int least_degree = 3;
 /// Of the largest to the smallest eigenvalue that are damped. The linear velocities take the rest.
 constexpr double eigenvalue_ratio = 10.;
+/// The degree for each length of a cell over its thickness. A polynomial damps a range of
+/// eigenvalues that grows with the square of its degree.
+constexpr double degree_of_shape = 1.2;
+/// More products than these cost more than the iterations that they save.
+constexpr unsigned int largest_degree = 24;
+
+/// The geometric mean of the longest over the shortest distance between opposite faces [1], of the
+/// cells whose interior velocities are stiff on all ranks; 1 if there are none.
+template <int dim>
+double mean_cell_shape(const Space<dim> &space, const std::vector<bool> &stiff)
+{
+  std::vector<double> sums = {0., 0.}; // of the logarithms, and the number of cells
+  std::vector<types::global_dof_index> indices(space.velocity_element.n_dofs_per_cell());
+  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+    if (cell->is_locally_owned())
+    {
+      cell->get_dof_indices(indices);
+      // The last ones belong to this cell alone.
+      if (!stiff[space.velocity_owned.index_within_set(indices.back())])
+        continue;
+      double longest = 0., shortest = std::numeric_limits<double>::max();
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        const double length = cell->face(2 * d)->center().distance(cell->face(2 * d + 1)->center());
+        longest = std::max(longest, length);
+        shortest = std::min(shortest, length);
+      }
+      sums[0] += std::log(longest / shortest);
+      sums[1] += 1.;
+    }
+  Utilities::MPI::sum(sums, space.communicator, sums);
+  return sums[1] > 0. ? std::exp(sums[0] / sums[1]) : 1.;
+}
+
+unsigned int degree_for(const double cell_shape)
+{
+  return std::clamp(static_cast<unsigned int>(std::lround(degree_of_shape * cell_shape)),
+                    least_degree, largest_degree);
+}
 } // namespace
 
 template <int dim>
 PolynomialMultigrid<dim>::PolynomialMultigrid(
+    const Product &cells,
     const Space<dim> &space,
     const BoundaryConstraints<dim> &constraints,
     const typename Product::Coefficients &coefficients,
@@ -26,19 +74,19 @@ PolynomialMultigrid<dim>::PolynomialMultigrid(
     const TrilinosWrappers::SparseMatrix &divergence,
     const DistributedVector &weights,
     std::unique_ptr<TrilinosWrappers::SparseMatrix> supports_of_boundaries,
-    const InstructionSet instruction_set)
+    const double most_factor_bytes)
     : supports(std::move(supports_of_boundaries)),
       linear_velocities(space, constraints, stiff),
-      product(make_matrix_free_product<dim, float>(
-          instruction_set,
-          {space.mapping, space.velocity_dofs, constraints.all(), space.is_axisymmetric()})),
+      product(cells.share()),
       augmentation(divergence, weights),
+      degree(degree_for(mean_cell_shape(space, stiff))),
       fine(space.velocity_vector()),
       support_force(space.velocity_vector()),
       coarse_source(linear_velocities.vector()),
       coarse_solution(linear_velocities.vector())
 {
   product->set({coefficients.mass, coefficients.stiffness, {}});
+  product->restrict_to(stiff);
   for (Vector *const vector : {&right_hand_side, &solution, &residual, &correction})
     product->initialise(*vector);
 
@@ -61,16 +109,42 @@ PolynomialMultigrid<dim>::PolynomialMultigrid(
     }
   relaxation = std::make_unique<ChebyshevPolynomial>(
       [this](Vector &target, const Vector &source) { multiply(target, source); }, inverse_diagonal,
-      polynomial_degree, eigenvalue_ratio);
+      degree,
+      eigenvalue_ratio * Utilities::fixed_power<2>(static_cast<double>(degree) / least_degree));
+  make_coarse_cycle(coefficients, space, most_factor_bytes);
+}
 
+template <int dim>
+void PolynomialMultigrid<dim>::make_coarse_cycle(const typename Product::Coefficients &coefficients,
+                                                 const Space<dim> &space,
+                                                 const double most_factor_bytes)
+{
   TrilinosWrappers::SparseMatrix coarse_matrix;
   linear_velocities.assemble({coefficients.mass, coefficients.stiffness, coefficients.volumetric},
                              supports.get(), coarse_matrix);
-  VelocityBlocks blocks;
-  blocks.n_components = dim;
-  blocks.modes = rigid_motions(space.mapping, linear_velocities.dofs());
-  coarse_cycle =
-      std::make_unique<BlockMultigrid>(coarse_matrix, linear_velocities.stiff_rows(), blocks);
+  try
+  {
+    auto factor = std::make_unique<BlockFactor>(coarse_matrix, linear_velocities.stiff_rows(),
+                                                most_factor_bytes);
+    coarse_name = factor->factor().name();
+    coarse_cycle = std::move(factor);
+  }
+  catch (const FactorTooLarge &)
+  {
+    VelocityBlocks blocks;
+    blocks.n_components = dim;
+    blocks.modes = rigid_motions(space.mapping, linear_velocities.dofs());
+    coarse_cycle =
+        std::make_unique<BlockMultigrid>(coarse_matrix, linear_velocities.stiff_rows(), blocks);
+    coarse_name = "algebraic multigrid";
+  }
+}
+
+template <int dim>
+std::string PolynomialMultigrid<dim>::name() const
+{
+  return "polynomial multigrid (degree " + std::to_string(degree) +
+         ", linear velocities: " + coarse_name + ")";
 }
 
 template <int dim>

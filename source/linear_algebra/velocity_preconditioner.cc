@@ -1,5 +1,6 @@
 #include <continua/linear_algebra/block_multigrid.h>
 #include <continua/linear_algebra/matrix_product.h>
+#include <continua/linear_algebra/sub_matrix.h>
 #include <continua/linear_algebra/velocity_preconditioner.h>
 
 #include <deal.II/base/mpi.h>
@@ -24,15 +25,10 @@ VelocityPreconditioner::VelocityPreconditioner(
 {
   if (!has_stiff)
     return;
-  if (!blocks.stiff_is_direct)
-  {
+  if (blocks.stiff_is_direct)
+    stiff_factor = std::make_unique<BlockFactor>(matrix, blocks.stiff, blocks.most_factor_bytes);
+  else
     stiff_multigrid = std::make_unique<BlockMultigrid>(matrix, blocks.stiff, blocks);
-    return;
-  }
-  stiff = std::make_unique<SubMatrix>(matrix.trilinos_matrix(), blocks.stiff);
-  part.resize(blocks.stiff.size());
-  stiff_factor = make_block_factor(stiff->lower_triangle(), stiff->owned(),
-                                   blocks.most_factor_bytes, matrix.get_mpi_communicator());
 }
 
 VelocityPreconditioner::VelocityPreconditioner(
@@ -81,11 +77,7 @@ void VelocityPreconditioner::add_stiff(DistributedVector &target, const Distribu
                                pressure_work.begin());
   }
   else if (stiff_factor)
-  {
-    stiff->gather(source.begin(), part.data());
-    stiff_factor->solve(part);
-    stiff->scatter_add(part.data(), target.begin());
-  }
+    stiff_factor->add_cycle(target, source);
   else
     stiff_multigrid->add_cycle(target, source);
 }

@@ -1,9 +1,7 @@
 #ifndef continua_finite_element_chebyshev_relaxation_h
 #define continua_finite_element_chebyshev_relaxation_h
 
-#include <continua/finite_element/boundary_constraints.h>
 #include <continua/finite_element/matrix_free_product.h>
-#include <continua/finite_element/space.h>
 #include <continua/linear_algebra/chebyshev_polynomial.h>
 #include <continua/linear_algebra/velocity_relaxation.h>
 
@@ -24,13 +22,11 @@ class ChebyshevRelaxation : public VelocityRelaxation
 public:
   using Product = MatrixFreeProduct<dim, float>;
 
-  /// `fluid`: local indices of the velocities that are relaxed; those of constrained ones are
-  /// skipped. Space and constraints must outlive it. Collective.
-  ChebyshevRelaxation(const Space<dim> &space,
-                      const BoundaryConstraints<dim> &constraints,
+  /// `cells`: a product that shares its cells. `fluid`: local indices of the velocities that are
+  /// relaxed; those of constrained ones are skipped. Collective.
+  ChebyshevRelaxation(const Product &cells,
                       const typename Product::Coefficients &coefficients,
-                      const std::vector<unsigned int> &fluid,
-                      InstructionSet instruction_set);
+                      const std::vector<unsigned int> &fluid);
 
   void add_relaxed(DistributedVector &velocity, const DistributedVector &residual) override;
   void leave_residual(DistributedVector &residual,
@@ -42,7 +38,8 @@ public:
 private:
   using Vector = typename Product::Vector;
 
-  const std::unique_ptr<Product> product;
+  /// The polynomial needs the cells of the fluid only, the residual needs all.
+  const std::unique_ptr<Product> product, product_at_fluid;
   Vector source_entries, target_entries;
   std::unique_ptr<ChebyshevPolynomial> polynomial;
 };

@@ -5,6 +5,7 @@
 #include <continua/finite_element/boundary_constraints.h>
 #include <continua/finite_element/condensed_system.h>
 #include <continua/finite_element/linear_solver_parameters.h>
+#include <continua/finite_element/matrix_free_product.h>
 #include <continua/finite_element/matrix_free_velocity.h>
 #include <continua/finite_element/region_operators.h>
 #include <continua/finite_element/space.h>
@@ -104,7 +105,7 @@ private:
     bool has_polynomial_multigrid = false; ///< on the stiff block, else algebraic if not direct
     unsigned int first_iterations = 0;
     bool is_used = false, is_worn = false, has_fluid = true;
-    std::string name;
+    std::string name, multigrid_name;
   };
 
   const Space<dim> &space;
@@ -115,6 +116,7 @@ private:
   SystemCoefficients coefficients;
   // Of the present coefficients: A in one of the two forms, B and C.
   std::unique_ptr<MatrixFreeVelocity<dim>> matrix_free_velocity;
+  std::unique_ptr<MatrixFreeProduct<dim, float>> single_precision_product;
   dealii::TrilinosWrappers::SparseMatrix velocity_matrix;
   std::unique_ptr<MatrixOperator> assembled_velocity;
   dealii::TrilinosWrappers::SparseMatrix divergence, compression;
@@ -170,9 +172,11 @@ private:
   void assemble_rows(const std::vector<unsigned int> *wanted,
                      VolumetricStiffness &volumetric,
                      dealii::TrilinosWrappers::SparseMatrix &matrix) const;
-  std::unique_ptr<VelocityCycle>
-  make_polynomial_multigrid(const Preconditioner &made,
-                            const std::vector<double> &volumetric) const;
+  /// The preconditioners' products share its cells. Made once.
+  const MatrixFreeProduct<dim, float> &single_precision_cells();
+  std::unique_ptr<VelocityCycle> make_polynomial_multigrid(Preconditioner &made,
+                                                           const std::vector<double> &volumetric);
+  double n_unknowns() const; ///< of all ranks
   VelocityBlocks velocity_blocks(const std::vector<bool> &stiff_regions,
                                  DistributedVector &mobility,
                                  double &fluid_ratio) const;

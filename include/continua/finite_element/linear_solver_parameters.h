@@ -50,6 +50,8 @@ struct StiffBlockLimits
   double largest_share = 0.5; ///< of all velocities
   /// Of the factor, by its analysis, for each unknown of the whole system.
   double bytes_per_unknown = 1000.;
+  /// The same of the linear velocities in polynomial multigrid.
+  double linear_bytes_per_unknown = 250.;
 };
 
 /// What the iterative solver does with the fluid.

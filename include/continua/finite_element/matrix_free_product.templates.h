@@ -9,7 +9,9 @@
 #include <deal.II/matrix_free/tools.h>
 
 #include <array>
+#include <memory>
 #include <utility>
+#include <vector>
 
 namespace Continua
 {
@@ -24,13 +26,15 @@ public:
 
   explicit MatrixFreeProductOfWidth(const typename Base::Input &input);
 
+  std::unique_ptr<Base> share() const override;
+  void restrict_to(const std::vector<bool> &is_wanted) override;
   void set(const typename Base::Coefficients &coefficients) override;
-  void initialise(Vector &vector) const override { matrix_free.initialize_dof_vector(vector, 0); }
+  void initialise(Vector &vector) const override { cells->initialize_dof_vector(vector, 0); }
   void multiply(Vector &target, const Vector &source) const override;
   void find_diagonal(Vector &diagonal) const override;
   void initialise_of_region(Vector &vector) const override
   {
-    matrix_free.initialize_dof_vector(vector, 1);
+    cells->initialize_dof_vector(vector, 1);
   }
   void multiply_region(Vector &target,
                        const Vector &source,
@@ -43,8 +47,8 @@ public:
                      double stiffness) const override;
   std::size_t memory() const override
   {
-    return matrix_free.memory_consumption() + sizeof(OfBatch) * of_batches.size() +
-           sizeof(Materials) * materials.size();
+    return cells->memory_consumption() + sizeof(OfBatch) * of_batches.size() +
+           sizeof(Materials) * materials.size() + is_left_out.size() / 8;
   }
 
 private:
@@ -60,9 +64,10 @@ private:
   };
   using Materials = std::array<dealii::types::material_id, width>;
 
-  MatrixFree matrix_free;
-  std::vector<Materials> materials; ///< of the cells of each batch
+  std::shared_ptr<MatrixFree> cells; ///< of all products that share
+  std::vector<Materials> materials;  ///< of the cells of each batch
   dealii::AlignedVector<OfBatch> of_batches;
+  std::vector<bool> is_left_out; ///< by batch; empty: none is
 
   /// Of one region alone; false if the batch has no cell of it.
   bool find_coefficients(unsigned int batch,
@@ -85,6 +90,7 @@ private:
 template <int dim, typename Number, std::size_t width, int n_points>
 MatrixFreeProductOfWidth<dim, Number, width, n_points>::MatrixFreeProductOfWidth(
     const typename Base::Input &input)
+    : cells(std::make_shared<MatrixFree>())
 {
   typename MatrixFree::AdditionalData data;
   data.tasks_parallel_scheme = MatrixFree::AdditionalData::none;
@@ -99,14 +105,48 @@ MatrixFreeProductOfWidth<dim, Number, width, n_points>::MatrixFreeProductOfWidth
     dof_handlers.push_back(&input.dof_handler);
     constraints.push_back(input.region_constraints);
   }
-  matrix_free.reinit(input.mapping, dof_handlers, constraints,
-                     std::vector<dealii::QGauss<1>>{dealii::QGauss<1>(n_points)}, data);
-  materials.resize(matrix_free.n_cell_batches());
+  cells->reinit(input.mapping, dof_handlers, constraints,
+                std::vector<dealii::QGauss<1>>{dealii::QGauss<1>(n_points)}, data);
+  materials.resize(cells->n_cell_batches());
   for (unsigned int batch = 0; batch < materials.size(); ++batch)
   {
     materials[batch].fill(dealii::numbers::invalid_material_id);
-    for (unsigned int lane = 0; lane < matrix_free.n_active_entries_per_cell_batch(batch); ++lane)
-      materials[batch][lane] = matrix_free.get_cell_iterator(batch, lane)->material_id();
+    for (unsigned int lane = 0; lane < cells->n_active_entries_per_cell_batch(batch); ++lane)
+      materials[batch][lane] = cells->get_cell_iterator(batch, lane)->material_id();
+  }
+}
+
+template <int dim, typename Number, std::size_t width, int n_points>
+std::unique_ptr<MatrixFreeProduct<dim, Number>>
+MatrixFreeProductOfWidth<dim, Number, width, n_points>::share() const
+{
+  auto result = std::make_unique<MatrixFreeProductOfWidth>(*this);
+  result->of_batches.clear();
+  result->is_left_out.clear();
+  return result;
+}
+
+template <int dim, typename Number, std::size_t width, int n_points>
+void MatrixFreeProductOfWidth<dim, Number, width, n_points>::restrict_to(
+    const std::vector<bool> &is_wanted)
+{
+  Vector wanted;
+  initialise(wanted);
+  // A hanging node adds multiples of both signs: the values must not cancel.
+  for (unsigned int i = 0; i < is_wanted.size(); ++i)
+    if (is_wanted[i])
+      wanted.local_element(i) = static_cast<Number>(1. + (i * 37 % 101) / 101.);
+  wanted.update_ghost_values();
+  is_left_out.assign(materials.size(), true);
+  Evaluation cell(*cells, 0);
+  for (unsigned int batch = 0; batch < materials.size(); ++batch)
+  {
+    cell.reinit(batch);
+    cell.read_dof_values(wanted);
+    for (unsigned int i = 0; i < Evaluation::static_dofs_per_cell && is_left_out[batch]; ++i)
+      for (unsigned int lane = 0; lane < width; ++lane)
+        if (cell.begin_dof_values()[i][lane] != Number())
+          is_left_out[batch] = false;
   }
 }
 
@@ -153,7 +193,7 @@ template <int dim, typename Number, std::size_t width, int n_points>
 void MatrixFreeProductOfWidth<dim, Number, width, n_points>::multiply(Vector &target,
                                                                       const Vector &source) const
 {
-  matrix_free.cell_loop(&MatrixFreeProductOfWidth::multiply_cells, this, target, source, true);
+  cells->cell_loop(&MatrixFreeProductOfWidth::multiply_cells, this, target, source, true);
 }
 
 template <int dim, typename Number, std::size_t width, int n_points>
@@ -164,7 +204,7 @@ void MatrixFreeProductOfWidth<dim, Number, width, n_points>::multiply_region(
     const double mass,
     const double stiffness) const
 {
-  matrix_free.template cell_loop<Vector, Vector>(
+  cells->template cell_loop<Vector, Vector>(
       [&](const MatrixFree &data, Vector &to, const Vector &from,
           const std::pair<unsigned int, unsigned int> &range)
       {
@@ -191,7 +231,7 @@ void MatrixFreeProductOfWidth<dim, Number, width, n_points>::find_diagonal(
 {
   diagonal = Number();
   dealii::MatrixFreeTools::compute_diagonal<dim, degree, n_points, dim, Number, Lanes>(
-      matrix_free, diagonal,
+      *cells, diagonal,
       [&coefficients](Evaluation &cell)
       {
         const auto flags = dealii::EvaluationFlags::values | dealii::EvaluationFlags::gradients;
@@ -273,6 +313,8 @@ void MatrixFreeProductOfWidth<dim, Number, width, n_points>::multiply_cells(
   Evaluation cell(data, 0);
   for (unsigned int batch = range.first; batch < range.second; ++batch)
   {
+    if (!is_left_out.empty() && is_left_out[batch])
+      continue;
     cell.reinit(batch);
     cell.gather_evaluate(source, flags);
     integrate(cell, of_batches[batch]);

@@ -1,9 +1,9 @@
 #ifndef continua_linear_algebra_velocity_preconditioner_h
 #define continua_linear_algebra_velocity_preconditioner_h
 
+#include <continua/linear_algebra/block_factor.h>
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/linear_algebra/saddle_point_block.h>
-#include <continua/linear_algebra/sub_matrix.h>
 #include <continua/linear_algebra/symmetric_factor.h>
 #include <continua/linear_algebra/velocity_blocks.h>
 #include <continua/linear_algebra/velocity_cycle.h>
@@ -65,16 +65,16 @@ public:
   /// Of the stiff block; null if there is none.
   const SymmetricFactor *factor() const
   {
-    return saddle_point ? &saddle_point->factor() : stiff_factor.get();
+    if (saddle_point)
+      return &saddle_point->factor();
+    return stiff_factor ? &stiff_factor->factor() : nullptr;
   }
 
 private:
   const std::unique_ptr<VelocityRelaxation> relaxation; ///< null without a fluid
   const bool has_stiff;
-  std::unique_ptr<SubMatrix> stiff;
-  std::unique_ptr<SymmetricFactor> stiff_factor;
+  std::unique_ptr<BlockFactor> stiff_factor;
   std::unique_ptr<VelocityCycle> stiff_multigrid;
-  std::vector<double> part;
   DistributedVector residual;
 
   // With stiff pressures.
