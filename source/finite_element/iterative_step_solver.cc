@@ -327,6 +327,109 @@ IterativeStepSolver<dim>::assembled_at(const std::vector<bool> &rows) const
 }
 
 template <int dim>
+void IterativeStepSolver<dim>::add_velocities(SaddlePointBlock &block,
+                                              const std::vector<unsigned int> &stiff) const
+{
+  using Cell = typename DoFHandler<dim>::active_cell_iterator;
+  const AffineConstraints<double> &lines = constraints.all();
+  std::vector<types::global_dof_index> indices(space.velocity_element.n_dofs_per_cell());
+
+  std::vector<int> of_others;
+  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+    if (cell->is_locally_owned())
+    {
+      cell->get_dof_indices(indices);
+      for (const auto index : indices)
+        if (lines.is_constrained(index))
+          for (const auto &entry : *lines.get_constraint_entries(index))
+            of_others.push_back(static_cast<int>(entry.first));
+        else if (!space.velocity_owned.is_element(index))
+          of_others.push_back(static_cast<int>(index));
+    }
+  block.learn_numbers(of_others);
+
+  // The rows of the block that each velocity of a cell stands for, with their weights.
+  std::vector<std::vector<std::pair<int, double>>> rows(indices.size());
+  const auto find_rows = [&]()
+  {
+    std::size_t n_rows = 0;
+    for (unsigned int i = 0; i < indices.size(); ++i)
+    {
+      rows[i].clear();
+      const auto add = [&](const types::global_dof_index velocity, const double weight)
+      {
+        const int row = block.number(static_cast<int>(velocity));
+        if (row >= 0)
+          rows[i].emplace_back(row, weight);
+      };
+      if (!lines.is_constrained(indices[i]))
+        add(indices[i], 1.);
+      else
+        for (const auto &[master, weight] : *lines.get_constraint_entries(indices[i]))
+          add(master, weight);
+      n_rows += rows[i].size();
+    }
+    return n_rows;
+  };
+  std::size_t n_entries = 0;
+  std::vector<int> of_cell;
+  std::vector<bool> is_of_block(space.triangulation.n_active_cells(), false);
+  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+    if (cell->is_locally_owned())
+    {
+      cell->get_dof_indices(indices);
+      const std::size_t n_rows = find_rows();
+      is_of_block[cell->active_cell_index()] = n_rows > 0;
+      // Half of the pairs, and what a row has with itself, which several velocities may give.
+      of_cell.clear();
+      for (const auto &of_velocity : rows)
+        for (const auto &entry : of_velocity)
+          of_cell.push_back(entry.first);
+      std::sort(of_cell.begin(), of_cell.end());
+      std::size_t n_on_diagonal = 0;
+      for (std::size_t k = 0, first = 0; k < n_rows; ++k)
+      {
+        if (of_cell[k] != of_cell[first])
+          first = k;
+        n_on_diagonal += 2 * (k - first) + 1; // adds up to the square of how often it is there
+      }
+      n_entries += (n_rows * n_rows + n_on_diagonal) / 2;
+    }
+  const TrilinosWrappers::SparseMatrix *const supports = matrix_free_velocity->support_matrix();
+  if (supports != nullptr)
+    block.add_velocity_entries(supports->trilinos_matrix());
+  block.reserve(n_entries + stiff.size());
+
+  visit_velocity_matrices<dim>(
+      space, [&](const Cell &cell) { return is_of_block[cell->active_cell_index()]; },
+      [&](const Cell &cell, const std::vector<types::global_dof_index> &indices_of_cell,
+          const FullMatrix<double> &mass, const FullMatrix<double> &stiffness)
+      {
+        indices = indices_of_cell;
+        find_rows();
+        const double of_mass = coefficients.mass[cell->material_id()],
+                     of_stiffness = coefficients.stiffness[cell->material_id()];
+        for (unsigned int i = 0; i < rows.size(); ++i)
+          for (unsigned int j = 0; j < rows.size(); ++j)
+          {
+            const double value = of_mass * mass(i, j) + of_stiffness * stiffness(i, j);
+            for (const auto &[row, of_row] : rows[i])
+              for (const auto &[column, of_column] : rows[j])
+                if (column <= row)
+                  block.add_velocity_entry(row, column, of_row * of_column * value);
+          }
+      });
+  // A constrained velocity has no equation. The supports have a one there, too.
+  for (const unsigned int i : stiff)
+  {
+    const auto index = space.velocity_owned.nth_index_in_set(i);
+    const int row = block.number(static_cast<int>(index));
+    if (lines.is_constrained(index) && supports == nullptr)
+      block.add_velocity_entry(row, row, 1.);
+  }
+}
+
+template <int dim>
 void IterativeStepSolver<dim>::make_velocity_inverse(
     Preconditioner &made,
     const std::vector<bool> &stiff_regions,
@@ -350,7 +453,11 @@ void IterativeStepSolver<dim>::make_velocity_inverse(
   // Without a relaxation by the matrix only the rows of the stiff block are needed.
   const bool needs_all_rows = made.has_fluid && !is_matrix_free;
   const bool needs_stiff_rows = made.has_stiff && !made.has_polynomial_multigrid;
-  if (needs_all_rows || needs_stiff_rows)
+  // Where the regions have no matrices the joint block has none either, but its entries alone.
+  const bool has_matrix =
+      needs_all_rows || (needs_stiff_rows &&
+                         !(has_joint_block && matrix_free_velocity && operators.front().products));
+  if (has_matrix)
     assemble_rows(needs_all_rows ? nullptr : &parts.stiff, volumetric, made.velocity_matrix);
 
   std::unique_ptr<VelocityRelaxation> relaxation;
@@ -366,9 +473,13 @@ void IterativeStepSolver<dim>::make_velocity_inverse(
   {
     TrilinosWrappers::SparseMatrix block_compression;
     assemble_pressure_mass(space, operators, compressibility, block_compression);
-    auto block = std::make_unique<SaddlePointBlock>(
-        made.velocity_matrix.trilinos_matrix(), divergence.trilinos_matrix(),
-        block_compression.trilinos_matrix(), parts.stiff, stiff_pressures);
+    auto block = std::make_unique<SaddlePointBlock>(divergence.trilinos_matrix(),
+                                                    block_compression.trilinos_matrix(),
+                                                    parts.stiff, stiff_pressures);
+    if (has_matrix)
+      block->add_velocity_entries(made.velocity_matrix.trilinos_matrix());
+    else
+      add_velocities(*block, parts.stiff);
     // The memory is largest in the factorisation.
     if (!needs_all_rows)
       made.velocity_matrix.clear();
@@ -426,13 +537,18 @@ IterativeStepSolver<dim>::make_polynomial_multigrid(Preconditioner &made,
     supports = std::make_unique<TrilinosWrappers::SparseMatrix>();
     supports->copy_from(*matrix_free_velocity->support_matrix());
   }
+  const StiffBlockLimits &limits = parameters.stiff_block_limits;
+  const bool has_factor = n_stiff_of_all <= limits.largest_with_linear_factor &&
+                          n_stiff_of_all != n_stiff_without_linear_factor;
   auto result = std::make_unique<PolynomialMultigrid<dim>>(
       single_precision_cells(), space, constraints,
       typename PolynomialMultigrid<dim>::Product::Coefficients{coefficients.mass,
                                                                coefficients.stiffness, volumetric},
       made.is_stiff, divergence, made.augmentation, std::move(supports),
-      parameters.stiff_block_limits.linear_bytes_per_unknown * n_unknowns());
+      has_factor ? limits.linear_bytes_per_unknown * n_unknowns() : 0.);
   made.multigrid_name = result->name();
+  if (!result->has_linear_factor())
+    n_stiff_without_linear_factor = n_stiff_of_all;
   return result;
 }
 

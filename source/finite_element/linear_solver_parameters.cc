@@ -75,7 +75,8 @@ void LinearSolverParameters::read(ParameterSection section)
              "the entries of the factor need at most 1 kB for each unknown of the whole system; "
              "else it takes multigrid. A factor of a matrix of more than 2,000,000 entries has "
              "single precision. polynomial multigrid relaxes the quadratic velocities by products "
-             "without a matrix and has algebraic multigrid on the linear ones alone; it needs "
+             "without a matrix. It solves for the linear ones by a factor, if this needs at most "
+             "250 B for each unknown of the whole system, else by algebraic multigrid. It needs "
              "Velocity degree = 2 and products without a matrix, and automatic takes it there. "
              "algebraic multigrid has a matrix of all velocities of the solid.");
   add_choice(section, "Fluid block", fluid_block,

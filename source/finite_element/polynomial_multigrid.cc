@@ -23,18 +23,18 @@ namespace
 constexpr unsigned int least_degree = 3;
 /// Of the largest to the smallest eigenvalue that are damped. The linear velocities take the rest.
 constexpr double eigenvalue_ratio = 10.;
-/// The degree for each length of a cell over its thickness. A polynomial damps a range of
-/// eigenvalues that grows with the square of its degree.
-constexpr double degree_of_shape = 1.2;
 /// More products than these cost more than the iterations that they save.
 constexpr unsigned int largest_degree = 24;
 
-/// The geometric mean of the longest over the shortest distance between opposite faces [1], of the
-/// cells whose interior velocities are stiff on all ranks; 1 if there are none.
+/// Of the cells of a region whose interior velocities are stiff, on all ranks: the geometric mean
+/// of the longest over the shortest distance between opposite faces [1]. The largest of all
+/// regions; 1 if there are none.
 template <int dim>
-double mean_cell_shape(const Space<dim> &space, const std::vector<bool> &stiff)
+double mean_cell_shape(const Space<dim> &space,
+                       const std::vector<bool> &stiff,
+                       const unsigned int n_regions)
 {
-  std::vector<double> sums = {0., 0.}; // of the logarithms, and the number of cells
+  std::vector<double> logarithms(n_regions, 0.), n_cells(n_regions, 0.);
   std::vector<types::global_dof_index> indices(space.velocity_element.n_dofs_per_cell());
   for (const auto &cell : space.velocity_dofs.active_cell_iterators())
     if (cell->is_locally_owned())
@@ -50,17 +50,25 @@ double mean_cell_shape(const Space<dim> &space, const std::vector<bool> &stiff)
         longest = std::max(longest, length);
         shortest = std::min(shortest, length);
       }
-      sums[0] += std::log(longest / shortest);
-      sums[1] += 1.;
+      logarithms[cell->material_id()] += std::log(longest / shortest);
+      n_cells[cell->material_id()] += 1.;
     }
-  Utilities::MPI::sum(sums, space.communicator, sums);
-  return sums[1] > 0. ? std::exp(sums[0] / sums[1]) : 1.;
+  Utilities::MPI::sum(logarithms, space.communicator, logarithms);
+  Utilities::MPI::sum(n_cells, space.communicator, n_cells);
+  double result = 1.;
+  for (unsigned int region = 0; region < n_regions; ++region)
+    if (n_cells[region] > 0.)
+      result = std::max(result, std::exp(logarithms[region] / n_cells[region]));
+  return result;
 }
 
+/// The linear velocities miss motions whose eigenvalues fall with the square of the shape, and a
+/// polynomial damps a range of eigenvalues that grows with the square of its degree.
 unsigned int degree_for(const double cell_shape)
 {
-  return std::clamp(static_cast<unsigned int>(std::lround(degree_of_shape * cell_shape)),
-                    least_degree, largest_degree);
+  // The last digits of the shape depend on the number of ranks, also those of 2.5.
+  return std::clamp(static_cast<unsigned int>(std::lround(cell_shape + 1e-6)), least_degree,
+                    largest_degree);
 }
 } // namespace
 
@@ -79,7 +87,7 @@ PolynomialMultigrid<dim>::PolynomialMultigrid(
       linear_velocities(space, constraints, stiff),
       product(cells.share()),
       augmentation(divergence, weights),
-      degree(degree_for(mean_cell_shape(space, stiff))),
+      degree(degree_for(mean_cell_shape(space, stiff, coefficients.mass.size()))),
       fine(space.velocity_vector()),
       support_force(space.velocity_vector()),
       coarse_source(linear_velocities.vector()),
@@ -122,22 +130,25 @@ void PolynomialMultigrid<dim>::make_coarse_cycle(const typename Product::Coeffic
   TrilinosWrappers::SparseMatrix coarse_matrix;
   linear_velocities.assemble({coefficients.mass, coefficients.stiffness, coefficients.volumetric},
                              supports.get(), coarse_matrix);
-  try
-  {
-    auto factor = std::make_unique<BlockFactor>(coarse_matrix, linear_velocities.stiff_rows(),
-                                                most_factor_bytes);
-    coarse_name = factor->factor().name();
-    coarse_cycle = std::move(factor);
-  }
-  catch (const FactorTooLarge &)
-  {
-    VelocityBlocks blocks;
-    blocks.n_components = dim;
-    blocks.modes = rigid_motions(space.mapping, linear_velocities.dofs());
-    coarse_cycle =
-        std::make_unique<BlockMultigrid>(coarse_matrix, linear_velocities.stiff_rows(), blocks);
-    coarse_name = "algebraic multigrid";
-  }
+  const std::vector<unsigned int> &rows = linear_velocities.stiff_rows();
+  if (most_factor_bytes > 0.)
+    try
+    {
+      auto factor = std::make_unique<BlockFactor>(coarse_matrix, rows, most_factor_bytes);
+      coarse_name = factor->factor().name();
+      coarse_cycle = std::move(factor);
+      is_factored = true;
+      return;
+    }
+    catch (const FactorTooLarge &)
+    {
+      // Multigrid is there for this.
+    }
+  VelocityBlocks blocks;
+  blocks.n_components = dim;
+  blocks.modes = rigid_motions(space.mapping, linear_velocities.dofs());
+  coarse_cycle = std::make_unique<BlockMultigrid>(coarse_matrix, rows, blocks);
+  coarse_name = "algebraic multigrid";
 }
 
 template <int dim>

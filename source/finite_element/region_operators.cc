@@ -351,6 +351,27 @@ void assemble_velocity_operators(const Space<dim> &space,
   assemble(space, Wanted<dim>{cells, false}, operators);
 }
 
+template <int dim>
+void visit_velocity_matrices(
+    const Space<dim> &space,
+    const CellFilter<dim> &cells,
+    const std::function<void(const typename DoFHandler<dim>::active_cell_iterator &cell,
+                             const std::vector<types::global_dof_index> &indices,
+                             const FullMatrix<double> &mass,
+                             const FullMatrix<double> &stiffness)> &visit)
+{
+  CellMatrices<dim> matrices(space);
+  std::vector<types::global_dof_index> indices(space.velocity_element.n_dofs_per_cell());
+  for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
+    if (cell->is_locally_owned() && cells(cell))
+    {
+      matrices.integrate(
+          cell, {&space.triangulation, cell->level(), cell->index(), &space.pressure_dofs}, true);
+      cell->get_dof_indices(indices);
+      visit(cell, indices, matrices.mass, matrices.stiffness);
+    }
+}
+
 std::vector<std::vector<unsigned int>> velocity_nodes(const std::vector<RegionOperators> &operators)
 {
   std::vector<std::vector<unsigned int>> nodes;
@@ -378,4 +399,18 @@ template void assemble_pressure_operators(const Space<3> &, std::vector<RegionOp
 template void assemble_velocity_operators(const Space<3> &,
                                           const CellFilter<3> &,
                                           std::vector<RegionOperators> &);
+template void
+visit_velocity_matrices(const Space<2> &,
+                        const CellFilter<2> &,
+                        const std::function<void(const DoFHandler<2>::active_cell_iterator &,
+                                                 const std::vector<types::global_dof_index> &,
+                                                 const FullMatrix<double> &,
+                                                 const FullMatrix<double> &)> &);
+template void
+visit_velocity_matrices(const Space<3> &,
+                        const CellFilter<3> &,
+                        const std::function<void(const DoFHandler<3>::active_cell_iterator &,
+                                                 const std::vector<types::global_dof_index> &,
+                                                 const FullMatrix<double> &,
+                                                 const FullMatrix<double> &)> &);
 } // namespace Continua

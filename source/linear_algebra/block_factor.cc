@@ -1,4 +1,7 @@
 #include <continua/linear_algebra/block_factor.h>
+#include <continua/linear_algebra/sub_matrix.h>
+
+#include <utility>
 
 namespace Continua
 {
@@ -7,9 +10,14 @@ BlockFactor::BlockFactor(const dealii::TrilinosWrappers::SparseMatrix &matrix,
                          const double most_bytes)
     : rows(rows_of_block), part(rows_of_block.size())
 {
-  const SubMatrix block(matrix.trilinos_matrix(), rows);
-  inverse = make_block_factor(block.lower_triangle(), block.owned(), most_bytes,
-                              matrix.get_mpi_communicator());
+  SymmetricTriplets entries;
+  std::vector<int> owned;
+  {
+    const SubMatrix block(matrix.trilinos_matrix(), rows);
+    entries = block.lower_triangle();
+    owned = block.owned();
+  }
+  inverse = make_block_factor(std::move(entries), owned, most_bytes, matrix.get_mpi_communicator());
 }
 
 void BlockFactor::add_cycle(DistributedVector &target, const DistributedVector &source)

@@ -1,5 +1,6 @@
 #include <continua/linear_algebra/chebyshev_polynomial.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -10,6 +11,8 @@ using namespace dealii;
 
 namespace
 {
+/// Of a polynomial of degree 3 or less. Beyond the eigenvalue that it is made for a polynomial
+/// grows the faster, the higher its degree is: it then takes more steps.
 constexpr unsigned int n_power_steps = 25;
 /// Power steps approach the largest eigenvalue from below.
 constexpr double eigenvalue_margin = 1.15;
@@ -33,7 +36,7 @@ ChebyshevPolynomial::ChebyshevPolynomial(Product product,
                                          const double eigenvalue_ratio)
     : a(std::move(product), inverse_diagonal.size())
 {
-  find_largest_eigenvalue(inverse_diagonal);
+  find_largest_eigenvalue(inverse_diagonal, n_power_steps * std::max(degree, 3u) / 3);
   decltype(polynomial)::AdditionalData data;
   data.degree = degree;
   data.smoothing_range = eigenvalue_ratio;
@@ -44,7 +47,8 @@ ChebyshevPolynomial::ChebyshevPolynomial(Product product,
   polynomial.initialize(a, data);
 }
 
-void ChebyshevPolynomial::find_largest_eigenvalue(const Vector &inverse_diagonal)
+void ChebyshevPolynomial::find_largest_eigenvalue(const Vector &inverse_diagonal,
+                                                  const unsigned int n_steps)
 {
   Vector source(inverse_diagonal), target(inverse_diagonal);
   // Any start that is no eigenvector.
@@ -55,7 +59,7 @@ void ChebyshevPolynomial::find_largest_eigenvalue(const Vector &inverse_diagonal
     source.local_element(i) =
         inverse_diagonal.local_element(i) > 0.f ? std::sin(1.f + 2.f * ((first + i) % 1009)) : 0.f;
   float norm = source.l2_norm();
-  for (unsigned int step = 0; step < n_power_steps && norm > 0.f; ++step)
+  for (unsigned int step = 0; step < n_steps && norm > 0.f; ++step)
   {
     source *= 1.f / norm;
     a.vmult(target, source);

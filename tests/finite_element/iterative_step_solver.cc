@@ -3,6 +3,7 @@
 // iterations, that do not grow with the mesh.
 
 #include <continua/finite_element/iterative_step_solver.h>
+#include <continua/finite_element/matrix_free_regions.h>
 #include <continua/finite_element/step_system.h>
 
 #include "../parameter_text.h"
@@ -10,6 +11,7 @@
 #include "small_problem.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace test_of_iterative_step_solver
 {
@@ -46,7 +48,9 @@ std::vector<BoundaryCondition> read_conditions()
 std::string solve(const std::string &name,
                   const unsigned int n_refinements,
                   const SystemCoefficients &coefficients,
-                  LinearSolverParameters parameters)
+                  LinearSolverParameters parameters,
+                  const bool has_products = false,
+                  unsigned int *const n_iterations = nullptr)
 {
   static const std::vector<BoundaryCondition> conditions = read_conditions();
   small_problem::Mesh<2> mesh(MPI_COMM_WORLD);
@@ -59,7 +63,19 @@ std::string solve(const std::string &name,
   BoundaryConstraints<2> constraints(space, conditions);
   constraints.build();
   std::vector<RegionOperators> operators(2);
-  assemble_region_operators(space, operators);
+  if (!has_products)
+    assemble_region_operators(space, operators);
+  else
+  {
+    assemble_pressure_operators(space, operators);
+    const auto products = std::make_shared<MatrixFreeRegions<2>>(
+        space, constraints, operators.size(), parameters.instruction_set);
+    for (unsigned int region = 0; region < operators.size(); ++region)
+    {
+      operators[region].products = products;
+      operators[region].number = region;
+    }
+  }
 
   parameters.type = LinearSolverType::iterative;
   parameters.tolerance = 1e-12;
@@ -89,6 +105,8 @@ std::string solve(const std::string &name,
   DistributedVector solved = space.velocity_vector(), solved_pressure = space.pressure_vector();
   system.solve(momentum, mass, solved, solved_pressure);
   const unsigned int n_first = system.take_iterations();
+  if (n_iterations != nullptr)
+    *n_iterations = n_first;
   constraints.set_constrained(solved, zero);
   DistributedVector error = solved, pressure_error = solved_pressure;
   error.add(-1., velocity);
@@ -113,10 +131,23 @@ bool contains(const std::string &text, const std::string &part)
   return text.find(part) != std::string::npos;
 }
 
+/// The block that is assembled cell by cell is the one that is taken from matrices: as many
+/// iterations. With a wrong entry it is no inverse any more.
+void check_block_by_cells(const std::string &name, const SystemCoefficients &coefficients)
+{
+  unsigned int n_by_cells = 0, n_by_matrix = 0;
+  LinearSolverParameters parameters;
+  check::is_true(name + ", by cells: a factor", contains(solve(name + ", by cells", 1, coefficients,
+                                                               parameters, true, &n_by_cells),
+                                                         "L D L^T"));
+  solve(name + ", by matrix", 1, coefficients, parameters, false, &n_by_matrix);
+  check::absolute(name + ": iterations by cells and by matrix", n_by_cells, n_by_matrix, 0.);
+}
+
 /// Up to where the stiff block has a factor.
 void check_limits(const SystemCoefficients &coefficients)
 {
-  const std::string multigrid = "stiff block: polynomial multigrid";
+  const std::string multigrid = "stiff block: polynomial multigrid (degree 3, linear velocities: ";
   LinearSolverParameters parameters;
   StiffBlockLimits &limits = parameters.stiff_block_limits;
   limits.small_in_plane = 0;
@@ -126,11 +157,11 @@ void check_limits(const SystemCoefficients &coefficients)
   limits.bytes_per_unknown = 1.;
   check::is_true("a large factor is not made, and the name says why",
                  contains(solve("large factor", 1, coefficients, parameters),
-                          multigrid + ", since a factor would need "));
+                          "), since a factor would need "));
   limits.bytes_per_unknown = 1e6;
   limits.largest_share = 0.1;
   check::is_true("a large share of the velocities has multigrid at once",
-                 contains(solve("large share", 1, coefficients, parameters), multigrid + ";"));
+                 contains(solve("large share", 1, coefficients, parameters), multigrid));
   parameters.velocity_product = VelocityProduct::assembled;
   check::is_true("with a matrix it has algebraic multigrid",
                  contains(solve("large share, assembled", 1, coefficients, parameters),
@@ -139,7 +170,16 @@ void check_limits(const SystemCoefficients &coefficients)
   limits.largest_share = 1.;
   limits.largest = 10;
   check::is_true("many velocities have multigrid at once",
-                 contains(solve("many", 1, coefficients, parameters), multigrid + ";"));
+                 contains(solve("many", 1, coefficients, parameters), multigrid));
+  limits.largest_with_linear_factor = 10;
+  check::is_true("very many have no factor of the linear velocities either",
+                 contains(solve("very many", 1, coefficients, parameters),
+                          multigrid + "algebraic multigrid);"));
+  limits.largest_with_linear_factor = 2000000;
+  limits.linear_bytes_per_unknown = 1.;
+  check::is_true("a large factor of the linear velocities is not made",
+                 contains(solve("large linear factor", 1, coefficients, parameters),
+                          multigrid + "algebraic multigrid);"));
   limits.small_in_plane = 100000;
   limits.bytes_per_unknown = 1.;
   check::is_true("a small block has a factor of any size",
@@ -156,6 +196,9 @@ UNIT_TEST(iterative_step_solver)
   const SystemCoefficients bulky{{1., 1.}, {1e3, 1e3}, {1e-3, 1e-3}};
   const SystemCoefficients steady{{0., 0.}, {1., 2.}, {0.5, 0.}};
   LinearSolverParameters parameters;
+  check_block_by_cells("all stiff", bulky);
+  check_block_by_cells("one region stiff", jump);
+  check_block_by_cells("without inertia", steady);
   for (const unsigned int n_refinements : {1, 2})
   {
     const std::string mesh = n_refinements == 1 ? "coarse, " : "fine, ";

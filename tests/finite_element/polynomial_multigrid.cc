@@ -202,17 +202,19 @@ double convergence(const std::string &name,
   auto supports = std::make_unique<TrilinosWrappers::SparseMatrix>();
   supports->copy_from(setting.supports);
   const auto cells = make_matrix_free_product<dim, float>(
-      widest_instruction_set(), {setting.space.mapping, setting.space.velocity_dofs,
-                                 setting.constraints.all(), setting.space.is_axisymmetric()});
+      dim == 2 ? InstructionSet::baseline : widest_instruction_set(), // baseline: cell by cell
+      {setting.space.mapping, setting.space.velocity_dofs, setting.constraints.all(),
+       setting.space.is_axisymmetric()});
   PolynomialMultigrid<dim> multigrid(
       *cells, setting.space, setting.constraints,
       {coefficients.mass,
        coefficients.stiffness,
        {soft_is_stiff ? volumetric_of_regions[0] : 0., volumetric_of_regions[1]}},
       stiff, setting.divergence, weights, std::move(supports), is_factored ? 1e9 : 0.);
-  check::is_true(name + ": " + multigrid.name(),
+  check::is_true(name + ": degree " + degree + (is_factored ? " and a factor" : ""),
                  multigrid.name().find("degree " + degree + ",") != std::string::npos &&
-                     (multigrid.name().find("algebraic") == std::string::npos) == is_factored);
+                     (multigrid.name().find("algebraic") == std::string::npos) == is_factored &&
+                     multigrid.has_linear_factor() == is_factored);
   const auto restrict_to_stiff = [&](DistributedVector &vector)
   {
     for (unsigned int i = 0; i < vector.locally_owned_size(); ++i)
@@ -259,11 +261,14 @@ template <int dim>
 void check_cycle(const std::string &name,
                  const Setting<dim> &setting,
                  const double bound,
-                 const std::string &degree = "3")
+                 const std::string &degree = "3",
+                 const bool tries_factor = true)
 {
   for (const bool soft_is_stiff : {true, false})
     for (const bool is_factored : {true, false})
     {
+      if (is_factored && !tries_factor)
+        continue;
       const std::string title = name + (soft_is_stiff ? ", all stiff" : ", one region stiff") +
                                 (is_factored ? ", factor" : ", algebraic multigrid");
       const double factor = convergence(title, setting, soft_is_stiff, is_factored, degree);
@@ -322,9 +327,10 @@ void check_all(const std::string &name, const Model model)
     if (n_refinements == 0)
       check_linear_velocities(name, setting);
     if (is_long)
-      check_cycle(name + ", long cells", setting, 0.6, "10");
+      check_cycle(name + ", long cells", setting, 0.8, "8");
     else
-      check_cycle(name + (n_refinements == 0 ? ", coarse cubes" : ", fine cubes"), setting, 0.6);
+      check_cycle(name + (n_refinements == 0 ? ", coarse cubes" : ", fine cubes"), setting, 0.6,
+                  "3", n_refinements == 0);
   }
 }
 } // namespace

@@ -1,11 +1,14 @@
 // The factor of a part of a small saddle point against elimination in full matrices: all of it, and
-// the first velocities with the first pressures; what is outside stays as it was.
+// the first velocities with the first pressures; what is outside stays as it was. The
+// velocities come as a matrix, and as single entries that add up.
 
 #include <continua/linear_algebra/saddle_point_block.h>
 
 #include "dense_systems.h"
 
 #include "../unit_test.h"
+
+#include <numeric>
 
 namespace test_of_saddle_point_block
 {
@@ -18,7 +21,10 @@ constexpr unsigned int n_pressures = 5, n_velocities = n_pressures + 1;
 constexpr double outside = 7.;
 
 /// What a block of the first unknowns of each kind adds to vectors of 7, velocities first.
-void check_block(const std::string &name, const unsigned int n_u, const unsigned int n_p)
+void check_block(const std::string &name,
+                 const unsigned int n_u,
+                 const unsigned int n_p,
+                 const bool in_parts)
 {
   const Full a = chain(n_velocities, 1e3, 0.5), b = differences(n_pressures);
   Full c(n_pressures, n_pressures);
@@ -60,9 +66,26 @@ void check_block(const std::string &name, const unsigned int n_u, const unsigned
         rows.push_back(i);
     return rows;
   };
-  SaddlePointBlock inverse(velocity.trilinos_matrix(), divergence.trilinos_matrix(),
-                           compression.trilinos_matrix(), of_this_rank(n_velocities, n_u),
-                           of_this_rank(n_pressures, n_p));
+  SaddlePointBlock inverse(divergence.trilinos_matrix(), compression.trilinos_matrix(),
+                           of_this_rank(n_velocities, n_u), of_this_rank(n_pressures, n_p));
+  if (!in_parts)
+    inverse.add_velocity_entries(velocity.trilinos_matrix());
+  else
+  {
+    // Each rank gives a part of each entry, also of the rows of other ranks.
+    std::vector<int> all(n_velocities);
+    std::iota(all.begin(), all.end(), 0);
+    inverse.learn_numbers(all);
+    inverse.reserve(n_velocities * n_velocities);
+    const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+    for (const int i : all)
+      for (const int j : all)
+      {
+        const int row = inverse.number(i), column = inverse.number(j);
+        for (unsigned int part = 0; part < 2 && column >= 0 && column <= row; ++part)
+          inverse.add_velocity_entry(row, column, a(i, j) / (2. * n_ranks));
+      }
+  }
   inverse.factorize();
   DistributedVector u = distributed(List(n_velocities)), p = distributed(List(n_pressures));
   u.add(outside);
@@ -78,8 +101,12 @@ UNIT_TEST(saddle_point_block)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();
-  check_block("all", n_velocities, n_pressures);
-  check_block("a part", 3, 2);
-  check_block("velocities alone", 4, 0);
+  for (const bool in_parts : {false, true})
+  {
+    const std::string how = in_parts ? ", in parts" : "";
+    check_block("all" + how, n_velocities, n_pressures, in_parts);
+    check_block("a part" + how, 3, 2, in_parts);
+    check_block("velocities alone" + how, 4, 0, in_parts);
+  }
 }
 } // namespace test_of_saddle_point_block

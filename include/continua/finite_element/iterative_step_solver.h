@@ -133,7 +133,8 @@ private:
   // While a preconditioner is made, by region:
   std::vector<std::vector<bool>> is_of_region; ///< of each owned velocity
   std::vector<DistributedVector> mass_diagonals, stiffness_diagonals;
-  unsigned int n_stiff_of_all = 0; ///< velocities of the stiff block on all ranks
+  unsigned int n_stiff_of_all = 0;                ///< velocities of the stiff block on all ranks
+  unsigned int n_stiff_without_linear_factor = 0; ///< with so many it was too large
 
   bool is_near(const SystemCoefficients &others) const;
   /// With multigrid where the factor of the stiff block turns out too large.
@@ -163,6 +164,8 @@ private:
                               const VelocityBlocks &parts) const;
   /// Mass, stiffness and supports as matrices, complete in some rows (by local index).
   std::vector<RegionOperators> assembled_at(const std::vector<bool> &rows) const;
+  /// Gives the block its entries of A, cell by cell. No matrix is made.
+  void add_velocities(SaddlePointBlock &block, const std::vector<unsigned int> &stiff) const;
   void make_velocity_inverse(Preconditioner &made,
                              const std::vector<bool> &stiff_regions,
                              const std::vector<unsigned int> &stiff_pressures,

@@ -50,8 +50,9 @@ struct StiffBlockLimits
   double largest_share = 0.5; ///< of all velocities
   /// Of the factor, by its analysis, for each unknown of the whole system.
   double bytes_per_unknown = 1000.;
-  /// The same of the linear velocities in polynomial multigrid.
+  /// The same of the linear velocities in polynomial multigrid, up to a number of stiff velocities.
   double linear_bytes_per_unknown = 250.;
+  unsigned int largest_with_linear_factor = 2000000;
 };
 
 /// What the iterative solver does with the fluid.

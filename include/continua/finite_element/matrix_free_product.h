@@ -52,8 +52,9 @@ public:
   /// Another product with the same cells, and with coefficients of its own. Both use the same
   /// numbering and geometry, which are in memory once. It may outlive this one.
   virtual std::unique_ptr<MatrixFreeProduct> share() const = 0;
-  /// Leaves out the cells that have none of the wanted entries. Products are then right at the
-  /// wanted entries alone. `is_wanted`: a flag for each owned entry. Collective.
+  /// Leaves out the cells that have none of the wanted entries, where all that are computed at a
+  /// time have none. Products are then right at the wanted entries alone. `is_wanted`: a flag for
+  /// each owned entry. Collective.
   virtual void restrict_to(const std::vector<bool> &is_wanted) = 0;
   /// Must be called before the first product.
   virtual void set(const Coefficients &coefficients) = 0;

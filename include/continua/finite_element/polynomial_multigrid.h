@@ -37,7 +37,8 @@ public:
   /// `cells`: a product that shares its cells. Space and constraints must outlive it.
   /// `coefficients.volumetric` is that of the linear velocities. `stiff`: a flag for each owned
   /// velocity. `augmentation`: W. `supports`: a matrix that is added to A; may be null.
-  /// `most_factor_bytes`: of the factor of the linear velocities [bytes]. Collective.
+  /// `most_factor_bytes`: of the factor of the linear velocities [bytes]; 0: there is none.
+  /// Collective.
   PolynomialMultigrid(const Product &cells,
                       const Space<dim> &space,
                       const BoundaryConstraints<dim> &constraints,
@@ -48,6 +49,8 @@ public:
                       std::unique_ptr<dealii::TrilinosWrappers::SparseMatrix> supports,
                       double most_factor_bytes);
 
+  /// Else the linear velocities have algebraic multigrid.
+  bool has_linear_factor() const { return is_factored; }
   /// What relaxes the quadratic velocities, and what solves for the linear ones.
   std::string name() const;
   void add_cycle(DistributedVector &target, const DistributedVector &source) override;
@@ -63,6 +66,7 @@ private:
   unsigned int degree;
   std::unique_ptr<VelocityCycle> coarse_cycle;
   std::string coarse_name;
+  bool is_factored = false;
   std::vector<unsigned int> stiff_rows; ///< local indices
   Vector right_hand_side, solution, residual, correction;
   DistributedVector fine, support_force, coarse_source, coarse_solution;

@@ -5,6 +5,7 @@
 #include <continua/finite_element/space.h>
 #include <continua/linear_algebra/matrix_product.h>
 
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <functional>
@@ -73,6 +74,16 @@ template <int dim>
 void assemble_velocity_operators(const Space<dim> &space,
                                  const CellFilter<dim> &cells,
                                  std::vector<RegionOperators> &operators);
+/// Calls visit(cell, indices, mass, stiffness) for owned cells: the matrices of one cell and the
+/// global indices of their rows, without constraints and without coefficients.
+template <int dim>
+void visit_velocity_matrices(
+    const Space<dim> &space,
+    const CellFilter<dim> &cells,
+    const std::function<void(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
+                             const std::vector<dealii::types::global_dof_index> &indices,
+                             const dealii::FullMatrix<double> &mass,
+                             const dealii::FullMatrix<double> &stiffness)> &visit);
 
 /// Local indices of the velocity and the pressure dofs of each region.
 std::vector<std::vector<unsigned int>>

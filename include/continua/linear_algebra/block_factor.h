@@ -1,7 +1,6 @@
 #ifndef continua_linear_algebra_block_factor_h
 #define continua_linear_algebra_block_factor_h
 
-#include <continua/linear_algebra/sub_matrix.h>
 #include <continua/linear_algebra/symmetric_factor.h>
 #include <continua/linear_algebra/velocity_cycle.h>
 

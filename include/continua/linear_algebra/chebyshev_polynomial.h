@@ -58,7 +58,7 @@ private:
   dealii::PreconditionChebyshev<Operator, Vector, dealii::DiagonalMatrix<Vector>> polynomial;
   double eigenvalue = 0.;
 
-  void find_largest_eigenvalue(const Vector &inverse_diagonal);
+  void find_largest_eigenvalue(const Vector &inverse_diagonal, unsigned int n_steps);
 };
 } // namespace Continua
 

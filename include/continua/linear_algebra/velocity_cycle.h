@@ -5,8 +5,8 @@
 
 namespace Continua
 {
-/// One cycle of a multigrid method for some of the velocities: a symmetric approximate inverse of
-/// their part of A, or of A with an augmentation. Collective.
+/// A factor, or one cycle of a multigrid method, for some of the velocities: a symmetric inverse of
+/// their part of A, or of A with an augmentation, or nearly one. Collective.
 class VelocityCycle
 {
 public:
