@@ -375,6 +375,7 @@ void visit_velocity_matrices(
 std::vector<std::vector<unsigned int>> velocity_nodes(const std::vector<RegionOperators> &operators)
 {
   std::vector<std::vector<unsigned int>> nodes;
+  nodes.reserve(operators.size());
   for (const RegionOperators &region : operators)
     nodes.push_back(region.products ? region.products->nodes(region.number)
                                     : rows_with_values(region.stiffness));
@@ -384,6 +385,7 @@ std::vector<std::vector<unsigned int>> velocity_nodes(const std::vector<RegionOp
 std::vector<std::vector<unsigned int>> pressure_nodes(const std::vector<RegionOperators> &operators)
 {
   std::vector<std::vector<unsigned int>> nodes;
+  nodes.reserve(operators.size());
   for (const RegionOperators &region : operators)
     nodes.push_back(rows_with_values(region.pressure_mass));
   return nodes;
