@@ -142,7 +142,7 @@ void PolynomialMultigrid<dim>::make_coarse_cycle(const typename Product::Coeffic
     }
     catch (const FactorTooLarge &)
     {
-      // Multigrid is there for this.
+      // Multigrid takes its place.
     }
   VelocityBlocks blocks;
   blocks.n_components = dim;

@@ -11,8 +11,8 @@ using namespace dealii;
 
 namespace
 {
-/// Of a polynomial of degree 3 or less. Beyond the eigenvalue that it is made for a polynomial
-/// grows the faster, the higher its degree is: it then takes more steps.
+/// For a polynomial of degree 3 or less. A polynomial amplifies the eigenvalues above the one that
+/// it is made for, the more the higher its degree is. A higher degree therefore takes more steps.
 constexpr unsigned int n_power_steps = 25;
 /// Power steps approach the largest eigenvalue from below.
 constexpr double eigenvalue_margin = 1.15;
