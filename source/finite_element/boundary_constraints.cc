@@ -420,6 +420,20 @@ void BoundaryConstraints<dim>::set_constrained(DistributedVector &velocity,
 }
 
 template <int dim>
+void BoundaryConstraints<dim>::expand_free(DistributedVector &velocity) const
+{
+  double *const u = velocity.begin();
+  for (const Constrained &dof : constrained)
+  {
+    u[dof.index] = 0.;
+    for (const Master &master : dof.masters)
+      u[dof.index] += master.coefficient * u[master.index];
+  }
+  for (const unsigned int index : hanging)
+    u[index] = 0.;
+}
+
+template <int dim>
 void BoundaryConstraints<dim>::prescribed_part(const DistributedVector &velocity,
                                                DistributedVector &values) const
 {

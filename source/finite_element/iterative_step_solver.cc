@@ -2,6 +2,7 @@
 
 #include <continua/base/input_error.h>
 #include <continua/base/memory_limit.h>
+#include <continua/finite_element/block_factor_estimate.h>
 #include <continua/finite_element/chebyshev_relaxation.h>
 #include <continua/finite_element/condensed_system.h>
 #include <continua/finite_element/interface_compliance.h>
@@ -80,6 +81,7 @@ IterativeStepSolver<dim>::IterativeStepSolver(const Space<dim> &space,
       constraints(constraints),
       parameters(parameters),
       memory_use(memory_use),
+      divergence(space, operators, constraints),
       solver(parameters.restart_length),
       last_velocity(space.velocity_vector()),
       last_pressure(space.pressure_vector())
@@ -105,8 +107,6 @@ bool IterativeStepSolver<dim>::prepare(const SystemCoefficients &wanted)
 {
   coefficients = wanted;
   const bool is_first = !matrix_free_velocity && !assembled_velocity;
-  if (is_first)
-    assemble_divergence(space, operators, constraints, divergence);
   if (is_first && parameters.is_matrix_free(space.degree()))
   {
     // The products of regions, if there are any, are of the same object.
@@ -435,7 +435,8 @@ void IterativeStepSolver<dim>::make_velocity_inverse(
     const std::vector<bool> &stiff_regions,
     const std::vector<unsigned int> &stiff_pressures,
     const VelocityBlocks &parts,
-    const bool has_joint_block)
+    const bool has_joint_block,
+    const TrilinosWrappers::SparseMatrix &divergence_matrix)
 {
   const bool is_matrix_free = relaxes_without_matrix(stiff_regions, parts);
   // Augmented by a bulk modulus of alpha, or compressible enough for a factor.
@@ -473,7 +474,7 @@ void IterativeStepSolver<dim>::make_velocity_inverse(
   {
     TrilinosWrappers::SparseMatrix block_compression;
     assemble_pressure_mass(space, operators, compressibility, block_compression);
-    auto block = std::make_unique<SaddlePointBlock>(divergence.trilinos_matrix(),
+    auto block = std::make_unique<SaddlePointBlock>(divergence_matrix.trilinos_matrix(),
                                                     block_compression.trilinos_matrix(),
                                                     parts.stiff, stiff_pressures);
     if (has_matrix)
@@ -485,11 +486,12 @@ void IterativeStepSolver<dim>::make_velocity_inverse(
       made.velocity_matrix.clear();
     block->factorize(parts.most_factor_bytes);
     made.velocity = std::make_unique<VelocityPreconditioner>(
-        divergence, std::move(block), stiff_pressures, std::move(relaxation));
+        divergence_matrix, std::move(block), stiff_pressures, std::move(relaxation));
   }
   else if (made.has_polynomial_multigrid)
     made.velocity = std::make_unique<VelocityPreconditioner>(
-        space.velocity_vector(), make_polynomial_multigrid(made, volumetric.coefficients),
+        space.velocity_vector(),
+        make_polynomial_multigrid(made, volumetric.coefficients, divergence_matrix),
         std::move(relaxation));
   else
     made.velocity = std::make_unique<VelocityPreconditioner>(made.velocity_matrix, parts,
@@ -527,9 +529,10 @@ const MatrixFreeProduct<dim, float> &IterativeStepSolver<dim>::single_precision_
 }
 
 template <int dim>
-std::unique_ptr<VelocityCycle>
-IterativeStepSolver<dim>::make_polynomial_multigrid(Preconditioner &made,
-                                                    const std::vector<double> &volumetric)
+std::unique_ptr<VelocityCycle> IterativeStepSolver<dim>::make_polynomial_multigrid(
+    Preconditioner &made,
+    const std::vector<double> &volumetric,
+    const TrilinosWrappers::SparseMatrix &divergence_matrix)
 {
   std::unique_ptr<TrilinosWrappers::SparseMatrix> supports;
   if (matrix_free_velocity->support_matrix() != nullptr)
@@ -544,7 +547,7 @@ IterativeStepSolver<dim>::make_polynomial_multigrid(Preconditioner &made,
       single_precision_cells(), space, constraints,
       typename PolynomialMultigrid<dim>::Product::Coefficients{coefficients.mass,
                                                                coefficients.stiffness, volumetric},
-      made.is_stiff, divergence, made.augmentation, std::move(supports),
+      made.is_stiff, divergence_matrix, made.augmentation, std::move(supports),
       has_factor ? limits.linear_bytes_per_unknown * n_unknowns() : 0.);
   made.multigrid_name = result->name();
   if (!result->has_linear_factor())
@@ -573,6 +576,19 @@ double IterativeStepSolver<dim>::most_factor_bytes(const unsigned int n_stiff) c
   if (n_stiff > limits.largest || n_stiff > limits.largest_share * static_cast<double>(n_velocity))
     return 0.;
   return limits.bytes_per_unknown * n_unknowns();
+}
+
+template <int dim>
+void IterativeStepSolver<dim>::refuse_large_factor(const VelocityBlocks &parts)
+{
+  if (!(parts.most_factor_bytes > 0.) || std::isinf(parts.most_factor_bytes) ||
+      n_stiff_of_all == n_stiff_with_small_estimate)
+    return;
+  // An entry has at least the bytes of single precision.
+  const double bytes = sizeof(float) * estimate_block_factor<dim>(space, constraints, parts.stiff);
+  if (bytes > parts.most_factor_bytes)
+    throw FactorTooLarge(bytes);
+  n_stiff_with_small_estimate = n_stiff_of_all;
 }
 
 template <int dim>
@@ -619,6 +635,7 @@ IterativeStepSolver<dim>::new_preconditioner()
   const bool has_fluid =
       Utilities::MPI::sum(static_cast<unsigned int>(parts.fluid.size()), space.communicator) > 0;
   parts.most_factor_bytes = most_factor_bytes(n_stiff);
+  refuse_large_factor(parts);
   parts.stiff_is_direct = parts.most_factor_bytes > 0.;
   parts.fluid_is_viscous = parameters.fluid_block == FluidBlock::algebraic_multigrid ||
                            (parameters.fluid_block == FluidBlock::automatic &&
@@ -663,7 +680,13 @@ IterativeStepSolver<dim>::new_preconditioner()
           !space.pressure_hanging.is_constrained(space.pressure_owned.nth_index_in_set(i)))
         made->augmentation.begin()[i] = alpha / volume.begin()[i];
   }
-  make_velocity_inverse(*made, stiff_regions, stiff_pressures, parts, has_joint_block);
+  // Products in the iteration do without this matrix.
+  TrilinosWrappers::SparseMatrix divergence_matrix;
+  mark_memory("preconditioner of the velocities");
+  assemble_divergence(space, operators, constraints, divergence_matrix);
+  mark_memory("blocks of the system"); // the mark at the end takes it off again
+  make_velocity_inverse(*made, stiff_regions, stiff_pressures, parts, has_joint_block,
+                        divergence_matrix);
   mark_memory("preconditioner of the velocities");
 
   if (n_stiff > 0 && has_fluid && has_inertia && !simple)
@@ -674,8 +697,8 @@ IterativeStepSolver<dim>::new_preconditioner()
   {
     for (unsigned int i = 0; i < mobility.locally_owned_size(); ++i)
       mobility.begin()[i] = 1. / velocity_operator().diagonal().begin()[i];
-    made->schur_complement =
-        std::make_unique<SchurComplement>(divergence, compression, nullptr, &mobility, places);
+    made->schur_complement = std::make_unique<SchurComplement>(divergence_matrix, compression,
+                                                               nullptr, &mobility, places);
   }
   else
   {
@@ -688,8 +711,9 @@ IterativeStepSolver<dim>::new_preconditioner()
     for (unsigned int i = 0; i < is_left_out.size(); ++i)
       if (!is_left_out[i])
         pressures.push_back(i);
-    made->schur_complement = std::make_unique<SchurComplement>(
-        divergence, compression, &mass_form, has_inertia ? &mobility : nullptr, places, pressures);
+    made->schur_complement =
+        std::make_unique<SchurComplement>(divergence_matrix, compression, &mass_form,
+                                          has_inertia ? &mobility : nullptr, places, pressures);
   }
 
   std::ostringstream text;
@@ -711,9 +735,12 @@ IterativeStepSolver<dim>::new_preconditioner()
     text << "; products without a matrix ("
          << word_of(instruction_set_words(), parameters.instruction_set) << ")";
   made->name = text.str();
+  mark_memory("preconditioner of the pressure");
+  divergence_matrix.clear();
+  mark_memory("blocks of the system");
   mass_diagonals.clear();
   stiffness_diagonals.clear();
-  mark_memory("preconditioner of the pressure");
+  mark_memory("preconditioner of the velocities");
   return made;
 }
 
@@ -781,9 +808,9 @@ std::string IterativeStepSolver<dim>::describe_failure(const KrylovReport &repor
   const LinearFunction matrix = [&](DistributedVector &target, const DistributedVector &source)
   {
     velocity_operator().multiply(target, source);
-    multiply(divergence, of_pressure, source);
+    divergence.multiply(of_pressure, source);
     of_pressure.scale(used.augmentation);
-    multiply_transposed(divergence, of_velocity, of_pressure);
+    divergence.multiply_transposed(of_velocity, of_pressure);
     target.add(1., of_velocity);
   };
   const auto factor_of = [&](const bool of_stiff, const LinearFunction &inverse)

@@ -26,6 +26,7 @@ struct CholmodFactor::Data
     common.print = 0;
     common.supernodal = CHOLMOD_SIMPLICIAL;
     common.final_ll = false;
+    common.grow2 = 0; // no room in the columns for updates of the factor
     // Both are tried, the one with fewer entries in the factor is taken.
     common.nmethods = 2;
     common.method[0].ordering = CHOLMOD_AMD;

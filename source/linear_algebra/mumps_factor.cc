@@ -7,6 +7,7 @@ namespace Continua
 MumpsFactor::MumpsFactor(const bool quasi_definite, const MPI_Comm communicator)
     : quasi_definite(quasi_definite),
       solver(quasi_definite ? MumpsSymmetry::quasi_definite : MumpsSymmetry::symmetric,
+             MumpsScaling::of_mumps,
              communicator)
 {
 }

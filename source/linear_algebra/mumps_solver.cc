@@ -198,13 +198,57 @@ void MumpsSolver<Number>::Data::plan_exchange()
 }
 
 template <typename Number>
-MumpsSolver<Number>::MumpsSolver(const MumpsSymmetry symmetry, const MPI_Comm communicator)
-    : symmetry(symmetry), communicator(communicator)
+MumpsSolver<Number>::MumpsSolver(const MumpsSymmetry symmetry,
+                                 const MumpsScaling scaling,
+                                 const MPI_Comm communicator)
+    : symmetry(symmetry), scaling(scaling), communicator(communicator)
 {
 }
 
 template <typename Number>
 MumpsSolver<Number>::~MumpsSolver() = default;
+
+template <typename Number>
+FactorEstimate MumpsSolver<Number>::analyse_from_one(const int n,
+                                                     std::vector<int> &rows,
+                                                     std::vector<int> &columns,
+                                                     Number *const values)
+{
+  data = nullptr; // the old factor goes before the new one is made
+  data = std::make_unique<Data>(symmetry, communicator);
+  Data &d = *data;
+  d.mumps.n = n;
+  d.mumps.nnz_loc = static_cast<MUMPS_INT8>(rows.size());
+  d.mumps.irn_loc = rows.data();
+  d.mumps.jcn_loc = columns.data();
+  d.mumps.a_loc = values;
+  d.icntl(18) = 3; // entries distributed in any way
+  d.icntl(28) = 1; // sequential, hence reproducible, analysis
+  d.icntl(7) = 5;  // METIS; a MUMPS built without it (Debian's) takes PORD instead
+  if (scaling == MumpsScaling::none)
+    d.icntl(8) = 0;
+  d.icntl(10) = 0;         // no iterative refinement
+  d.icntl(24) = 1;         // find the zero pivots of a singular matrix
+  d.mumps.cntl[2] = 1e-13; // what counts as zero, relative to the scaled matrix
+  if (symmetry == MumpsSymmetry::quasi_definite)
+    d.mumps.cntl[0] = 0.; // no pivoting
+  d.run(job_analyse, "analysis");
+  d.mumps.irn_loc = d.mumps.jcn_loc = nullptr;
+  d.mumps.a_loc = nullptr;
+  return {count_of(d.mumps.infog[19]), 1e6 * d.mumps.infog[16]};
+}
+
+template <typename Number>
+FactorEstimate
+MumpsSolver<Number>::analyse(const int n, std::vector<int> rows, std::vector<int> columns)
+{
+  for (std::vector<int> *const indices : {&rows, &columns})
+    for (int &index : *indices)
+      ++index;
+  const FactorEstimate estimate = analyse_from_one(n, rows, columns, nullptr);
+  data = nullptr;
+  return estimate;
+}
 
 template <typename Number>
 void MumpsSolver<Number>::factorize(const int n,
@@ -214,11 +258,6 @@ void MumpsSolver<Number>::factorize(const int n,
                                     const std::vector<int> &owned,
                                     const std::function<void(const FactorEstimate &)> &announce)
 {
-  data = nullptr; // the old factor goes before the new one is made
-  data = std::make_unique<Data>(symmetry, communicator);
-  Data &d = *data;
-  d.owned = owned;
-
   const long n_owned = owned.size();
   long n_owned_of_all = 0;
   MPI_Allreduce(&n_owned, &n_owned_of_all, 1, MPI_LONG, MPI_SUM, communicator);
@@ -229,25 +268,11 @@ void MumpsSolver<Number>::factorize(const int n,
     ++row;
   for (int &column : columns)
     ++column;
-  d.mumps.n = n;
-  d.mumps.nnz_loc = static_cast<MUMPS_INT8>(rows.size());
-  d.mumps.irn_loc = rows.data();
-  d.mumps.jcn_loc = columns.data();
-  d.mumps.a_loc = values.data();
-  d.icntl(18) = 3;         // entries distributed in any way
-  d.icntl(28) = 1;         // sequential, hence reproducible, analysis
-  d.icntl(7) = 5;          // METIS; a MUMPS built without it (Debian's) takes PORD instead
-  d.icntl(10) = 0;         // no iterative refinement
-  d.icntl(24) = 1;         // find the zero pivots of a singular matrix
-  d.mumps.cntl[2] = 1e-13; // what counts as zero, relative to the scaled matrix
-  if (symmetry == MumpsSymmetry::quasi_definite)
-    d.mumps.cntl[0] = 0.; // no pivoting
-  d.run(job_analyse, "analysis");
-  // It may throw: MUMPS must not know arrays that are gone.
-  d.mumps.irn_loc = d.mumps.jcn_loc = nullptr;
-  d.mumps.a_loc = nullptr;
-  if (announce)
-    announce({count_of(d.mumps.infog[19]), 1e6 * d.mumps.infog[16]});
+  const FactorEstimate estimate = analyse_from_one(n, rows, columns, values.data());
+  if (announce) // it may throw
+    announce(estimate);
+  Data &d = *data;
+  d.owned = owned;
   d.mumps.irn_loc = rows.data();
   d.mumps.jcn_loc = columns.data();
   d.mumps.a_loc = values.data();

@@ -47,9 +47,9 @@ void SaddlePointSolver::multiply_blocks(const Blocks &blocks,
     return;
   }
   blocks.velocity.multiply(target.block(0), source.block(0));
-  multiply_transposed(blocks.divergence, velocity_work, source.block(1));
+  blocks.divergence.multiply_transposed(velocity_work, source.block(1));
   target.block(0).add(-1., velocity_work);
-  multiply(blocks.divergence, target.block(1), source.block(0));
+  blocks.divergence.multiply(target.block(1), source.block(0));
   multiply(blocks.compression, pressure_work, source.block(1));
   target.block(1).sadd(-1., -1., pressure_work);
   if (blocks.further)
@@ -105,18 +105,21 @@ KrylovReport SaddlePointSolver::solve(const Blocks &blocks,
     // p = -S^-1 g, and A u = f + B^T (p - W (g + C p)).
     schur_complement.vmult(target.block(1), product.block(1));
     target.block(1) *= -1.;
-    if (velocity_inverse.has_pressures())
+    const bool has_pressures = velocity_inverse.has_pressures();
+    augmented.equ(1., target.block(1));
+    if (!has_pressures)
     {
-      velocity_inverse.vmult(target.block(0), target.block(1), product.block(0), product.block(1));
-      return;
+      multiply(blocks.compression, augmented, target.block(1));
+      augmented.add(1., product.block(1));
+      augmented.scale(augmentation);
+      augmented.sadd(-1., 1., target.block(1));
     }
-    multiply(blocks.compression, augmented, target.block(1));
-    augmented.add(1., product.block(1));
-    augmented.scale(augmentation);
-    augmented.sadd(-1., 1., target.block(1));
-    multiply_transposed(blocks.divergence, velocity_work, augmented);
+    blocks.divergence.multiply_transposed(velocity_work, augmented);
     product.block(0).add(1., velocity_work);
-    velocity_inverse.vmult(target.block(0), product.block(0));
+    if (has_pressures)
+      velocity_inverse.vmult(target.block(0), target.block(1), product.block(0), product.block(1));
+    else
+      velocity_inverse.vmult(target.block(0), product.block(0));
   };
 
   right_hand_side.block(0).equ(1., momentum);
@@ -136,9 +139,9 @@ KrylovReport SaddlePointSolver::solve(const Blocks &blocks,
     };
     blocks.velocity.multiply(velocity_work, velocity);
     take(velocity_work, scale.block(0));
-    multiply_transposed(blocks.divergence, velocity_work, pressure);
+    blocks.divergence.multiply_transposed(velocity_work, pressure);
     take(velocity_work, scale.block(0));
-    multiply(blocks.divergence, pressure_work, velocity);
+    blocks.divergence.multiply(pressure_work, velocity);
     take(pressure_work, scale.block(1));
     multiply(blocks.compression, pressure_work, pressure);
     take(pressure_work, scale.block(1));

@@ -67,8 +67,9 @@ void SinglePrecisionFactor::factorize(SymmetricTriplets matrix, const std::vecto
   }
   matrix.values = std::vector<double>();
   single.resize(owned.size());
-  solver = std::make_unique<MumpsSolver<float>>(
-      pivots ? MumpsSymmetry::symmetric : MumpsSymmetry::quasi_definite, communicator);
+  solver = std::make_unique<MumpsSolver<float>>(pivots ? MumpsSymmetry::symmetric
+                                                       : MumpsSymmetry::quasi_definite,
+                                                MumpsScaling::none, communicator);
   solver->factorize(matrix.n, std::move(matrix.rows), std::move(matrix.columns), std::move(values),
                     owned, announce);
 }

@@ -3,7 +3,7 @@
 namespace Continua
 {
 UnsymmetricMumpsFactor::UnsymmetricMumpsFactor(const MPI_Comm communicator)
-    : solver(MumpsSymmetry::unsymmetric, communicator)
+    : solver(MumpsSymmetry::unsymmetric, MumpsScaling::of_mumps, communicator)
 {
 }
 

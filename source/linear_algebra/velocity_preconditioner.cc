@@ -1,5 +1,4 @@
 #include <continua/linear_algebra/block_multigrid.h>
-#include <continua/linear_algebra/matrix_product.h>
 #include <continua/linear_algebra/sub_matrix.h>
 #include <continua/linear_algebra/velocity_preconditioner.h>
 
@@ -50,11 +49,9 @@ VelocityPreconditioner::VelocityPreconditioner(
     : relaxation(std::move(relaxation_of_fluid)),
       has_stiff(true),
       residual(divergence.locally_owned_domain_indices(), divergence.get_mpi_communicator()),
-      divergence(&divergence),
       saddle_point(std::move(stiff_block)),
       stiff_pressures(pressures_of_stiff)
 {
-  full_momentum.reinit(residual);
   velocity_work.reinit(residual);
   pressure_residual.reinit(divergence.locally_owned_range_indices(),
                            divergence.get_mpi_communicator());
@@ -116,19 +113,16 @@ void VelocityPreconditioner::vmult(DistributedVector &velocity,
                                    const DistributedVector &momentum,
                                    const DistributedVector &mass)
 {
-  // The pressures of the fluid are known and act on all velocities.
-  multiply_transposed(*divergence, full_momentum, pressure);
-  full_momentum.add(1., momentum);
   velocity = 0.;
   pressure_residual.equ(1., mass);
   if (!relaxation)
   {
-    saddle_point->add_solution(full_momentum.begin(), pressure_residual.begin(), velocity.begin(),
+    saddle_point->add_solution(momentum.begin(), pressure_residual.begin(), velocity.begin(),
                                pressure.begin());
     return;
   }
-  relaxation->add_relaxed(velocity, full_momentum);
-  relaxation->leave_residual(residual, velocity, full_momentum);
+  relaxation->add_relaxed(velocity, momentum);
+  relaxation->leave_residual(residual, velocity, momentum);
   stiff_divergence->Multiply(false, *velocity.trilinos_vector()(0), *pressure_part);
   for (std::size_t k = 0; k < stiff_pressures.size(); ++k)
     pressure_residual.begin()[stiff_pressures[k]] += (*pressure_part)[static_cast<int>(k)];
@@ -137,8 +131,8 @@ void VelocityPreconditioner::vmult(DistributedVector &velocity,
   for (std::size_t k = 0; k < stiff_pressures.size(); ++k)
     (*pressure_part)[static_cast<int>(k)] = pressure.begin()[stiff_pressures[k]];
   stiff_divergence->Multiply(true, *pressure_part, *velocity_work.trilinos_vector()(0));
-  full_momentum.add(1., velocity_work);
-  relaxation->leave_residual(residual, velocity, full_momentum);
+  velocity_work.add(1., momentum);
+  relaxation->leave_residual(residual, velocity, velocity_work);
   relaxation->add_relaxed(velocity, residual);
 }
 } // namespace Continua

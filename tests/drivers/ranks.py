@@ -11,6 +11,7 @@ Header comments of the case, all optional:
     # power floor share: 1   the tolerance of a column of power.csv is at least relative to this share of the largest
                             magnitude of its unit in the table: an iterative solver's tolerance is one of the whole
                             balance, not of its smallest part (default 0)
+    # iterations: 0.05      largest relative difference of the iterations of all linear solves (not compared without it)
     # left out of the screen: REGEX   none or more; lines of the screen that may differ
 
 Without `others` the runs must have chosen the same, too, by log.txt and summary.json: meshes, linear solver, its blocks.
@@ -19,11 +20,17 @@ The power's residual and its share are nothing but round-off where the balance c
 the mesh bring where cells are only divided; they are not compared.
 """
 
+import json
 import os
 import re
 
 import choices
 import driver
+
+
+def linear_iterations(output):
+    with open(os.path.join(output, "summary.json"), encoding="utf-8") as file:
+        return json.load(file)["linear iterations"]
 
 
 def case(program, parameter_file, folder):
@@ -34,6 +41,7 @@ def case(program, parameter_file, folder):
     power_tolerance = float(driver.single(entries, "power tolerance", str(tolerance)))
     power_floor_share = float(driver.single(entries, "power floor share", "0"))
 
+    iterations_tolerance = driver.single(entries, "iterations", None)
     left_out = entries.get("left out of the screen", [])
     outputs, screens = [], []
     others = driver.overrides(entries.get("others", []))
@@ -55,6 +63,10 @@ def case(program, parameter_file, folder):
             driver.compare_tables(os.path.join(outputs[0], "power.csv"), os.path.join(output, "power.csv"),
                                   power_tolerance, floor, floor_share=power_floor_share,
                                   left_out=("residual [W]", "share [1]", "energy change by transfer [J]"))
+        if iterations_tolerance is not None:
+            first, present = (linear_iterations(path) for path in (outputs[0], output))
+            if abs(present - first) > float(iterations_tolerance) * first:
+                raise driver.TestFailure(f"{present} iterations on {n} ranks, and {first} on {ranks[0]}")
         if not others:
             choices.compare_choices(outputs[0], output)
         if screen != screens[0]:

@@ -3,6 +3,7 @@
 // one that is worse than nothing, no right side, and too few iterations.
 
 #include <continua/linear_algebra/matrix_operator.h>
+#include <continua/linear_algebra/matrix_product.h>
 #include <continua/linear_algebra/saddle_point_solver.h>
 
 #include "dense_systems.h"
@@ -19,6 +20,25 @@ using namespace Continua;
 using namespace dense_systems;
 
 constexpr unsigned int n_pressures = 5, n_velocities = n_pressures + 1;
+
+/// B by its matrix.
+class MatrixDivergence : public DivergenceOperator
+{
+public:
+  explicit MatrixDivergence(const Sparse &matrix) : matrix(matrix) {}
+  void multiply(DistributedVector &target, const DistributedVector &source) const override
+  {
+    Continua::multiply(matrix, target, source);
+  }
+  void multiply_transposed(DistributedVector &target,
+                           const DistributedVector &source) const override
+  {
+    Continua::multiply_transposed(matrix, target, source);
+  }
+
+private:
+  const Sparse &matrix;
+};
 
 /// [A -B^T; -B -C] with B of differences and C = compression I.
 struct System
@@ -83,7 +103,8 @@ struct System
     std::copy_n(guess.begin() + n_velocities, n_pressures, of_pressure.begin());
     DistributedVector u = distributed(of_velocity), p = distributed(of_pressure);
     const MatrixOperator velocity_operator(velocity);
-    const SaddlePointSolver::Blocks blocks{velocity_operator, divergence, compression, {}};
+    const MatrixDivergence divergence_operator(divergence);
+    const SaddlePointSolver::Blocks blocks{velocity_operator, divergence_operator, compression, {}};
     SaddlePointSolver solver(30);
     solver.reinit(blocks);
     const KrylovReport report =

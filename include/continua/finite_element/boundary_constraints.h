@@ -38,6 +38,8 @@ public:
   void restrict_to_free(DistributedVector &residual) const;
   /// T u + g: sets the constrained entries from their masters and `values` (owned vectors).
   void set_constrained(DistributedVector &velocity, const DistributedVector &values) const;
+  /// T: the same without values.
+  void expand_free(DistributedVector &velocity) const;
   /// u - T u: what a velocity that obeys the constraints has as its g, at the constrained dofs;
   /// other entries stay as they are.
   void prescribed_part(const DistributedVector &velocity, DistributedVector &values) const;

@@ -7,6 +7,7 @@
 #include <continua/finite_element/linear_solver_parameters.h>
 #include <continua/finite_element/matrix_free_product.h>
 #include <continua/finite_element/matrix_free_velocity.h>
+#include <continua/finite_element/region_divergence.h>
 #include <continua/finite_element/region_operators.h>
 #include <continua/finite_element/space.h>
 #include <continua/linear_algebra/matrix_operator.h>
@@ -119,13 +120,14 @@ private:
   std::unique_ptr<MatrixFreeProduct<dim, float>> single_precision_product;
   dealii::TrilinosWrappers::SparseMatrix velocity_matrix;
   std::unique_ptr<MatrixOperator> assembled_velocity;
-  dealii::TrilinosWrappers::SparseMatrix divergence, compression;
+  RegionDivergence<dim> divergence;
+  dealii::TrilinosWrappers::SparseMatrix compression;
   std::unique_ptr<Preconditioner> preconditioner;
   /// A stiff block whose factor was refused on this mesh.
   struct RefusedFactor
   {
     unsigned int n_stiff; ///< velocities of the block on all ranks
-    double bytes;         ///< of its entries, by the analysis
+    double bytes;         ///< of its entries, by an estimate or the analysis
   };
   std::optional<RefusedFactor> refused_factor;
   SaddlePointSolver solver;
@@ -135,6 +137,7 @@ private:
   std::vector<DistributedVector> mass_diagonals, stiffness_diagonals;
   unsigned int n_stiff_of_all = 0;                ///< velocities of the stiff block on all ranks
   unsigned int n_stiff_without_linear_factor = 0; ///< with so many it was too large
+  unsigned int n_stiff_with_small_estimate = 0;   ///< with so many no estimate is needed any more
 
   bool is_near(const SystemCoefficients &others) const;
   /// With multigrid where the factor of the stiff block turns out too large.
@@ -142,6 +145,9 @@ private:
   std::unique_ptr<Preconditioner> new_preconditioner();
   /// Most bytes of the factor of a stiff block of so many velocities; zero if it has multigrid.
   double most_factor_bytes(unsigned int n_stiff) const;
+  /// Throws FactorTooLarge if an estimate of the stiff block's factor, before any of its entries
+  /// is assembled, is more than it may have. Collective.
+  void refuse_large_factor(const VelocityBlocks &parts);
   void mark_memory(const std::string &part) const;
   /// From the last solution, or from zero for a correction; once more with a new preconditioner if
   /// it was one of other coefficients that failed. The report counts the iterations of both.
@@ -170,15 +176,18 @@ private:
                              const std::vector<bool> &stiff_regions,
                              const std::vector<unsigned int> &stiff_pressures,
                              const VelocityBlocks &parts,
-                             bool has_joint_block);
+                             bool has_joint_block,
+                             const dealii::TrilinosWrappers::SparseMatrix &divergence_matrix);
   /// A, with the volumetric stiffness, in some rows (by local index); null means all of them.
   void assemble_rows(const std::vector<unsigned int> *wanted,
                      VolumetricStiffness &volumetric,
                      dealii::TrilinosWrappers::SparseMatrix &matrix) const;
   /// The preconditioners' products share its cells. Made once.
   const MatrixFreeProduct<dim, float> &single_precision_cells();
-  std::unique_ptr<VelocityCycle> make_polynomial_multigrid(Preconditioner &made,
-                                                           const std::vector<double> &volumetric);
+  std::unique_ptr<VelocityCycle>
+  make_polynomial_multigrid(Preconditioner &made,
+                            const std::vector<double> &volumetric,
+                            const dealii::TrilinosWrappers::SparseMatrix &divergence_matrix);
   double n_unknowns() const; ///< of all ranks
   VelocityBlocks velocity_blocks(const std::vector<bool> &stiff_regions,
                                  DistributedVector &mobility,

@@ -45,10 +45,10 @@ enum class StiffBlock
 struct StiffBlockLimits
 {
   unsigned int small_in_plane = 400000, small_in_space = 60000;
-  // Beyond these the analysis alone takes too much memory.
+  // Beyond these an estimate of the factor alone takes too much memory.
   unsigned int largest = 1000000;
   double largest_share = 0.5; ///< of all velocities
-  /// Of the factor, by its analysis, for each unknown of the whole system.
+  /// Of the factor, by an estimate and by its analysis, for each unknown of the whole system.
   double bytes_per_unknown = 1000.;
   /// The same of the linear velocities in polynomial multigrid, up to a number of stiff velocities.
   double linear_bytes_per_unknown = 250.;

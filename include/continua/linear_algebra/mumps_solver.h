@@ -11,6 +11,14 @@
 
 namespace Continua
 {
+enum class MumpsScaling
+{
+  of_mumps, ///< of rows and columns, by their entries
+  /// The matrix is scaled already. On several ranks MUMPS then sends far less in a solve: with a
+  /// scaling of its own it sends the scaling's vectors to all ranks in each one.
+  none
+};
+
 enum class MumpsSymmetry
 {
   unsymmetric, ///< L U; all entries are given
@@ -31,9 +39,11 @@ template <typename Number>
 class MumpsSolver
 {
 public:
-  MumpsSolver(MumpsSymmetry symmetry, MPI_Comm communicator);
+  MumpsSolver(MumpsSymmetry symmetry, MumpsScaling scaling, MPI_Comm communicator);
   ~MumpsSolver();
 
+  /// What factorize() would announce for a matrix with such entries. There is no factor then.
+  FactorEstimate analyse(int n, std::vector<int> rows, std::vector<int> columns);
   /// Entries (global indices from 0) are spread over ranks in any way, those that occur twice add.
   /// With pivoting, a pivot of at most 1e-13 of the scaled matrix counts as zero: RunError. In
   /// large matrices, and in single precision, rounding can hide a singularity. `announce`: called
@@ -52,8 +62,12 @@ public:
 
 private:
   struct Data;
+  /// Begins anew and makes the analysis. Indices from 1; MUMPS keeps no array of entries.
+  FactorEstimate
+  analyse_from_one(int n, std::vector<int> &rows, std::vector<int> &columns, Number *values);
   std::unique_ptr<Data> data;
   const MumpsSymmetry symmetry;
+  const MumpsScaling scaling;
   const MPI_Comm communicator;
 };
 } // namespace Continua

@@ -2,6 +2,7 @@
 #define continua_linear_algebra_saddle_point_solver_h
 
 #include <continua/linear_algebra/distributed_vector.h>
+#include <continua/linear_algebra/divergence_operator.h>
 #include <continua/linear_algebra/schur_complement.h>
 #include <continua/linear_algebra/velocity_operator.h>
 #include <continua/linear_algebra/velocity_preconditioner.h>
@@ -57,7 +58,8 @@ public:
   struct Blocks
   {
     const VelocityOperator &velocity;
-    const dealii::TrilinosWrappers::SparseMatrix &divergence, &compression;
+    const DivergenceOperator &divergence;
+    const dealii::TrilinosWrappers::SparseMatrix &compression;
     Product further = nullptr, whole = nullptr;
   };
 

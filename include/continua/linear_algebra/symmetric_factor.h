@@ -67,7 +67,7 @@ struct FactorTooLarge : std::runtime_error
       : std::runtime_error("the factor is too large"), bytes(bytes)
   {
   }
-  double bytes; ///< of its entries on all ranks, by the analysis
+  double bytes; ///< of its entries on all ranks, by an estimate or the analysis
 };
 
 /// Up to so many entries of the lower triangle `automatic` takes CHOLMOD on one rank: about 100,000

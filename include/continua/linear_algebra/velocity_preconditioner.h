@@ -39,7 +39,7 @@ public:
                          std::unique_ptr<VelocityCycle> stiff_multigrid,
                          std::unique_ptr<VelocityRelaxation> relaxation);
   /// With the factored block of the stiff velocities and pressures, and the local indices of the
-  /// latter; B must outlive it.
+  /// latter. Of B it keeps the rows of these.
   VelocityPreconditioner(const dealii::TrilinosWrappers::SparseMatrix &divergence,
                          std::unique_ptr<SaddlePointBlock> stiff_block,
                          const std::vector<unsigned int> &stiff_pressures,
@@ -49,7 +49,7 @@ public:
   /// Without stiff pressures: target = the approximate inverse times source.
   void vmult(DistributedVector &target, const DistributedVector &source);
   /// With them: the velocity, and the stiff ones of `pressure`, which are zero before; the others
-  /// are known.
+  /// are known, and their forces are a part of `momentum`.
   void vmult(DistributedVector &velocity,
              DistributedVector &pressure,
              const DistributedVector &momentum,
@@ -78,12 +78,11 @@ private:
   DistributedVector residual;
 
   // With stiff pressures.
-  const dealii::TrilinosWrappers::SparseMatrix *divergence = nullptr;
   std::unique_ptr<SaddlePointBlock> saddle_point;
   std::vector<unsigned int> stiff_pressures;
   std::unique_ptr<Epetra_CrsMatrix> stiff_divergence; ///< rows of B
   std::unique_ptr<Epetra_Vector> pressure_part;
-  DistributedVector full_momentum, velocity_work, pressure_residual, pressure_work;
+  DistributedVector velocity_work, pressure_residual, pressure_work;
 
   void add_stiff(DistributedVector &target, const DistributedVector &source);
 };

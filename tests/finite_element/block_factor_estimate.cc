@@ -1,0 +1,143 @@
+// The estimate of a block's factor by the graph of its nodes beside MUMPS's analysis of the block
+// itself: of a plate and of a part of it, with hanging nodes, a fixed side and an inclined roller.
+
+#include <continua/finite_element/block_factor_estimate.h>
+#include <continua/finite_element/condensed_system.h>
+#include <continua/finite_element/velocity_nodes.h>
+#include <continua/linear_algebra/mumps_solver.h>
+
+#include "../parameter_text.h"
+#include "../unit_test.h"
+#include "small_problem.h"
+
+#include <Epetra_CrsMatrix.h>
+
+#include <set>
+#include <string>
+#include <utility>
+
+namespace test_of_block_factor_estimate
+{
+using namespace Continua;
+using namespace dealii;
+
+namespace
+{
+std::vector<BoundaryCondition> read_conditions()
+{
+  std::vector<BoundaryCondition> conditions;
+  // The ranks take turns: each writes the file that it reads.
+  for (unsigned int rank = 0; rank < Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD); ++rank)
+  {
+    if (rank == Utilities::MPI::this_mpi_process(MPI_COMM_WORLD))
+    {
+      std::string text = "subsection Boundaries\n";
+      const std::vector<std::string> names = {"left", "right", "bottom", "top", "back", "front"};
+      std::set<std::pair<unsigned int, unsigned int>> pairs;
+      for (unsigned int b = 0; b < names.size(); ++b)
+      {
+        text += "subsection " + names[b] + "\nset Type = " +
+                (b == 0   ? "fixed"
+                 : b == 2 ? "roller"
+                          : "free") +
+                "\nend\n";
+        pairs.insert({b, 0});
+      }
+      ParameterFile file = parameters_of(text + "end\n");
+      conditions = read_boundary_conditions(file.root().subsection("Boundaries"), names, {"body"},
+                                            pairs, 3, false);
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+  }
+  return conditions;
+}
+
+/// Entries of the factor of the rows of the block, by the analysis of A itself.
+double analysed(const TrilinosWrappers::SparseMatrix &matrix,
+                const Space<3> &space,
+                const std::vector<bool> &is_in_block)
+{
+  // Rows outside the block stay as rows with a diagonal entry alone, which are counted.
+  const Epetra_CrsMatrix &a = matrix.trilinos_matrix();
+  DistributedVector owned = space.velocity_vector(),
+                    flags(space.velocity_owned, space.velocity_relevant, space.communicator);
+  for (unsigned int i = 0; i < is_in_block.size(); ++i)
+    owned.begin()[i] = is_in_block[i] ? 1. : 0.;
+  flags = owned;
+  std::vector<int> rows, columns;
+  double n_outside = 0.;
+  for (unsigned int i = 0; i < is_in_block.size(); ++i)
+  {
+    const int row = a.GRID(static_cast<int>(i));
+    if (!is_in_block[i])
+    {
+      n_outside += 1.;
+      rows.push_back(row);
+      columns.push_back(row);
+      continue;
+    }
+    int n_entries = 0;
+    double *values = nullptr;
+    int *locals = nullptr;
+    a.ExtractMyRowView(static_cast<int>(i), n_entries, values, locals);
+    for (int e = 0; e < n_entries; ++e)
+    {
+      const int column = a.GCID(locals[e]);
+      if (column <= row && values[e] != 0. && flags[column] > 0.)
+      {
+        rows.push_back(row);
+        columns.push_back(column);
+      }
+    }
+  }
+  return MumpsSolver<float>(MumpsSymmetry::quasi_definite, MumpsScaling::none, MPI_COMM_WORLD)
+             .analyse(static_cast<int>(space.velocity_dofs.n_dofs()), rows, columns)
+             .n_entries -
+         Utilities::MPI::sum(n_outside, MPI_COMM_WORLD);
+}
+} // namespace
+
+UNIT_TEST(block_factor_estimate)
+{
+  const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  small_problem::quiet_other_ranks();
+  const std::vector<BoundaryCondition> conditions = read_conditions();
+  small_problem::Mesh<3> mesh(MPI_COMM_WORLD);
+  small_problem::make_box<3>(mesh, {12, 8, 2});
+  GridTools::rotate(Tensor<1, 3>({0., 0., 1.}), 0.4, mesh);
+  small_problem::refine<3>(mesh, [](const Point<3> &x) { return x[1] > 10.; });
+  Space<3> space(mesh, SpaceParameters(), Model::three_dimensional, 1);
+  space.distribute();
+  BoundaryConstraints<3> constraints(space, conditions);
+  constraints.build();
+  std::vector<RegionOperators> operators(1);
+  assemble_region_operators(space, operators);
+  TrilinosWrappers::SparseMatrix matrix;
+  assemble_velocity_block(space, operators, constraints, SystemCoefficients{{1.}, {1.}, {1.}},
+                          nullptr, nullptr, matrix);
+
+  const std::vector<unsigned int> all = nodes_in_order(space.velocity_dofs);
+  std::vector<bool> is_in_block(all.size(), true);
+  check::relative("all: estimate over analysis",
+                  estimate_block_factor<3>(space, constraints, all) /
+                      analysed(matrix, space, is_in_block),
+                  1., 0.2);
+  // All components of a node lie at one place.
+  std::vector<unsigned int> part;
+  const DistributedVector x =
+      small_problem::interpolated<3>(space,
+                                     [](const Point<3> &point) {
+                                       return Tensor<1, 3>({point[0], point[0], point[0]});
+                                     });
+  for (const unsigned int i : all)
+  {
+    is_in_block[i] = x.begin()[i] > 4.;
+    if (is_in_block[i])
+      part.push_back(i);
+  }
+  check::relative("a part: estimate over analysis",
+                  estimate_block_factor<3>(space, constraints, part) /
+                      analysed(matrix, space, is_in_block),
+                  1., 0.2);
+}
+} // namespace test_of_block_factor_estimate
