@@ -402,35 +402,38 @@ void BoundaryConstraints<dim>::restrict_to_free(DistributedVector &residual) con
     values[index] = 0.;
 }
 
-template <int dim>
-void BoundaryConstraints<dim>::set_constrained(DistributedVector &velocity,
-                                               const DistributedVector &values) const
+namespace
 {
-  double *const u = velocity.begin();
-  const double *const g = values.begin();
+/// Sets the constrained entries from their masters and, unless they are null, `values`.
+template <typename Constrained>
+void set_entries(const std::vector<Constrained> &constrained,
+                 const std::vector<unsigned int> &hanging,
+                 const double *const values,
+                 double *const u)
+{
   for (const Constrained &dof : constrained)
   {
-    double sum = g[dof.index];
-    for (const Master &master : dof.masters)
+    double sum = values != nullptr ? values[dof.index] : 0.;
+    for (const auto &master : dof.masters)
       sum += master.coefficient * u[master.index];
     u[dof.index] = sum;
   }
   for (const unsigned int index : hanging)
     u[index] = 0.;
 }
+} // namespace
+
+template <int dim>
+void BoundaryConstraints<dim>::set_constrained(DistributedVector &velocity,
+                                               const DistributedVector &values) const
+{
+  set_entries(constrained, hanging, values.begin(), velocity.begin());
+}
 
 template <int dim>
 void BoundaryConstraints<dim>::expand_free(DistributedVector &velocity) const
 {
-  double *const u = velocity.begin();
-  for (const Constrained &dof : constrained)
-  {
-    u[dof.index] = 0.;
-    for (const Master &master : dof.masters)
-      u[dof.index] += master.coefficient * u[master.index];
-  }
-  for (const unsigned int index : hanging)
-    u[index] = 0.;
+  set_entries(constrained, hanging, nullptr, velocity.begin());
 }
 
 template <int dim>

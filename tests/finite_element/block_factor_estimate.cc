@@ -6,8 +6,8 @@
 #include <continua/finite_element/velocity_nodes.h>
 #include <continua/linear_algebra/mumps_solver.h>
 
-#include "../parameter_text.h"
 #include "../unit_test.h"
+#include "conditions_in_turn.h"
 #include "small_problem.h"
 
 #include <Epetra_CrsMatrix.h>
@@ -23,33 +23,18 @@ using namespace dealii;
 
 namespace
 {
-std::vector<BoundaryCondition> read_conditions()
+std::vector<BoundaryCondition> conditions_of_plate()
 {
-  std::vector<BoundaryCondition> conditions;
-  // The ranks take turns: each writes the file that it reads.
-  for (unsigned int rank = 0; rank < Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD); ++rank)
+  const std::vector<std::string> names = {"left", "right", "bottom", "top", "back", "front"};
+  std::string entries;
+  std::set<std::pair<unsigned int, unsigned int>> pairs;
+  for (unsigned int b = 0; b < names.size(); ++b)
   {
-    if (rank == Utilities::MPI::this_mpi_process(MPI_COMM_WORLD))
-    {
-      std::string text = "subsection Boundaries\n";
-      const std::vector<std::string> names = {"left", "right", "bottom", "top", "back", "front"};
-      std::set<std::pair<unsigned int, unsigned int>> pairs;
-      for (unsigned int b = 0; b < names.size(); ++b)
-      {
-        text += "subsection " + names[b] + "\nset Type = " +
-                (b == 0   ? "fixed"
-                 : b == 2 ? "roller"
-                          : "free") +
-                "\nend\n";
-        pairs.insert({b, 0});
-      }
-      ParameterFile file = parameters_of(text + "end\n");
-      conditions = read_boundary_conditions(file.root().subsection("Boundaries"), names, {"body"},
-                                            pairs, 3, false);
-    }
-    MPI_Barrier(MPI_COMM_WORLD);
+    const std::string type = b == 0 ? "fixed" : b == 2 ? "roller" : "free";
+    entries += "subsection " + names[b] + "\nset Type = " + type + "\nend\n";
+    pairs.insert({b, 0});
   }
-  return conditions;
+  return conditions_in_turn(entries, names, {"body"}, pairs, 3);
 }
 
 /// Entries of the factor of the rows of the block, by the analysis of A itself.
@@ -101,7 +86,7 @@ UNIT_TEST(block_factor_estimate)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   small_problem::quiet_other_ranks();
-  const std::vector<BoundaryCondition> conditions = read_conditions();
+  const std::vector<BoundaryCondition> conditions = conditions_of_plate();
   small_problem::Mesh<3> mesh(MPI_COMM_WORLD);
   small_problem::make_box<3>(mesh, {12, 8, 2});
   GridTools::rotate(Tensor<1, 3>({0., 0., 1.}), 0.4, mesh);

@@ -6,8 +6,8 @@
 #include <continua/finite_element/matrix_free_regions.h>
 #include <continua/finite_element/step_system.h>
 
-#include "../parameter_text.h"
 #include "../unit_test.h"
+#include "conditions_in_turn.h"
 #include "small_problem.h"
 
 #include <algorithm>
@@ -20,30 +20,6 @@ using namespace dealii;
 
 namespace
 {
-/// The ranks take turns: each writes the file that it reads.
-std::vector<BoundaryCondition> read_conditions()
-{
-  std::vector<BoundaryCondition> conditions;
-  for (unsigned int rank = 0; rank < Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD); ++rank)
-  {
-    if (rank == Utilities::MPI::this_mpi_process(MPI_COMM_WORLD))
-    {
-      ParameterFile file = parameters_of("subsection Boundaries\n"
-                                         "subsection left\nset Type = roller\nend\n"
-                                         "subsection right\nset Type = free\nend\n"
-                                         "subsection bottom\nset Type = fixed\nend\n"
-                                         "subsection top\nset Type = free\nend\nend\n");
-      const std::set<std::pair<unsigned int, unsigned int>> pairs = {{0, 0}, {1, 1}, {2, 0},
-                                                                     {2, 1}, {3, 0}, {3, 1}};
-      conditions = read_boundary_conditions(file.root().subsection("Boundaries"),
-                                            {"left", "right", "bottom", "top"}, {"one", "two"},
-                                            pairs, 2, false);
-    }
-    MPI_Barrier(MPI_COMM_WORLD);
-  }
-  return conditions;
-}
-
 /// Solves for a known solution; the solver's name.
 std::string solve(const std::string &name,
                   const unsigned int n_refinements,
@@ -52,7 +28,7 @@ std::string solve(const std::string &name,
                   const bool has_products = false,
                   unsigned int *const n_iterations = nullptr)
 {
-  static const std::vector<BoundaryCondition> conditions = read_conditions();
+  static const std::vector<BoundaryCondition> conditions = conditions_of_two_regions();
   small_problem::Mesh<2> mesh(MPI_COMM_WORLD);
   small_problem::make_box<2>(mesh, {4, 2}, Point<2>(), 2.);
   GridTools::rotate(0.4, mesh);

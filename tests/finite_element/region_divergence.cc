@@ -6,8 +6,8 @@
 #include <continua/finite_element/region_divergence.h>
 #include <continua/linear_algebra/matrix_product.h>
 
-#include "../parameter_text.h"
 #include "../unit_test.h"
+#include "conditions_in_turn.h"
 #include "small_problem.h"
 
 #include <cmath>
@@ -20,28 +20,6 @@ using namespace dealii;
 
 namespace
 {
-std::vector<BoundaryCondition> read_conditions()
-{
-  std::vector<BoundaryCondition> conditions;
-  // The ranks take turns: each writes the file that it reads.
-  for (unsigned int rank = 0; rank < Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD); ++rank)
-  {
-    if (rank == Utilities::MPI::this_mpi_process(MPI_COMM_WORLD))
-    {
-      ParameterFile file = parameters_of("subsection Boundaries\n"
-                                         "subsection left\nset Type = roller\nend\n"
-                                         "subsection right\nset Type = free\nend\n"
-                                         "subsection bottom\nset Type = fixed\nend\n"
-                                         "subsection top\nset Type = free\nend\nend\n");
-      conditions = read_boundary_conditions(
-          file.root().subsection("Boundaries"), {"left", "right", "bottom", "top"}, {"one", "two"},
-          {{0, 0}, {1, 1}, {2, 0}, {2, 1}, {3, 0}, {3, 1}}, 2, false);
-    }
-    MPI_Barrier(MPI_COMM_WORLD);
-  }
-  return conditions;
-}
-
 DistributedVector numbers(DistributedVector vector, const double step)
 {
   for (const auto index : vector.locally_owned_elements())
@@ -102,7 +80,7 @@ UNIT_TEST(region_divergence)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   small_problem::quiet_other_ranks();
-  const std::vector<BoundaryCondition> conditions = read_conditions();
+  const std::vector<BoundaryCondition> conditions = conditions_of_two_regions();
   check_pressures("broken", PressureSpace::broken, conditions);
   check_pressures("continuous", PressureSpace::continuous, conditions);
 }
