@@ -89,7 +89,7 @@ PolynomialMultigrid<dim>::PolynomialMultigrid(
       augmentation(divergence, weights),
       degree(degree_for(mean_cell_shape(space, stiff, coefficients.mass.size()))),
       fine(space.velocity_vector()),
-      support_force(space.velocity_vector()),
+      support_force(supports ? fine : DistributedVector()),
       coarse_source(linear_velocities.vector()),
       coarse_solution(linear_velocities.vector())
 {

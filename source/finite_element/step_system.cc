@@ -34,17 +34,21 @@ void StepSystem<dim>::reinit()
   nearby = std::nullopt;
   kept_factors.clear();
   iterative_solver = nullptr;
-  for (DistributedVector *vector :
-       {&velocity_product, &velocity_residual, &velocity_correction, &zero_velocity})
-    *vector = space.velocity_vector();
-  for (DistributedVector *vector : {&pressure_product, &pressure_residual, &pressure_correction})
-    *vector = space.pressure_vector();
+  velocity_product = space.velocity_vector();
+  pressure_product = space.pressure_vector();
   pressure_hanging.clear();
   for (const auto index : space.pressure_owned)
     if (space.pressure_hanging.is_constrained(index))
       pressure_hanging.push_back(space.pressure_owned.index_within_set(index));
-  packed.resize(space.velocity_owned.n_elements() + space.pressure_owned.n_elements());
-  mixed_precision.reinit(velocity_product, pressure_product);
+}
+
+template <int dim>
+void StepSystem<dim>::make_work_space()
+{
+  for (DistributedVector *vector : {&velocity_residual, &velocity_correction, &zero_velocity})
+    *vector = space.velocity_vector();
+  for (DistributedVector *vector : {&pressure_residual, &pressure_correction})
+    *vector = space.pressure_vector();
 }
 
 template <int dim>
@@ -129,6 +133,7 @@ void StepSystem<dim>::prepare_nearby(const SystemCoefficients &wanted)
     return;
   nearby = wanted;
   chosen = choice();
+  make_work_space();
   prepare_iterative(wanted);
   is_prepared = true;
 }
@@ -155,6 +160,8 @@ void StepSystem<dim>::factorize()
                   [](const double c) { return c > 0.; }) &&
       std::all_of(coefficients.mass.begin(), coefficients.mass.end(),
                   [](const double mass) { return mass >= 0.; });
+  make_work_space();
+  packed.resize(space.velocity_owned.n_elements() + space.pressure_owned.n_elements());
   std::vector<int> owned;
   owned.reserve(packed.size());
   for (const auto index : space.velocity_owned)
@@ -168,6 +175,7 @@ void StepSystem<dim>::factorize()
   {
     auto single = std::make_unique<SinglePrecisionFactor>(quasi_definite, space.communicator);
     made.single = single.get();
+    mixed_precision.reinit(velocity_product, pressure_product);
     made.factor = std::move(single);
   }
   else
@@ -206,6 +214,13 @@ std::string StepSystem<dim>::name() const
   if (chosen.solver == StepSolver::iterative)
     return iterative_solver->name();
   return (chosen.solver == StepSolver::single_precision ? "FGMRES; " : "") + factor()->name();
+}
+
+template <int dim>
+void StepSystem<dim>::free_work_space()
+{
+  if (iterative_solver)
+    iterative_solver->free_basis();
 }
 
 template <int dim>

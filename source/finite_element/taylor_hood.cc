@@ -698,6 +698,8 @@ template <int dim>
 std::map<std::string, std::string> TaylorHood<dim>::add_output(const State &state,
                                                                DataOut<dim> &data_out)
 {
+  // Together with the basis of FGMRES the fields would be the largest memory of a run.
+  system.free_work_space();
   return output.add(state, data_out);
 }
 

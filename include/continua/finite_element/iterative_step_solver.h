@@ -78,6 +78,9 @@ public:
                              DistributedVector &velocity,
                              DistributedVector &pressure);
 
+  /// See SaddlePointSolver.
+  void free_basis() { solver.free_basis(); }
+
   /// "FGMRES; stiff block: ..., fluid block: ..., Schur complement: ...".
   std::string name() const;
   /// Of the stiff block; null if it has none.

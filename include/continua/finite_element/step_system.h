@@ -91,6 +91,10 @@ public:
   /// result += C p.
   void add_compression(const DistributedVector &pressure, DistributedVector &result);
 
+  /// Before something that takes much memory for a while: frees the basis of the iterative solver,
+  /// two vectors for each iteration. The next solve allocates it again.
+  void free_work_space();
+
   /// The factor in use, of the stiff block alone if the solver is iterative; null if there is none.
   const SymmetricFactor *factor() const;
   /// Of the solver in use; empty before the first prepare().
@@ -130,10 +134,13 @@ private:
   bool is_prepared = false, made_factor = false, has_checked_blocks = false;
   unsigned int n_iterations = 0;
   std::vector<unsigned int> pressure_hanging; ///< local indices
+  DistributedVector velocity_product, pressure_product;
+  // Work space of a factor, and of a system nearby: the iterative solver alone needs none of it.
   std::vector<double> packed;
-  DistributedVector velocity_product, pressure_product, velocity_residual, pressure_residual,
-      velocity_correction, pressure_correction, zero_velocity;
+  DistributedVector velocity_residual, pressure_residual, velocity_correction, pressure_correction,
+      zero_velocity;
 
+  void make_work_space();
   /// Decides on the solver for these coefficients.
   void choose();
   void factorize();

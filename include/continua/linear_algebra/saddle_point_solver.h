@@ -82,6 +82,9 @@ public:
                      double tolerance,
                      unsigned int maximum_iterations,
                      bool balances_equations = false);
+  /// Frees the vectors of FGMRES, all but a few of what a solve takes. The next solve allocates
+  /// them again.
+  void free_basis() { memory.release_unused_memory(); }
 
 private:
   const unsigned int restart_length;
