@@ -12,24 +12,32 @@ constexpr double eigenvalue_ratio = 8.;
 } // namespace
 
 template <int dim>
-ChebyshevRelaxation<dim>::ChebyshevRelaxation(const Product &cells,
-                                              const typename Product::Coefficients &coefficients,
-                                              const std::vector<unsigned int> &fluid)
-    : product(cells.share()), product_at_fluid(cells.share())
+ChebyshevRelaxation<dim>::ChebyshevRelaxation(
+    const Product &cells,
+    const typename Product::Coefficients &coefficients_of_regions,
+    const std::vector<unsigned int> &fluid)
+    : product(cells.share()), product_at_fluid(cells.share()), coefficients(coefficients_of_regions)
 {
-  product->set(coefficients);
-  product_at_fluid->set(coefficients);
   product->initialise(source_entries);
   product->initialise(target_entries);
-  product->find_diagonal(target_entries);
-  std::vector<bool> is_fluid(source_entries.locally_owned_size(), false);
+  is_fluid.assign(source_entries.locally_owned_size(), false);
   for (const unsigned int i : fluid)
-    if (target_entries.local_element(i) > 0.f) // else constrained
-    {
-      is_fluid[i] = true;
-      source_entries.local_element(i) = 1.f / target_entries.local_element(i);
-    }
+    is_fluid[i] = true;
   product_at_fluid->restrict_to(is_fluid);
+  set_volumetric_of_cells({});
+}
+
+template <int dim>
+void ChebyshevRelaxation<dim>::set_volumetric_of_cells(const std::vector<double> &volumetric)
+{
+  coefficients.volumetric_of_cells = volumetric;
+  product->set(coefficients);
+  product_at_fluid->set(coefficients);
+  product->find_diagonal(target_entries);
+  source_entries = 0.f;
+  for (unsigned int i = 0; i < is_fluid.size(); ++i)
+    if (is_fluid[i] && target_entries.local_element(i) > 0.f) // else constrained
+      source_entries.local_element(i) = 1.f / target_entries.local_element(i);
   polynomial = std::make_unique<ChebyshevPolynomial>(
       [this](Vector &target, const Vector &source) { product_at_fluid->multiply(target, source); },
       source_entries, polynomial_degree, eigenvalue_ratio);

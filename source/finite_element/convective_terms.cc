@@ -165,6 +165,34 @@ void ConvectiveTerms<dim>::add_derivative_product(const DistributedVector &of_ve
 }
 
 template <int dim>
+std::vector<double> ConvectiveTerms<dim>::grad_div_viscosities(const BalancedStep &state)
+{
+  if (problem.convection.stabilisation == ConvectionStabilisation::none)
+    return {};
+  take(state);
+  std::vector<double> result(space.triangulation.n_active_cells(), 0.);
+  const unsigned int n_functions = cells.n_functions();
+  for (const Cell &cell : cells.all())
+  {
+    visit(cell);
+    double integral = 0., volume = 0.;
+    for (unsigned int q = 0; q < cells.n_points(); ++q)
+    {
+      Tensor<1, dim> here;
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int a = 0; a < n_functions; ++a)
+          here[c] += cell_velocity[c * n_functions + a] * cells.values(q)[a];
+      integral += cell.points[q].weight * viscosity_over_speed() * here.norm();
+      volume += cell.points[q].weight;
+    }
+    // The weights contain the share of the liquid.
+    result[cell.velocity_cell->active_cell_index()] =
+        (1. - material().phase()) * (problem.convection.constant_viscosity() + integral / volume);
+  }
+  return result;
+}
+
+template <int dim>
 void ConvectiveTerms<dim>::take(const BalancedStep &state)
 {
   step = state.step;

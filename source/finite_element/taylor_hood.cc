@@ -535,6 +535,8 @@ void TaylorHood<dim>::keep_derivative(const BalancedStep &state)
   // A factor's result is the same on every processor, and so is that of its slow iterations.
   terms->keep_derivative(state, has_iterative_tangent() ? KeptDerivative::without_matrix
                                                         : KeptDerivative::matrices);
+  if (has_iterative_tangent())
+    system.precondition_grad_div(terms->grad_div_viscosities(state));
   if (!derivative_is_marked)
     log.memory_use().mark("derivative for products");
   derivative_is_marked = true;

@@ -162,6 +162,15 @@ void SchurComplement::set_diagonal(const TrilinosWrappers::SparseMatrix &diverge
   }
 }
 
+void SchurComplement::scale_mass_inverse(const DistributedVector &roots)
+{
+  if (is_empty)
+    return;
+  if (!mass_roots)
+    mass_roots = std::make_unique<Epetra_Vector>(part->matrix().RowMap());
+  part->gather(roots.begin(), mass_roots->Values());
+}
+
 void SchurComplement::vmult(DistributedVector &target, const DistributedVector &source)
 {
   target = 0.;
@@ -174,7 +183,11 @@ void SchurComplement::vmult(DistributedVector &target, const DistributedVector &
     solution->PutScalar(0.);
   if (has_mass)
   {
+    if (mass_roots)
+      right_hand_side->Multiply(1., *mass_roots, *right_hand_side, 0.);
     mass_inverse.trilinos_operator().ApplyInverse(*right_hand_side, *correction);
+    if (mass_roots)
+      correction->Multiply(1., *mass_roots, *correction, 0.);
     solution->Update(1., *correction, 1.);
   }
   part->scatter_add(solution->Values(), target.begin());

@@ -12,6 +12,7 @@ Header comments of the case, all optional:
                             magnitude of its unit in the table: an iterative solver's tolerance is one of the whole
                             balance, not of its smallest part (default 0)
     # iterations: 0.05      largest relative difference of the iterations of all linear solves (not compared without it)
+    # most iterations: 200  of all linear solves of a run together
     # left out of the screen: REGEX   none or more; lines of the screen that may differ
 
 Without `others` the runs must have chosen the same, too, by log.txt and summary.json: meshes, linear solver, its blocks.
@@ -42,6 +43,7 @@ def case(program, parameter_file, folder):
     power_floor_share = float(driver.single(entries, "power floor share", "0"))
 
     iterations_tolerance = driver.single(entries, "iterations", None)
+    most_iterations = int(driver.single(entries, "most iterations", "0"))
     left_out = entries.get("left out of the screen", [])
     outputs, screens = [], []
     others = driver.overrides(entries.get("others", []))
@@ -50,6 +52,8 @@ def case(program, parameter_file, folder):
         arguments = [parameter_file, "--output", output, *(others if i > 0 else [])]
         done = driver.run_to_the_end(program, arguments, ranks=n, folder=folder)
         outputs.append(output)
+        if most_iterations and linear_iterations(output) > most_iterations:
+            raise driver.TestFailure(f"{linear_iterations(output)} iterations on {n} ranks, more than {most_iterations}")
         lines = done.stdout.replace(output, "OUTPUT").splitlines(keepends=True)
         screens.append("".join(line for line in lines if not any(re.search(pattern, line) for pattern in left_out)))
     for n, output, screen in zip(ranks[1:], outputs[1:], screens[1:]):

@@ -296,6 +296,8 @@ UNIT_TEST(convective_terms)
                     3. * (1. + 1.5) * 0.5 * 6. * numbers::PI, 1e-12);
     check::relative("ring: grad-div", forces.stabilisation * moving.velocity,
                     0.7 * 9. * 6. * numbers::PI, 1e-12);
+    check::relative("ring: the given viscosity of grad-div in a cell",
+                    of_liquid.grad_div_viscosities(moving)[2], 0.7, 1e-12);
     // Its factor by itself, 0.15 times density, the speed 2 m/s of this flow and the side of a
     // cell, 1 m.
     ring.convection.stabilisation_viscosity = 0.;
@@ -309,6 +311,19 @@ UNIT_TEST(convective_terms)
     // exact.
     check::relative("ring: grad-div by itself", forces.stabilisation * outward.velocity,
                     0.15 * 3. * 2. * 8. * numbers::PI * std::log(5.), 1e-3);
+    check::relative("ring: the viscosity of grad-div in a cell by itself",
+                    of_liquid.grad_div_viscosities(outward)[2], 0.15 * 3. * 2., 1e-12);
+    outward.velocity = small_problem::interpolated<2>(round_space,
+                                                      [](const Point<2> &x) {
+                                                        return Tensor<1, 2>({x[1], 0.});
+                                                      });
+    // The mean of r between 0.5 and 1.5 m: int r^2 dr / int r dr = (3.375 - 0.125) / 3.
+    check::relative("ring: the mean in a cell by the circumference",
+                    of_liquid.grad_div_viscosities(outward)[0], 0.15 * 3. * 3.25 / 3., 1e-12);
+    ring.convection.stabilisation = ConvectionStabilisation::none;
+    check::is_true("ring: none without a stabilisation",
+                   of_liquid.grad_div_viscosities(outward).empty());
+    ring.convection.stabilisation = ConvectionStabilisation::grad_div;
     ring = make_problem(Model::axisymmetric, 0.5, 0.);
     ConvectiveTerms<2> of_gas(round_space, ring, std::nullopt);
     of_gas.reinit();

@@ -148,6 +148,18 @@ UNIT_TEST(schur_complement)
   SchurComplement both(divergence, compression, &mass, &mobility, {});
   check::absolute("both", distance(apply(both), of_both), 0., 1e-11);
 
+  List roots(n_pressures), scaled(right_hand_side);
+  for (unsigned int i = 0; i < n_pressures; ++i)
+  {
+    roots[i] = 1. + 0.5 * i;
+    scaled[i] *= roots[i];
+  }
+  scaled = solve(m, scaled);
+  for (unsigned int i = 0; i < n_pressures; ++i)
+    scaled[i] = scaled[i] * roots[i] + of_inertia[i];
+  both.scale_mass_inverse(distributed(roots));
+  check::absolute("both, the mass form scaled", distance(apply(both), scaled), 0., 1e-11);
+
   // The first row of C + B D B^T by hand: 0.3 + 0.5 + 0.6; the first of the mass is 2.
   check::absolute("diagonal of inertia", gathered(inertia.diagonal())[0], 1.4, 1e-14);
   check::absolute("diagonal of the mass form", gathered(stiffness.diagonal())[0], 2., 1e-14);

@@ -62,6 +62,7 @@ public:
   NonlinearEnergy energy_of(unsigned int region, const State &state) override;
   void keep_derivative(const BalancedStep &state,
                        KeptDerivative form = KeptDerivative::matrices) override;
+  std::vector<double> grad_div_viscosities(const BalancedStep &state) override;
   void forget_derivative() override;
   void add_derivative_product(const DistributedVector &of_velocity,
                               const DistributedVector &of_pressure,

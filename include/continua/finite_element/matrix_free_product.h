@@ -46,6 +46,8 @@ public:
     std::vector<double> mass;       ///< m [kg/(m^3 s)]
     std::vector<double> stiffness;  ///< alpha [Pa s]
     std::vector<double> volumetric; ///< lambda [Pa s]; empty: none
+    /// Added to lambda, by active_cell_index() of owned cells [Pa s]; empty: nothing.
+    std::vector<double> volumetric_of_cells = {};
   };
 
   virtual ~MatrixFreeProduct() = default;

@@ -166,6 +166,10 @@ void MatrixFreeProductOfWidth<dim, Number, width, n_points>::set(
       of_batches[batch].volumetric[lane] =
           coefficients.volumetric.empty() ? Number()
                                           : static_cast<Number>(coefficients.volumetric[material]);
+      if (!coefficients.volumetric_of_cells.empty())
+        of_batches[batch].volumetric[lane] += static_cast<Number>(
+            coefficients
+                .volumetric_of_cells[cells->get_cell_iterator(batch, lane)->active_cell_index()]);
     }
 }
 

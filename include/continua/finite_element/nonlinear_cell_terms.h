@@ -90,6 +90,9 @@ public:
   /// Keeps the same derivative for products, without constraints. Collective.
   virtual void keep_derivative(const BalancedStep &state,
                                KeptDerivative form = KeptDerivative::matrices);
+  /// The mean viscosity of grad-div in each cell, by active_cell_index(), that of cells of other
+  /// ranks zero [Pa s]; empty: there is no grad-div. Collective.
+  virtual std::vector<double> grad_div_viscosities(const BalancedStep &) { return {}; }
   /// Frees what is kept of it.
   virtual void forget_derivative() { cell_derivatives.clear(); }
   /// Adds its product with changes of velocity [m/s] and pressure [Pa], which obey their

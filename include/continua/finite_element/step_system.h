@@ -75,6 +75,11 @@ public:
   /// Of the iterative solver alone: the linear terms stay as take() has them, the preconditioner of
   /// solve_tangent() becomes that of a system nearby.
   void prepare_nearby(const SystemCoefficients &wanted);
+  /// Of the iterative solver alone: see IterativeStepSolver.
+  void precondition_grad_div(const std::vector<double> &viscosities)
+  {
+    iterative_solver->precondition_grad_div(viscosities);
+  }
   /// Of the iterative solver alone, with what the tangent has beside the linear terms: see
   /// IterativeStepSolver.
   void solve_tangent(const SaddlePointSolver::Product &further,

@@ -50,6 +50,9 @@ public:
 
   /// target = the approximate inverse times source; zero for pressures that stay out.
   void vmult(DistributedVector &target, const DistributedVector &source);
+  /// From now on the inverse of the mass form is R M^-1 R with this diagonal R [1], of all of this
+  /// rank's pressures. There has to be a mass form. diagonal() stays as it is.
+  void scale_mass_inverse(const DistributedVector &roots);
   /// The diagonal of the approximate Schur complement of all pressures, roughly: what scales rows.
   const DistributedVector &diagonal() const { return diagonal_entries; }
 
@@ -61,6 +64,7 @@ private:
   dealii::TrilinosWrappers::PreconditionAMG laplacian_inverse;
   std::unique_ptr<SubMatrix> part; ///< of C
   std::unique_ptr<Epetra_Vector> right_hand_side, solution, correction;
+  std::unique_ptr<Epetra_Vector> mass_roots; ///< R; null: one
   bool is_empty = false;
   DistributedVector diagonal_entries;
 
