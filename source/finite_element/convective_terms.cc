@@ -185,7 +185,7 @@ std::vector<double> ConvectiveTerms<dim>::grad_div_viscosities(const BalancedSte
       integral += cell.points[q].weight * viscosity_over_speed() * here.norm();
       volume += cell.points[q].weight;
     }
-    // The weights contain the share of the liquid.
+    // The share of the liquid is in the weights of both integrals.
     result[cell.velocity_cell->active_cell_index()] =
         (1. - material().phase()) * (problem.convection.constant_viscosity() + integral / volume);
   }

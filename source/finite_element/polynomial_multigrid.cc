@@ -89,7 +89,6 @@ PolynomialMultigrid<dim>::PolynomialMultigrid(
       augmentation(divergence, weights),
       degree(degree_for(mean_cell_shape(space, stiff, coefficients.mass.size()))),
       fine(space.velocity_vector()),
-      support_force(supports ? fine : DistributedVector()),
       coarse_source(linear_velocities.vector()),
       coarse_solution(linear_velocities.vector())
 {
@@ -102,6 +101,7 @@ PolynomialMultigrid<dim>::PolynomialMultigrid(
   augmentation.add_diagonal(residual);
   if (supports)
   {
+    support_force.reinit(fine);
     const MatrixOperator of_supports(*supports);
     for (unsigned int i = 0; i < residual.locally_owned_size(); ++i)
       residual.local_element(i) += static_cast<float>(of_supports.diagonal().begin()[i]);

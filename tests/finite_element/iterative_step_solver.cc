@@ -20,6 +20,15 @@ using namespace dealii;
 
 namespace
 {
+/// A box of two regions that is turned, with hanging nodes.
+void make_mesh(small_problem::Mesh<2> &mesh, const unsigned int n_refinements)
+{
+  small_problem::make_box<2>(mesh, {4, 2}, Point<2>(), 2.);
+  GridTools::rotate(0.4, mesh);
+  mesh.refine_global(n_refinements);
+  small_problem::refine<2>(mesh, [](const Point<2> &x) { return x.norm() > 2.; });
+}
+
 /// Solves for a known solution; the solver's name.
 std::string solve(const std::string &name,
                   const unsigned int n_refinements,
@@ -30,10 +39,7 @@ std::string solve(const std::string &name,
 {
   static const std::vector<BoundaryCondition> conditions = conditions_of_two_regions();
   small_problem::Mesh<2> mesh(MPI_COMM_WORLD);
-  small_problem::make_box<2>(mesh, {4, 2}, Point<2>(), 2.);
-  GridTools::rotate(0.4, mesh);
-  mesh.refine_global(n_refinements);
-  small_problem::refine<2>(mesh, [](const Point<2> &x) { return x.norm() > 2.; });
+  make_mesh(mesh, n_refinements);
   Space<2> space(mesh, SpaceParameters(), Model::plane_strain, 2);
   space.distribute();
   BoundaryConstraints<2> constraints(space, conditions);
@@ -128,9 +134,7 @@ void check_grad_div(const std::string &name,
 {
   static const std::vector<BoundaryCondition> conditions = conditions_of_two_regions();
   small_problem::Mesh<2> mesh(MPI_COMM_WORLD);
-  small_problem::make_box<2>(mesh, {4, 2}, Point<2>(), 2.);
-  mesh.refine_global(1);
-  small_problem::refine<2>(mesh, [](const Point<2> &x) { return x.norm() > 2.; });
+  make_mesh(mesh, 1);
   Space<2> space(mesh, SpaceParameters(), Model::plane_strain, 2);
   space.distribute();
   BoundaryConstraints<2> constraints(space, conditions);

@@ -156,8 +156,8 @@ private:
   std::optional<RefusedFactor> refused_factor;
   SaddlePointSolver solver;
   DistributedVector last_velocity, last_pressure;
-  std::vector<double> grad_div; ///< by cell [Pa s]; the preconditioner has a part of
-                                ///< it. Empty: none
+  /// gamma of each cell, of which the preconditioner has a part [Pa s]; empty: none.
+  std::vector<double> grad_div;
   // While a preconditioner is made, by region:
   std::vector<std::vector<bool>> is_of_region; ///< of each owned velocity
   std::vector<DistributedVector> mass_diagonals, stiffness_diagonals;

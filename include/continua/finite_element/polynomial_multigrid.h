@@ -69,8 +69,8 @@ private:
   bool is_factored = false;
   std::vector<unsigned int> stiff_rows; ///< local indices
   Vector right_hand_side, solution, residual, correction;
-  DistributedVector fine, support_force, coarse_source,
-      coarse_solution; ///< the second with supports
+  DistributedVector fine, coarse_source, coarse_solution;
+  DistributedVector support_force; ///< empty without supports
 
   void make_coarse_cycle(const typename Product::Coefficients &coefficients,
                          const Space<dim> &space,

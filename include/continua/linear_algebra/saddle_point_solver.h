@@ -82,8 +82,8 @@ public:
                      double tolerance,
                      unsigned int maximum_iterations,
                      bool balances_equations = false);
-  /// Frees the vectors of FGMRES, all but a few of what a solve takes. The next solve allocates
-  /// them again.
+  /// Frees the basis of FGMRES, which is most of what a solve takes. The next solve allocates it
+  /// again.
   void free_basis() { memory.release_unused_memory(); }
 
 private:
