@@ -864,14 +864,22 @@ KrylovReport IterativeStepSolver<dim>::solve_by_krylov(const SaddlePointSolver::
 }
 
 template <int dim>
-std::string IterativeStepSolver<dim>::describe_failure(const KrylovReport &report)
+std::string IterativeStepSolver<dim>::describe_failure(const SaddlePointSolver::Blocks &system,
+                                                       const KrylovReport &report)
 {
   Preconditioner &used = *preconditioner;
-  // A + B^T W B, whose inverse the preconditioner of the velocities is.
+  // A + B^T W B, whose inverse the preconditioner of the velocities is, with the terms that A has
+  // beside the linear ones.
+  const DistributedVector no_pressure = space.pressure_vector();
   DistributedVector of_pressure = space.pressure_vector(), of_velocity = space.velocity_vector();
   const LinearFunction matrix = [&](DistributedVector &target, const DistributedVector &source)
   {
-    velocity_operator().multiply(target, source);
+    if (system.whole)
+      system.whole(source, no_pressure, target, of_pressure);
+    else
+      system.velocity.multiply(target, source);
+    if (system.further)
+      system.further(source, no_pressure, target, of_pressure);
     divergence.multiply(of_pressure, source);
     of_pressure.scale(used.augmentation);
     divergence.multiply_transposed(of_velocity, of_pressure);
@@ -887,6 +895,9 @@ std::string IterativeStepSolver<dim>::describe_failure(const KrylovReport &repor
     return convergence_factor(matrix, inverse, velocity_operator().diagonal(), is_of_block);
   };
   BlockFactors factors;
+  factors.further_terms = system.whole     ? FurtherTerms::finite_deformation
+                          : system.further ? FurtherTerms::convection
+                                           : FurtherTerms::none;
   factors.residual = report.residual;
   factors.of_all = report.late_factor;
   factors.has_stiff = used.has_stiff;
@@ -919,7 +930,7 @@ unsigned int IterativeStepSolver<dim>::solve(const DistributedVector &momentum,
     text << "the iterative solver has not converged: after " << report.iterations
          << " iterations the residual is " << report.residual
          << " of the largest term of the equations, and Linear solver/Tolerance is "
-         << parameters.tolerance << ". " << describe_failure(report);
+         << parameters.tolerance << ". " << describe_failure(system, report);
     throw RunError(text.str());
   }
   last_velocity.equ(1., velocity);
@@ -946,12 +957,8 @@ unsigned int IterativeStepSolver<dim>::solve_tangent(const SaddlePointSolver::Pr
     std::ostringstream text;
     text << "the iterative solver has not converged for a correction of Newton's iteration: after "
          << report.iterations << " iterations the residual is " << report.residual
-         << " of that at the start, and Newton/Krylov tolerance is " << tolerance
-         << (whole
-                 ? ". The preconditioner is that of small strains in the shape of the mesh, which "
-                   "is poor for thin bodies that rotate and for fibres that stiffen"
-                 : "")
-         << "; a smaller time step, more Linear solver/Maximum iterations or Type = direct helps";
+         << " of that at the start, and Newton/Krylov tolerance is " << tolerance << ". "
+         << describe_failure(tangent, report);
     throw StepFailure(text.str());
   }
   return report.iterations;

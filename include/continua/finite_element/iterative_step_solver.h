@@ -186,9 +186,10 @@ private:
                                const DistributedVector &mass,
                                DistributedVector &velocity,
                                DistributedVector &pressure);
-  /// Measures each block of the preconditioner alone, names the one that stalls, and says what to
-  /// do. Takes as long as 40 iterations.
-  std::string describe_failure(const KrylovReport &report);
+  /// Measures each block of the preconditioner alone, with the velocities' block of the matrix that
+  /// was to be solved, names the one that stalls, and says what to do. Takes as long as 40
+  /// iterations.
+  std::string describe_failure(const SaddlePointSolver::Blocks &system, const KrylovReport &report);
   /// Of a solve that has converged: whether the preconditioner is worn.
   void record_use(unsigned int iterations);
   /// Which regions are stiff, by the rule above; also finds the velocities of each region.
