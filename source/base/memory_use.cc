@@ -18,11 +18,16 @@ double memory_held()
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-void MemoryUse::mark(const std::string &part)
+void return_freed_memory()
 {
 #ifdef __GLIBC__
   malloc_trim(0);
 #endif
+}
+
+void MemoryUse::mark(const std::string &part)
+{
+  return_freed_memory();
   const double now = memory_held();
   auto place = std::find_if(bytes_of_parts.begin(), bytes_of_parts.end(),
                             [&](const auto &entry) { return entry.first == part; });

@@ -435,8 +435,7 @@ void IterativeStepSolver<dim>::make_velocity_inverse(
     const std::vector<bool> &stiff_regions,
     const std::vector<unsigned int> &stiff_pressures,
     const VelocityBlocks &parts,
-    const bool has_joint_block,
-    const TrilinosWrappers::SparseMatrix &divergence_matrix)
+    const bool has_joint_block)
 {
   const bool is_matrix_free = relaxes_without_matrix(stiff_regions, parts);
   // Augmented by a bulk modulus of alpha, or compressible enough for a factor.
@@ -474,6 +473,10 @@ void IterativeStepSolver<dim>::make_velocity_inverse(
   }
   else if (made.has_fluid)
     relaxation = std::make_unique<MatrixRelaxation>(made.velocity_matrix, parts);
+  // Products in the iteration do without this matrix, and a factorisation has no memory to spare.
+  TrilinosWrappers::SparseMatrix divergence_matrix;
+  if (has_joint_block || made.has_polynomial_multigrid)
+    assemble_divergence(space, operators, constraints, divergence_matrix);
   if (has_joint_block)
   {
     TrilinosWrappers::SparseMatrix block_compression;
@@ -485,12 +488,13 @@ void IterativeStepSolver<dim>::make_velocity_inverse(
       block->add_velocity_entries(made.velocity_matrix.trilinos_matrix());
     else
       add_velocities(*block, parts.stiff);
-    // The memory is largest in the factorisation.
     if (!needs_all_rows)
       made.velocity_matrix.clear();
-    block->factorize(parts.most_factor_bytes);
+    SaddlePointBlock &stiff_block = *block;
     made.velocity = std::make_unique<VelocityPreconditioner>(
         divergence_matrix, std::move(block), stiff_pressures, std::move(relaxation));
+    divergence_matrix.clear();
+    stiff_block.factorize(parts.most_factor_bytes);
   }
   else if (made.has_polynomial_multigrid)
     made.velocity = std::make_unique<VelocityPreconditioner>(
@@ -744,25 +748,22 @@ IterativeStepSolver<dim>::new_preconditioner()
           !space.pressure_hanging.is_constrained(space.pressure_owned.nth_index_in_set(i)))
         made->augmentation.begin()[i] = alpha / volume.begin()[i];
   }
-  // Products in the iteration do without this matrix.
-  TrilinosWrappers::SparseMatrix divergence_matrix;
   mark_memory("preconditioner of the velocities");
-  assemble_divergence(space, operators, constraints, divergence_matrix);
-  mark_memory("blocks of the system"); // the mark at the end takes it off again
-  make_velocity_inverse(*made, stiff_regions, stiff_pressures, parts, has_joint_block,
-                        divergence_matrix);
-  mark_memory("preconditioner of the velocities");
+  make_velocity_inverse(*made, stiff_regions, stiff_pressures, parts, has_joint_block);
+  mark_memory("preconditioner of the velocities"); // also frees what the factorisation leaves
 
   if (n_stiff > 0 && has_fluid && has_inertia && !simple)
     let_walls_yield(stiff_regions, *made->velocity, mobility);
 
   const SchurComplement::Places places = places_of_pressures(space, n_regions);
+  TrilinosWrappers::SparseMatrix divergence_matrix;
+  assemble_divergence(space, operators, constraints, divergence_matrix);
   if (simple)
   {
     for (unsigned int i = 0; i < mobility.locally_owned_size(); ++i)
       mobility.begin()[i] = 1. / velocity_operator().diagonal().begin()[i];
-    made->schur_complement = std::make_unique<SchurComplement>(divergence_matrix, compression,
-                                                               nullptr, &mobility, places);
+    made->schur_complement = std::make_unique<SchurComplement>(
+        std::move(divergence_matrix), compression, nullptr, &mobility, places);
   }
   else
   {
@@ -776,7 +777,7 @@ IterativeStepSolver<dim>::new_preconditioner()
       if (!is_left_out[i])
         pressures.push_back(i);
     made->schur_complement =
-        std::make_unique<SchurComplement>(divergence_matrix, compression, &mass_form,
+        std::make_unique<SchurComplement>(std::move(divergence_matrix), compression, &mass_form,
                                           has_inertia ? &mobility : nullptr, places, pressures);
   }
 
@@ -800,8 +801,6 @@ IterativeStepSolver<dim>::new_preconditioner()
          << word_of(instruction_set_words(), parameters.instruction_set) << ")";
   made->name = text.str();
   mark_memory("preconditioner of the pressure");
-  divergence_matrix.clear();
-  mark_memory("blocks of the system");
   mass_diagonals.clear();
   stiffness_diagonals.clear();
   mark_memory("preconditioner of the velocities");
@@ -922,8 +921,9 @@ unsigned int IterativeStepSolver<dim>::solve(const DistributedVector &momentum,
                                              DistributedVector &velocity,
                                              DistributedVector &pressure)
 {
+  const SaddlePointSolver::Blocks system = blocks();
   const KrylovReport report =
-      solve_by_krylov(blocks(), parameters.tolerance, false, momentum, mass, velocity, pressure);
+      solve_by_krylov(system, parameters.tolerance, false, momentum, mass, velocity, pressure);
   if (!report.converged)
   {
     std::ostringstream text;

@@ -1,4 +1,5 @@
 #include <continua/base/input_error.h>
+#include <continua/base/memory_use.h>
 #include <continua/linear_algebra/mumps_solver.h>
 
 #include <cassert>
@@ -276,7 +277,9 @@ void MumpsSolver<Number>::factorize(const int n,
   d.mumps.irn_loc = rows.data();
   d.mumps.jcn_loc = columns.data();
   d.mumps.a_loc = values.data();
+  return_freed_memory(); // of the analysis
   d.factorize();
+  return_freed_memory(); // of the factorisation
   d.mumps.irn_loc = d.mumps.jcn_loc = nullptr;
   d.mumps.a_loc = nullptr;
 

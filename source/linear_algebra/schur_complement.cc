@@ -1,8 +1,8 @@
+#include <continua/base/memory_use.h>
 #include <continua/linear_algebra/schur_complement.h>
 
-#include <EpetraExt_MatrixMatrix.h>
-#include <EpetraExt_Transpose_RowMatrix.h>
 #include <Epetra_CrsMatrix.h>
+#include <Epetra_Export.h>
 #include <Epetra_Import.h>
 #include <Epetra_Vector.h>
 #include <Teuchos_ParameterList.hpp>
@@ -19,29 +19,115 @@ using namespace dealii;
 
 namespace
 {
-/// C + B D B^T.
+/// A vector at the columns that this rank has entries of.
+Epetra_Vector at_columns(const Epetra_CrsMatrix &matrix, const DistributedVector &vector)
+{
+  const Epetra_Vector &owned = *vector.trilinos_vector()(0);
+  Epetra_Vector result(matrix.ColMap());
+  if (matrix.Importer() != nullptr)
+    result.Import(owned, *matrix.Importer(), Insert);
+  else
+    result = owned;
+  return result;
+}
+
+/// The transpose: complete rows for all columns that this rank has entries of.
+std::unique_ptr<Epetra_CrsMatrix> transpose_at_columns(const Epetra_CrsMatrix &matrix)
+{
+  const Epetra_Map &columns = matrix.ColMap();
+  std::vector<int> sizes(columns.NumMyElements(), 0);
+  int n_entries = 0;
+  double *values = nullptr;
+  int *indices = nullptr;
+  for (int i = 0; i < matrix.NumMyRows(); ++i)
+  {
+    matrix.ExtractMyRowView(i, n_entries, values, indices);
+    for (int e = 0; e < n_entries; ++e)
+      ++sizes[indices[e]];
+  }
+  // With known sizes the entries are stored once.
+  const bool has_fixed_sizes = true;
+  auto result = std::make_unique<Epetra_CrsMatrix>(Copy, columns, matrix.RowMap(), sizes.data(),
+                                                   has_fixed_sizes);
+  for (int i = 0; i < matrix.NumMyRows(); ++i)
+  {
+    matrix.ExtractMyRowView(i, n_entries, values, indices);
+    for (int e = 0; e < n_entries; ++e)
+      result->InsertMyValues(indices[e], 1, &values[e], &i);
+  }
+  result->FillComplete(matrix.RowMap(), matrix.DomainMap());
+  if (matrix.Comm().NumProc() == 1)
+    return result;
+
+  // The rows of other ranks' pressures: added up by the owner of a column, and fetched from there.
+  const Epetra_Map &owned = matrix.DomainMap();
+  Epetra_CrsMatrix sum(Copy, owned, 0);
+  sum.Export(*result, Epetra_Export(columns, owned), Add);
+  sum.FillComplete(matrix.RowMap(), owned);
+  result = std::make_unique<Epetra_CrsMatrix>(Copy, columns, 0);
+  result->Import(sum, Epetra_Import(columns, owned), Insert);
+  result->FillComplete(matrix.RowMap(), owned);
+  return result;
+}
+
+/// C + B D B^T. The product of EpetraExt takes ten times as long, and twice the memory.
 void make_laplacian(const Epetra_CrsMatrix &divergence,
                     const Epetra_CrsMatrix &compression,
-                    const Epetra_Vector &mobility,
+                    const DistributedVector &mobility,
                     TrilinosWrappers::SparseMatrix &laplacian)
 {
-  // What is not needed any more goes before the next matrix comes: this is where a run with a large
-  // mesh has most in memory.
-  auto product = std::make_unique<Epetra_CrsMatrix>(Copy, divergence.RowMap(), 0);
+  const Epetra_Map &map = divergence.RowMap();
+  Epetra_CrsMatrix sum(Copy, map, 0);
   {
-    // The transpose as a matrix of its own: EpetraExt takes twenty times as long without it.
-    EpetraExt::RowMatrix_Transpose transpose;
-    auto &transposed = dynamic_cast<Epetra_CrsMatrix &>(
-        transpose(const_cast<Epetra_CrsMatrix &>(divergence))); // which it does not change
-    transposed.LeftScale(mobility);
-    EpetraExt::MatrixMatrix::Multiply(divergence, false, transposed, false, *product);
+    const Epetra_Vector weights = at_columns(divergence, mobility);
+    const std::unique_ptr<Epetra_CrsMatrix> transposed = transpose_at_columns(divergence);
+    const Epetra_Map &pressures = transposed->ColMap();
+    std::vector<double> entries(pressures.NumMyElements(), 0.), row_values;
+    std::vector<bool> is_in_row(entries.size(), false);
+    std::vector<int> row, row_columns;
+    int n_velocities = 0, n_pressures = 0;
+    double *of_velocities = nullptr, *of_pressures = nullptr;
+    int *velocities = nullptr, *neighbours = nullptr;
+    for (int i = 0; i < divergence.NumMyRows(); ++i)
+    {
+      row.clear();
+      divergence.ExtractMyRowView(i, n_velocities, of_velocities, velocities);
+      for (int v = 0; v < n_velocities; ++v)
+      {
+        const double factor = of_velocities[v] * weights[velocities[v]];
+        transposed->ExtractMyRowView(velocities[v], n_pressures, of_pressures, neighbours);
+        for (int p = 0; p < n_pressures; ++p)
+        {
+          const int j = neighbours[p];
+          entries[j] += factor * of_pressures[p];
+          if (!is_in_row[j])
+            row.push_back(j);
+          is_in_row[j] = true;
+        }
+      }
+      row_columns.clear();
+      row_values.clear();
+      for (const int j : row)
+      {
+        row_columns.push_back(pressures.GID(j));
+        row_values.push_back(entries[j]);
+        entries[j] = 0.;
+        is_in_row[j] = false;
+      }
+      // What is there twice is added up in the end.
+      compression.ExtractMyRowView(i, n_pressures, of_pressures, neighbours);
+      for (int p = 0; p < n_pressures; ++p)
+      {
+        row_columns.push_back(compression.GCID(neighbours[p]));
+        row_values.push_back(of_pressures[p]);
+      }
+      sum.InsertGlobalValues(map.GID(i), static_cast<int>(row_columns.size()), row_values.data(),
+                             row_columns.data());
+    }
   }
-  Epetra_CrsMatrix *sum = nullptr;
-  EpetraExt::MatrixMatrix::Add(*product, false, 1., compression, false, 1., sum);
-  product = nullptr;
-  const std::unique_ptr<Epetra_CrsMatrix> owner(sum);
-  sum->FillComplete();
-  laplacian.reinit(*sum);
+  return_freed_memory();
+  sum.FillComplete();
+  laplacian.reinit(sum);
 }
 
 std::vector<unsigned int> all_rows(const TrilinosWrappers::SparseMatrix &matrix)
@@ -52,16 +138,17 @@ std::vector<unsigned int> all_rows(const TrilinosWrappers::SparseMatrix &matrix)
 }
 } // namespace
 
-SchurComplement::SchurComplement(const TrilinosWrappers::SparseMatrix &divergence,
+SchurComplement::SchurComplement(TrilinosWrappers::SparseMatrix &&divergence,
                                  const TrilinosWrappers::SparseMatrix &compression,
                                  const TrilinosWrappers::SparseMatrix *const mass_form,
                                  const DistributedVector *const mobility,
                                  const Places &places)
-    : SchurComplement(divergence, compression, mass_form, mobility, places, all_rows(divergence))
+    : SchurComplement(
+          std::move(divergence), compression, mass_form, mobility, places, all_rows(compression))
 {
 }
 
-SchurComplement::SchurComplement(const TrilinosWrappers::SparseMatrix &divergence,
+SchurComplement::SchurComplement(TrilinosWrappers::SparseMatrix &&divergence,
                                  const TrilinosWrappers::SparseMatrix &compression,
                                  const TrilinosWrappers::SparseMatrix *const mass_form,
                                  const DistributedVector *const mobility,
@@ -86,12 +173,15 @@ SchurComplement::SchurComplement(const TrilinosWrappers::SparseMatrix &divergenc
   }
   if (has_laplacian)
   {
-    const Epetra_CrsMatrix &b = divergence.trilinos_matrix();
-    if (map.SameAs(b.RowMap()))
-      make_laplacian(b, part->matrix(), *mobility->trilinos_vector()(0), laplacian);
+    if (map.SameAs(divergence.trilinos_matrix().RowMap()))
+      make_laplacian(divergence.trilinos_matrix(), part->matrix(), *mobility, laplacian);
     else
-      make_laplacian(rows_of(b, pressures, map), part->matrix(), *mobility->trilinos_vector()(0),
-                     laplacian);
+    {
+      const Epetra_CrsMatrix rows = rows_of(divergence.trilinos_matrix(), pressures, map);
+      divergence.clear();
+      make_laplacian(rows, part->matrix(), *mobility, laplacian);
+    }
+    divergence.clear();
     Teuchos::ParameterList list;
     ML_Epetra::SetDefaults("SA", list);
     list.set("ML output", 0);
@@ -133,14 +223,7 @@ void SchurComplement::set_diagonal(const TrilinosWrappers::SparseMatrix &diverge
   const Epetra_CrsMatrix &b = divergence.trilinos_matrix();
   std::unique_ptr<Epetra_Vector> mobility_of_columns;
   if (has_laplacian)
-  {
-    mobility_of_columns = std::make_unique<Epetra_Vector>(b.ColMap());
-    const Epetra_Vector &owned = *mobility->trilinos_vector()(0);
-    if (b.Importer() != nullptr)
-      mobility_of_columns->Import(owned, *b.Importer(), Insert);
-    else
-      mobility_of_columns->Update(1., owned, 0.);
-  }
+    mobility_of_columns = std::make_unique<Epetra_Vector>(at_columns(b, *mobility));
   for (unsigned int i = 0; i < diagonal_entries.locally_owned_size(); ++i)
   {
     const auto global = b.GRID(static_cast<int>(i));

@@ -57,6 +57,13 @@ inline void distribute(const Full &full, Sparse &sparse)
   sparse.compress(dealii::VectorOperation::insert);
 }
 
+inline Sparse copy_of(const Sparse &sparse)
+{
+  Sparse result;
+  result.copy_from(sparse);
+  return result;
+}
+
 inline DistributedVector distributed(const List &list)
 {
   DistributedVector result(owned(list.size()), MPI_COMM_WORLD);

@@ -76,8 +76,8 @@ struct System
     velocity_inverse =
         std::make_unique<VelocityPreconditioner>(augmented_velocity, blocks, nullptr);
     const DistributedVector mobility = distributed(diagonal);
-    schur_complement = std::make_unique<SchurComplement>(divergence, this->compression, nullptr,
-                                                         &mobility, SchurComplement::Places());
+    schur_complement = std::make_unique<SchurComplement>(
+        copy_of(divergence), this->compression, nullptr, &mobility, SchurComplement::Places());
     weights = distributed(List(n_pressures));
     weights.add(augmentation);
   }

@@ -9,6 +9,9 @@ namespace Continua
 {
 /// The memory that this process holds now [bytes]; 0 if the system does not say it.
 double memory_held();
+/// Gives back to the system what this process has freed. The allocator keeps small pieces
+/// otherwise, which count as held. Takes milliseconds: for the moments before much is allocated.
+void return_freed_memory();
 
 /**
  * What holds the memory of this process, by the parts of a run. A part holds by how much the memory

@@ -205,8 +205,7 @@ private:
                              const std::vector<bool> &stiff_regions,
                              const std::vector<unsigned int> &stiff_pressures,
                              const VelocityBlocks &parts,
-                             bool has_joint_block,
-                             const dealii::TrilinosWrappers::SparseMatrix &divergence_matrix);
+                             bool has_joint_block);
   /// A, with the volumetric stiffness, in some rows (by local index); null means all of them.
   void assemble_rows(const std::vector<unsigned int> *wanted,
                      VolumetricStiffness &volumetric,

@@ -34,14 +34,15 @@ public:
   /// the same place.
   using Places = std::vector<std::vector<double>>;
 
-  /// B and C, and one or both of M and the diagonal D; pointers may be null and are not kept.
-  SchurComplement(const dealii::TrilinosWrappers::SparseMatrix &divergence,
+  /// B and C, and one or both of M and the diagonal D; pointers may be null and are not kept. B is
+  /// freed as soon as nothing needs it: while B D B^T is made a run may have most in memory.
+  SchurComplement(dealii::TrilinosWrappers::SparseMatrix &&divergence,
                   const dealii::TrilinosWrappers::SparseMatrix &compression,
                   const dealii::TrilinosWrappers::SparseMatrix *mass_form,
                   const DistributedVector *mobility,
                   const Places &places);
   /// Of some pressures only, by the local indices of this rank's; the others stay out of it.
-  SchurComplement(const dealii::TrilinosWrappers::SparseMatrix &divergence,
+  SchurComplement(dealii::TrilinosWrappers::SparseMatrix &&divergence,
                   const dealii::TrilinosWrappers::SparseMatrix &compression,
                   const dealii::TrilinosWrappers::SparseMatrix *mass_form,
                   const DistributedVector *mobility,
