@@ -867,22 +867,26 @@ std::string IterativeStepSolver<dim>::describe_failure(const SaddlePointSolver::
                                                        const KrylovReport &report)
 {
   Preconditioner &used = *preconditioner;
-  // A + B^T W B, whose inverse the preconditioner of the velocities is, with the terms that A has
-  // beside the linear ones.
+  solver.free_basis();
+  // A + B^T W B, whose inverse the preconditioner of the velocities is, with the terms that A and B
+  // have beside the linear ones. The row of the mass is -B.
   const DistributedVector no_pressure = space.pressure_vector();
-  DistributedVector of_pressure = space.pressure_vector(), of_velocity = space.velocity_vector();
+  DistributedVector of_mass = space.pressure_vector(), of_velocity = space.velocity_vector();
   const LinearFunction matrix = [&](DistributedVector &target, const DistributedVector &source)
   {
     if (system.whole)
-      system.whole(source, no_pressure, target, of_pressure);
+      system.whole(source, no_pressure, target, of_mass);
     else
+    {
       system.velocity.multiply(target, source);
+      system.divergence.multiply(of_mass, source);
+      of_mass *= -1.;
+    }
     if (system.further)
-      system.further(source, no_pressure, target, of_pressure);
-    divergence.multiply(of_pressure, source);
-    of_pressure.scale(used.augmentation);
-    divergence.multiply_transposed(of_velocity, of_pressure);
-    target.add(1., of_velocity);
+      system.further(source, no_pressure, target, of_mass);
+    of_mass.scale(used.augmentation);
+    system.divergence.multiply_transposed(of_velocity, of_mass);
+    target.add(-1., of_velocity);
   };
   const auto factor_of = [&](const bool of_stiff, const LinearFunction &inverse)
   {

@@ -67,6 +67,7 @@ double convergence_factor(const LinearFunction &matrix,
   GrowingVectorMemory<DistributedVector> memory;
   SolverFGMRES<DistributedVector> solver(
       control, memory, SolverFGMRES<DistributedVector>::AdditionalData(n_iterations + 1));
+  bool is_number = true;
   try
   {
     solver.solve(FunctionAsMatrix<decltype(multiply)>{multiply}, solution, right_hand_side,
@@ -74,9 +75,9 @@ double convergence_factor(const LinearFunction &matrix,
   }
   catch (const SolverControl::NoConvergence &)
   {
-    // A product is no number.
-    return 1.;
+    is_number = false; // a product
   }
-  return late_factor(control.get_history_data());
+  memory.release_unused_memory(); // the run may go on
+  return is_number ? late_factor(control.get_history_data()) : 1.;
 }
 } // namespace Continua

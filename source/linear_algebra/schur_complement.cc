@@ -19,13 +19,18 @@ using namespace dealii;
 
 namespace
 {
+void check(const int status)
+{
+  AssertThrow(status >= 0, LACExceptions::ExcTrilinosError(status));
+}
+
 /// A vector at the columns that this rank has entries of.
 Epetra_Vector at_columns(const Epetra_CrsMatrix &matrix, const DistributedVector &vector)
 {
   const Epetra_Vector &owned = *vector.trilinos_vector()(0);
   Epetra_Vector result(matrix.ColMap());
   if (matrix.Importer() != nullptr)
-    result.Import(owned, *matrix.Importer(), Insert);
+    check(result.Import(owned, *matrix.Importer(), Insert));
   else
     result = owned;
   return result;
@@ -53,81 +58,83 @@ std::unique_ptr<Epetra_CrsMatrix> transpose_at_columns(const Epetra_CrsMatrix &m
   {
     matrix.ExtractMyRowView(i, n_entries, values, indices);
     for (int e = 0; e < n_entries; ++e)
-      result->InsertMyValues(indices[e], 1, &values[e], &i);
+      check(result->InsertMyValues(indices[e], 1, &values[e], &i));
   }
-  result->FillComplete(matrix.RowMap(), matrix.DomainMap());
+  check(result->FillComplete(matrix.RowMap(), matrix.DomainMap()));
   if (matrix.Comm().NumProc() == 1)
     return result;
 
   // The rows of other ranks' pressures: added up by the owner of a column, and fetched from there.
   const Epetra_Map &owned = matrix.DomainMap();
   Epetra_CrsMatrix sum(Copy, owned, 0);
-  sum.Export(*result, Epetra_Export(columns, owned), Add);
-  sum.FillComplete(matrix.RowMap(), owned);
+  check(sum.Export(*result, Epetra_Export(columns, owned), Add));
+  check(sum.FillComplete(matrix.RowMap(), owned));
   result = std::make_unique<Epetra_CrsMatrix>(Copy, columns, 0);
-  result->Import(sum, Epetra_Import(columns, owned), Insert);
-  result->FillComplete(matrix.RowMap(), owned);
+  check(result->Import(sum, Epetra_Import(columns, owned), Insert));
+  check(result->FillComplete(matrix.RowMap(), owned));
   return result;
 }
 
-/// C + B D B^T. The product of EpetraExt takes ten times as long, and twice the memory.
-void make_laplacian(const Epetra_CrsMatrix &divergence,
-                    const Epetra_CrsMatrix &compression,
-                    const DistributedVector &mobility,
-                    TrilinosWrappers::SparseMatrix &laplacian)
+/// C + B D B^T, whose entries are not yet added up (FillComplete). The product of EpetraExt takes
+/// longer, and more memory.
+std::unique_ptr<Epetra_CrsMatrix> make_laplacian(const Epetra_CrsMatrix &divergence,
+                                                 const Epetra_CrsMatrix &compression,
+                                                 const DistributedVector &mobility)
 {
   const Epetra_Map &map = divergence.RowMap();
-  Epetra_CrsMatrix sum(Copy, map, 0);
+  auto sum = std::make_unique<Epetra_CrsMatrix>(Copy, map, 0);
+  const Epetra_Vector weights = at_columns(divergence, mobility);
+  const std::unique_ptr<Epetra_CrsMatrix> transposed = transpose_at_columns(divergence);
+  const Epetra_Map &pressures = transposed->ColMap();
+  std::vector<double> entries(pressures.NumMyElements(), 0.), row_values;
+  std::vector<bool> is_in_row(entries.size(), false);
+  std::vector<int> row, row_columns;
+  for (int i = 0; i < divergence.NumMyRows(); ++i)
   {
-    const Epetra_Vector weights = at_columns(divergence, mobility);
-    const std::unique_ptr<Epetra_CrsMatrix> transposed = transpose_at_columns(divergence);
-    const Epetra_Map &pressures = transposed->ColMap();
-    std::vector<double> entries(pressures.NumMyElements(), 0.), row_values;
-    std::vector<bool> is_in_row(entries.size(), false);
-    std::vector<int> row, row_columns;
-    int n_velocities = 0, n_pressures = 0;
-    double *of_velocities = nullptr, *of_pressures = nullptr;
-    int *velocities = nullptr, *neighbours = nullptr;
-    for (int i = 0; i < divergence.NumMyRows(); ++i)
+    row.clear();
+    int n_velocities = 0;
+    double *of_velocities = nullptr;
+    int *velocities = nullptr;
+    divergence.ExtractMyRowView(i, n_velocities, of_velocities, velocities);
+    for (int v = 0; v < n_velocities; ++v)
     {
-      row.clear();
-      divergence.ExtractMyRowView(i, n_velocities, of_velocities, velocities);
-      for (int v = 0; v < n_velocities; ++v)
-      {
-        const double factor = of_velocities[v] * weights[velocities[v]];
-        transposed->ExtractMyRowView(velocities[v], n_pressures, of_pressures, neighbours);
-        for (int p = 0; p < n_pressures; ++p)
-        {
-          const int j = neighbours[p];
-          entries[j] += factor * of_pressures[p];
-          if (!is_in_row[j])
-            row.push_back(j);
-          is_in_row[j] = true;
-        }
-      }
-      row_columns.clear();
-      row_values.clear();
-      for (const int j : row)
-      {
-        row_columns.push_back(pressures.GID(j));
-        row_values.push_back(entries[j]);
-        entries[j] = 0.;
-        is_in_row[j] = false;
-      }
-      // What is there twice is added up in the end.
-      compression.ExtractMyRowView(i, n_pressures, of_pressures, neighbours);
+      const double factor = of_velocities[v] * weights[velocities[v]];
+      int n_pressures = 0;
+      double *of_pressures = nullptr;
+      int *neighbours = nullptr;
+      transposed->ExtractMyRowView(velocities[v], n_pressures, of_pressures, neighbours);
       for (int p = 0; p < n_pressures; ++p)
       {
-        row_columns.push_back(compression.GCID(neighbours[p]));
-        row_values.push_back(of_pressures[p]);
+        const int j = neighbours[p];
+        entries[j] += factor * of_pressures[p];
+        if (!is_in_row[j])
+          row.push_back(j);
+        is_in_row[j] = true;
       }
-      sum.InsertGlobalValues(map.GID(i), static_cast<int>(row_columns.size()), row_values.data(),
-                             row_columns.data());
     }
+    row_columns.clear();
+    row_values.clear();
+    for (const int j : row)
+    {
+      row_columns.push_back(pressures.GID(j));
+      row_values.push_back(entries[j]);
+      entries[j] = 0.;
+      is_in_row[j] = false;
+    }
+    // Entries of C are there twice, and are added up in the end.
+    int n_compressions = 0;
+    double *compressions = nullptr;
+    int *columns = nullptr;
+    compression.ExtractMyRowView(i, n_compressions, compressions, columns);
+    for (int e = 0; e < n_compressions; ++e)
+    {
+      row_columns.push_back(compression.GCID(columns[e]));
+      row_values.push_back(compressions[e]);
+    }
+    check(sum->InsertGlobalValues(map.GID(i), static_cast<int>(row_columns.size()),
+                                  row_values.data(), row_columns.data()));
   }
-  return_freed_memory();
-  sum.FillComplete();
-  laplacian.reinit(sum);
+  return sum;
 }
 
 std::vector<unsigned int> all_rows(const TrilinosWrappers::SparseMatrix &matrix)
@@ -162,6 +169,8 @@ SchurComplement::SchurComplement(TrilinosWrappers::SparseMatrix &&divergence,
   part = std::make_unique<SubMatrix>(compression.trilinos_matrix(), pressures);
   const Epetra_Map &map = part->matrix().RowMap();
   is_empty = map.NumGlobalElements() == 0;
+  if (is_empty || !has_laplacian)
+    divergence.clear();
   if (is_empty)
     return;
   for (std::unique_ptr<Epetra_Vector> *const vector : {&right_hand_side, &solution, &correction})
@@ -173,15 +182,20 @@ SchurComplement::SchurComplement(TrilinosWrappers::SparseMatrix &&divergence,
   }
   if (has_laplacian)
   {
+    std::unique_ptr<Epetra_CrsMatrix> sum;
     if (map.SameAs(divergence.trilinos_matrix().RowMap()))
-      make_laplacian(divergence.trilinos_matrix(), part->matrix(), *mobility, laplacian);
+      sum = make_laplacian(divergence.trilinos_matrix(), part->matrix(), *mobility);
     else
     {
       const Epetra_CrsMatrix rows = rows_of(divergence.trilinos_matrix(), pressures, map);
       divergence.clear();
-      make_laplacian(rows, part->matrix(), *mobility, laplacian);
+      sum = make_laplacian(rows, part->matrix(), *mobility);
     }
     divergence.clear();
+    return_freed_memory();
+    check(sum->FillComplete());
+    laplacian.reinit(*sum);
+    sum = nullptr;
     Teuchos::ParameterList list;
     ML_Epetra::SetDefaults("SA", list);
     list.set("ML output", 0);

@@ -61,7 +61,7 @@ UNIT_TEST(stalled_block)
          "So the fluid block stalls.*Fluid block = algebraic multigrid");
   factors.fluid_is_viscous = true;
   expect("fluid with multigrid", factors, parameters,
-         "fluid block stalls: use a smaller Time/Time");
+         "fluid block stalls: use a smaller time step");
   factors.has_inertia = false;
   expect("fluid without inertia", factors, parameters,
          "fluid block stalls: use Linear solver/Type = direct");
@@ -70,32 +70,37 @@ UNIT_TEST(stalled_block)
   factors.further_terms = FurtherTerms::convection;
   parameters.schur_complement = SchurApproximation::cahouet_chabard;
   expect("fluid with convection", factors, parameters,
-         "fluid block stalls: use a smaller Time/Time step, or Linear solver/Type = direct$");
+         "fluid block stalls: use a smaller time step, or Linear solver/Type = direct$");
   factors = good();
   factors.further_terms = FurtherTerms::convection;
-  expect(
-      "all is good with convection", factors, parameters,
-      "No block stalls: use more Linear solver/Maximum iterations, or a smaller Time/Time step$");
+  expect("all is good with convection", factors, parameters,
+         "No block stalls: use more Linear solver/Maximum iterations, or a smaller time step$");
   factors.of_all = 0.9;
   expect("pressure with convection, and the restart", factors, parameters,
          "block of the pressure stalls.*larger Linear solver/Restart length");
   parameters.restart_length = parameters.maximum_iterations;
   expect("pressure with convection", factors, parameters,
-         "block of the pressure stalls.*use a smaller Time/Time step, or Linear solver/Type");
+         "block of the pressure stalls.*use a smaller time step, or Linear solver/Type");
   factors.of_stiff = 0.85;
-  expect("stiff block beside convection", factors, parameters, "Stiff block = direct$");
+  expect("stiff block beside convection", factors, parameters,
+         "Stiff block = direct, a smaller time step, or Type = direct$");
   factors.further_terms = FurtherTerms::finite_deformation;
   expect("stiff block in finite deformation", factors, parameters,
          "the stiff block alone 0.85.*So the stiff block stalls: its preconditioner is that of "
-         "small strains.*Use a smaller Time/Time step, or Linear solver/Type = direct$");
+         "small strains.*Use a smaller time step, or Linear solver/Type = direct$");
   factors.of_stiff = 0.;
   factors.stiff_is_direct = true;
   expect("a factor in finite deformation", factors, parameters,
-         "the stiff block has a factor, the fluid block alone 0.2. So the stiff block stalls, or "
+         "the stiff block has a factor of its linear terms, the fluid block alone 0.2. So the "
+         "stiff block stalls, or "
          "what couples the blocks: its preconditioner is that of small strains");
+  parameters.schur_complement = SchurApproximation::simple;
+  expect("a factor in finite deformation, and simple", factors, parameters,
+         "block of the pressure stalls.*use Linear solver/Schur complement = cahouet-chabard$");
+  parameters.schur_complement = SchurApproximation::cahouet_chabard;
   factors.has_stiff = false;
   expect("finite deformation that is not stiff", factors, parameters,
-         "block of the pressure stalls.*use a smaller Time/Time step");
+         "block of the pressure stalls.*use a smaller time step");
   factors.residual = 1e-14;
   expect("round-off of a correction", factors, parameters, "use a larger Newton/Krylov tolerance");
   parameters.restart_length = 30;

@@ -148,6 +148,27 @@ UNIT_TEST(schur_complement)
   SchurComplement both(copy_of(divergence), compression, &mass, &mobility, {});
   check::absolute("both", distance(apply(both), of_both), 0., 1e-11);
 
+  // Of the first pressures only: on two ranks the second one has none of them.
+  const unsigned int n_first = 3;
+  Full laplacian_of_first(n_first, n_first);
+  List of_first(n_first);
+  for (unsigned int i = 0; i < n_first; ++i)
+  {
+    of_first[i] = right_hand_side[i];
+    for (unsigned int j = 0; j < n_first; ++j)
+      laplacian_of_first(i, j) = laplacian(b)(i, j);
+  }
+  of_first = solve(laplacian_of_first, of_first);
+  List expected(n_pressures);
+  std::vector<unsigned int> first;
+  for (unsigned int i = 0; i < n_first; ++i)
+    expected[i] = of_first[i];
+  for (unsigned int i = 0; i < owned(n_pressures).n_elements(); ++i)
+    if (owned(n_pressures).nth_index_in_set(i) < n_first)
+      first.push_back(i);
+  SchurComplement part(copy_of(divergence), compression, nullptr, &mobility, {}, first);
+  check::absolute("some pressures only", distance(apply(part), expected), 0., 1e-11);
+
   List roots(n_pressures), scaled(right_hand_side);
   for (unsigned int i = 0; i < n_pressures; ++i)
   {
