@@ -75,7 +75,8 @@ double convergence_factor(const LinearFunction &matrix,
   }
   catch (const SolverControl::NoConvergence &)
   {
-    is_number = false; // a product
+    // A product is no number.
+    is_number = false;
   }
   memory.release_unused_memory(); // the run may go on
   return is_number ? late_factor(control.get_history_data()) : 1.;

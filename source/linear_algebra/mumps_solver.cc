@@ -13,6 +13,9 @@ namespace Continua
 {
 namespace
 {
+/// From here on the factorisation decides how much memory a run needs, and takes seconds [bytes].
+constexpr double large_factor = 1e8;
+
 // MUMPS's values of `job`.
 constexpr int job_initialise = -1;
 constexpr int job_terminate = -2;
@@ -277,9 +280,9 @@ void MumpsSolver<Number>::factorize(const int n,
   d.mumps.irn_loc = rows.data();
   d.mumps.jcn_loc = columns.data();
   d.mumps.a_loc = values.data();
-  return_freed_memory(); // of the analysis
+  if (estimate.memory > large_factor)
+    return_freed_memory(); // of the analysis
   d.factorize();
-  return_freed_memory(); // of the factorisation
   d.mumps.irn_loc = d.mumps.jcn_loc = nullptr;
   d.mumps.a_loc = nullptr;
 

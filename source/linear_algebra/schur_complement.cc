@@ -75,8 +75,8 @@ std::unique_ptr<Epetra_CrsMatrix> transpose_at_columns(const Epetra_CrsMatrix &m
   return result;
 }
 
-/// C + B D B^T, whose entries are not yet added up (FillComplete). The product of EpetraExt takes
-/// longer, and more memory.
+/// C + B D B^T without FillComplete, so that the caller can free B first. The product of EpetraExt
+/// takes more time and more memory.
 std::unique_ptr<Epetra_CrsMatrix> make_laplacian(const Epetra_CrsMatrix &divergence,
                                                  const Epetra_CrsMatrix &compression,
                                                  const DistributedVector &mobility)
@@ -121,7 +121,7 @@ std::unique_ptr<Epetra_CrsMatrix> make_laplacian(const Epetra_CrsMatrix &diverge
       entries[j] = 0.;
       is_in_row[j] = false;
     }
-    // Entries of C are there twice, and are added up in the end.
+    // FillComplete adds the entries of C to those of the same columns.
     int n_compressions = 0;
     double *compressions = nullptr;
     int *columns = nullptr;

@@ -10,7 +10,8 @@ namespace Continua
 /// The memory that this process holds now [bytes]; 0 if the system does not say it.
 double memory_held();
 /// Gives back to the system what this process has freed. The allocator keeps small pieces
-/// otherwise, which count as held. Takes milliseconds: for the moments before much is allocated.
+/// otherwise, which count as held. Takes up to 0.2 s for each GB that is held: only for the moments
+/// before much is allocated.
 void return_freed_memory();
 
 /**
