@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Answers of a bar to the material tests: references of tests/runs/material_kelvin_voigt.prm, material_maxwell.prm and
+"""Answers of a bar to the material tests: references of tests/runs/laboratory/material_kelvin_voigt.prm, material_maxwell.prm and
 material_volume.prm, by numerical inversion of the Laplace transforms instead of partial fractions.
 
     stress of a ramp to e within T:  Y(s) (e/T) (1 - exp(-s T))/s^2      strain of a stress S:  S/(s Y(s))
