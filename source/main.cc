@@ -1,8 +1,10 @@
 #include <continua/base/atomic_file.h>
 #include <continua/base/command_line.h>
+#include <continua/base/command_server.h>
 #include <continua/base/input_error.h>
 #include <continua/base/input_file.h>
 #include <continua/base/interruption.h>
+#include <continua/base/message_passing.h>
 #include <continua/base/version.h>
 #include <continua/mesh/gmsh_mesher.h>
 #include <continua/mesh/gmsh_process.h>
@@ -229,13 +231,10 @@ int fail(const std::string &text, const MPI_Comm communicator)
     MPI_Abort(communicator, status_run_failed);
   return status_run_failed;
 }
-} // namespace
 
-int main(int argc, char **argv)
+/// One command line, from the start of MPI to its end.
+int run_command_line(int argc, char **argv)
 {
-  // This program is its own helper: it meshes with gmsh, without MPI.
-  if (is_gmsh_process(argc, argv))
-    return run_gmsh_process(argc, argv);
   // Whoever reads the output may go (| head): the rest of it is dropped, and the run goes on. A
   // file may reach the largest size that is allowed: writing it then fails with a reason. The
   // signals are blocked rather than ignored, since libraries set them back to their default.
@@ -244,6 +243,7 @@ int main(int argc, char **argv)
   sigaddset(&of_writing, SIGPIPE);
   sigaddset(&of_writing, SIGXFSZ);
   pthread_sigmask(SIG_BLOCK, &of_writing, nullptr);
+  prepare_message_passing();
   // The arguments are Continua's alone: PETSc takes each that it sees for an option of its own.
   char *program_name[] = {argv[0], nullptr};
   int n_names = 1;
@@ -289,4 +289,31 @@ int main(int argc, char **argv)
   {
     return fail("the run failed by an error without a text. Please report it.", communicator);
   }
+}
+
+/// --serve: performs command lines until none has come for a minute.
+int serve(const std::string &socket_file)
+{
+  constexpr double idle_time = 60.;
+  try
+  {
+    CommandServer(socket_file, run_command_line).serve(idle_time);
+    return status_done;
+  }
+  catch (const std::exception &error)
+  {
+    std::cerr << "error: " << printable(error.what()) << std::endl;
+    return status_input_wrong;
+  }
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  // This program is its own helper: it meshes with gmsh, without MPI.
+  if (is_gmsh_process(argc, argv))
+    return run_gmsh_process(argc, argv);
+  if (argc == 3 && argv[1] == std::string("--serve"))
+    return serve(argv[2]);
+  return run_command_line(argc, argv);
 }

@@ -30,7 +30,7 @@ const std::vector<Option> &options()
       {"--version", Option::Value::none},   {"--help", Option::Value::none},
       {"-h", Option::Value::none},          {"--allow-mesh-commands", Option::Value::none},
       {"--new", Option::Value::next},       {"--mesh", Option::Value::required},
-      {"--examples", Option::Value::none}};
+      {"--examples", Option::Value::none},  {"--serve", Option::Value::required}};
   return table;
 }
 
@@ -74,6 +74,9 @@ std::string shell_quoted(const std::string &argument)
 
 void apply(CommandLine &result, const std::string &name, const std::string &value)
 {
+  if (name == "--serve")
+    refuse("--serve", "it stands alone, with the name of a socket that is not there yet",
+           "Write continua --serve SOCKET");
   if (name == "--set")
   {
     if (value.find('=') == std::string::npos || value.front() == '=')
@@ -165,6 +168,7 @@ CommandLine CommandLine::parse(const int argc, const char *const *argv)
         refuse(option.name, "its value is missing",
                option.name == "--set"    ? "Write --set \"Section/Key=value\""
                : option.name == "--mesh" ? "Write --mesh FILE.vtu"
+               : option.name == "--serve" ? "Write continua --serve SOCKET"
                                          : "Write --output DIR");
       value = arguments[++i];
     }
@@ -236,6 +240,8 @@ Runs what the parameter file describes.
                               such a file is refused
   --print-parameters[=STYLE]  prints every entry with value, unit and meaning, and stops;
                               STYLE is prm (default), json or markdown; without FILE the defaults
+  --serve SOCKET              performs the command lines that come through the socket, without starting
+                              anew for each: for many short runs (see the manual)
   --examples                  lists the parameter files that came with the program, and where they are
   --version                   prints the version, and the libraries with theirs
   --help, -h                  prints this text

@@ -1,5 +1,6 @@
 #include <continua/base/duration_text.h>
 #include <continua/base/memory_limit.h>
+#include <continua/base/message_passing.h>
 #include <continua/case/cost_estimate.h>
 #include <continua/linear_algebra/symmetric_factor.h>
 
@@ -242,8 +243,10 @@ std::string advice_on_ranks(const CostInput &input, const unsigned int n_process
   std::ostringstream text;
   if (input.n_ranks > n_processors)
     text << input.n_ranks << " ranks share " << n_processors
-         << " processors: the run will be many times slower than on " << n_processors << " rank"
-         << (n_processors == 1 ? "" : "s");
+         << " processors: the run will be slower than on " << n_processors << " rank"
+         << (n_processors == 1 ? "" : "s")
+         << (waiting_ranks_yield() ? ", though a rank that waits gives its processor to the others"
+                                   : ", many times, since ranks that wait keep others from working");
   else if (CostEstimate(input).n_unknowns < fewest_unknowns_per_rank * input.n_ranks)
     text << "each of the " << input.n_ranks << " ranks has fewer than " << fewest_unknowns_per_rank
          << " unknowns: the run will be slower than on one rank";

@@ -1,23 +1,17 @@
+#include <continua/base/child_process.h>
 #include <continua/base/input_file.h>
 #include <continua/mesh/gmsh_process.h>
 #include <continua/mesh/system_call_filter.h>
 
-#include <fcntl.h>
 #include <gmsh.h>
-#include <signal.h>
-#include <spawn.h>
 #include <stdlib.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#if defined(__linux__)
-#include <sys/prctl.h>
-#endif
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
@@ -54,85 +48,6 @@ struct TemporaryFolder
   std::filesystem::path path;
 };
 
-/// The environment without what a launcher of MPI gives to its processes.
-std::vector<char *> environment_without_launcher()
-{
-  std::vector<char *> kept;
-  for (char **entry = environ; *entry != nullptr; ++entry)
-  {
-    const std::string text = *entry;
-    const auto begins_with = [&text](const std::string &prefix)
-    { return text.compare(0, prefix.size(), prefix) == 0; };
-    bool is_of_launcher = false;
-    for (const char *const prefix :
-         {"OMPI_", "OPAL_", "ORTE_", "PRTE_", "PMIX_", "PMI_", "PMI2_", "MPI_", "MPIR_", "MPIEXEC_",
-          "HYDRA_", "HYDI_", "I_MPI_", "MV2_", "SLURM_"})
-      is_of_launcher = is_of_launcher || begins_with(prefix);
-    if (!is_of_launcher)
-      kept.push_back(*entry);
-  }
-  kept.push_back(nullptr);
-  return kept;
-}
-
-/// Starts the process; its screen is the file `log`.
-pid_t start_process(const std::vector<std::string> &arguments, const std::string &log)
-{
-  std::vector<char *> texts;
-  for (const std::string &argument : arguments)
-    texts.push_back(const_cast<char *>(argument.c_str()));
-  texts.push_back(nullptr);
-  const std::vector<char *> environment = environment_without_launcher();
-
-  posix_spawn_file_actions_t files;
-  posix_spawnattr_t attributes;
-  sigset_t no_signals;
-  ::sigemptyset(&no_signals);
-  ::posix_spawn_file_actions_init(&files);
-  ::posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
-  ::posix_spawn_file_actions_addopen(&files, 1, log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
-  ::posix_spawn_file_actions_adddup2(&files, 1, 2);
-  ::posix_spawnattr_init(&attributes);
-  ::posix_spawnattr_setsigmask(&attributes, &no_signals);
-  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
-  pid_t process = 0;
-  const int error = ::posix_spawn(&process, "/proc/self/exe", &files, &attributes, texts.data(),
-                                  environment.data());
-  ::posix_spawnattr_destroy(&attributes);
-  ::posix_spawn_file_actions_destroy(&files);
-  if (error != 0)
-    throw std::runtime_error(std::string("its process cannot be started: ") + std::strerror(error));
-  return process;
-}
-
-/// Waits for the end of the process and returns its status as of waitpid(); kills it after
-/// `time_limit` [s] and throws std::runtime_error.
-int wait_for(const pid_t process, const double time_limit)
-{
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
-  std::chrono::milliseconds pause(1);
-  while (true)
-  {
-    int status = 0;
-    const pid_t ended = ::waitpid(process, &status, WNOHANG);
-    if (ended == process)
-      return status;
-    if (ended < 0 && errno != EINTR)
-      throw std::runtime_error(std::string("its process was lost: ") + std::strerror(errno));
-    if (std::chrono::duration<double>(Clock::now() - start).count() > time_limit)
-    {
-      ::kill(process, SIGKILL);
-      ::waitpid(process, &status, 0);
-      std::ostringstream text;
-      text << "it did not end within " << time_limit << " s";
-      throw std::runtime_error(text.str());
-    }
-    std::this_thread::sleep_for(pause);
-    pause = std::min(2 * pause, std::chrono::milliseconds(50));
-  }
-}
-
 /// The last lines that the process has printed, as one: "LINE; LINE".
 std::string last_lines(const std::string &log)
 {
@@ -146,30 +61,6 @@ std::string last_lines(const std::string &log)
   for (std::size_t i = lines.size() - std::min(lines.size(), n_most); i < lines.size(); ++i)
     text += (text.empty() ? "" : "; ") + lines[i];
   return text;
-}
-
-// GCC says it by a macro, clang by a feature.
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool has_address_sanitizer = true;
-#elif defined(__has_feature)
-constexpr bool has_address_sanitizer = __has_feature(address_sanitizer);
-#else
-constexpr bool has_address_sanitizer = false;
-#endif
-
-/// Limits what this process may take, and lets it end with the process that started it.
-void limit_this_process()
-{
-  const rlimit limit = {memory_limit_of_gmsh(), memory_limit_of_gmsh()};
-  const rlimit nothing = {0, 0};
-  // The sanitizer of addresses reserves terabytes for its own use.
-  if (!has_address_sanitizer)
-    ::setrlimit(RLIMIT_AS, &limit);
-  ::setrlimit(RLIMIT_FSIZE, &limit);
-  ::setrlimit(RLIMIT_CORE, &nothing);
-#if defined(__linux__)
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-#endif
 }
 
 /// What gmsh throws is a text or an exception, by its version.
@@ -237,11 +128,14 @@ std::string mesh_in_own_process(const GmshTask &task)
   const TemporaryFolder folder;
   const std::string mesh_file = (folder.path / "mesh.msh").string();
   const std::string log = (folder.path / "log").string();
-  const int status = wait_for(
-      start_process({"continua", gmsh_process_argument, task.geo_file,
-                     std::to_string(task.dimension), mesh_file, task.allows_commands ? "1" : "0"},
-                    log),
-      task.time_limit);
+  ChildProcess::Program program;
+  program.file = "/proc/self/exe";
+  program.arguments = {"continua", gmsh_process_argument,
+                       task.geo_file, std::to_string(task.dimension),
+                       mesh_file, task.allows_commands ? "1" : "0"};
+  program.environment = environment_without_launcher();
+  program.screen = log;
+  const int status = ChildProcess(program).wait(task.time_limit).status;
   const std::string said = last_lines(log);
   if (WIFSIGNALED(status))
     throw std::runtime_error("it was ended by the signal '" +
@@ -267,7 +161,7 @@ int run_gmsh_process(int, const char *const *argv)
   const std::string geo_file = argv[2], mesh_file = argv[4];
   const int dimension = std::atoi(argv[3]);
   const bool allows_commands = std::string(argv[5]) == "1";
-  limit_this_process();
+  limit_this_process(memory_limit_of_gmsh());
   // Without the configuration files of the user, and on one thread: the same mesh each time.
   std::string error = error_of(
       []

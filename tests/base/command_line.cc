@@ -102,6 +102,8 @@ UNIT_TEST(command_line)
           "'--overwrite'.*excludes --restart");
   refused("missing value", {"a.prm", "--set"}, "'--set'.*missing.*Section/Key=value");
   refused("option instead of a value", {"a.prm", "--output", "--restart"}, "'--output'.*missing");
+  refused("a server beside a file", {"a.prm", "--serve", "socket"}, "'--serve'.*stands alone");
+  refused("a server without a socket", {"--serve"}, "'--serve'.*missing.*--serve SOCKET");
   refused("empty folder", {"a.prm", "--output="}, "'--output'.*no name");
   refused("no value in an override", {"a.prm", "--set", "Title"}, "--set Title.*Section/Key=value");
   refused("no key in an override", {"a.prm", "--set", "=1"}, "names no entry");
@@ -111,7 +113,7 @@ UNIT_TEST(command_line)
 
   for (const char *const word :
        {"--set", "--output", "--overwrite", "--restart", "--validate", "--print-parameters",
-        "--version", "--help, -h", "--allow-mesh-commands", "--new", "--mesh", "--examples",
+        "--version", "--help, -h", "--allow-mesh-commands", "--new", "--mesh", "--examples", "--serve",
         "0 done", "1 the run failed", "2 the input is wrong"})
     check::is_true(std::string("help names ") + word,
                    CommandLine::usage().find(word) != std::string::npos);

@@ -6,6 +6,8 @@
 
 #include "../unit_test.h"
 
+#include <cstdlib>
+
 namespace test_of_cost_estimate
 {
 namespace
@@ -101,6 +103,13 @@ UNIT_TEST(cost_estimate)
   check::equal("one rank", advice_on_ranks(tube, 1), "");
   check::is_true("too many ranks",
                  advice_on_ranks(ranks, 2).find("4 ranks share 2 processors") == 0);
+  ::setenv("OMPI_MCA_mpi_yield_when_idle", "1", 1);
+  check::is_true("that yield",
+                 advice_on_ranks(ranks, 2).find("a rank that waits gives its processor") !=
+                     std::string::npos);
+  ::unsetenv("OMPI_MCA_mpi_yield_when_idle");
+  check::is_true("that wait busily",
+                 advice_on_ranks(ranks, 2).find("ranks that wait keep others") != std::string::npos);
   check::equal("enough work", advice_on_ranks(ranks, 4), "");
   ranks.refinements = 0;
   check::is_true("too little work",

@@ -1,0 +1,28 @@
+#ifndef continua_base_message_passing_h
+#define continua_base_message_passing_h
+
+#include <string>
+
+namespace Continua
+{
+/**
+ * Sets, in the environment of this process, how Open MPI is to start. To be called before MPI_Init;
+ * what the environment has already stays as it is.
+ *
+ * Without a launcher there is one rank. Open MPI 4 then starts a daemon, in case that the program
+ * asks for further processes, and looks for networks: 0.4 s of the clock. Continua asks for none.
+ *
+ * With more ranks on this machine than cores, a rank that waits gives its core to the others. Else
+ * a run takes many times as long, since the ranks that wait keep the others from working.
+ */
+void prepare_message_passing();
+
+/// Whether Open MPI's ranks that wait give their core to others, as the environment says.
+bool waiting_ranks_yield();
+
+/// Whether an entry of the environment, "NAME=VALUE", is of those that launchers of MPI and batch
+/// systems give to their processes.
+bool is_of_launcher(const std::string &entry);
+} // namespace Continua
+
+#endif
