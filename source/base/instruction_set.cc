@@ -12,17 +12,14 @@ const Words<InstructionSet> &instruction_set_words()
 
 bool can_run(const InstructionSet instruction_set)
 {
-#ifdef CONTINUA_WIDE_INSTRUCTIONS
-  switch (instruction_set)
-  {
-  case InstructionSet::avx512:
+#ifdef CONTINUA_AVX512
+  if (instruction_set == InstructionSet::avx512)
     return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
            __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl");
-  case InstructionSet::avx2:
+#endif
+#ifdef CONTINUA_AVX2
+  if (instruction_set == InstructionSet::avx2)
     return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  case InstructionSet::baseline:
-    break;
-  }
 #endif
   return instruction_set == InstructionSet::baseline;
 }

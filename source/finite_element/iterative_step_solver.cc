@@ -798,7 +798,9 @@ IterativeStepSolver<dim>::new_preconditioner()
   text << "; Schur complement: " << (simple ? "simple" : "cahouet-chabard");
   if (matrix_free_velocity)
     text << "; products without a matrix ("
-         << word_of(instruction_set_words(), parameters.instruction_set) << ")";
+         << word_of(instruction_set_words(),
+                    instruction_set_of_products<dim>(parameters.instruction_set))
+         << ")";
   made->name = text.str();
   mark_memory("preconditioner of the pressure");
   mass_diagonals.clear();

@@ -97,8 +97,9 @@ void LinearSolverParameters::read(ParameterSection section)
   instruction_sets.insert(instruction_sets.begin(), "automatic");
   std::string set = instruction_sets.front();
   section.add_choice("Instruction set", set, instruction_sets,
-                     "Of the processor, for products without a matrix: automatic takes the widest "
-                     "one that the processor has. The last digits of results depend on it.");
+                     "Of the processor, for products without a matrix in three dimensions: automatic "
+                     "takes the widest one that processor and program have. In two dimensions "
+                     "products have the baseline. The last digits of results depend on it.");
   if (set != instruction_sets.front())
     instruction_set = value_of(instruction_set_words(), set);
   if (!can_run(instruction_set))

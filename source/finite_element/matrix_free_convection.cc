@@ -10,12 +10,18 @@ make_matrix_free_convection(const InstructionSet instruction_set,
                             const typename MatrixFreeConvection<dim>::Input &input)
 {
   AssertThrow(can_run(instruction_set), dealii::ExcInternalError());
-#ifdef CONTINUA_WIDE_INSTRUCTIONS
-  if (instruction_set == InstructionSet::avx512)
-    return matrix_free_convection_avx512<dim>(input);
-  if (instruction_set == InstructionSet::avx2)
-    return matrix_free_convection_avx2<dim>(input);
+  [[maybe_unused]] const InstructionSet set = instruction_set_of_products<dim>(instruction_set);
+  if constexpr (dim == 3)
+  {
+#ifdef CONTINUA_AVX512
+    if (set == InstructionSet::avx512)
+      return matrix_free_convection_avx512<dim>(input);
 #endif
+#ifdef CONTINUA_AVX2
+    if (set == InstructionSet::avx2)
+      return matrix_free_convection_avx2<dim>(input);
+#endif
+  }
   return matrix_free_convection_baseline<dim>(input);
 }
 

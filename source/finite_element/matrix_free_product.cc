@@ -10,12 +10,18 @@ make_matrix_free_product(const InstructionSet instruction_set,
                          const typename MatrixFreeProduct<dim, Number>::Input &input)
 {
   AssertThrow(can_run(instruction_set), dealii::ExcInternalError());
-#ifdef CONTINUA_WIDE_INSTRUCTIONS
-  if (instruction_set == InstructionSet::avx512)
-    return matrix_free_product_avx512<dim, Number>(input);
-  if (instruction_set == InstructionSet::avx2)
-    return matrix_free_product_avx2<dim, Number>(input);
+  [[maybe_unused]] const InstructionSet set = instruction_set_of_products<dim>(instruction_set);
+  if constexpr (dim == 3)
+  {
+#ifdef CONTINUA_AVX512
+    if (set == InstructionSet::avx512)
+      return matrix_free_product_avx512<dim, Number>(input);
 #endif
+#ifdef CONTINUA_AVX2
+    if (set == InstructionSet::avx2)
+      return matrix_free_product_avx2<dim, Number>(input);
+#endif
+  }
   return matrix_free_product_baseline<dim, Number>(input);
 }
 

@@ -366,8 +366,8 @@ make_convection_of_width(const typename MatrixFreeConvection<dim>::Input &input)
 }
 } // namespace Continua
 
-/// The functions of one instruction set, with the width of double precision.
-#define CONTINUA_INSTANTIATE_MATRIX_FREE_CONVECTION(name, width)                                   \
+/// The function of one instruction set, with the width of double precision.
+#define CONTINUA_DEFINE_MATRIX_FREE_CONVECTION(name, width)                                        \
   namespace Continua                                                                               \
   {                                                                                                \
   template <int dim>                                                                               \
@@ -376,10 +376,13 @@ make_convection_of_width(const typename MatrixFreeConvection<dim>::Input &input)
   {                                                                                                \
     return make_convection_of_width<dim, width>(input);                                            \
   }                                                                                                \
-  template std::unique_ptr<MatrixFreeConvection<2>>                                                \
-  name<2>(const MatrixFreeConvection<2>::Input &);                                                 \
-  template std::unique_ptr<MatrixFreeConvection<3>>                                                \
-  name<3>(const MatrixFreeConvection<3>::Input &);                                                 \
+  }
+/// Compiles it for a dimension.
+#define CONTINUA_INSTANTIATE_MATRIX_FREE_CONVECTION(name, dim)                                     \
+  namespace Continua                                                                               \
+  {                                                                                                \
+  template std::unique_ptr<MatrixFreeConvection<dim>>                                              \
+  name<dim>(const MatrixFreeConvection<dim>::Input &);                                             \
   }
 
 #endif

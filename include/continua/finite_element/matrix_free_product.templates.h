@@ -339,8 +339,8 @@ make_product_of_width(const typename MatrixFreeProduct<dim, Number>::Input &inpu
 }
 } // namespace Continua
 
-/// The functions of one instruction set, with the width of double precision.
-#define CONTINUA_INSTANTIATE_MATRIX_FREE_PRODUCT(name, width)                                      \
+/// The function of one instruction set, with the width of double precision.
+#define CONTINUA_DEFINE_MATRIX_FREE_PRODUCT(name, width)                                           \
   namespace Continua                                                                               \
   {                                                                                                \
   template <int dim, typename Number>                                                              \
@@ -349,14 +349,15 @@ make_product_of_width(const typename MatrixFreeProduct<dim, Number>::Input &inpu
   {                                                                                                \
     return make_product_of_width<dim, Number, width>(input);                                       \
   }                                                                                                \
-  template std::unique_ptr<MatrixFreeProduct<2, double>>                                           \
-  name<2, double>(const MatrixFreeProduct<2, double>::Input &);                                    \
-  template std::unique_ptr<MatrixFreeProduct<3, double>>                                           \
-  name<3, double>(const MatrixFreeProduct<3, double>::Input &);                                    \
-  template std::unique_ptr<MatrixFreeProduct<2, float>>                                            \
-  name<2, float>(const MatrixFreeProduct<2, float>::Input &);                                      \
-  template std::unique_ptr<MatrixFreeProduct<3, float>>                                            \
-  name<3, float>(const MatrixFreeProduct<3, float>::Input &);                                      \
+  }
+/// Compiles it for a dimension.
+#define CONTINUA_INSTANTIATE_MATRIX_FREE_PRODUCT(name, dim)                                        \
+  namespace Continua                                                                               \
+  {                                                                                                \
+  template std::unique_ptr<MatrixFreeProduct<dim, double>>                                         \
+  name<dim, double>(const MatrixFreeProduct<dim, double>::Input &);                                \
+  template std::unique_ptr<MatrixFreeProduct<dim, float>>                                          \
+  name<dim, float>(const MatrixFreeProduct<dim, float>::Input &);                                  \
   }
 
 #endif
