@@ -89,13 +89,24 @@ n_jobs() {
   if [ "$memory" -lt "$cores" ]; then echo "$memory"; else echo "$cores"; fi
 }
 
-# Says what is done now, and how long what came before it took. Without a text: only the latter.
+# Processor seconds of all that this shell has started and waited for.
+processor_seconds() {
+  times | awk 'NR == 2 { for (i = 1; i <= 2; ++i) { split($i, t, /[ms]/); sum += 60 * t[1] + t[2] } printf "%d\n", sum }'
+}
+
+# Says what is done now, and how long what came before it took. Without a text: only the latter. What a phase took is kept in
+# build/phases.csv, for scripts/measure/suite.
 announce() {
+  local processor
+  processor=$(processor_seconds)
   if [ -n "${announced:-}" ]; then
-    say "-- $announced: done in $((SECONDS - announced_at)) s"
+    say "-- $announced: done in $((SECONDS - announced_at)) s, $((processor - announced_processor)) s of processor time"
+    mkdir -p "$build_root"
+    say "\"$announced\",$((SECONDS - announced_at)),$((processor - announced_processor))" >>"$build_root/phases.csv"
   fi
   announced=${1:-}
   announced_at=$SECONDS
+  announced_processor=$processor
   [ -z "$announced" ] || say "-- $announced"
 }
 
@@ -133,12 +144,37 @@ configure_build() {
 build_targets() {
   local name=$1
   shift
-  say "Building ${*} in $build_root/$name with $(n_jobs) jobs; one step is several files and takes up to a minute and a half"
-  NINJA_STATUS='[%f of %t, %e s] ' cmake --build "$build_root/$name" --target "$@" --parallel "$(n_jobs)" </dev/null
+  say "Building ${*} in $build_root/$name with $(n_jobs) jobs; one step is several files and takes up to a minute"
+  NINJA_STATUS="$name [%f of %t, %e s] " cmake --build "$build_root/$name" --target "$@" --parallel "$(n_jobs)" </dev/null
 }
 
 # The Release program, built when it is out of date.
 build_program() {
   configure_build release
   build_targets release continua
+}
+
+# What the tests need: the Release program, with the tests of its wide instructions, and beside it program and unit tests in Debug. Both
+# compile at a time where there is memory for it, the Release program first: then no core waits for the last file of either.
+build_tests() {
+  configure_build release -D CONTINUA_TESTS=ON
+  # Information for a debugger would double the time, and wide instructions are tested in Release.
+  configure_build debug -D CONTINUA_DEBUG_SYMBOLS=OFF -D CONTINUA_INSTRUCTIONS=baseline \
+    -D CONTINUA_TESTS=ON -D CONTINUA_RELEASE_PROGRAM="$build_root/release/continua"
+  local jobs memory beside=''
+  jobs=$(n_jobs)
+  memory=$(awk '/MemAvailable/ { print int($2 / 2000000) }' /proc/meminfo 2>/dev/null || echo 0)
+  if [ "$memory" -ge $((2 * jobs)) ]; then
+    nice -n 5 bash -c 'set -euo pipefail; source "$1"; build_targets debug continua unit_tests' bash "$root/scripts/lib/common.sh" &
+    beside=$!
+  fi
+  if ! build_targets release continua unit_tests_instructions; then
+    [ -z "$beside" ] || kill "$beside" 2>/dev/null || true
+    fail "the Release program cannot be built"
+  fi
+  if [ -z "$beside" ]; then
+    build_targets debug continua unit_tests
+  else
+    wait "$beside" || fail "program and unit tests in Debug cannot be built"
+  fi
 }

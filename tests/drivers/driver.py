@@ -13,6 +13,8 @@ import tempfile
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "python"))
 from continua.program import environment as environment_of_runs  # noqa: E402
 
+import server  # noqa: E402
+
 
 class TestFailure(Exception):
     """The case does not hold; the text says what was expected and what came."""
@@ -49,8 +51,9 @@ def single(entries, key, default=None):
 
 
 def environment():
-    """One thread a rank; more ranks than cores and root are allowed."""
-    return {**environment_of_runs(), "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "DEAL_II_NUM_THREADS": "1", "LC_ALL": "C.UTF-8"}
+    """One thread a rank; more ranks than cores and root are allowed. Ranks that wait give their core to what else runs here."""
+    return {**environment_of_runs(), "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "DEAL_II_NUM_THREADS": "1", "LC_ALL": "C.UTF-8",
+            "OMPI_MCA_mpi_yield_when_idle": "1"}
 
 
 def on_ranks(command, ranks, errors=None):
@@ -64,9 +67,16 @@ def on_ranks(command, ranks, errors=None):
 
 
 def run(program, arguments, ranks=1, folder=None, time_limit=300):
-    """Runs the program under mpiexec when ranks > 1. Returns its subprocess.CompletedProcess with text streams."""
+    """Runs the program, under mpiexec when ranks > 1. Returns its subprocess.CompletedProcess with text streams."""
     command = [program, *arguments]
     print("+", " ".join(on_ranks(command, ranks)), flush=True)
+    if ranks == 1 and server.is_on(program):
+        try:
+            return server.run_and_read(command, folder, environment(), time_limit)
+        except server.ServerFailure as failure:
+            raise TestFailure(str(failure)) from failure
+        except subprocess.TimeoutExpired as expired:
+            raise TestFailure(f"the run took more than {time_limit} s") from expired
     with tempfile.TemporaryDirectory() as temporary:
         errors = os.path.join(temporary, "errors")
         try:
