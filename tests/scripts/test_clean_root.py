@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""scripts/clean-root refuses wrong arguments and folders that it did not make, before it changes anything."""
+"""scripts/build/clean-root refuses wrong arguments and folders that it did not make, before it changes anything."""
 
 import os
 import subprocess
 import tempfile
 import unittest
 
-SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts", "clean-root")
+SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts", "build", "clean-root")
 
 
 class CleanRoot(unittest.TestCase):
@@ -19,7 +19,7 @@ class CleanRoot(unittest.TestCase):
     def test_help(self):
         done = subprocess.run([SCRIPT, "--help"], capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 0)
-        self.assertIn("scripts/clean-root [OPTION]... bookworm|trixie COMMAND...", done.stdout)
+        self.assertIn("scripts/build/clean-root [OPTION]... bookworm|trixie COMMAND...", done.stdout)
 
     def test_release(self):
         self.refuses([], "the release is missing: bookworm or trixie")
