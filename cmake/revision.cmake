@@ -1,9 +1,16 @@
-# Writes the version, the git revision and whether the tree differs from it; the file is touched only when that changes.
-execute_process(COMMAND git -C ${SOURCE_DIR} rev-parse HEAD
-                OUTPUT_VARIABLE revision OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE no_git)
-execute_process(COMMAND git -C ${SOURCE_DIR} status --porcelain --untracked-files=no
-                OUTPUT_VARIABLE changes OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-if(no_git)
+# Writes the version, the git revision and whether the tree differs from it; the file is touched only when that changes. An unpacked
+# source archive has no .git, but a file REVISION in which git archive wrote the revision. Nothing tells whether it was changed.
+set(revision "")
+set(changes "")
+if(EXISTS ${SOURCE_DIR}/.git) # another repository may be around the source
+  execute_process(COMMAND git -C ${SOURCE_DIR} rev-parse HEAD
+                  OUTPUT_VARIABLE revision OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  execute_process(COMMAND git -C ${SOURCE_DIR} status --porcelain --untracked-files=no
+                  OUTPUT_VARIABLE changes OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+elseif(EXISTS ${SOURCE_DIR}/REVISION)
+  file(STRINGS ${SOURCE_DIR}/REVISION revision LIMIT_COUNT 1)
+endif()
+if(NOT revision MATCHES "^[0-9a-f]+$")
   set(revision "unknown")
 endif()
 if(changes STREQUAL "")

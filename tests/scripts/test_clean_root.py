@@ -31,6 +31,8 @@ class CleanRoot(unittest.TestCase):
     def test_options(self):
         self.refuses(["--new", "trixie", "true"], "unknown option --new")
         self.refuses(["--folder"], "--folder needs a value")
+        self.refuses(["--archive"], "--archive needs a value")
+        self.refuses(["--archive", "/nowhere.tar.xz", "trixie", "true"], "there is no source archive /nowhere.tar.xz")
 
     def test_other_folder(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -46,6 +48,15 @@ class CleanRoot(unittest.TestCase):
             with open(os.path.join(folder, "etc", "continua-clean-root"), "w", encoding="utf-8") as stream:
                 stream.write("bookworm\n")
             self.refuses(["--folder", folder, "trixie", "true"], "is a root of bookworm")
+
+    def test_other_source(self):
+        with tempfile.TemporaryDirectory() as folder:
+            os.mkdir(os.path.join(folder, "etc"))
+            for name, text in (("continua-clean-root", "bookworm\n"), ("continua-archive", "0123abcd\n")):
+                with open(os.path.join(folder, "etc", name), "w", encoding="utf-8") as stream:
+                    stream.write(text)
+            self.refuses(["--folder", folder, "bookworm", "true"], "has an unpacked archive, not the checkout: --fresh makes it again")
+            self.assertTrue(os.path.exists(os.path.join(folder, "etc", "continua-archive")))
 
 
 if __name__ == "__main__":
