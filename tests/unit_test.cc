@@ -1,6 +1,6 @@
 // The main function of a folder's unit tests: the first argument is the name of the test, without
-// one it lists the tests. With --serve SOCKET it performs tests that drivers/server.py asks for, each
-// in a copy of the process.
+// one it lists the tests. With --serve SOCKET it performs tests that drivers/server.py asks for,
+// each in a copy of the process.
 
 #include "unit_test.h"
 

@@ -166,10 +166,10 @@ CommandLine CommandLine::parse(const int argc, const char *const *argv)
     {
       if (i + 1 == arguments.size() || arguments[i + 1].compare(0, 2, "--") == 0)
         refuse(option.name, "its value is missing",
-               option.name == "--set"    ? "Write --set \"Section/Key=value\""
-               : option.name == "--mesh" ? "Write --mesh FILE.vtu"
+               option.name == "--set"     ? "Write --set \"Section/Key=value\""
+               : option.name == "--mesh"  ? "Write --mesh FILE.vtu"
                : option.name == "--serve" ? "Write continua --serve SOCKET"
-                                         : "Write --output DIR");
+                                          : "Write --output DIR");
       value = arguments[++i];
     }
     else if (option.value == Option::Value::next && i + 1 < arguments.size() &&

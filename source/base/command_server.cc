@@ -83,8 +83,7 @@ Descriptor listen_at(const std::string &file)
   Descriptor result(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   // For the user alone.
   const mode_t before = ::umask(0077);
-  const int bound =
-      ::bind(result, reinterpret_cast<const sockaddr *>(&address), sizeof(address));
+  const int bound = ::bind(result, reinterpret_cast<const sockaddr *>(&address), sizeof(address));
   ::umask(before);
   if (bound != 0 || ::listen(result, SOMAXCONN) != 0)
     fail("the socket " + file + " cannot be made");

@@ -245,8 +245,9 @@ std::string advice_on_ranks(const CostInput &input, const unsigned int n_process
     text << input.n_ranks << " ranks share " << n_processors
          << " processors: the run will be slower than on " << n_processors << " rank"
          << (n_processors == 1 ? "" : "s")
-         << (waiting_ranks_yield() ? ", though a rank that waits gives its processor to the others"
-                                   : ", many times, since ranks that wait keep others from working");
+         << (waiting_ranks_yield()
+                 ? ", though a rank that waits gives its processor to the others"
+                 : ", many times, since ranks that wait keep others from working");
   else if (CostEstimate(input).n_unknowns < fewest_unknowns_per_rank * input.n_ranks)
     text << "each of the " << input.n_ranks << " ranks has fewer than " << fewest_unknowns_per_rank
          << " unknowns: the run will be slower than on one rank";

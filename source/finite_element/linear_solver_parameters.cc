@@ -96,10 +96,11 @@ void LinearSolverParameters::read(ParameterSection section)
   std::vector<std::string> instruction_sets = choices_of(instruction_set_words());
   instruction_sets.insert(instruction_sets.begin(), "automatic");
   std::string set = instruction_sets.front();
-  section.add_choice("Instruction set", set, instruction_sets,
-                     "Of the processor, for products without a matrix in three dimensions: automatic "
-                     "takes the widest one that processor and program have. In two dimensions "
-                     "products have the baseline. The last digits of results depend on it.");
+  section.add_choice(
+      "Instruction set", set, instruction_sets,
+      "Of the processor, for products without a matrix in three dimensions: automatic "
+      "takes the widest one that processor and program have. In two dimensions "
+      "products have the baseline. The last digits of results depend on it.");
   if (set != instruction_sets.front())
     instruction_set = value_of(instruction_set_words(), set);
   if (!can_run(instruction_set))

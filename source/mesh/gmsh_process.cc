@@ -130,9 +130,9 @@ std::string mesh_in_own_process(const GmshTask &task)
   const std::string log = (folder.path / "log").string();
   ChildProcess::Program program;
   program.file = "/proc/self/exe";
-  program.arguments = {"continua", gmsh_process_argument,
+  program.arguments = {"continua",    gmsh_process_argument,
                        task.geo_file, std::to_string(task.dimension),
-                       mesh_file, task.allows_commands ? "1" : "0"};
+                       mesh_file,     task.allows_commands ? "1" : "0"};
   program.environment = environment_without_launcher();
   program.screen = log;
   const int status = ChildProcess(program).wait(task.time_limit).status;

@@ -113,8 +113,8 @@ UNIT_TEST(command_line)
 
   for (const char *const word :
        {"--set", "--output", "--overwrite", "--restart", "--validate", "--print-parameters",
-        "--version", "--help, -h", "--allow-mesh-commands", "--new", "--mesh", "--examples", "--serve",
-        "0 done", "1 the run failed", "2 the input is wrong"})
+        "--version", "--help, -h", "--allow-mesh-commands", "--new", "--mesh", "--examples",
+        "--serve", "0 done", "1 the run failed", "2 the input is wrong"})
     check::is_true(std::string("help names ") + word,
                    CommandLine::usage().find(word) != std::string::npos);
 }

@@ -148,9 +148,10 @@ UNIT_TEST(command_server)
         return 0;
       });
 
-  check::equal("status",
-               Client().answers({here + "/folder", "3", "program", "say", "two words", "NAME=value"}),
-               "ended 3");
+  check::equal(
+      "status",
+      Client().answers({here + "/folder", "3", "program", "say", "two words", "NAME=value"}),
+      "ended 3");
   check::equal("output", read_input_file("output"), "3 two words from input folder value\n");
   check::equal("errors", read_input_file("errors"), "an error\n");
   struct stat status = {};
@@ -198,7 +199,7 @@ UNIT_TEST(command_server)
       "a folder for the socket", [] { CommandServer("missing/socket", perform).serve(1.); },
       "the socket missing/socket cannot be made: No such file");
   check::throws<std::runtime_error>(
-      "the length of its name",
-      [] { CommandServer(std::string(200, 'a'), perform).serve(1.); }, "too long");
+      "the length of its name", [] { CommandServer(std::string(200, 'a'), perform).serve(1.); },
+      "too long");
 }
 } // namespace test_of_command_server

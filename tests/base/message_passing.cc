@@ -40,7 +40,7 @@ Entries launched(const int n_local_ranks)
 UNIT_TEST(message_passing)
 {
   const char *const daemon = "OMPI_MCA_ess_singleton_isolated",
-                   *const yields = "OMPI_MCA_mpi_yield_when_idle", *const layer = "OMPI_MCA_btl";
+                    *const yields = "OMPI_MCA_mpi_yield_when_idle", *const layer = "OMPI_MCA_btl";
   check::equal("alone: no daemon", value_of(daemon, {}), "1");
   check::equal("alone: no network", value_of(layer, {}), "self");
   check::equal("alone: nobody to yield to", value_of(yields, {}), "-");
@@ -68,9 +68,8 @@ UNIT_TEST(message_passing)
   ::sched_setaffinity(0, sizeof(one), &one);
   check::equal("a rank that is bound to a core", value_of(yields, launched(n_cores)), "-");
 
-  check::is_true("entries of launchers", is_of_launcher("PMIX_RANK=0") &&
-                                             is_of_launcher("SLURM_NTASKS=2") &&
-                                             !is_of_launcher("PATH=/usr/bin") &&
-                                             !is_of_launcher("MY_PMIX_RANK=0"));
+  check::is_true("entries of launchers",
+                 is_of_launcher("PMIX_RANK=0") && is_of_launcher("SLURM_NTASKS=2") &&
+                     !is_of_launcher("PATH=/usr/bin") && !is_of_launcher("MY_PMIX_RANK=0"));
 }
 } // namespace test_of_message_passing

@@ -104,12 +104,11 @@ UNIT_TEST(cost_estimate)
   check::is_true("too many ranks",
                  advice_on_ranks(ranks, 2).find("4 ranks share 2 processors") == 0);
   ::setenv("OMPI_MCA_mpi_yield_when_idle", "1", 1);
-  check::is_true("that yield",
-                 advice_on_ranks(ranks, 2).find("a rank that waits gives its processor") !=
-                     std::string::npos);
+  check::is_true("that yield", advice_on_ranks(ranks, 2).find(
+                                   "a rank that waits gives its processor") != std::string::npos);
   ::unsetenv("OMPI_MCA_mpi_yield_when_idle");
-  check::is_true("that wait busily",
-                 advice_on_ranks(ranks, 2).find("ranks that wait keep others") != std::string::npos);
+  check::is_true("that wait busily", advice_on_ranks(ranks, 2).find(
+                                         "ranks that wait keep others") != std::string::npos);
   check::equal("enough work", advice_on_ranks(ranks, 4), "");
   ranks.refinements = 0;
   check::is_true("too little work",

@@ -1,5 +1,5 @@
-// The numbers of the pre-flight report against scripts/references/waves/preflight.py, and each of its
-// warnings.
+// The numbers of the pre-flight report against scripts/references/waves/preflight.py, and each of
+// its warnings.
 
 #include <continua/case/preflight_report.h>
 

@@ -1,5 +1,5 @@
-// psi against Lame's cylinder solved for its constants by scripts/references/waves/closed_form_theory.py,
-// and speeds computed there.
+// psi against Lame's cylinder solved for its constants by
+// scripts/references/waves/closed_form_theory.py, and speeds computed there.
 
 #include <continua/theory/korteweg.h>
 

@@ -101,7 +101,8 @@ UNIT_TEST(loaded_tube)
       "rubber: more than mu ln(B/A)", [&]() { rubber.inner_radius(2e5 * std::log(2.)); },
       "rises no further than 1386");
 
-  // Two layers with fibres, prestretch and opening angle; numbers of scripts/references/solids/artery.py.
+  // Two layers with fibres, prestretch and opening angle; numbers of
+  // scripts/references/solids/artery.py.
   struct Row
   {
     double pressure, inner_radius, outer_radius, distensibility;

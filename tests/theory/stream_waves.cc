@@ -1,5 +1,5 @@
-// Against scripts/references/waves/stream_waves.py, which has no Chebyshev points and no matrices, and
-// against the formulas of a liquid at rest.
+// Against scripts/references/waves/stream_waves.py, which has no Chebyshev points and no matrices,
+// and against the formulas of a liquid at rest.
 
 #include <continua/theory/stream_waves.h>
 #include <continua/theory/womersley.h>

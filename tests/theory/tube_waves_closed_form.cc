@@ -1,5 +1,5 @@
-// The closed formulas against scripts/references/waves/closed_form_theory.py, which finds the membrane's
-// wave number by a root search at high precision and psi from Lame's cylinder.
+// The closed formulas against scripts/references/waves/closed_form_theory.py, which finds the
+// membrane's wave number by a root search at high precision and psi from Lame's cylinder.
 
 #include <continua/theory/tube_waves_closed_form.h>
 

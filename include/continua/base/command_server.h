@@ -14,10 +14,10 @@ namespace Continua
  * The socket is a Unix socket of whole messages (SOCK_SEQPACKET), for the user alone. A client
  * sends one message: the working folder, the number of arguments, the arguments (the name of the
  * program first) and the entries of the environment, each text with a zero byte behind it; with it
- * (SCM_RIGHTS) three descriptors: standard input, standard output and standard error of the command.
- * The server answers "started" or "error: REASON", and at the end of the command "ended STATUS USER
- * SYSTEM": the exit status (negative: the number of the signal that ended it) and the processor time
- * [s]. If the client goes before, the command is killed.
+ * (SCM_RIGHTS) three descriptors: standard input, standard output and standard error of the
+ * command. The server answers "started" or "error: REASON", and at the end of the command "ended
+ * STATUS USER SYSTEM": the exit status (negative: the number of the signal that ended it) and the
+ * processor time [s]. If the client goes before, the command is killed.
  *
  * tests/drivers/server.py is a client.
  */

@@ -17,9 +17,9 @@ const Words<InstructionSet> &instruction_set_words();
 /// Whether both this processor and this program have it.
 bool can_run(InstructionSet instruction_set);
 InstructionSet widest_instruction_set();
-/// The set that products without a matrix have in `dim` dimensions if `wanted` is asked for. They are
-/// compiled for the wide sets in three dimensions alone, since a compilation takes minutes: in two,
-/// direct solvers serve up to a million unknowns.
+/// The set that products without a matrix have in `dim` dimensions if `wanted` is asked for. They
+/// are compiled for the wide sets in three dimensions alone, since a compilation takes minutes: in
+/// two, direct solvers serve up to a million unknowns.
 template <int dim>
 constexpr InstructionSet instruction_set_of_products(const InstructionSet wanted)
 {
