@@ -164,6 +164,7 @@ class Runs:
         self.program, self.folder, self.keep = program, folder, keep
         self.lock = threading.Lock()
         self.processes, self.stopped = [], False
+        self.performed = set()  # the names of the files that were run, not kept
 
     def stop(self):
         with self.lock:
@@ -219,6 +220,7 @@ class Runs:
             how = "run"
         if status is None or self.stopped:
             return [], "", "stopped"
+        self.performed.add(name)
         summary = read_summary(output)
         if failure:
             rows = [failure.row(name, status, text, cost_of(summary))]
@@ -235,6 +237,8 @@ class Runs:
         status, text = (0, "") if kept else self.perform([self.program, path, output], [sys.executable, "-B", DRIVER])
         if status is None or self.stopped:
             return [], "", "stopped"
+        if not kept:
+            self.performed.add(name)
         if status == 0 and not kept:
             with open(passed, "w", encoding="utf-8") as stream:
                 stream.write(f"{time.monotonic() - start:.3g} s")
