@@ -53,6 +53,8 @@ void prepare_message_passing()
     // A single rank sends to itself at most.
     set_default("OMPI_MCA_pml", "ob1");
     set_default("OMPI_MCA_btl", "self");
+    // Which devices the machine has is of no use here.
+    set_default("HWLOC_COMPONENTS", "-linuxio,-pci,-opencl,-cuda,-nvml,-gl");
   }
   else if (n_local_ranks() > n_cores())
     set_default("OMPI_MCA_mpi_yield_when_idle", "1");

@@ -10,7 +10,8 @@ namespace Continua
  * what the environment has already stays as it is.
  *
  * Without a launcher there is one rank. Open MPI 4 then starts a daemon, in case that the program
- * asks for further processes, and looks for networks: 0.4 s of the clock. Continua asks for none.
+ * asks for further processes, and looks for networks and devices: MPI_Init takes 0.49 s of the
+ * clock, and 0.05 s without all of this (Open MPI 4.1.4). Continua needs none of it.
  *
  * With more ranks on this machine than cores, a rank that waits gives its core to the others. Else
  * a run takes many times as long, since the ranks that wait keep the others from working.
