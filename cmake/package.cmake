@@ -1,4 +1,4 @@
-# What is installed, and the Debian package: cmake --build build/release --target package.
+# What is installed, and the Debian package: scripts/build/package.
 include(GNUInstallDirs)
 install(TARGETS continua RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY parameter_files DESTINATION share/continua)
@@ -48,6 +48,14 @@ theory beside the runs.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+# Each Debian has other libraries. Its number is therefore in the version and in the file name (0.1.0-deb12), and apt takes the package
+# for Debian 13 when a system goes from Debian 12 to 13.
+if(EXISTS /etc/os-release)
+  file(STRINGS /etc/os-release CONTINUA_OS REGEX "^(ID|VERSION_ID)=")
+  if("${CONTINUA_OS}" MATCHES "(^|;)ID=debian(;|$)" AND "${CONTINUA_OS}" MATCHES "VERSION_ID=\"?([0-9]+)")
+    set(CPACK_DEBIAN_PACKAGE_RELEASE deb${CMAKE_MATCH_1})
+  endif()
+endif()
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 # The libraries, from the program itself; the rest is what runs and pictures need.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)

@@ -43,6 +43,15 @@ debian_release() {
   esac
 }
 
+# The number in the names of packages for that release: debian_number bookworm|trixie.
+debian_number() {
+  case $1 in
+    bookworm) say 12 ;;
+    trixie) say 13 ;;
+    *) fail "unknown release $1 (there are bookworm and trixie)" ;;
+  esac
+}
+
 # The packages of the groups named, one a line: what [GROUP] lists and what [GROUP RELEASE] adds.
 list_packages() {
   local release group
