@@ -1,4 +1,4 @@
-"""Sphinx configuration; scripts/build-manual calls it on a copy of this folder."""
+"""Sphinx configuration; scripts/build/manual calls it on a copy of this folder."""
 
 import os
 
@@ -15,7 +15,7 @@ source_suffix = {".md": "markdown"}
 exclude_patterns = ["Doxyfile", "*.dox", "*.in"]
 language = "en"
 
-# MathJax of Debian, which scripts/build-manual copies into _static: formulas need neither a network nor a package where the manual is
+# MathJax of Debian, which scripts/build/manual copies into _static: formulas need neither a network nor a package where the manual is
 # read. Its SVG output needs no font, and browsers refuse fonts of other folders in pages that are read from the disk.
 mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_SVG"
 mathjax2_config = {

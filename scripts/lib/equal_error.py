@@ -1,4 +1,4 @@
-"""What scripts/equal-error measures and how it judges: the runs, their errors, and the cheapest of them at an error."""
+"""What scripts/measure/equal-error measures and how it judges: the runs, their errors, and the cheapest of them at an error."""
 
 import dataclasses
 import math

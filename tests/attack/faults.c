@@ -1,4 +1,4 @@
-/* Lets one operation on a file fail: a library to preload, which scripts/attack builds and uses (attack `files`).
+/* Lets one operation on a file fail: a library to preload, which scripts/attack/run builds and uses (attack `files`).
  *
  * It has functions with the names of the C library's, counts those calls that touch a watched folder, and does something else
  * at one of them. Nothing outside of the watched folders is touched. Environment:

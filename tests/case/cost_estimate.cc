@@ -1,6 +1,6 @@
 // The estimate of a run's cost against what runs had: unknowns as their logs state them, memory as
 // the kernel counted it. All within the factor of two that the manual promises. Times are left to
-// scripts/estimates, since they depend on the machine.
+// scripts/measure/estimates, since they depend on the machine.
 
 #include <continua/case/cost_estimate.h>
 

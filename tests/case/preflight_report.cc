@@ -1,4 +1,4 @@
-// The numbers of the pre-flight report against scripts/references/preflight.py, and each of its
+// The numbers of the pre-flight report against scripts/references/waves/preflight.py, and each of its
 // warnings.
 
 #include <continua/case/preflight_report.h>

@@ -5,8 +5,8 @@ Header comments of the case:
 
     # shows: one run at a time     what is checked; one of the functions below, in words
     # set: Time/End time = 1 s     none or more; overrides of all runs
-    # first: ../runs/beam.prm -> modes.csv, wave-*.csv    for `overwrite`: one or more; a run that was in the folder
-                                                          before, and what it must have left there
+    # first: ../runs/beams/beam.prm -> modes.csv, wave-*.csv    for `overwrite`: one or more; a run that was in the folder
+                                                                before, and what it must have left there
     # signal: SIGTERM              for `signal in the set-up`: which one
     # limit: 3000                  for `full disk`: no file may have more bytes, once the run has begun
     # in the way: NAME             or: this folder stands where the run writes

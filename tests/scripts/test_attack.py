@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The tools of scripts/attack: their own readers, the failing operations, the loss of power, the verdicts."""
+"""The tools of scripts/attack/run: their own readers, the failing operations, the loss of power, the verdicts."""
 
 import os
 import subprocess
@@ -185,7 +185,7 @@ class Verdicts(unittest.TestCase):
             path = os.path.join(folder, "program")
             write(path, "#!/bin/sh\n" + script + "\n")
             os.chmod(path, 0o755)
-            done = subprocess.run([os.path.join(ROOT, "scripts", "attack"), *arguments, "--program", path, "--folder",
+            done = subprocess.run([os.path.join(ROOT, "scripts", "attack", "run"), *arguments, "--program", path, "--folder",
                                    os.path.join(folder, "work"), "--jobs", "4"], capture_output=True, text=True,
                                   check=False)
             failures = os.path.join(folder, "work", arguments[0], "failures")
@@ -197,7 +197,7 @@ class Verdicts(unittest.TestCase):
         status, text, kept = self.attack("exit 0", "odd-files", "--trials", "0", "--markdown")
         self.assertEqual(status, 1, text)
         self.assertIn("| odd-files |", text)
-        self.assertTrue(any("again: scripts/attack" in record and "--trial" in record for record in kept), text)
+        self.assertTrue(any("again: scripts/attack/run" in record and "--trial" in record for record in kept), text)
 
     def test_a_program_that_refuses_everything(self):
         status, text, _ = self.attack("echo 'error: channel.prm' >&2; exit 2", "odd-files", "--trials", "0")
@@ -205,7 +205,7 @@ class Verdicts(unittest.TestCase):
         self.assertIn("the undisturbed input is refused", text)
 
     def test_help(self):
-        done = subprocess.run([os.path.join(ROOT, "scripts", "attack"), "--help"], capture_output=True, text=True,
+        done = subprocess.run([os.path.join(ROOT, "scripts", "attack", "run"), "--help"], capture_output=True, text=True,
                               check=False)
         self.assertEqual(done.returncode, 0)
         self.assertIn("two-runs", done.stdout)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""scripts/beside-calculix: meshes, loads and results of CalculiX without it, and what is refused."""
+"""scripts/measure/beside-calculix: meshes, loads and results of CalculiX without it, and what is refused."""
 
 import os
 import subprocess
@@ -11,7 +11,7 @@ from importlib.util import module_from_spec, spec_from_loader
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
-SCRIPT = os.path.join(ROOT, "scripts", "beside-calculix")
+SCRIPT = os.path.join(ROOT, "scripts", "measure", "beside-calculix")
 sys.path.insert(0, os.path.join(ROOT, "scripts", "lib"))
 sys.dont_write_bytecode = True
 
@@ -27,7 +27,7 @@ def corners(layer):
         yield [numpy.array(layer.points[int(node) - 1]) for node in words[start + 1:start + 9]]
 
 
-def script(name="beside-calculix"):
+def script(name="measure/beside-calculix"):
     loader = SourceFileLoader("script", os.path.join(ROOT, "scripts", name))
     module = module_from_spec(spec_from_loader(loader.name, loader))
     loader.exec_module(module)
@@ -155,7 +155,7 @@ class Tables(unittest.TestCase):
                       module.table(rows, ["block-finite"])[-1])
 
     def test_the_order_of_the_limit(self):
-        module = script("references/finite_strain_block.py")
+        module = script("references/solids/finite_strain_block.py")
         limit, order = module.limit((6, 8, 10), [2 + 5 * n**-3.0 for n in (6, 8, 10)])
         self.assertAlmostEqual(limit, 2)
         self.assertAlmostEqual(order, 3)

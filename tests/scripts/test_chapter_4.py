@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""scripts/chapter-4: the numbers of histories whose loss, beats and power residual are known, and what is missing."""
+"""scripts/manual/chapter-4: the numbers of histories whose loss, beats and power residual are known, and what is missing."""
 
 import json
 import math
@@ -37,7 +37,7 @@ def write_run(folder, name, time, tip, residual=None, quantities=None):
 
 
 def draw(folder, *arguments):
-    return subprocess.run([os.path.join(SCRIPTS, "chapter-4"), "--draw", "--output", folder, *arguments],
+    return subprocess.run([os.path.join(SCRIPTS, "manual", "chapter-4"), "--draw", "--output", folder, *arguments],
                           capture_output=True, text=True, check=False)
 
 
@@ -110,7 +110,7 @@ class Drawing(unittest.TestCase):
     def test_runs(self):
         # A program that is not there: the script says so and fails.
         with tempfile.TemporaryDirectory() as folder:
-            done = subprocess.run([os.path.join(SCRIPTS, "chapter-4"), "--figures", "4.2", "--output", folder,
+            done = subprocess.run([os.path.join(SCRIPTS, "manual", "chapter-4"), "--figures", "4.2", "--output", folder,
                                    "--program", os.path.join(folder, "none")], capture_output=True, text=True, check=False)
             self.assertEqual(done.returncode, 1)
 

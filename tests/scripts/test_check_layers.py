@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""scripts/check-layers finds an include against the layers, an unknown folder and a cycle."""
+"""scripts/check/layers finds an include against the layers, an unknown folder and a cycle."""
 
 import os
 import subprocess
 import tempfile
 import unittest
 
-SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts", "check-layers")
+SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts", "check", "layers")
 
 
 class CheckLayers(unittest.TestCase):

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""scripts/check-manual: what a page of the manual may load, and that its links find their files."""
+"""scripts/check/manual: what a page of the manual may load, and that its links find their files."""
 
 import os
 import subprocess
@@ -17,7 +17,7 @@ def check(files):
             os.makedirs(os.path.dirname(full), exist_ok=True)
             with open(full, "w", encoding="utf-8") as stream:
                 stream.write(text)
-        result = subprocess.run([os.path.join(ROOT, "scripts", "check-manual"), folder], capture_output=True, text=True, check=False)
+        result = subprocess.run([os.path.join(ROOT, "scripts", "check", "manual"), folder], capture_output=True, text=True, check=False)
     return result.returncode, (result.stdout + result.stderr).splitlines()
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""scripts/draw-geometries: a sketch shows the name of each region and boundary of its mesh once, and no name covers another."""
+"""scripts/manual/draw-geometries: a sketch shows the name of each region and boundary of its mesh once, and no name covers another."""
 
 import importlib.machinery
 import importlib.util
@@ -18,7 +18,7 @@ sys.dont_write_bytecode = True
 
 
 def load_script():
-    loader = importlib.machinery.SourceFileLoader("draw_geometries", os.path.join(ROOT, "scripts", "draw-geometries"))
+    loader = importlib.machinery.SourceFileLoader("draw_geometries", os.path.join(ROOT, "scripts", "manual", "draw-geometries"))
     module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
     loader.exec_module(module)
     return module

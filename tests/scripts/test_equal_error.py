@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""scripts/equal-error: the fit of signals that are known, OpenFOAM's output, the choice of the cheapest run. Needs no OpenFOAM."""
+"""scripts/measure/equal-error: the fit of signals that are known, OpenFOAM's output, the choice of the cheapest run. Needs no OpenFOAM."""
 
 import math
 import os
@@ -110,7 +110,7 @@ class Choice(unittest.TestCase):
 class Command(unittest.TestCase):
     def test_without_openfoam(self):
         with tempfile.TemporaryDirectory() as folder:
-            done = subprocess.run([sys.executable, os.path.join(ROOT, "scripts", "equal-error"), "--codes", "openfoam",
+            done = subprocess.run([sys.executable, os.path.join(ROOT, "scripts", "measure", "equal-error"), "--codes", "openfoam",
                                    "--output", folder], env=dict(os.environ, PATH=folder), capture_output=True, text=True,
                                   check=False)
         self.assertEqual(done.returncode, 1)
@@ -118,7 +118,7 @@ class Command(unittest.TestCase):
         self.assertIn("no code to run", done.stderr)
 
     def test_unknown_code(self):
-        done = subprocess.run([os.path.join(ROOT, "scripts", "equal-error"), "--codes", "abaqus"], capture_output=True, text=True,
+        done = subprocess.run([os.path.join(ROOT, "scripts", "measure", "equal-error"), "--codes", "abaqus"], capture_output=True, text=True,
                               check=False)
         self.assertEqual(done.returncode, 1)
         self.assertIn("there are taylor-hood, cell-wise, openfoam", done.stderr)

@@ -203,7 +203,7 @@ class Space(unittest.TestCase):
 
 
 class ParaView(unittest.TestCase):
-    """view-in-paraview.py as the program has it; scripts/check-paraview runs it in ParaView, by hand."""
+    """view-in-paraview.py as the program has it; scripts/check/paraview runs it in ParaView, by hand."""
 
     def test_script(self):
         source = os.path.join(SCRIPTS, "..", "source", "postprocess", "view_in_paraview.cc")

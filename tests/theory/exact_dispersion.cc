@@ -1,4 +1,4 @@
-// Exact waves in tubes: roots and quantities from scripts/references/exact_dispersion.py, which
+// Exact waves in tubes: roots and quantities from scripts/references/waves/exact_dispersion.py, which
 // solves other equations by other means with 50 digits and more; limits in closed form; the
 // balances of mass and momentum over a section.
 

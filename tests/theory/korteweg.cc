@@ -1,4 +1,4 @@
-// psi against Lame's cylinder solved for its constants by scripts/references/closed_form_theory.py,
+// psi against Lame's cylinder solved for its constants by scripts/references/waves/closed_form_theory.py,
 // and speeds computed there.
 
 #include <continua/theory/korteweg.h>

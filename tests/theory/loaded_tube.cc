@@ -49,7 +49,7 @@ TubeSection tube(const double inner_radius,
   return section;
 }
 
-/// Of scripts/references/artery.py.
+/// Of scripts/references/solids/artery.py.
 TubeSection artery(const double inner_radius, const double opening_angle)
 {
   std::vector<Material> layers = {layer_of(3000., fibres(2363.2, 0.8393, 29.)),
@@ -101,7 +101,7 @@ UNIT_TEST(loaded_tube)
       "rubber: more than mu ln(B/A)", [&]() { rubber.inner_radius(2e5 * std::log(2.)); },
       "rises no further than 1386");
 
-  // Two layers with fibres, prestretch and opening angle; numbers of scripts/references/artery.py.
+  // Two layers with fibres, prestretch and opening angle; numbers of scripts/references/solids/artery.py.
   struct Row
   {
     double pressure, inner_radius, outer_radius, distensibility;

@@ -1,4 +1,4 @@
-// Against scripts/references/stream_waves.py, which has no Chebyshev points and no matrices, and
+// Against scripts/references/waves/stream_waves.py, which has no Chebyshev points and no matrices, and
 // against the formulas of a liquid at rest.
 
 #include <continua/theory/stream_waves.h>

@@ -1,4 +1,4 @@
-// The closed formulas against scripts/references/closed_form_theory.py, which finds the membrane's
+// The closed formulas against scripts/references/waves/closed_form_theory.py, which finds the membrane's
 // wave number by a root search at high precision and psi from Lame's cylinder.
 
 #include <continua/theory/tube_waves_closed_form.h>

@@ -1,4 +1,4 @@
-// Womersley's flow against scripts/references/closed_form_theory.py (mpmath: the profile from
+// Womersley's flow against scripts/references/waves/closed_form_theory.py (mpmath: the profile from
 // modified Bessel functions, its mean by quadrature) and against its limits.
 
 #include <continua/theory/womersley.h>

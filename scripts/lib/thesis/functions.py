@@ -16,8 +16,8 @@ from .reference import ROOT
 
 @functools.lru_cache
 def script(name):
-    """A script of the project as a module."""
-    loader = SourceFileLoader(name.replace("-", "_"), os.path.join(ROOT, "scripts", name))
+    """A script of the project as a module; `name` is its path in the folder scripts."""
+    loader = SourceFileLoader(os.path.basename(name).replace("-", "_"), os.path.join(ROOT, "scripts", name))
     module = module_from_spec(spec_from_loader(loader.name, loader))
     loader.exec_module(module)
     return module
@@ -62,9 +62,9 @@ def bernoulli_frequency(_, mode, modulus, height, length, density):
 
 
 def effect(results, number, source):
-    """The measure of a finding of scripts/findings, counted from 1, of the six tubes of chapter 5 with the elastic
+    """The measure of a finding of scripts/manual/thesis-findings, counted from 1, of the six tubes of chapter 5 with the elastic
     wall: `source` "simulated" or "theory"; positive if it holds, but for those that match."""
-    findings = script("findings")
+    findings = script("manual/thesis-findings")
     tubes = {name: findings.Tube(results.wave(file), source) for name, file in zip("ABCDEF", six_tubes())}
     return findings.FINDINGS[number - 1][1][1](tubes)
 

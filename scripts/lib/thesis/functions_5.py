@@ -70,9 +70,9 @@ def entry(results, run, name, component=0):
 
 
 def rise(results, run, source):
-    """Growth of the normalised pressure at the last station per travel time, as scripts/findings has it [1]."""
+    """Growth of the normalised pressure at the last station per travel time, as scripts/manual/thesis-findings has it [1]."""
     from .functions import script  # functions.py imports this file
-    return float(script("findings").Tube(results.wave(run), source).rise())
+    return float(script("manual/thesis-findings").Tube(results.wave(run), source).rise())
 
 
 def unlike(results, field, source, begin, end, stations, *runs):

@@ -59,7 +59,7 @@ class Amplification:
 
 
 class Beam:
-    """Figures 4.2 to 4.15, as scripts/chapter-4 has them."""
+    """Figures 4.2 to 4.15, as scripts/manual/chapter-4 has them."""
 
     def __init__(self, number):
         names = {os.path.splitext(name)[0] for name in os.listdir(os.path.dirname(parameter_file("chapter-4/beam")))}
