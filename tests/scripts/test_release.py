@@ -19,7 +19,6 @@ FILES = {
     "CITATION.cff": "cff-version: 1.2.0\nversion: 1.2.3\n",
     "REVISION": "$Format:%H$\n",
     ".gitignore": "/build*/\n",
-    "changelog/2026-01-01-old.md": "Old.\n",
     "changelog/1.2.3.md": "# Continua 1.2.3\n",
     # Unpacks the archive once, and runs the commands there. Writes to the file $CALLS what is run.
     "scripts/build/clean-root": """#!/bin/bash
@@ -296,28 +295,27 @@ class Release(unittest.TestCase):
         self.assertEqual(self.called()[-1], "bookworm: scripts/build/manual")
 
     def test_notes(self):
-        self.git("tag", "v1.2.3")
-        self.write("VERSION", "1.3.0\n")
-        self.write("CITATION.cff", "version: 1.3.0\n")
+        self.git("rm", "--quiet", "changelog/1.2.3.md")
+        self.write("changelog/README.md", "No entry.\n")
         self.write("changelog/2026-02-03-second.md", "Second,\nof two lines.\n")
         self.write("changelog/2026-10-01-newest.md", "Newest.\n")
-        self.write("changelog/2026-02-03-first.md", "First.\n")
         self.commit("Changes")
+        self.write("changelog/2026-02-03-first.md", "First.\n")
         text = self.makes("--notes")
-        self.assertIn("changelog/1.3.0.md: 3 entries since v1.2.3, newest first; the newest is changelog/2026-10-01-newest.md, "
-                      "the oldest changelog/2026-02-03-second.md.", text)
-        self.assertEqual(self.text("changelog/1.3.0.md"), "# Continua 1.3.0\n\n* Newest.\n* First.\n* Second,\n  of two lines.\n")
-        self.commit("Changelog of 1.3.0")
+        self.assertIn("changelog/1.2.3.md: 3 entries, newest first: changelog/2026-10-01-newest.md to changelog/2026-02-03-second.md.", text)
+        self.assertEqual(self.text("changelog/1.2.3.md"), "# Continua 1.2.3\n\n- Newest.\n- First.\n- Second,\n  of two lines.\n")
+        self.assertEqual(sorted(os.listdir(os.path.join(self.checkout, "changelog"))), ["1.2.3.md", "README.md"])
+        self.refuses(["--notes"], "there is nothing to collect")
+        self.commit("Changelog of 1.2.3")
+        self.makes("--only", "source")
+
         self.write("changelog/2026-10-02-late.md", "Late.\n")
         self.commit("Late")
-        done = self.refuses(["--notes"], "changelog/1.3.0.md is there")
-        self.assertIn("changelog/2026-10-02-late.md", done.stdout)
-        self.assertIn("are they in it?\nchangelog/2026-10-02-late.md", self.makes("--only", "source"))
-
-    def test_notes_of_the_first_release(self):
-        self.git("rm", "--quiet", "changelog/1.2.3.md")
-        self.assertIn("changelog/1.2.3.md: 1 entries, newest first", self.makes("--notes"))
-        self.assertEqual(self.text("changelog/1.2.3.md"), "# Continua 1.2.3\n\n* Old.\n")
+        self.refuses(["--only", "source"], "these entries are not in changelog/1.2.3.md; scripts/build/release --notes puts them there:\n"
+                     "changelog/2026-10-02-late.md")
+        self.assertIn("1 entries, newest first, put before what was there", self.makes("--notes"))
+        self.assertEqual(self.text("changelog/1.2.3.md"),
+                         "# Continua 1.2.3\n\n- Late.\n- Newest.\n- First.\n- Second,\n  of two lines.\n")
 
 
 if __name__ == "__main__":
