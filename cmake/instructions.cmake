@@ -22,3 +22,11 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     endif()
   endif()
 endif()
+
+# In a file, so that another choice compiles again what depends on it alone.
+set(text "")
+foreach(set ${continua_wide_sets})
+  string(TOUPPER ${set} upper_case)
+  string(APPEND text "#define CONTINUA_${upper_case}\n")
+endforeach()
+file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/generated/continua/base/instructions.inc CONTENT "${text}")

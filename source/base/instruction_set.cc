@@ -1,5 +1,8 @@
 #include <continua/base/instruction_set.h>
 
+// CONTINUA_AVX2 and CONTINUA_AVX512: what cmake/instructions.cmake has chosen.
+#include <continua/base/instructions.inc>
+
 namespace Continua
 {
 const Words<InstructionSet> &instruction_set_words()

@@ -1,5 +1,8 @@
 #include <continua/finite_element/matrix_free_product.h>
 
+// CONTINUA_AVX2 and CONTINUA_AVX512: what cmake/instructions.cmake has chosen.
+#include <continua/base/instructions.inc>
+
 #include <deal.II/base/exceptions.h>
 
 namespace Continua
