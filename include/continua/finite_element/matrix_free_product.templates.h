@@ -350,14 +350,12 @@ make_product_of_width(const typename MatrixFreeProduct<dim, Number>::Input &inpu
     return make_product_of_width<dim, Number, width>(input);                                       \
   }                                                                                                \
   }
-/// Compiles it for a dimension.
-#define CONTINUA_INSTANTIATE_MATRIX_FREE_PRODUCT(name, dim)                                        \
+/// Compiles it for a dimension and a type of numbers.
+#define CONTINUA_INSTANTIATE_MATRIX_FREE_PRODUCT(name, dim, Number)                                \
   namespace Continua                                                                               \
   {                                                                                                \
-  template std::unique_ptr<MatrixFreeProduct<dim, double>>                                         \
-  name<dim, double>(const MatrixFreeProduct<dim, double>::Input &);                                \
-  template std::unique_ptr<MatrixFreeProduct<dim, float>>                                          \
-  name<dim, float>(const MatrixFreeProduct<dim, float>::Input &);                                  \
+  template std::unique_ptr<MatrixFreeProduct<dim, Number>>                                         \
+  name<dim, Number>(const MatrixFreeProduct<dim, Number>::Input &);                                \
   }
 
 #endif

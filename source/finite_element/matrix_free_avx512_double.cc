@@ -6,6 +6,6 @@
 #include <continua/finite_element/matrix_free_wide.templates.h>
 
 CONTINUA_DEFINE_MATRIX_FREE_PRODUCT(matrix_free_product_avx512, 8)
-CONTINUA_INSTANTIATE_MATRIX_FREE_PRODUCT(matrix_free_product_avx512, 3)
+CONTINUA_INSTANTIATE_MATRIX_FREE_PRODUCT(matrix_free_product_avx512, 3, double)
 CONTINUA_DEFINE_MATRIX_FREE_CONVECTION(matrix_free_convection_avx512, 8)
 CONTINUA_INSTANTIATE_MATRIX_FREE_CONVECTION(matrix_free_convection_avx512, 3)
