@@ -1,14 +1,13 @@
 /* Runs a test and keeps the processor time that it took: measured FILE COMMAND...
 
-   FILE gets one line, "USER SYSTEM CLOCK" in seconds. A served command (drivers/server.py) is no child of the test: the client writes its
-   times, "USER SYSTEM" a line, to the descriptor CONTINUA_SERVED_TIMES. In C, since it starts 1400 times. */
+   FILE gets one line, "USER SYSTEM CLOCK" in seconds. A served command (served.c) is no child of the test: its client appends its times,
+   "USER SYSTEM" a line, to the file CONTINUA_SERVED_TIMES. In C, since it starts 1400 times. */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -45,10 +44,17 @@ int main(int argc, char **argv)
     fprintf(stderr, "usage: measured FILE COMMAND...\n");
     return 2;
   }
-  char number[20];
-  const int served = memfd_create("served", 0);
-  snprintf(number, sizeof(number), "%d", served);
-  setenv("CONTINUA_SERVED_TIMES", number, 1);
+  char served[4200];
+  make_folders(argv[1]);
+  snprintf(served, sizeof(served), "%s.served", argv[1]);
+  FILE *const empty = fopen(served, "w");
+  if (empty == NULL)
+  {
+    fprintf(stderr, "measured: %s: %s\n", served, strerror(errno));
+    return 127;
+  }
+  fclose(empty);
+  setenv("CONTINUA_SERVED_TIMES", served, 1);
   const double start = now();
   const pid_t process = fork();
   if (process == 0)
@@ -65,17 +71,17 @@ int main(int argc, char **argv)
   struct rusage usage;
   getrusage(RUSAGE_CHILDREN, &usage);
   double user = seconds(usage.ru_utime), system = seconds(usage.ru_stime), more_user, more_system;
-  FILE *const times = fdopen(served, "r");
+  FILE *const times = fopen(served, "r");
   if (times != NULL)
   {
-    rewind(times);
     while (fscanf(times, "%lf %lf", &more_user, &more_system) == 2)
     {
       user += more_user;
       system += more_system;
     }
+    fclose(times);
+    remove(served);
   }
-  make_folders(argv[1]);
   FILE *const file = fopen(argv[1], "w");
   if (file != NULL)
   {

@@ -1,5 +1,5 @@
 // The main function of a folder's unit tests: the first argument is the name of the test, without
-// one it lists the tests. With --serve SOCKET it performs tests that drivers/server.py asks for,
+// one it lists the tests. With --serve SOCKET it performs tests that served.c asks for,
 // each in a copy of the process.
 
 #include "unit_test.h"

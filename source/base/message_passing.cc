@@ -69,8 +69,8 @@ bool waiting_ranks_yield()
 bool is_of_launcher(const std::string &entry)
 {
   static constexpr std::array<const char *, 15> prefixes = {
-      "OMPI_", "OPAL_",    "ORTE_",  "PRTE_", "PMIX_",  "PMI_", "PMI2_", "MPI_",
-      "MPIR_", "MPIEXEC_", "HYDRA_", "HYDI_", "I_MPI_", "MV2_", "SLURM_"};
+      {"OMPI_", "OPAL_", "ORTE_", "PRTE_", "PMIX_", "PMI_", "PMI2_", "MPI_", "MPIR_", "MPIEXEC_",
+       "HYDRA_", "HYDI_", "I_MPI_", "MV2_", "SLURM_"}};
   for (const char *const prefix : prefixes)
     if (entry.compare(0, std::string(prefix).size(), prefix) == 0)
       return true;

@@ -13,8 +13,6 @@ import tempfile
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "python"))
 from continua.program import environment as environment_of_runs  # noqa: E402
 
-import server  # noqa: E402
-
 
 class TestFailure(Exception):
     """The case does not hold; the text says what was expected and what came."""
@@ -57,8 +55,12 @@ def environment():
 
 
 def on_ranks(command, ranks, errors=None):
-    """The command under mpiexec when ranks > 1. The ranks append what they write to standard error to the file
-    `errors`: Open MPI 5 may bring it into standard output."""
+    """The command as it is started: through the client of a server that has loaded its program already (tests/served.c) where the environment
+    names one, under mpiexec when ranks > 1. The ranks append what they write to standard error to the file `errors`: Open MPI 5 may bring it
+    into standard output."""
+    client = os.environ.get("CONTINUA_SERVED")
+    if client and os.path.basename(command[0]).startswith(("continua", "unit_tests_")):
+        command = [client, *command]
     if ranks == 1:
         return command
     if errors:
@@ -70,13 +72,6 @@ def run(program, arguments, ranks=1, folder=None, time_limit=300):
     """Runs the program, under mpiexec when ranks > 1. Returns its subprocess.CompletedProcess with text streams."""
     command = [program, *arguments]
     print("+", " ".join(on_ranks(command, ranks)), flush=True)
-    if ranks == 1 and server.is_on(program):
-        try:
-            return server.run_and_read(command, folder, environment(), time_limit)
-        except server.ServerFailure as failure:
-            raise TestFailure(str(failure)) from failure
-        except subprocess.TimeoutExpired as expired:
-            raise TestFailure(f"the run took more than {time_limit} s") from expired
     with tempfile.TemporaryDirectory() as temporary:
         errors = os.path.join(temporary, "errors")
         try:

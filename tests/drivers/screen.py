@@ -12,9 +12,6 @@ import subprocess
 import sys
 
 import driver
-import server
-
-TIME_LIMIT = 1500  # [s]; ctest's own comes first
 
 SEPARATORS = " \t\r\n=,:;<>[](){}^"
 
@@ -33,11 +30,8 @@ def main():
     error_file = os.path.join(folder, "stderr")
     command = driver.on_ranks(arguments.command, arguments.ranks, error_file)
     with open(output, "w", encoding="utf-8") as stdout, open(error_file, "a+", encoding="utf-8", errors="replace") as stderr:
-        if arguments.ranks == 1 and server.is_on(command[0]):
-            status = server.run(command, folder, driver.environment(), stdout, stderr, TIME_LIMIT)
-        else:
-            status = subprocess.run(command, cwd=folder, env=driver.environment(), stdin=subprocess.DEVNULL, stdout=stdout,
-                                    stderr=stderr, check=False).returncode
+        status = subprocess.run(command, cwd=folder, env=driver.environment(), stdin=subprocess.DEVNULL, stdout=stdout,
+                                stderr=stderr, check=False).returncode
         stderr.seek(0)
         errors = stderr.read()
     difference = subprocess.run([arguments.numdiff, "-a", "1e-6", "-r", "1e-8", "-s", SEPARATORS, arguments.reference,

@@ -73,7 +73,7 @@ class Suite(unittest.TestCase):
         self.assertEqual(measured("/no/such/program")[0], 127)
         self.assertEqual(measured("sh", "-c", "kill -9 $$")[0], 137)
         # A served command is no child: its client writes what it took.
-        status, user, system, clock = measured("sh", "-c", 'echo "20 3" >&$CONTINUA_SERVED_TIMES; echo "1 1" >&$CONTINUA_SERVED_TIMES; sleep 0.2')
+        status, user, system, clock = measured("sh", "-c", 'echo "20 3" >>$CONTINUA_SERVED_TIMES; echo "1 1" >>$CONTINUA_SERVED_TIMES; sleep 0.2')
         self.assertEqual(status, 0)
         self.assertTrue(21.0 <= user < 22.0 and 4.0 <= system < 5.0 and 0.2 <= clock < 20.0, (user, system, clock))
 

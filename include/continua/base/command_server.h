@@ -19,7 +19,7 @@ namespace Continua
  * STATUS USER SYSTEM": the exit status (negative: the number of the signal that ended it) and the
  * processor time [s]. If the client goes before, the command is killed.
  *
- * tests/drivers/server.py is a client.
+ * tests/served.c is a client.
  */
 class CommandServer
 {
