@@ -145,8 +145,10 @@ void DeformationTerms<dim>::take(const BalancedStep &state)
   if (step.finds_unloaded_shape)
   {
     // The mesh stays, and what the displacement leads from is the unloaded shape.
-    space.copy_velocity(state.displacement, velocity_work, ghosted_unloaded);
-    ghosted_unloaded *= -1.;
+    // From deal.II 9.8 on, a vector with ghosts changes by assignment alone.
+    velocity_work.equ(-1., state.displacement);
+    space.velocity_hanging.distribute(velocity_work);
+    ghosted_unloaded = velocity_work;
     set_rest_states();
     displacement = 0.;
   }

@@ -24,7 +24,15 @@ void KeptMapping<dim>::keep_points()
     points[level].resize(triangulation->n_raw_cells(level));
   for (const auto &cell : triangulation->active_cell_iterators())
     if (!cell->is_artificial())
+    {
+#if DEAL_II_VERSION_GTE(9, 8, 0)
+      Points of_cell;
+      Base::compute_mapping_support_points(cell, of_cell);
+      points[cell->level()][cell->index()].assign(of_cell.begin(), of_cell.end());
+#else
       points[cell->level()][cell->index()] = Base::compute_mapping_support_points(cell);
+#endif
+    }
   kept->points = std::move(points);
 }
 
@@ -35,15 +43,36 @@ std::unique_ptr<Mapping<dim>> KeptMapping<dim>::clone() const
 }
 
 template <int dim>
-std::vector<Point<dim>> KeptMapping<dim>::compute_mapping_support_points(
-    const typename Triangulation<dim>::cell_iterator &cell) const
+const std::vector<Point<dim>> *
+KeptMapping<dim>::kept_points(const typename Triangulation<dim>::cell_iterator &cell) const
 {
   Assert(&cell->get_triangulation() == triangulation, ExcInternalError());
   const unsigned int level = cell->level(), index = cell->index();
-  if (level < kept->points.size() && !kept->points[level][index].empty())
-    return kept->points[level][index];
+  return level < kept->points.size() && !kept->points[level][index].empty()
+             ? &kept->points[level][index]
+             : nullptr;
+}
+
+#if DEAL_II_VERSION_GTE(9, 8, 0)
+template <int dim>
+void KeptMapping<dim>::compute_mapping_support_points(
+    const typename Triangulation<dim>::cell_iterator &cell, Points &points) const
+{
+  if (const std::vector<Point<dim>> *of_cell = kept_points(cell))
+    points.assign(of_cell->begin(), of_cell->end());
+  else
+    Base::compute_mapping_support_points(cell, points);
+}
+#else
+template <int dim>
+std::vector<Point<dim>> KeptMapping<dim>::compute_mapping_support_points(
+    const typename Triangulation<dim>::cell_iterator &cell) const
+{
+  if (const std::vector<Point<dim>> *of_cell = kept_points(cell))
+    return *of_cell;
   return Base::compute_mapping_support_points(cell);
 }
+#endif
 
 template class KeptMapping<2>;
 template class KeptMapping<3>;

@@ -8,6 +8,7 @@
 #include <continua/mesh/tube_geometry.h>
 
 #include <deal.II/base/numbers.h>
+#include <deal.II/grid/tria_description.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 #include <continua/mesh/grading.h>
 
 #include <deal.II/base/numbers.h>
+#include <deal.II/grid/tria_description.h>
 
 #include <algorithm>
 #include <array>

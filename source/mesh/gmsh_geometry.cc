@@ -315,13 +315,14 @@ void GmshGeometry<dim>::set_cells(const GmshFile &file)
     if (block.dimension == dim)
       for (const std::vector<unsigned int> &element : block.elements)
       {
-        dealii::CellData<dim> cell;
-        cell.vertices = in_rows<dim>(element);
-        cell.material_id = region_of_tag.at(block.groups.front());
-        if (!orient<dim>(vertices, cell.vertices))
+        std::vector<unsigned int> rows = in_rows<dim>(element);
+        if (!orient<dim>(vertices, rows))
           refuse(block.line,
                  "the cell at " + middle(element) + " is degenerate, not convex or twisted",
                  "Look at the mesh with gmsh, and make it better there");
+        dealii::CellData<dim> cell;
+        cell.vertices.assign(rows.begin(), rows.end());
+        cell.material_id = region_of_tag.at(block.groups.front());
         cells.push_back(cell);
       }
 }
@@ -362,12 +363,13 @@ void GmshGeometry<dim>::set_faces(const GmshFile &file)
         data.boundary_id = boundary;
         if constexpr (dim == 2)
         {
-          data.vertices = element;
+          data.vertices.assign(element.begin(), element.end());
           faces.boundary_lines.push_back(data);
         }
         else
         {
-          data.vertices = in_rows<2>(element);
+          const std::vector<unsigned int> rows = in_rows<2>(element);
+          data.vertices.assign(rows.begin(), rows.end());
           faces.boundary_quads.push_back(data);
         }
       }

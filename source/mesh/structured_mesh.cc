@@ -1,6 +1,7 @@
 #include <continua/mesh/structured_mesh.h>
 
 #include <deal.II/base/geometry_info.h>
+#include <deal.II/grid/tria_description.h>
 
 #include <algorithm>
 

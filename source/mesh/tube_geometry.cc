@@ -8,6 +8,8 @@
 #include <continua/mesh/tube_geometry.h>
 #include <continua/mesh/tube_manifold.h>
 
+#include <deal.II/grid/tria_description.h>
+
 #include <cmath>
 #include <limits>
 

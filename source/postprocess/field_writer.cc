@@ -264,7 +264,8 @@ void FieldWriter<dim>::write(ContinuumSolver<dim> &solver, const double time)
   flags.time = time;
   flags.cycle = static_cast<unsigned int>(entries.size());
   flags.print_date_and_time = false;
-  flags.compression_level = dealii::DataOutBase::VtkFlags::best_speed;
+  // The name of this type depends on the version of deal.II.
+  flags.compression_level = decltype(flags.compression_level)::best_speed;
   flags.write_higher_order_cells = higher_order_cells && subdivisions > 1;
   flags.physical_units = units;
   data_out.set_flags(flags);

@@ -1,10 +1,14 @@
 #ifndef continua_finite_element_kept_mapping_h
 #define continua_finite_element_kept_mapping_h
 
+#include <deal.II/base/config.h>
 #include <deal.II/base/point.h>
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/tria.h>
 
+#if DEAL_II_VERSION_GTE(9, 8, 0)
+#include <boost/container/small_vector.hpp>
+#endif
 #include <boost/signals2/connection.hpp>
 
 #include <memory>
@@ -34,10 +38,22 @@ public:
   std::unique_ptr<dealii::Mapping<dim>> clone() const override;
 
 protected:
+#if DEAL_II_VERSION_GTE(9, 8, 0)
+  /// deal.II's type of the points of a cell.
+  using Points = boost::container::small_vector<dealii::Point<dim>, 200>;
+  void
+  compute_mapping_support_points(const typename dealii::Triangulation<dim>::cell_iterator &cell,
+                                 Points &points) const override;
+#else
   std::vector<dealii::Point<dim>> compute_mapping_support_points(
       const typename dealii::Triangulation<dim>::cell_iterator &cell) const override;
+#endif
 
 private:
+  /// The points of a cell that keep_points() has kept, or null.
+  const std::vector<dealii::Point<dim>> *
+  kept_points(const typename dealii::Triangulation<dim>::cell_iterator &cell) const;
+
   struct Kept
   {
     std::vector<std::vector<std::vector<dealii::Point<dim>>>> points; ///< [level][index]

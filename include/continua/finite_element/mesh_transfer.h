@@ -1,9 +1,8 @@
 #ifndef continua_finite_element_mesh_transfer_h
 #define continua_finite_element_mesh_transfer_h
 
+#include <continua/finite_element/solution_transfer.h>
 #include <continua/finite_element/space.h>
-
-#include <deal.II/distributed/solution_transfer.h>
 
 #include <memory>
 #include <vector>
@@ -26,7 +25,7 @@ public:
               const std::vector<DistributedVector *> &pressures);
 
 private:
-  using Transfer = dealii::parallel::distributed::SolutionTransfer<dim, DistributedVector>;
+  using Transfer = SolutionTransfer<dim, DistributedVector>;
   const Space<dim> &space;
   std::unique_ptr<Transfer> velocity_transfer, pressure_transfer;
   std::vector<DistributedVector> old_velocities, old_pressures; ///< with ghosts

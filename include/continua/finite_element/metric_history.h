@@ -4,13 +4,13 @@
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state_visitor.h>
 #include <continua/continuum/vector_numbering.h>
+#include <continua/finite_element/solution_transfer.h>
 #include <continua/finite_element/space.h>
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/materials/internal_metric.h>
 #include <continua/time_integration/step.h>
 
 #include <deal.II/base/symmetric_tensor.h>
-#include <deal.II/distributed/solution_transfer.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/hp/fe_collection.h>
@@ -105,7 +105,7 @@ private:
   /// [region][branch], of the step that was predicted last.
   std::vector<std::vector<MetricWeights>> balanced_weights, step_weights;
 
-  using Transfer = dealii::parallel::distributed::SolutionTransfer<dim, DistributedVector>;
+  using Transfer = SolutionTransfer<dim, DistributedVector>;
   std::unique_ptr<Transfer> transfer;
   std::vector<DistributedVector> old_vectors;
 
