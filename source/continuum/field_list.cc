@@ -90,13 +90,6 @@ std::array<double, 6> FieldDefinition<dim>::factors(const dealii::Point<dim> &po
 }
 
 template <int dim>
-bool FieldDefinition<dim>::is_of_walls() const
-{
-  return quantity == Quantity::wall_shear_stress ||
-         quantity == Quantity::wall_shear_stress_magnitude || is_average();
-}
-
-template <int dim>
 bool FieldDefinition<dim>::is_average() const
 {
   return quantity == Quantity::average_wall_shear_stress ||

@@ -55,7 +55,12 @@ Newton::Newton(const Problem &problem,
                OutletCoupling &outlets,
                CavityCoupling &cavities,
                Log &log)
-    : problem(problem), operators(operators), outlets(outlets), cavities(cavities), log(log)
+    : problem(problem),
+      operators(operators),
+      outlets(outlets),
+      cavities(cavities),
+      log(log),
+      krylov(BlockKrylov::Method::gmres, 3 * problem.newton.most_krylov_iterations)
 {
 }
 
@@ -244,17 +249,27 @@ bool Newton::correct_by_krylov(const NewtonInput &input,
 {
   // Where a residual is zero and stays so, any size does.
   const auto size_of = [](const double scale) { return scale > 0. ? scale : 1.; };
+  const double momentum_size = size_of(scales.momentum), mass_size = size_of(scales.mass);
   operators.restrict_residuals(momentum, mass);
+  krylov.scale.block(0) = 1. / momentum_size;
+  krylov.scale.block(1) = 1. / mass_size;
+  krylov.set_right_hand_side(momentum, mass);
+  const auto product = [&](const DistributedVector &velocity, const DistributedVector &pressure,
+                           DistributedVector &momentum_rows, DistributedVector &mass_rows)
+  { set_derivative_product(input, balanced, velocity, pressure, momentum_rows, mass_rows); };
+  const auto inverse = [&](DistributedVector &momentum_rows, DistributedVector &mass_rows,
+                           DistributedVector &velocity, DistributedVector &pressure)
+  {
+    momentum_rows *= momentum_size;
+    mass_rows *= mass_size;
+    operators.solve(zero_velocity, momentum_rows, mass_rows, velocity, pressure, report);
+  };
   const unsigned int most = problem.newton.most_krylov_iterations;
-  const unsigned int n_iterations = krylov.solve(
-      [&](const DistributedVector &velocity, const DistributedVector &pressure,
-          DistributedVector &momentum_rows, DistributedVector &mass_rows)
-      { set_derivative_product(input, balanced, velocity, pressure, momentum_rows, mass_rows); },
-      [&](DistributedVector &momentum_rows, DistributedVector &mass_rows,
-          DistributedVector &velocity, DistributedVector &pressure)
-      { operators.solve(zero_velocity, momentum_rows, mass_rows, velocity, pressure, report); },
-      {momentum, mass, size_of(scales.momentum), size_of(scales.mass)},
-      problem.newton.krylov_tolerance, 3 * most, velocity_change, pressure_change);
+  const unsigned int n_iterations =
+      krylov
+          .solve(product, inverse, krylov.scaled_right_hand_side().l2_norm(),
+                 problem.newton.krylov_tolerance, 3 * most, velocity_change, pressure_change)
+          .iterations;
   report.linear_iterations += n_iterations;
   // All solves of the step together: a new factor serves many steps.
   if (report.linear_iterations > most)

@@ -23,7 +23,8 @@ StepSystem<dim>::StepSystem(const Space<dim> &space,
       operators(operators),
       constraints(constraints),
       parameters(parameters),
-      outlook(outlook)
+      outlook(outlook),
+      mixed_precision(BlockKrylov::Method::fgmres, most_single_precision_iterations + 1)
 {
 }
 
@@ -295,11 +296,26 @@ void StepSystem<dim>::solve_in_mixed_precision(const DistributedVector &momentum
                                                DistributedVector &velocity,
                                                DistributedVector &pressure)
 {
+  // With the factor's scale velocities and pressures have one unit.
+  const std::vector<double> &scale = kept_factors.front().single->scale();
+  const auto middle = scale.begin() + velocity.locally_owned_size();
+  std::copy(scale.begin(), middle, mixed_precision.scale.block(0).begin());
+  std::copy(middle, scale.end(), mixed_precision.scale.block(1).begin());
+  mixed_precision.set_right_hand_side(momentum, mass);
   const KrylovReport report = mixed_precision.solve(
       [this](const DistributedVector &u, const DistributedVector &p, DistributedVector &rows_of_u,
              DistributedVector &rows_of_p) { multiply_system(u, p, rows_of_u, rows_of_p); },
-      *kept_factors.front().single, momentum, mass, velocity, pressure, single_precision_tolerance,
-      most_single_precision_iterations);
+      [&](DistributedVector &rows_of_u, DistributedVector &rows_of_p, DistributedVector &u,
+          DistributedVector &p)
+      {
+        auto of_row = scale.begin();
+        for (DistributedVector *rows : {&rows_of_u, &rows_of_p})
+          for (double &row : *rows)
+            row /= *of_row++;
+        solve_packed(rows_of_u, rows_of_p, u, p);
+      },
+      mixed_precision.scaled_right_hand_side().l2_norm(), single_precision_tolerance,
+      most_single_precision_iterations, velocity, pressure);
   n_iterations += report.iterations;
   if (report.converged)
     return;

@@ -1,4 +1,5 @@
 #include <continua/base/atomic_file.h>
+#include <continua/base/embedded_file.h>
 #include <continua/base/input_error.h>
 #include <continua/base/nearest_name.h>
 #include <continua/program/parameter_templates.h>
@@ -11,13 +12,8 @@ namespace Continua
 {
 namespace
 {
-struct TemplateFile
-{
-  const char *name, *text;
-};
-
-/// The files of parameter_files/new, sorted by name; cmake/parameter_templates.cmake writes them.
-const TemplateFile template_files[] = {
+/// The files of parameter_files/new, sorted by name.
+const EmbeddedFile template_files[] = {
 #include <continua/program/parameter_templates.inc>
 };
 
@@ -37,7 +33,7 @@ std::vector<ParameterTemplate> make_templates()
 {
   const std::string ending = ".prm";
   std::vector<ParameterTemplate> result;
-  for (const TemplateFile &file : template_files)
+  for (const EmbeddedFile &file : template_files)
     if (ends_with(file.name, ending))
     {
       const std::string stem =
@@ -47,7 +43,7 @@ std::vector<ParameterTemplate> make_templates()
       entry.text = file.text;
       const std::string mark = "# ";
       entry.description = entry.text.substr(mark.size(), entry.text.find('\n') - mark.size());
-      for (const TemplateFile &other : template_files)
+      for (const EmbeddedFile &other : template_files)
         if (!ends_with(other.name, ending) &&
             std::filesystem::path(other.name).stem().string() == stem)
           entry.files.emplace_back(other.name, other.text);

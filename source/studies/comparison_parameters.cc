@@ -70,9 +70,9 @@ void ComparisonParameters::read(ParameterSection root)
                    "Remove the entry");
 }
 
-std::string ComparisonParameters::name(const unsigned int way) const
+std::string ComparisonParameters::name(const unsigned int variant) const
 {
-  const std::string &value = values[way];
+  const std::string &value = values[variant];
   const bool is_word =
       std::any_of(value.begin(), value.end(),
                   [](const unsigned char letter) { return std::isalpha(letter) != 0; });

@@ -1,6 +1,7 @@
 #include <continua/studies/comparison_report.h>
 
 #include <continua/base/atomic_file.h>
+#include <continua/base/citations.h>
 #include <continua/base/text_table.h>
 #include <continua/base/undefined.h>
 #include <continua/studies/chosen_quantities.h>
@@ -24,7 +25,7 @@ const char *verdict_name(const Verdict verdict)
 
 ComparisonReport::ComparisonReport(const ComparisonParameters &parameters,
                                    const std::vector<ConvergenceOrders> &orders,
-                                   const std::vector<ComparedRun> &runs)
+                                   const std::vector<StudiedRun> &runs)
     : parameters(parameters), orders(orders), runs(runs)
 {
   std::map<std::string, double> largest; // by unit
@@ -34,16 +35,16 @@ ComparisonReport::ComparisonReport(const ComparisonParameters &parameters,
     Row row;
     row.label = label;
     unsigned int n_values[2] = {0, 0};
-    for (unsigned int way = 0; way < 2; ++way)
-      for (const unsigned int mesh : parameters.meshes_of(way))
+    for (unsigned int variant = 0; variant < 2; ++variant)
+      for (const unsigned int mesh : parameters.meshes_of(variant))
       {
-        const ComparedRun *const found = run(way, mesh);
+        const StudiedRun *const found = run(variant, mesh);
         const Quantity *const quantity = found == nullptr ? nullptr : find_quantity(*found, label);
-        row.values[way].push_back(quantity == nullptr ? undefined : quantity->value);
+        row.values[variant].push_back(quantity == nullptr ? undefined : quantity->value);
         if (quantity != nullptr)
         {
           row.unit = quantity->unit;
-          ++n_values[way];
+          ++n_values[variant];
         }
       }
     if (n_values[0] > 1 || n_values[1] > 1)
@@ -62,30 +63,30 @@ ComparisonReport::ComparisonReport(const ComparisonParameters &parameters,
   }
 }
 
-const ComparedRun *ComparisonReport::run(const unsigned int way, const unsigned int mesh) const
+const StudiedRun *ComparisonReport::run(const unsigned int variant, const unsigned int mesh) const
 {
-  for (const ComparedRun &candidate : runs)
-    if (candidate.way == way && candidate.mesh == mesh && candidate.failure.empty())
+  for (const StudiedRun &candidate : runs)
+    if (candidate.variant == variant && candidate.mesh == mesh && candidate.failure.empty())
       return &candidate;
   return nullptr;
 }
 
 void ComparisonReport::compare(Row &row) const
 {
-  for (unsigned int way = 0; way < 2; ++way)
+  for (unsigned int variant = 0; variant < 2; ++variant)
   {
     std::vector<double> sizes, values;
-    for (unsigned int i = 0; i < row.values[way].size(); ++i)
-      if (!std::isnan(row.values[way][i]))
+    for (unsigned int i = 0; i < row.values[variant].size(); ++i)
+      if (!std::isnan(row.values[variant][i]))
       {
-        const double size = run(way, parameters.meshes_of(way)[i])->cell_size;
+        const double size = run(variant, parameters.meshes_of(variant)[i])->cell_size;
         // An adaptive mesh may end with as many cells as the one before.
         if (!sizes.empty() && size >= sizes.back())
           continue;
         sizes.push_back(size);
-        values.push_back(row.values[way][i]);
+        values.push_back(row.values[variant][i]);
       }
-    row.convergence.emplace_back(sizes, values, orders[way], row.round_off);
+    row.convergence.emplace_back(sizes, values, orders[variant], row.round_off);
   }
   const GridConvergence &first = row.convergence[0], &second = row.convergence[1];
   row.difference = second.limit - first.limit;
@@ -109,7 +110,7 @@ std::vector<std::string> ComparisonReport::lines() const
 {
   std::vector<std::vector<std::string>> table = {{"run", "cells", "unknowns", "steps"}};
   std::vector<std::string> failures;
-  for (const ComparedRun &run : runs)
+  for (const StudiedRun &run : runs)
     if (run.failure.empty())
       table.push_back({run.name, number_text(run.n_cells, 15), number_text(run.n_dofs, 15),
                        number_text(run.n_steps, 15)});
@@ -120,9 +121,9 @@ std::vector<std::string> ComparisonReport::lines() const
   if (!all_rows.empty())
   {
     std::vector<std::string> header = {"quantity"};
-    for (unsigned int way = 0; way < 2; ++way)
+    for (unsigned int variant = 0; variant < 2; ++variant)
       for (const std::string &text :
-           {parameters.name(way), std::string("error"), std::string("order")})
+           {parameters.name(variant), std::string("error"), std::string("order")})
         header.push_back(text);
     header.insert(header.end(), {"difference", "verdict"});
     table = {header};
@@ -172,13 +173,13 @@ void ComparisonReport::add_quantities(Summary &summary) const
       if (std::isfinite(value))
         summary.add({name, value, unit, row.label});
     };
-    for (unsigned int way = 0; way < 2; ++way)
+    for (unsigned int variant = 0; variant < 2; ++variant)
     {
-      const std::string name = parameters.name(way) + " ";
-      add(name + "finest", row.values[way].back(), row.unit);
-      add(name + "extrapolated", row.convergence[way].limit, row.unit);
-      add(name + "estimated error", row.convergence[way].estimated_error, row.unit);
-      add(name + "order", row.convergence[way].order, "1");
+      const std::string name = parameters.name(variant) + " ";
+      add(name + "finest", row.values[variant].back(), row.unit);
+      add(name + "extrapolated", row.convergence[variant].limit, row.unit);
+      add(name + "estimated error", row.convergence[variant].estimated_error, row.unit);
+      add(name + "order", row.convergence[variant].order, "1");
     }
     add("difference", row.difference, row.unit);
     if (row.convergence[0].limit != 0.)
@@ -195,7 +196,7 @@ void ComparisonReport::add_quantities(Summary &summary) const
   summary.add(
       {"failed runs",
        static_cast<double>(std::count_if(
-           runs.begin(), runs.end(), [](const ComparedRun &run) { return !run.failure.empty(); })),
+           runs.begin(), runs.end(), [](const StudiedRun &run) { return !run.failure.empty(); })),
        "1", ""});
 }
 
@@ -205,9 +206,9 @@ void ComparisonReport::name_quantities(const ComparisonParameters &parameters,
 {
   for (const std::string &label : of_runs.labels())
   {
-    for (unsigned int way = 0; way < 2; ++way)
+    for (unsigned int variant = 0; variant < 2; ++variant)
       for (const char *const name : {" finest", " extrapolated", " estimated error", " order"})
-        names.add(parameters.name(way) + name, label);
+        names.add(parameters.name(variant) + name, label);
     for (const char *const name :
          {"difference", "relative difference", "difference over errors", "agree"})
       names.add(name, label);
@@ -217,13 +218,23 @@ void ComparisonReport::name_quantities(const ComparisonParameters &parameters,
     names.add(name);
 }
 
+void ComparisonReport::write(const OutputDirectory &directory) const
+{
+  write_quantities(directory.file("comparison.csv"));
+  write_runs(directory.file("runs.csv"));
+  Citations citations;
+  citations.add("roache1994");
+  citations.add("celik2008");
+  citations.write(directory.file("citation.bib"));
+}
+
 void ComparisonReport::write_quantities(const std::string &file) const
 {
   std::string text = csv_cell("quantity [unit]");
-  for (unsigned int way = 0; way < 2; ++way)
+  for (unsigned int variant = 0; variant < 2; ++variant)
   {
-    const std::string name = parameters.name(way) + ", ";
-    for (const unsigned int mesh : parameters.meshes_of(way))
+    const std::string name = parameters.name(variant) + ", ";
+    for (const unsigned int mesh : parameters.meshes_of(variant))
       text += "," + csv_cell(name + "mesh " + std::to_string(mesh));
     for (const char *what : {"extrapolated", "estimated error", "order [1]", "sequence"})
       text += "," + csv_cell(name + what);
@@ -232,10 +243,10 @@ void ComparisonReport::write_quantities(const std::string &file) const
   for (const Row &row : all_rows)
   {
     text += csv_cell(with_unit(row.label, row.unit));
-    for (unsigned int way = 0; way < 2; ++way)
+    for (unsigned int variant = 0; variant < 2; ++variant)
     {
-      const GridConvergence &convergence = row.convergence[way];
-      for (const double value : row.values[way])
+      const GridConvergence &convergence = row.convergence[variant];
+      for (const double value : row.values[variant])
         text += "," + csv_cell(value);
       text += "," + csv_cell(convergence.limit) + "," + csv_cell(convergence.estimated_error) +
               "," + csv_cell(convergence.order) + "," + csv_cell(convergence.description());
@@ -250,9 +261,9 @@ void ComparisonReport::write_runs(const std::string &file) const
 {
   std::string text = "run,way,mesh [1],cells [1],cell size [m],time step [s],steps [1],unknowns "
                      "[1],wall time [s],failure\n";
-  for (const ComparedRun &run : runs)
+  for (const StudiedRun &run : runs)
   {
-    text += csv_cell(run.name) + "," + csv_cell(parameters.name(run.way)) + "," +
+    text += csv_cell(run.name) + "," + csv_cell(parameters.name(run.variant)) + "," +
             std::to_string(run.mesh);
     for (const double value :
          {run.n_cells, run.cell_size, run.time_step, run.n_steps, run.n_dofs, run.wall_time})

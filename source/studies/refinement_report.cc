@@ -1,6 +1,7 @@
 #include <continua/studies/refinement_report.h>
 
 #include <continua/base/atomic_file.h>
+#include <continua/base/citations.h>
 #include <continua/base/input_error.h>
 #include <continua/base/text_table.h>
 #include <continua/base/undefined.h>
@@ -15,11 +16,20 @@ namespace Continua
 {
 namespace
 {
-
 double quantity_or(const RunResult &run, const std::string &name, const double otherwise)
 {
   const Quantity *const quantity = find_quantity(run, name);
   return quantity == nullptr ? otherwise : quantity->value;
+}
+
+/// Over the time, where the mesh changes [1].
+double mean_cells(const RunResult &run)
+{
+  return quantity_or(run, "cells (mean)", run.n_cells);
+}
+double mean_unknowns(const RunResult &run)
+{
+  return quantity_or(run, "unknowns (mean)", run.n_dofs);
 }
 
 /// "1 %", of a relative error.
@@ -50,15 +60,6 @@ bool is_of(const ExpectedValue &reference, const std::string &label)
                            label.compare(label.size() - end.size(), end.size(), end) == 0);
 }
 } // namespace
-
-double StudiedRun::mean_cells() const
-{
-  return quantity_or(*this, "cells (mean)", n_cells);
-}
-double StudiedRun::mean_unknowns() const
-{
-  return quantity_or(*this, "unknowns (mean)", n_dofs);
-}
 
 double RefinementReport::Row::scale() const
 {
@@ -132,8 +133,8 @@ RefinementReport::RefinementReport(const RefinementStudyParameters &parameters,
   {
     row.round_off = round_off_share * largest[row.unit];
     set_reference(row);
-    for (unsigned int way = 0; way < parameters.ways.size(); ++way)
-      row.curves.push_back(curve(row, way));
+    for (unsigned int variant = 0; variant < parameters.variants.size(); ++variant)
+      row.curves.push_back(curve(row, variant));
   }
 }
 
@@ -154,35 +155,35 @@ void RefinementReport::set_reference(Row &row) const
   for (const StudiedRun &run : runs)
     if (const Quantity *const quantity =
             run.failure.empty() ? find_quantity(run, row.label) : nullptr)
-      if (run.mean_unknowns() > most)
+      if (mean_unknowns(run) > most)
       {
-        most = run.mean_unknowns();
+        most = mean_unknowns(run);
         row.reference = quantity->value;
         row.reference_run = run.name;
       }
 }
 
-RefinementReport::Curve RefinementReport::curve(const Row &row, const unsigned int way) const
+RefinementReport::Curve RefinementReport::curve(const Row &row, const unsigned int variant) const
 {
   Curve result;
   for (unsigned int number = 0; number < runs.size(); ++number)
   {
     const StudiedRun &run = runs[number];
     const Quantity *const quantity =
-        run.way == way && run.failure.empty() ? find_quantity(run, row.label) : nullptr;
+        run.variant == variant && run.failure.empty() ? find_quantity(run, row.label) : nullptr;
     if (quantity == nullptr)
       continue;
     const double error =
         run.name == row.reference_run ? undefined : std::abs(quantity->value - row.reference);
-    const double size = parameters.ways[way] == "uniform"
+    const double size = parameters.variants[variant] == "uniform"
                             ? run.cell_size
-                            : std::pow(run.mean_unknowns(), -1. / dimension);
+                            : std::pow(mean_unknowns(run), -1. / dimension);
     double order = undefined;
     if (!result.errors.empty() && error > row.round_off && result.errors.back() > row.round_off &&
         size < result.sizes.back())
       order = std::log(result.errors.back() / error) / std::log(result.sizes.back() / size);
     result.runs.push_back(number);
-    result.unknowns.push_back(run.mean_unknowns());
+    result.unknowns.push_back(mean_unknowns(run));
     result.sizes.push_back(size);
     result.values.push_back(quantity->value);
     result.errors.push_back(error);
@@ -195,7 +196,7 @@ double RefinementReport::ratio(const Row &row, const double error) const
 {
   if (row.curves.size() < 2)
     return undefined;
-  const unsigned int adaptive = parameters.ways[0] == "adaptive" ? 0 : 1;
+  const unsigned int adaptive = parameters.variants[0] == "adaptive" ? 0 : 1;
   return row.curves[adaptive].unknowns_at(error) / row.curves[1 - adaptive].unknowns_at(error);
 }
 
@@ -205,8 +206,8 @@ std::vector<std::string> RefinementReport::lines() const
   std::vector<std::string> failures;
   for (const StudiedRun &run : runs)
     if (run.failure.empty())
-      table.push_back({run.name, number_text(std::round(run.mean_cells()), 15),
-                       number_text(std::round(run.mean_unknowns()), 15),
+      table.push_back({run.name, number_text(std::round(mean_cells(run)), 15),
+                       number_text(std::round(mean_unknowns(run)), 15),
                        number_text(run.n_steps, 15)});
     else
       failures.push_back(run.name + " failed: " + run.failure);
@@ -244,10 +245,10 @@ void RefinementReport::add_quantities(Summary &summary) const
         summary.add({name, value, "1", row.label});
     };
     double equal_error = 0.;
-    for (unsigned int way = 0; way < row.curves.size(); ++way)
+    for (unsigned int variant = 0; variant < row.curves.size(); ++variant)
     {
-      const Curve &curve = row.curves[way];
-      const std::string &name = parameters.ways[way];
+      const Curve &curve = row.curves[variant];
+      const std::string &name = parameters.variants[variant];
       add(name + " error", curve.last_error() / row.scale());
       add(name + " order", curve.last_order());
       for (const double level : parameters.error_levels)
@@ -279,14 +280,14 @@ void RefinementReport::name_quantities(const RefinementStudyParameters &paramete
   const std::string ratio = "adaptive over uniform unknowns at ";
   for (const std::string &label : of_runs.labels())
   {
-    for (const std::string &way : parameters.ways)
+    for (const std::string &variant : parameters.variants)
     {
-      names.add(way + " error", label);
-      names.add(way + " order", label);
+      names.add(variant + " error", label);
+      names.add(variant + " order", label);
       for (const double level : parameters.error_levels)
-        names.add(way + " unknowns at " + percent_text(level) + " error", label);
+        names.add(variant + " unknowns at " + percent_text(level) + " error", label);
     }
-    if (parameters.ways.size() < 2)
+    if (parameters.variants.size() < 2)
       continue;
     for (const double level : parameters.error_levels)
       names.add(ratio + percent_text(level) + " error", label);
@@ -296,7 +297,13 @@ void RefinementReport::name_quantities(const RefinementStudyParameters &paramete
   names.add("failed runs");
 }
 
-void RefinementReport::write(const std::string &file) const
+void RefinementReport::write(const OutputDirectory &directory) const
+{
+  write_runs(directory.file("refinement.csv"));
+  Citations().write(directory.file("citation.bib"));
+}
+
+void RefinementReport::write_runs(const std::string &file) const
 {
   std::string text =
       "way,cycle [1],run,cells [1],unknowns [1],cell size [m],time step [s],steps [1],iterations "
@@ -304,9 +311,9 @@ void RefinementReport::write(const std::string &file) const
       "[1],failure\n";
   const auto run_cells = [&](const StudiedRun &run)
   {
-    std::string cells = csv_cell(parameters.ways[run.way]) + "," + std::to_string(run.cycle) + "," +
-                        csv_cell(run.name);
-    for (const double value : {run.mean_cells(), run.mean_unknowns(), run.cell_size, run.time_step,
+    std::string cells = csv_cell(parameters.variants[run.variant]) + "," +
+                        std::to_string(run.mesh) + "," + csv_cell(run.name);
+    for (const double value : {mean_cells(run), mean_unknowns(run), run.cell_size, run.time_step,
                                run.n_steps, run.iterations, run.wall_time})
       cells += "," + (value > 0. ? csv_cell(value) : std::string());
     return cells;

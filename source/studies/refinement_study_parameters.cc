@@ -10,7 +10,7 @@ void RefinementStudyParameters::read(ParameterSection root)
   section.add_choice("Analysis", analysis, {"automatic", "transient", "steady", "modal"},
                      "What the runs do; automatic: transient if the file has a section Time, modal "
                      "if it has a section Modal, else steady.");
-  section.add("Refinement", ways,
+  section.add("Refinement", variants,
               "How the mesh becomes finer: uniform - all cells of the file's mesh are divided once "
               "more with each cycle; adaptive - as Adaptivity says, with one cycle more (at rest) "
               "or one level more (in time); or both.");
@@ -43,17 +43,19 @@ void RefinementStudyParameters::read(ParameterSection root)
     analysis = root.has_subsection("Time")    ? "transient"
                : root.has_subsection("Modal") ? "modal"
                                               : "steady";
-  for (const std::string &way : ways)
-    if (way != "uniform" && way != "adaptive")
-      section.refuse("Refinement", "there is no refinement '" + way + "'",
+  for (const std::string &variant : variants)
+    if (variant != "uniform" && variant != "adaptive")
+      section.refuse("Refinement", "there is no refinement '" + variant + "'",
                      "Write uniform, adaptive or both");
-  if (ways.empty() || (ways.size() > 1 && (ways.size() > 2 || ways[0] == ways[1])))
+  if (variants.empty() ||
+      (variants.size() > 1 && (variants.size() > 2 || variants[0] == variants[1])))
     section.refuse("Refinement", "one way or both are named, each once",
                    "Write 'set Refinement = uniform, adaptive'");
   if (refine_time_step && analysis != "transient")
     section.refuse("Refine the time step", "a " + analysis + " analysis has no time step",
                    "Remove the entry");
-  if (analysis == "modal" && std::find(ways.begin(), ways.end(), "adaptive") != ways.end())
+  if (analysis == "modal" &&
+      std::find(variants.begin(), variants.end(), "adaptive") != variants.end())
     section.refuse("Refinement", "a modal analysis has no indicator to adapt the mesh by",
                    "Write 'set Refinement = uniform'");
 }

@@ -10,11 +10,6 @@ double Stream::largest_velocity() const
                                         : mean_velocity * (exponent + 2.) / exponent;
 }
 
-double Stream::wall_velocity() const
-{
-  return profile == StreamProfile::plug ? mean_velocity : 0.;
-}
-
 double Stream::velocity(const double s) const
 {
   return profile == StreamProfile::plug ? mean_velocity

@@ -6,13 +6,15 @@
 #include "symmetric_problems.h"
 
 #include <continua/base/input_error.h>
-#include <continua/linear_algebra/mixed_precision_solver.h>
+#include <continua/linear_algebra/block_krylov.h>
 #include <continua/linear_algebra/mumps_factor.h>
 #include <continua/linear_algebra/single_precision_factor.h>
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <algorithm>
 
 namespace test_of_single_precision_factor
 {
@@ -98,17 +100,34 @@ KrylovReport solve(const std::string &name, const int m, const SymmetricTriplets
   const Blocks blocks(matrix, 2 * m * m - m);
   SinglePrecisionFactor factor(true, MPI_COMM_WORLD);
   factor.factorize(problems::strewn(matrix), blocks.owned());
-  MixedPrecisionSolver solver;
+  const std::vector<double> &scale = factor.scale();
+  BlockKrylov solver(BlockKrylov::Method::fgmres, 21);
   DistributedVector velocity = blocks.velocity(), pressure = blocks.pressure(), momentum = velocity,
                     mass = pressure, solved = velocity, solved_pressure = pressure;
   blocks.scatter(problems::manufactured(matrix.n), velocity, pressure);
   blocks.multiply(velocity, pressure, momentum, mass);
   solver.reinit(velocity, pressure);
+  const auto middle = scale.begin() + velocity.locally_owned_size();
+  std::copy(scale.begin(), middle, solver.scale.block(0).begin());
+  std::copy(middle, scale.end(), solver.scale.block(1).begin());
+  solver.set_right_hand_side(momentum, mass);
   const auto product = [&blocks](const DistributedVector &u, const DistributedVector &p,
                                  DistributedVector &f, DistributedVector &g)
   { blocks.multiply(u, p, f, g); };
+  const auto inverse =
+      [&](DistributedVector &f, DistributedVector &g, DistributedVector &u, DistributedVector &p)
+  {
+    std::vector<double> x(f.begin(), f.end());
+    x.insert(x.end(), g.begin(), g.end());
+    for (std::size_t k = 0; k < x.size(); ++k)
+      x[k] /= scale[k];
+    factor.solve(x);
+    std::copy_n(x.begin(), u.locally_owned_size(), u.begin());
+    std::copy_n(x.begin() + u.locally_owned_size(), p.locally_owned_size(), p.begin());
+  };
   const KrylovReport report =
-      solver.solve(product, factor, momentum, mass, solved, solved_pressure, 1e-12, 20);
+      solver.solve(product, inverse, solver.scaled_right_hand_side().l2_norm(), 1e-12, 20, solved,
+                   solved_pressure);
   check::is_true(name + ": converged", report.converged && report.residual < 1e-12);
   check::is_true(name + ": iterations", report.iterations > 1 && report.iterations <= 6);
   if (report.iterations > 6)
@@ -122,9 +141,8 @@ KrylovReport solve(const std::string &name, const int m, const SymmetricTriplets
        {std::pair(&velocity, &momentum), std::pair(&pressure, &mass)})
     for (unsigned int i = 0; i < rows->locally_owned_size(); ++i, ++k)
     {
-      const double scale = factor.scale()[k];
-      squares[0] += std::pow(scale * (product_rows->begin()[i] - rows->begin()[i]), 2);
-      squares[1] += std::pow(scale * rows->begin()[i], 2);
+      squares[0] += std::pow(scale[k] * (product_rows->begin()[i] - rows->begin()[i]), 2);
+      squares[1] += std::pow(scale[k] * rows->begin()[i], 2);
     }
   MPI_Allreduce(MPI_IN_PLACE, squares, 2, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
   check::absolute(name + ": residual", std::sqrt(squares[0] / squares[1]), 0., 2e-12);

@@ -203,12 +203,11 @@ class Space(unittest.TestCase):
 
 
 class ParaView(unittest.TestCase):
-    """view-in-paraview.py as the program has it; scripts/check/paraview runs it in ParaView, by hand."""
+    """view-in-paraview.py, as a run writes it but for its place; scripts/check/paraview runs it in ParaView, by hand."""
 
     def test_script(self):
-        source = os.path.join(SCRIPTS, "..", "source", "postprocess", "view_in_paraview.cc")
-        with open(source, encoding="utf-8") as stream:
-            text = stream.read().split('R"PYTHON(')[1].split(')PYTHON"')[0]
+        with open(os.path.join(SCRIPTS, "..", "source", "postprocess", "view_in_paraview.py"), encoding="utf-8") as stream:
+            text = stream.read()
         self.assertEqual(text.count("@FILE@"), 1)
         code = compile(text, "view-in-paraview.py", "exec")
         # With a ParaView that has nothing to show, it gets to the first of its calls: the file of states beside the script.
@@ -234,9 +233,8 @@ class ParaView(unittest.TestCase):
 
     def functions(self):
         """The names of the script, which is not run, and the module in the place of ParaView's."""
-        source = os.path.join(SCRIPTS, "..", "source", "postprocess", "view_in_paraview.cc")
-        with open(source, encoding="utf-8") as stream:
-            text = stream.read().split('R"PYTHON(')[1].split(')PYTHON"')[0]
+        with open(os.path.join(SCRIPTS, "..", "source", "postprocess", "view_in_paraview.py"), encoding="utf-8") as stream:
+            text = stream.read()
         names = {}
         simple = type(sys)("paraview.simple")
         sys.modules["paraview"], sys.modules["paraview.simple"] = type(sys)("paraview"), simple

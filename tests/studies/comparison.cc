@@ -139,7 +139,7 @@ UNIT_TEST(comparison)
   check::throws<InputError>(
       "a folder with a run is kept", []() { compare({}, Mode::fresh); }, "holds a run");
 
-  // The user's own entry gives way to that of the way.
+  // The user's own entry gives way to that of the variant.
   const std::string mixed = compare(with(" Finite element / Velocity degree =4"), Mode::overwrite);
   check::is_true("an entry of the command line that is compared",
                  count(mixed, anew) == 4 && count(mixed, "velocity-degree-3-1: finished") == 1);

@@ -1,4 +1,4 @@
-// The report of a comparison: two ways whose values have known limits and orders.
+// The report of a comparison: two variants whose values have known limits and orders.
 
 #include <continua/base/input_error.h>
 #include <continua/studies/chosen_quantities.h>
@@ -20,28 +20,28 @@ using Verdict = ComparisonReport::Verdict;
 
 namespace
 {
-/// Way 0 has order 4, way 1 order 2; the first deflection has one limit, the second two.
-std::vector<ComparedRun> runs_of(const ComparisonParameters &parameters)
+/// Variant 0 has order 4, variant 1 order 2; the first deflection has one limit, the second two.
+std::vector<StudiedRun> runs_of(const ComparisonParameters &parameters)
 {
-  std::vector<ComparedRun> runs;
+  std::vector<StudiedRun> runs;
   for (const unsigned int mesh : {0, 1, 2})
-    for (const unsigned int way : {0, 1})
+    for (const unsigned int variant : {0, 1})
     {
-      ComparedRun run;
-      run.way = way;
-      run.mesh = parameters.meshes_of(way)[mesh];
-      run.name = (way == 0 ? "taylor-hood-" : "cell-wise-") + std::to_string(run.mesh);
+      StudiedRun run;
+      run.variant = variant;
+      run.mesh = parameters.meshes_of(variant)[mesh];
+      run.name = (variant == 0 ? "taylor-hood-" : "cell-wise-") + std::to_string(run.mesh);
       run.cell_size = std::pow(0.5, run.mesh);
       run.n_cells = std::pow(4., run.mesh);
       run.n_dofs = 10. * run.n_cells;
       run.wall_time = 1.25;
-      const double error = std::pow(run.cell_size, way == 0 ? 4. : 2.);
+      const double error = std::pow(run.cell_size, variant == 0 ? 4. : 2.);
       run.quantities = {
-          {"final displacement y", 0.3 + (way == 0 ? 0.01 : -0.05) * error, "m", "tip"},
-          {"mean displacement y", 0.2 + 0.01 * way + 0.01 * error, "m", "tip"},
-          {"final displacement x", 1e-16 * (mesh + way), "m", "tip"},
+          {"final displacement y", 0.3 + (variant == 0 ? 0.01 : -0.05) * error, "m", "tip"},
+          {"mean displacement y", 0.2 + 0.01 * variant + 0.01 * error, "m", "tip"},
+          {"final displacement x", 1e-16 * (mesh + variant), "m", "tip"},
           {"final pressure", std::pow(-1., mesh) * error, "Pa", "bottom, left"},
-          {"frequency", 3. + (way == 0 ? error : -0.1 * mesh), "Hz", "tip"},
+          {"frequency", 3. + (variant == 0 ? error : -0.1 * mesh), "Hz", "tip"},
           {"work of the loads", 5., "J", ""},
           {"energy residual", 1e-12, "1", ""},
           {"relative L2 error of velocity", error, "1", ""},
@@ -82,7 +82,7 @@ UNIT_TEST(comparison_report)
   ComparisonParameters parameters;
   parameters.second_meshes = {1, 2, 3};
   const std::vector<ConvergenceOrders> orders = {{2., 4.}, {2., 2.}};
-  const std::vector<ComparedRun> runs = runs_of(parameters);
+  const std::vector<StudiedRun> runs = runs_of(parameters);
   const ComparisonReport report(parameters, orders, runs);
 
   const ComparisonReport::Row &same = row(report, "tip: final displacement y");
@@ -168,7 +168,7 @@ UNIT_TEST(comparison_report)
     std::cout << line << std::endl;
 
   // One run of the second has failed: two meshes remain.
-  std::vector<ComparedRun> failed = runs;
+  std::vector<StudiedRun> failed = runs;
   failed[1].failure = "it diverged";
   failed[1].quantities.clear();
   const ComparisonReport with_failure(parameters, orders, failed);

@@ -22,23 +22,23 @@ std::vector<StudiedRun> runs_of()
 {
   std::vector<StudiedRun> runs;
   for (unsigned int cycle = 0; cycle < 5; ++cycle)
-    for (const unsigned int way : {0, 1})
+    for (const unsigned int variant : {0, 1})
     {
       StudiedRun run;
-      run.way = way;
-      run.cycle = cycle;
-      run.name = (way == 0 ? "uniform-" : "adaptive-") + std::to_string(cycle);
-      run.n_cells = std::pow(way == 0 ? 4. : 2., cycle);
+      run.variant = variant;
+      run.mesh = cycle;
+      run.name = (variant == 0 ? "uniform-" : "adaptive-") + std::to_string(cycle);
+      run.n_cells = std::pow(variant == 0 ? 4. : 2., cycle);
       run.n_dofs = 100. * run.n_cells;
       run.cell_size = std::pow(run.n_cells, -0.5);
       run.wall_time = 1.25;
-      run.quantities = {
-          {"final displacement y", 2. + 0.2 * std::pow(way == 0 ? 0.5 : 0.25, cycle), "m", "tip"},
-          {"frequency", 3. - std::pow(0.25, cycle), "Hz", "tip"},
-          {"work of the loads", 5., "J", ""},
-          {"energy residual", 1e-12, "1", ""}};
+      run.quantities = {{"final displacement y",
+                         2. + 0.2 * std::pow(variant == 0 ? 0.5 : 0.25, cycle), "m", "tip"},
+                        {"frequency", 3. - std::pow(0.25, cycle), "Hz", "tip"},
+                        {"work of the loads", 5., "J", ""},
+                        {"energy residual", 1e-12, "1", ""}};
       // As a mesh that changes has it: half as many unknowns in the mean.
-      if (way == 1)
+      if (variant == 1)
         run.quantities.push_back({"unknowns (mean)", 0.5 * run.n_dofs, "1", ""});
       runs.push_back(run);
     }
@@ -57,7 +57,7 @@ double quantity(const Summary &summary, const std::string &probe, const std::str
 UNIT_TEST(refinement_report)
 {
   RefinementStudyParameters parameters;
-  parameters.ways = {"uniform", "adaptive"};
+  parameters.variants = {"uniform", "adaptive"};
   parameters.cycles = 4;
   parameters.error_levels = {0.01, 1e-6};
   parameters.references = {parse_expected_value("tip: final displacement y", "2000 mm +- 0")};
@@ -127,7 +127,7 @@ UNIT_TEST(refinement_report)
   check::is_true("a run that failed is left out",
                  with_failure.rows()[0].curves[1].runs.size() == 4 &&
                      with_failure.lines()[10] == "adaptive-4 failed: it diverged");
-  with_failure.write("refinement-test.csv");
+  with_failure.write_runs("refinement-test.csv");
   std::ostringstream text;
   text << std::ifstream("refinement-test.csv").rdbuf();
   check::is_true("rows", text.str().find("\n\"uniform\",1,\"uniform-1\",4,400,0.5,,,,1.25,\"tip: "

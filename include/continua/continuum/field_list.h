@@ -58,8 +58,6 @@ struct FieldDefinition
   std::array<double, 3> direction = {{0., 0., 0.}};
   Axis axis;
 
-  /// Whether the field is one of walls, and has no meaning but on a boundary or an interface.
-  bool is_of_walls() const;
   /// Whether the field is kept over the steps of a run.
   bool is_average() const;
   /// The factors of the components (of a vector x, y, z; of a stress those of stress_pairs) at a

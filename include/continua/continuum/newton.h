@@ -8,7 +8,7 @@
 #include <continua/continuum/outlet_coupling.h>
 #include <continua/continuum/problem.h>
 #include <continua/continuum/system_coefficients.h>
-#include <continua/linear_algebra/krylov_correction.h>
+#include <continua/linear_algebra/block_krylov.h>
 
 namespace Continua
 {
@@ -82,7 +82,7 @@ private:
   OutletCoupling &outlets;
   CavityCoupling &cavities;
   Log &log;
-  KrylovCorrection krylov;
+  BlockKrylov krylov;
   bool has_factor = false;
   bool factor_is_poor = false; ///< GMRES needed too many iterations with it
   BalancedStep shifted;        ///< for differences

@@ -1,31 +1,19 @@
 #ifndef continua_linear_algebra_saddle_point_solver_h
 #define continua_linear_algebra_saddle_point_solver_h
 
+#include <continua/linear_algebra/block_krylov.h>
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/linear_algebra/divergence_operator.h>
 #include <continua/linear_algebra/schur_complement.h>
 #include <continua/linear_algebra/velocity_operator.h>
 #include <continua/linear_algebra/velocity_preconditioner.h>
 
-#include <deal.II/lac/trilinos_parallel_block_vector.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
-#include <deal.II/lac/vector_memory.h>
-
-#include <functional>
 
 namespace Continua
 {
-/// Of a solve by FGMRES.
-struct KrylovReport
-{
-  bool converged = true;
-  unsigned int iterations = 0;
-  double residual = 0.;    ///< relative, as the tolerance
-  double late_factor = 0.; ///< see late_factor(); MixedPrecisionSolver does not fill it in
-};
-
 /**
- * FGMRES (Saad, SIAM J. Sci. Comput. 14 (1993)) for
+ * FGMRES (see BlockKrylov) for
  *
  *   [  A   -B^T ] [ u ]   [ f ]
  *   [ -B   -C   ] [ p ] = [ g ]
@@ -43,14 +31,9 @@ struct KrylovReport
 class SaddlePointSolver
 {
 public:
-  using BlockVector = dealii::TrilinosWrappers::MPI::BlockVector;
-
   /// Adds a part of the matrix times velocity and pressure to the rows of both equations, or sets
   /// these to the product of the whole.
-  using Product = std::function<void(const DistributedVector &velocity,
-                                     const DistributedVector &pressure,
-                                     DistributedVector &momentum,
-                                     DistributedVector &mass)>;
+  using Product = BlockKrylov::Product;
 
   /// A, B and C; what the matrix has beside them, which may be unsymmetric; empty is nothing. Or,
   /// in the place of all of these, the product of a matrix nearby: the blocks are then those of the
@@ -82,25 +65,26 @@ public:
                      double tolerance,
                      unsigned int maximum_iterations,
                      bool balances_equations = false);
-  /// Frees the basis of FGMRES, which is most of what a solve takes. The next solve allocates it
-  /// again.
-  void free_basis() { memory.release_unused_memory(); }
+  /// See BlockKrylov.
+  void free_basis() { krylov.free_basis(); }
 
 private:
-  const unsigned int restart_length;
-  /// Roots of the inverse diagonals of A and of the Schur complement, and the roots themselves.
-  BlockVector scale, inverse_scale;
-  BlockVector right_hand_side, solution, product;
+  BlockKrylov krylov;
+  /// Of the scale: roots of the diagonals of A and of the Schur complement.
+  BlockKrylov::BlockVector inverse_scale;
   DistributedVector velocity_work, pressure_work, augmented;
-  dealii::GrowingVectorMemory<BlockVector> memory;
 
   /// Of the sizes of both equations' residuals. An equation without a residual keeps it below this
   /// share of the other: a velocity that loses volume moves the pressures of a whole outlet.
   static constexpr double largest_balance = 1e4;
 
   /// Makes the scaled right-hand sides of both equations equally large.
-  void balance(const DistributedVector &momentum, const DistributedVector &mass);
-  void multiply_blocks(const Blocks &blocks, BlockVector &target, const BlockVector &source);
+  void balance();
+  void multiply_blocks(const Blocks &blocks,
+                       const DistributedVector &velocity,
+                       const DistributedVector &pressure,
+                       DistributedVector &momentum,
+                       DistributedVector &mass);
 };
 } // namespace Continua
 

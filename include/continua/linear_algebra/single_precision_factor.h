@@ -13,7 +13,7 @@ namespace Continua
 /**
  * MUMPS's L D L^T in single precision, on any number of ranks: half the memory of MumpsFactor. A
  * solve has the error of single precision times the matrix' condition, so it serves as a
- * preconditioner (MixedPrecisionSolver).
+ * preconditioner of BlockKrylov.
  *
  * The matrix K is scaled on both sides, since the numbers of single precision end at 1e38: rows
  * with a positive diagonal to a unit diagonal, the others (pressures) to a largest entry of one in

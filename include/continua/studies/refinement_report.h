@@ -2,32 +2,21 @@
 #define continua_studies_refinement_report_h
 
 #include <continua/studies/refinement_study_parameters.h>
-#include <continua/studies/run_series.h>
+#include <continua/studies/study_report.h>
 
 #include <string>
 #include <vector>
 
 namespace Continua
 {
-/// One run of a refinement study.
-struct StudiedRun : RunResult
-{
-  unsigned int way = 0;   ///< index in RefinementStudyParameters::ways
-  unsigned int cycle = 0; ///< how often the mesh was refined; 0: the file's own
-  double time_step = 0.;  ///< [s]; 0: none
-  /// Over the time, where the mesh changes [1].
-  double mean_cells() const;
-  double mean_unknowns() const;
-};
-
 /**
  * The errors of quantities over finer and finer meshes: to a value that is given, or to that of the
  * run with the most unknowns, which then has no error of its own.
  */
-class RefinementReport
+class RefinementReport : public StudyReport
 {
 public:
-  /// A quantity along the cycles of one way, of the runs that have it.
+  /// A quantity along the cycles of one variant, of the runs that have it.
   struct Curve
   {
     std::vector<unsigned int> runs; ///< by number
@@ -52,7 +41,7 @@ public:
     double reference = 0.;
     std::string reference_run; ///< empty: the reference was given
     double round_off = 0.;     ///< errors up to this are none
-    std::vector<Curve> curves; ///< by way
+    std::vector<Curve> curves; ///< by variant
     double scale() const;      ///< |reference|, or 1 if that is 0
   };
 
@@ -62,21 +51,23 @@ public:
                    const std::vector<StudiedRun> &runs);
 
   const std::vector<Row> &rows() const { return all_rows; }
-  /// The tables for the log. No wall times.
-  std::vector<std::string> lines() const;
+  std::vector<std::string> lines() const override;
   /**
-   * Of each quantity "PROBE: NAME", relative to the reference: `WAY error` on the finest mesh, `WAY
-   * order`, `WAY unknowns at 1 % error` of each level; with two ways `adaptive over uniform
-   * unknowns at 1 % error`, and at the error that both reach, `equal error`, `adaptive over uniform
-   * unknowns at equal error`. Of the whole `failed runs`. What does not exist is not added.
+   * Of each quantity "PROBE: NAME", relative to the reference: `VARIANT error` on the finest mesh,
+   * `VARIANT order`, `VARIANT unknowns at 1 % error` of each level; with two variants `adaptive
+   * over uniform unknowns at 1 % error`, and at the error that both reach, `equal error`, `adaptive
+   * over uniform unknowns at equal error`. Of the whole `failed runs`. What does not exist is not
+   * added.
    */
-  void add_quantities(Summary &summary) const;
+  void add_quantities(Summary &summary) const override;
   /// The names of what add_quantities() adds when the runs can state `of_runs`.
   static void name_quantities(const RefinementStudyParameters &parameters,
                               const QuantityNames &of_runs,
                               QuantityNames &names);
+  /// Writes refinement.csv by write_runs(), and citation.bib.
+  void write(const OutputDirectory &directory) const override;
   /// A row for each quantity of each run, and for runs that failed.
-  void write(const std::string &file) const;
+  void write_runs(const std::string &file) const;
 
 private:
   RefinementStudyParameters parameters;
@@ -85,7 +76,7 @@ private:
   std::vector<Row> all_rows;
 
   void set_reference(Row &row) const;
-  Curve curve(const Row &row, unsigned int way) const;
+  Curve curve(const Row &row, unsigned int variant) const;
   /// Adaptive over uniform, in whichever order they are.
   double ratio(const Row &row, double error) const;
 };

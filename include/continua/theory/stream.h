@@ -25,7 +25,6 @@ struct Stream
   double exponent = 2.; ///< m of the power law, at least 2
 
   double largest_velocity() const; ///< on the axis [m/s]
-  double wall_velocity() const;    ///< [m/s]
   double velocity(double s) const; ///< [m/s]
   double slope(double s) const;    ///< dV/ds [m/s]
 };
