@@ -30,19 +30,19 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t n_streams = 3; ///< input, output, errors
 
 /// A descriptor that is closed in the end.
-class Descriptor
+class OwnedDescriptor
 {
 public:
-  explicit Descriptor(const int number = -1) : number(number) {}
-  Descriptor(Descriptor &&other) noexcept : number(std::exchange(other.number, -1)) {}
-  Descriptor &operator=(Descriptor &&other) noexcept
+  explicit OwnedDescriptor(const int number = -1) : number(number) {}
+  OwnedDescriptor(OwnedDescriptor &&other) noexcept : number(std::exchange(other.number, -1)) {}
+  OwnedDescriptor &operator=(OwnedDescriptor &&other) noexcept
   {
     std::swap(number, other.number);
     return *this;
   }
-  Descriptor(const Descriptor &) = delete;
-  Descriptor &operator=(const Descriptor &) = delete;
-  ~Descriptor()
+  OwnedDescriptor(const OwnedDescriptor &) = delete;
+  OwnedDescriptor &operator=(const OwnedDescriptor &) = delete;
+  ~OwnedDescriptor()
   {
     if (number >= 0)
       ::close(number);
@@ -57,13 +57,13 @@ struct Request
 {
   std::string folder;
   std::vector<std::string> arguments, environment;
-  std::array<Descriptor, n_streams> streams;
+  std::array<OwnedDescriptor, n_streams> streams;
 };
 
 /// A client, and the process of its command.
 struct Client
 {
-  Descriptor connection;
+  OwnedDescriptor connection;
   std::unique_ptr<ChildProcess> process;
 };
 
@@ -72,7 +72,7 @@ struct Client
   throw std::runtime_error(what + ": " + std::strerror(errno));
 }
 
-Descriptor listen_at(const std::string &file)
+OwnedDescriptor listen_at(const std::string &file)
 {
   sockaddr_un address = {};
   address.sun_family = AF_UNIX;
@@ -80,7 +80,7 @@ Descriptor listen_at(const std::string &file)
     throw std::runtime_error("the name of the socket " + file + " is too long: it may have " +
                              std::to_string(sizeof(address.sun_path) - 1) + " letters");
   std::memcpy(address.sun_path, file.c_str(), file.size());
-  Descriptor result(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  OwnedDescriptor result(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   // For the user alone.
   const mode_t before = ::umask(0077);
   const int bound = ::bind(result, reinterpret_cast<const sockaddr *>(&address), sizeof(address));
@@ -90,7 +90,7 @@ Descriptor listen_at(const std::string &file)
   return result;
 }
 
-void answer(const Descriptor &connection, const std::string &text)
+void answer(const OwnedDescriptor &connection, const std::string &text)
 {
   // A client that has gone is noticed elsewhere.
   (void)::send(connection, text.data(), text.size(), MSG_NOSIGNAL);
@@ -111,7 +111,7 @@ std::vector<std::string> split(const std::vector<char> &message)
 }
 
 /// Throws std::runtime_error if the message is none.
-Request receive(const Descriptor &connection)
+Request receive(const OwnedDescriptor &connection)
 {
   std::vector<char> message(std::size_t(1) << 20);
   iovec place = {message.data(), message.size()};
@@ -130,7 +130,7 @@ Request receive(const Descriptor &connection)
   std::array<int, n_streams> numbers;
   std::memcpy(numbers.data(), CMSG_DATA(rights), sizeof(numbers));
   for (std::size_t i = 0; i < n_streams; ++i)
-    request.streams[i] = Descriptor(numbers[i]);
+    request.streams[i] = OwnedDescriptor(numbers[i]);
   if ((header.msg_flags & (MSG_TRUNC | MSG_CTRUNC)) != 0)
     throw std::runtime_error("the command is longer than " + std::to_string(message.size()) +
                              " bytes");
@@ -198,7 +198,7 @@ bool is_done(Client &client)
   return end.has_value();
 }
 
-bool is_of_this_user(const Descriptor &connection)
+bool is_of_this_user(const OwnedDescriptor &connection)
 {
   ucred peer = {};
   socklen_t size = sizeof(peer);
@@ -207,13 +207,13 @@ bool is_of_this_user(const Descriptor &connection)
 }
 
 /// Becomes readable when a child ends.
-Descriptor watch_children()
+OwnedDescriptor watch_children()
 {
   sigset_t ends;
   ::sigemptyset(&ends);
   ::sigaddset(&ends, SIGCHLD);
   ::sigprocmask(SIG_BLOCK, &ends, nullptr);
-  return Descriptor(::signalfd(-1, &ends, SFD_CLOEXEC | SFD_NONBLOCK));
+  return OwnedDescriptor(::signalfd(-1, &ends, SFD_CLOEXEC | SFD_NONBLOCK));
 }
 } // namespace
 
@@ -224,8 +224,8 @@ CommandServer::CommandServer(std::string socket_file, Main main)
 
 void CommandServer::serve(const double idle_time)
 {
-  const Descriptor ends = watch_children();
-  Descriptor listener = listen_at(socket_file);
+  const OwnedDescriptor ends = watch_children();
+  OwnedDescriptor listener = listen_at(socket_file);
   std::list<Client> clients;
   Clock::time_point last = Clock::now();
   while (true)
@@ -247,7 +247,7 @@ void CommandServer::serve(const double idle_time)
       else
         ++client;
     }
-    Descriptor connection(::accept4(listener, nullptr, nullptr, SOCK_CLOEXEC));
+    OwnedDescriptor connection(::accept4(listener, nullptr, nullptr, SOCK_CLOEXEC));
     if (connection >= 0 && is_of_this_user(connection))
     {
       clients.push_back({std::move(connection), nullptr});
