@@ -186,8 +186,8 @@ def write_tree(root, tree):
                     ignore=lambda folder, names: [name for name in names if name == "__pycache__" or name == "build" and folder == root])
 
 
-def apply(root, contents, tree, build, launcher, say):
-    """Makes the tree and puts into `contents` which mutants it has. Returns the contents."""
+def apply(root, contents, tree, build, launcher, save, say):
+    """Makes the tree, and saves the list with the mutants that it has. Saves after each call of the compiler what came out."""
     sites = sequence_of_sites(root, contents["seed"])
     for entry in [*contents["mutants"], *contents["refused"]]:
         number = entry["id"]
@@ -198,7 +198,8 @@ def apply(root, contents, tree, build, launcher, say):
     os.makedirs(os.path.dirname(os.path.join(tree, HEADER)), exist_ok=True)
     shutil.copyfile(os.path.join(os.path.dirname(os.path.abspath(__file__)), "mutants.h"), os.path.join(tree, HEADER))
     refused = {entry["id"]: entry["reason"] for entry in contents["refused"]}
-    texts, checked = {}, {}
+    compiled = set(contents.get("compiled", []))
+    texts = {}
     while True:
         picked = pick(sites, contents["count"], refused)
         by_file = {}
@@ -217,19 +218,23 @@ def apply(root, contents, tree, build, launcher, say):
         for file in texts:
             with open(os.path.join(tree, file), "w", encoding="utf-8") as stream:
                 stream.write(rewritten(texts[file], by_file[file]) if file in by_file else texts[file])
-        for group, files in sorted(by_group.items()):
+        for _, files in sorted(by_group.items()):
             mutants = {number: site for part in files.values() for number, site in part.items()}
-            if checked.get(group) == mutants:
+            if set(mutants) <= compiled:
                 continue
             errors = syntax_errors(tree, home, how[next(iter(files))], files, launcher)
             bad = blamed(errors, mutants, texts) if errors else {}
             refused.update(bad)
             say(f"{len(mutants)} mutants in {', '.join(sorted(files))}" +
                 "".join(f"\n  refused {number}: {reason}" for number, reason in bad.items()))
-            if not bad:
-                checked[group] = mutants
+            if not errors:
+                compiled.update(mutants)
+            save({**contents, "compiled": sorted(compiled), "refused": entries(sites, refused)})
         if not set(picked) & set(refused):
             break
     if max(picked) >= 10000:
         raise MutantsError("identifiers above 9999 need a larger n_ids in scripts/lib/mutants.h")
-    return {**contents, "mutants": [described(n, s) for n, s in picked.items()], "refused": entries(sites, refused), "tree": tree}
+    contents = {**contents, "mutants": [described(n, s) for n, s in picked.items()], "compiled": sorted(compiled),
+                "refused": entries(sites, refused), "tree": tree}
+    save(contents)
+    return contents

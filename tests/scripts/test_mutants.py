@@ -239,6 +239,13 @@ class TinyProgram(unittest.TestCase):
         self.assertRegex(reasons["a + b"], "does not compile: .*operator-")
         self.assertNotIn("a + b", [mutant["before"] for mutant in self.applied["mutants"]])
 
+    def test_goes_on_where_it_stopped(self):
+        again = os.path.join(self.folder, "again.json")
+        mutant_tree.write_json(again, {**self.drawn, **{key: self.applied[key] for key in ("compiled", "refused")}})
+        printed = self.mutants("apply", again, "--tree", os.path.join(self.folder, "again"), "--commands", self.build)
+        self.assertNotIn("mutants in source", printed)
+        self.assertEqual(mutant_tree.read_list(again)["mutants"], self.applied["mutants"])
+
     def test_lines_stay(self):
         with open(os.path.join(self.tree, "source", "library.cc"), encoding="utf-8") as stream:
             lines = stream.read().split("#line 1\n")[1].splitlines()
