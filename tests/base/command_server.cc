@@ -84,9 +84,9 @@ public:
     std::string message;
     for (const std::string &text : texts)
       message += text + '\0';
-    std::array<int, 3> streams = {::open("input", O_RDONLY),
-                                  ::open("output", O_CREAT | O_WRONLY | O_TRUNC, 0600),
-                                  ::open("errors", O_CREAT | O_WRONLY | O_TRUNC, 0600)};
+    std::array<int, 3> streams = {{::open("input", O_RDONLY),
+                                   ::open("output", O_CREAT | O_WRONLY | O_TRUNC, 0600),
+                                   ::open("errors", O_CREAT | O_WRONLY | O_TRUNC, 0600)}};
     iovec place = {message.data(), message.size()};
     std::array<char, CMSG_SPACE(sizeof(streams))> control = {};
     msghdr header = {};
