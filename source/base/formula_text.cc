@@ -2,6 +2,7 @@
 
 #include <cctype>
 #include <stdexcept>
+#include <vector>
 
 namespace Continua
 {
@@ -20,6 +21,32 @@ bool assigns(const std::string &text)
       else if (i == 0 || std::string("<>!").find(text[i - 1]) == std::string::npos)
         return true;
     }
+  return false;
+}
+
+/// Whether the comparisons of a formula follow each other, as in a < t < b, without && or brackets
+/// between them.
+bool chains_comparisons(const std::string &text)
+{
+  // By depth of the brackets: comparisons since the last separator.
+  std::vector<unsigned int> n_comparisons(1, 0);
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    const char letter = text[i], next = i + 1 < text.size() ? text[i + 1] : ' ';
+    if (letter == '(')
+      n_comparisons.push_back(0);
+    else if (letter == ')' && n_comparisons.size() > 1)
+      n_comparisons.pop_back();
+    else if (std::string(",?:&|").find(letter) != std::string::npos)
+      n_comparisons.back() = 0;
+    else if (letter == '<' || letter == '>' || ((letter == '=' || letter == '!') && next == '='))
+    {
+      if (++n_comparisons.back() > 1)
+        return true;
+      if (next == '=')
+        ++i;
+    }
+  }
   return false;
 }
 
@@ -53,6 +80,10 @@ void check_formula_text(const std::string &text)
   }
   if (assigns(text))
     throw std::invalid_argument("'" + text + "' assigns with '='; a comparison is '=='");
+  if (chains_comparisons(text))
+    throw std::invalid_argument("'" + text +
+                                "' compares twice in a row: a < t < b is (a < t) < b, which "
+                                "compares 0 or 1 with b. Write a < t && t < b, or brackets");
 }
 
 std::string formula_hint(const std::string &text)

@@ -34,6 +34,14 @@ UNIT_TEST(formula_text)
   refused("too long", std::string(20001, '1'), "20001 characters, more than 20000");
   refused("assignment", "x = 1", "'x = 1' assigns with '='; a comparison is '=='");
   refused("assignment at the beginning", "= 1", "assigns");
+  for (const char *const text : {"0.5 < t < 0.9", "if(0.5<t<=0.9, 1, 0)", "x*(1 >= y >= 0)",
+                                 "a == b == c", "a && b < c != d", "(a < b) < c > d"})
+    refused(text, text, "compares twice in a row.*Write a < t && t < b, or brackets");
+  // Each comparison has a place of its own.
+  for (const char *const text :
+       {"0.5 < t && t < 0.9", "a < b || c > d", "(a < b) == (c < d)", "if(a < b, c > d, e != f)",
+        "a < b ? c < d : e < f", "(a < b)*(b < c)", "max(a < b, c) < d"})
+    check_formula_text(text);
 
   check::equal("no hint", formula_hint("iff(x) + then_y"), "");
   for (const char *const text : {"if (x) 1 else 2", "1 if x", "x then 2", "a else b"})
