@@ -50,6 +50,9 @@ void prepare_message_passing()
   if (!has_launcher())
   {
     set_default("OMPI_MCA_ess_singleton_isolated", "1");
+    // All such processes of a user would share one folder, which each of them makes and removes:
+    // of two that start at a time, one may fail.
+    set_default("OMPI_MCA_orte_create_session_dirs", "0");
     // A single rank sends to itself at most.
     set_default("OMPI_MCA_pml", "ob1");
     set_default("OMPI_MCA_btl", "self");

@@ -42,6 +42,8 @@ UNIT_TEST(message_passing)
   const char *const daemon = "OMPI_MCA_ess_singleton_isolated",
                     *const yields = "OMPI_MCA_mpi_yield_when_idle", *const layer = "OMPI_MCA_btl";
   check::equal("alone: no daemon", value_of(daemon, {}), "1");
+  check::equal("alone: no folder that others share",
+               value_of("OMPI_MCA_orte_create_session_dirs", {}), "0");
   check::equal("alone: no network", value_of(layer, {}), "self");
   check::equal("alone: nobody to yield to", value_of(yields, {}), "-");
   check::equal("what the user has set stays", value_of(layer, {{layer, "self,tcp"}}), "self,tcp");
