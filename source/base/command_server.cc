@@ -169,13 +169,12 @@ void start(Client &client, const CommandServer::Main &main)
 {
   try
   {
-    // It lives on in the copy, whose environment is made of it.
     auto request = std::make_unique<Request>(receive(client.connection));
     client.process = std::make_unique<ChildProcess>(
         [&request, &main]
         {
-          static Request own = std::move(*request);
-          return perform(own, main);
+          // It is never deleted: the environment of the copy is made of it.
+          return perform(*request.release(), main);
         });
     answer(client.connection, "started");
   }

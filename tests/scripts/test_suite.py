@@ -12,7 +12,7 @@ SUITE = os.path.join(ROOT, "scripts", "measure", "suite")
 
 def times_in(folder, tests):
     for name, text in tests.items():
-        path = os.path.join(folder, "debug", "test_times", name)
+        path = os.path.join(folder, "debug", "test_times", name + ("" if name.endswith(".served") else ".time"))
         os.makedirs(os.path.dirname(path), exist_ok=True)
         with open(path, "w", encoding="utf-8") as stream:
             stream.write(text)
@@ -30,7 +30,7 @@ class Suite(unittest.TestCase):
     def test_table(self):
         times_in(self.folder, {"runs/waves/tube.release": "3 0.5 7\n", "runs/beam.release": "1 0 1\n", "mesh/cells.debug": "2 0 2\n",
                                "base/units.debug": "0.25 0 1\n", "unit_tests/build": "9 1 5\n",
-                               "base/version.debug.served": "1 1\n"})
+                               "base/version.debug.time.served": "1 1\n"})
         with open(os.path.join(self.folder, "phases.csv"), "w", encoding="utf-8") as stream:
             stream.write('"packages",9,9\n"compiled, twice",100,150\n"packages",1,2\n')
         done = self.suite("--slowest", "2")
