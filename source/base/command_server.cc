@@ -159,6 +159,7 @@ int perform(Request &request, const CommandServer::Main &main)
   if (::chdir(request.folder.c_str()) != 0)
     fail("the folder " + request.folder + " cannot be entered");
   std::vector<char *> arguments;
+  arguments.reserve(request.arguments.size() + 1);
   for (std::string &argument : request.arguments)
     arguments.push_back(argument.data());
   arguments.push_back(nullptr);
