@@ -46,6 +46,8 @@ class Suite(unittest.TestCase):
 
     def test_growth(self):
         record = os.path.join(self.folder, "record.csv")
+        times_in(self.folder, {"runs/a": "3 0 3\n"})
+        self.assertIn("Nothing is recorded", self.suite("--before", record).stdout)
         times_in(self.folder, {"runs/a": "3 0 3\n", "mesh/a": "1 0 1\n"})
         self.assertEqual(self.suite("--record", record).returncode, 0)
         times_in(self.folder, {"runs/b": "2 0 3\n", "ledger/a": "5 0 1\n"})
