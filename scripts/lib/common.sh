@@ -98,16 +98,20 @@ n_jobs() {
   if [ "$memory" -lt "$cores" ]; then echo "$memory"; else echo "$cores"; fi
 }
 
-# Processor seconds of all that this shell has started and waited for.
-processor_seconds() {
-  times | awk 'NR == 2 { for (i = 1; i <= 2; ++i) { split($i, t, /[ms]/); sum += 60 * t[1] + t[2] } printf "%d\n", sum }'
+# Sets `processor` to the processor seconds of all that this shell has started and waited for. (A subshell would have its own.)
+take_processor_seconds() {
+  local file
+  file=$(mktemp)
+  times >"$file"
+  processor=$(awk 'NR == 2 { for (i = 1; i <= 2; ++i) { split($i, t, /[ms]/); sum += 60 * t[1] + t[2] } printf "%d\n", sum }' "$file")
+  rm -f "$file"
 }
 
 # Says what is done now, and how long what came before it took. Without a text: only the latter. What a phase took is kept in
 # build/phases.csv, for scripts/measure/suite.
 announce() {
   local processor
-  processor=$(processor_seconds)
+  take_processor_seconds
   if [ -n "${announced:-}" ]; then
     say "-- $announced: done in $((SECONDS - announced_at)) s, $((processor - announced_processor)) s of processor time"
     mkdir -p "$build_root"

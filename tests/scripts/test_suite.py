@@ -63,6 +63,25 @@ class Suite(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertIn("run scripts/test first", done.stderr)
 
+    def test_phases(self):
+        """announce of common.sh keeps what each phase took, the processor time of the programs that the shell has started included."""
+        script = f"""set -euo pipefail
+            export CONTINUA_BUILD_ROOT={self.folder}
+            source {ROOT}/scripts/lib/common.sh
+            announce "a busy one"
+            {sys.executable} -c 'import time
+while time.process_time() < 1.5: pass'
+            announce "an idle one"
+            sleep 1
+            announce"""
+        subprocess.run(["bash", "-c", script], check=True, capture_output=True)
+        with open(os.path.join(self.folder, "phases.csv"), encoding="utf-8") as stream:
+            phases = [line.strip().split(",") for line in stream]
+        self.assertEqual([phase[0] for phase in phases], ['"a busy one"', '"an idle one"'])
+        self.assertGreaterEqual(int(phases[0][2]), 1)
+        self.assertEqual(int(phases[1][2]), 0)
+        self.assertGreaterEqual(int(phases[1][1]), 1)
+
     def test_measured(self):
         program, times = os.path.join(self.folder, "measured"), os.path.join(self.folder, "times", "folder", "test")
         subprocess.run(["cc", "-o", program, os.path.join(ROOT, "tests", "measured.c")], check=True)
