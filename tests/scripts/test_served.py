@@ -27,8 +27,16 @@ class Served(unittest.TestCase):
 
     def servers(self):
         """The numbers of the servers of this test's folder."""
-        found = subprocess.run(["pgrep", "-f", "--", "--serve [0-9a-f]{16}$"], capture_output=True, text=True, check=False).stdout.split()
-        return [int(number) for number in found if os.path.realpath(f"/proc/{number}/cwd").startswith(self.folder)]
+        found = []
+        for number in filter(str.isdigit, os.listdir("/proc")):
+            try:
+                with open(f"/proc/{number}/cmdline", "rb") as stream:
+                    is_server = b"\0--serve\0" in stream.read()
+            except OSError:  # it has just ended
+                continue
+            if is_server and os.path.realpath(f"/proc/{number}/cwd").startswith(self.folder):
+                found.append(int(number))
+        return found
 
     def stop_servers(self):
         for number in self.servers():
