@@ -346,8 +346,11 @@ void LinearWaveTheory<dim>::report(const std::vector<double> &times, const bool 
       report.set_beat((n_beats - 1.) * period, n_beats * period);
     else if (beats.number > 1)
       report.set_end_of_first_beat(first_beat_ends);
-    for (const std::string &note : report.add_quantities(run.summary))
+    const WaveReport::Notes notes = report.add_quantities(run.summary);
+    for (const std::string &note : notes.lines)
       run.log.line(note);
+    for (const std::string &note : notes.details)
+      run.log.detail(note);
     if (run.is_writer)
       report.write(probes.size() == 1 ? run.directory.file("wave.csv")
                                       : run.directory.file_of_case("wave-" + probe.name + ".csv"));

@@ -190,6 +190,10 @@ void PeriodicState<dim>::finish()
   {
     if (std::isfinite(value))
       run.summary.add({name, value, unit, label});
+    else
+      run.summary.add_absence(name, label,
+                              "no beat under the repeated loads comes before the last one, or the "
+                              "position is not there at all times");
   };
   std::size_t place = n_first_columns;
   for (unsigned int column = 0; column < probes.n_columns(); ++column)
@@ -204,6 +208,8 @@ void PeriodicState<dim>::finish()
   add("largest difference of the last beat", largest_difference, "1", "");
   if (settled_at > 0)
     add("first beat that had settled", settled_at, "1", "");
+  else
+    run.summary.add_absence("first beat that had settled", "", "no beat had settled");
   Summary::Columns columns;
   const std::vector<std::string> names = header();
   for (std::size_t i = 0; i < names.size(); ++i)

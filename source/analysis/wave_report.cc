@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace Continua
 {
@@ -16,7 +17,30 @@ namespace
 /// A backward wave counts as a pulse from this part of the first pulse's height on.
 constexpr double smallest_reflection = 0.1;
 const char *const source_names[3] = {"simulated", "theory", "measured"};
+const char *const speeds_and_attenuation[5] = {"wave speed", "wave speed at half height",
+                                               "wave speed of the foot", "wave speed by phase",
+                                               "attenuation"};
+const char *const all_speeds =
+    "wave speed, wave speed at half height, wave speed of the foot, wave speed by phase";
 const char *const prefixes[3] = {"", "theoretical ", "measured "};
+
+const std::vector<std::pair<MissingPulse, std::string>> &reasons_of_missing_pulse()
+{
+  static const std::vector<std::pair<MissingPulse, std::string>> reasons = {
+      {MissingPulse::overlaps, "the pulse overlaps with a reflection"},
+      {MissingPulse::rises, "the pressure still rises when the record ends"},
+      {MissingPulse::not_come, "the record ends before the pulse has come"},
+      {MissingPulse::no_peak, "the pressure does not rise and fall again in this time"}};
+  return reasons;
+}
+
+std::string reason_of(const MissingPulse missing)
+{
+  for (const auto &[reason, text] : reasons_of_missing_pulse())
+    if (reason == missing)
+      return text;
+  return "";
+}
 
 bool all_finite(const std::vector<double> &values)
 {
@@ -119,30 +143,25 @@ void WaveReport::write(const std::string &file) const
   table.flush();
 }
 
-std::string WaveReport::reason_of_no_speed(const std::vector<unsigned int> &used,
-                                           const std::vector<MissingPulse> &missing) const
+std::string WaveReport::places_without_pulse(const std::vector<unsigned int> &used,
+                                             const WaveAnalysis &wave) const
 {
-  if (stations.positions.size() < 2)
-    return "a speed needs two stations";
   std::string reasons;
-  for (const auto &[reason, text] :
-       {std::make_pair(MissingPulse::overlaps, "the pulse overlaps with a reflection at "),
-        std::make_pair(MissingPulse::no_peak,
-                       "the pressure does not rise and fall again in this time at ")})
+  for (const auto &[reason, text] : reasons_of_missing_pulse())
   {
     std::string places;
     for (std::size_t i = 0; i < used.size(); ++i)
-      if (missing[i] == reason)
+      if (wave.stations[i].missing == reason)
         places +=
             (places.empty() ? "" : ", ") + shortest_number(stations.positions[used[i]]) + " m";
     if (!places.empty())
-      reasons += (reasons.empty() ? "" : "; ") + (text + places);
+      reasons += (reasons.empty() ? "" : "; ") + text + " at " + places;
   }
   return reasons;
 }
 
 std::vector<WaveReport::Pulse>
-WaveReport::analyse(const Source source, Summary &summary, std::vector<std::string> &notes) const
+WaveReport::analyse(const Source source, Summary &summary, Notes &notes) const
 {
   const Histories &histories = data(source).histories;
   const int pressure = field("pressure");
@@ -182,30 +201,55 @@ WaveReport::analyse(const Source source, Summary &summary, std::vector<std::stri
     }
   std::vector<Pulse> pulses(stations.positions.size(), {undefined, undefined, undefined, undefined,
                                                         undefined, undefined, undefined});
-  if (used.empty() || n_analysed < 2)
-    return pulses;
-  const WaveAnalysis wave = analyse_wave(record);
-  if (!std::isfinite(wave.speed.peak))
-  {
-    std::vector<MissingPulse> missing;
-    for (const StationWave &station : wave.stations)
-      missing.push_back(station.missing);
-    notes.push_back("No " + std::string(prefixes[static_cast<int>(source)]) +
-                    "wave speed at the stations '" + stations.name +
-                    "': " + reason_of_no_speed(used, missing));
-  }
   const std::string prefix = prefixes[static_cast<int>(source)];
+  if (used.empty() || n_analysed < 2)
+  {
+    for (const char *const name : speeds_and_attenuation)
+      summary.add_absence(prefix + name, stations.name, "no station has a whole record");
+    return pulses;
+  }
+  record.begins_at_rest = first_analysed == 0;
+  const WaveAnalysis wave = analyse_wave(record);
   const auto add = [&](const std::string &name, const double value, const std::string &unit,
-                       const std::string &probe)
+                       const std::string &probe, const std::string &why_absent)
   {
     if (std::isfinite(value))
       summary.add({prefix + name, value, unit, probe});
+    else
+      summary.add_absence(prefix + name, probe, why_absent);
   };
-  add("wave speed", wave.speed.peak, "m/s", stations.name);
-  add("wave speed at half height", wave.speed.half, "m/s", stations.name);
-  add("wave speed of the foot", wave.speed.tangent_foot, "m/s", stations.name);
-  add("wave speed by phase", wave.speed.phase, "m/s", stations.name);
-  add("attenuation", wave.attenuation, "1/m", stations.name);
+  const std::string without_pulse = places_without_pulse(used, wave);
+  // What is absent for one reason stands in one line.
+  std::vector<std::pair<std::string, std::string>> absent; // reason, names
+  const auto add_of_all = [&](const std::string &name, const double value, const std::string &unit,
+                              const std::string &why_absent)
+  {
+    const std::string reason = without_pulse.empty() || why_absent.empty() ? why_absent
+                               : why_absent == too_few_stations            ? without_pulse
+                                                                : why_absent + "; " + without_pulse;
+    add(name, value, unit, stations.name, reason);
+    if (std::isfinite(value))
+      return;
+    if (absent.empty() || absent.back().first != reason)
+      absent.emplace_back(reason, name);
+    else
+      absent.back().second += ", " + name;
+  };
+  add_of_all("wave speed", wave.speed.peak, "m/s", wave.missing.peak);
+  add_of_all("wave speed at half height", wave.speed.half, "m/s", wave.missing.half);
+  add_of_all("wave speed of the foot", wave.speed.tangent_foot, "m/s", wave.missing.tangent_foot);
+  add_of_all("wave speed by phase", wave.speed.phase, "m/s", wave.missing.phase);
+  add_of_all("attenuation", wave.attenuation, "1/m", wave.missing.attenuation);
+  // Where there is no speed, a line on the loss of the wave says nothing new.
+  if (absent.size() > 1 && absent.front().second == all_speeds)
+    absent.resize(1);
+  for (const auto &[reason, names] : absent)
+    notes.lines.push_back("No " + prefix + (names == all_speeds ? "wave speed" : names) +
+                          " at the stations '" + stations.name + "': " + reason);
+  if (absent.empty() && !without_pulse.empty())
+    notes.details.push_back("Left out of the " + prefix +
+                            "speeds and the attenuation at the stations '" + stations.name +
+                            "': " + without_pulse);
   for (std::size_t i = 0; i < used.size(); ++i)
   {
     const StationWave &station = wave.stations[i];
@@ -217,11 +261,12 @@ WaveReport::analyse(const Source source, Summary &summary, std::vector<std::stri
              undefined,
              undefined,
              undefined};
-    const std::string name = station_name(used[i]);
-    add("first pulse time", pulse.time, "s", name);
-    add("first pulse height", pulse.height, "Pa", name);
-    add("half height time", pulse.half_time, "s", name);
-    add("foot time", pulse.foot_time, "s", name);
+    const std::string name = station_name(used[i]), why = reason_of(station.missing);
+    add("first pulse time", pulse.time, "s", name, why);
+    add("first pulse height", pulse.height, "Pa", name, why);
+    add("half height time", pulse.half_time, "s", name, why);
+    add("foot time", pulse.foot_time, "s", name,
+        why.empty() ? "the record begins within the rise" : why);
     if (record.flow_rate.empty())
       continue;
     pulse.reflection = station.reflection_coefficient;
@@ -239,9 +284,14 @@ WaveReport::analyse(const Source source, Summary &summary, std::vector<std::stri
       pulse.reflected_time = vertex.time;
       pulse.reflected_height = vertex.value;
     }
-    add("reflection coefficient", pulse.reflection, "1", name);
-    add("reflected pulse time", pulse.reflected_time, "s", name);
-    add("reflected pulse height", pulse.reflected_height, "Pa", name);
+    add("reflection coefficient", pulse.reflection, "1", name,
+        "the backward wave has no largest value within the record, or is below a millionth of the "
+        "forward wave");
+    const char *const no_reflected_pulse = "the backward wave has no largest value within the "
+                                           "record, or is below a tenth of the first "
+                                           "pulse";
+    add("reflected pulse time", pulse.reflected_time, "s", name, no_reflected_pulse);
+    add("reflected pulse height", pulse.reflected_height, "Pa", name, no_reflected_pulse);
   }
   return pulses;
 }
@@ -284,7 +334,11 @@ void WaveReport::compare(const Source a,
         largest = relative;
     }
     if (n_compared == 0)
+    {
+      summary.add_absence("largest difference of " + name + suffix, stations.name,
+                          "no station has it in both");
       return;
+    }
     summary.add({"largest difference of " + name + suffix, largest, "1", stations.name});
     summary.add({"stations compared by " + name + suffix, static_cast<double>(n_compared), "1",
                  stations.name});
@@ -312,8 +366,7 @@ void WaveReport::name_quantities(const WaveStations &stations,
     const std::string prefix = prefixes[static_cast<int>(source)];
     if (!pressure)
       continue;
-    for (const char *const name : {"wave speed", "wave speed at half height",
-                                   "wave speed of the foot", "wave speed by phase", "attenuation"})
+    for (const char *const name : speeds_and_attenuation)
       names.add(prefix + name, stations.name);
     for (const double position : stations.positions)
     {
@@ -344,9 +397,9 @@ void WaveReport::name_quantities(const WaveStations &stations,
     compare(" from measurement");
 }
 
-std::vector<std::string> WaveReport::add_quantities(Summary &summary) const
+WaveReport::Notes WaveReport::add_quantities(Summary &summary) const
 {
-  std::vector<std::string> notes;
+  Notes notes;
   std::vector<std::vector<Pulse>> pulses(3);
   for (const Source source : {Source::simulated, Source::theory, Source::measured})
     if (data(source).present && field("pressure") >= 0)

@@ -16,10 +16,20 @@ namespace Continua
 {
 using Json = nlohmann::ordered_json;
 
+namespace
+{
+/// A quantity that the results cannot carry.
+struct Absence
+{
+  std::string name, probe, reason;
+};
+} // namespace
+
 struct Summary::Implementation
 {
   Json entries = Json::object();
   std::vector<Quantity> quantities;
+  std::vector<Absence> absences;
   std::optional<QuantityNames> possible;
   Json checks = Json::array();
 };
@@ -132,7 +142,9 @@ struct Verdict
   bool passed = false;
 };
 
-Verdict judge(const ExpectedValue &expected, const std::vector<Quantity> &quantities)
+Verdict judge(const ExpectedValue &expected,
+              const std::vector<Quantity> &quantities,
+              const std::vector<Absence> &absences)
 {
   Verdict verdict;
   verdict.probe = expected.probe;
@@ -150,6 +162,14 @@ Verdict judge(const ExpectedValue &expected, const std::vector<Quantity> &quanti
   }
   if (matches.empty())
   {
+    for (const Absence &absence : absences)
+      if (absence.name == expected.name &&
+          (expected.probe.empty() || absence.probe == expected.probe))
+      {
+        verdict.probe = absence.probe;
+        verdict.text = "FAILED: absent: " + absence.reason;
+        return verdict;
+      }
     // A run with many probes has hundreds.
     constexpr std::size_t most_listed = 30;
     const std::string near = nearest_name(label(expected.name, expected.probe), all);
@@ -257,6 +277,13 @@ void Summary::add(const Quantity &quantity)
     *same = quantity;
 }
 
+void Summary::add_absence(const std::string &name,
+                          const std::string &probe,
+                          const std::string &reason)
+{
+  implementation->absences.push_back({name, probe, reason});
+}
+
 const std::vector<Quantity> &Summary::quantities() const
 {
   return implementation->quantities;
@@ -307,7 +334,7 @@ std::vector<std::string> Summary::check(const std::vector<ExpectedValue> &expect
     Verdict verdict;
     try
     {
-      verdict = judge(value, implementation->quantities);
+      verdict = judge(value, implementation->quantities, implementation->absences);
     }
     catch (const std::invalid_argument &error)
     {
@@ -360,6 +387,9 @@ Summary Summary::read(const std::string &text)
          quantity.at("value").is_number() ? quantity.at("value").get<double>() : std::nan(""),
          quantity.at("unit"), quantity.at("probe")});
   summary.implementation->checks = document.at("checks");
+  for (const Json &absence : document.value("absent", Json::array()))
+    summary.add_absence(absence.at("name"), absence.at("probe"), absence.at("reason"));
+  document.erase("absent");
   document.erase("quantities");
   document.erase("checks");
   summary.implementation->entries = document;
@@ -378,6 +408,9 @@ void Summary::write(const std::string &file) const
                                       {"value", quantity.value},
                                       {"unit", quantity.unit},
                                       {"probe", quantity.probe}});
+  for (const Absence &absence : implementation->absences)
+    document["absent"].push_back(
+        {{"name", absence.name}, {"probe", absence.probe}, {"reason", absence.reason}});
   document["checks"] = implementation->checks;
   // A name that is no UTF-8 must not cost the whole summary.
   write_file_atomically(file, document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

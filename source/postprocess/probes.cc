@@ -257,6 +257,13 @@ void Probes<dim>::add_quantities(const Column &column,
     if (!std::isnan(value))
       summary.add({name, value, unit_of_it, label});
   };
+  const auto add_or_say_why = [&](const std::string &name, const double value,
+                                  const std::string &unit_of_it, const std::string &reason)
+  {
+    add(name, value, unit_of_it);
+    if (std::isnan(value))
+      summary.add_absence(name, label, reason);
+  };
 
   // A position that is not there at some times has no history to look at.
   const bool is_whole = std::none_of(column.values.begin(), column.values.end(),
@@ -268,13 +275,18 @@ void Probes<dim>::add_quantities(const Column &column,
     add("time of maximum " + field, signal.time_of_maximum, "s");
     add("minimum " + field, signal.minimum, unit);
     add("time of minimum " + field, signal.time_of_minimum, "s");
-    add("first maximum " + field, signal.first_maximum, unit);
-    add("time of first maximum " + field, signal.time_of_first_maximum, "s");
+    const char *const no_maximum =
+        "the history does not rise and fall again by a twentieth of its range";
+    add_or_say_why("first maximum " + field, signal.first_maximum, unit, no_maximum);
+    add_or_say_why("time of first maximum " + field, signal.time_of_first_maximum, "s", no_maximum);
     add("mean " + field, signal.mean, unit);
-    add("frequency", signal.frequency_zero_crossings, "Hz");
-    add("frequency of the fit", signal.frequency_fit, "Hz");
-    add("decay per oscillation", signal.decay_per_oscillation_fit, "1");
-    add("fit residual", signal.fit_residual, "1");
+    add_or_say_why("frequency", signal.frequency_zero_crossings, "Hz",
+                   "the history does not go up through its mean twice");
+    const char *const no_fit = "no damped oscillation of which the history holds a period explains "
+                               "half of its variance";
+    add_or_say_why("frequency of the fit", signal.frequency_fit, "Hz", no_fit);
+    add_or_say_why("decay per oscillation", signal.decay_per_oscillation_fit, "1", no_fit);
+    add_or_say_why("fit residual", signal.fit_residual, "1", no_fit);
   }
   add("final " + field, column.values.back(), unit);
 
@@ -289,9 +301,16 @@ void Probes<dim>::add_quantities(const Column &column,
     add("frequency" + of_periods, periods.frequency, "Hz");
     add("change of amplitude" + of_periods, periods.change_of_amplitude, "1");
     if (std::isnan(periods.frequency))
-      warnings.push_back("the history of " + field + " of the probe '" + column.name +
-                         "' does not end with " + std::to_string(probe.last_periods) +
-                         (probe.last_periods == 1 ? " period" : " periods of about one length"));
+    {
+      const std::string reason =
+          "does not end with " + std::to_string(probe.last_periods) +
+          (probe.last_periods == 1 ? " period" : " periods of about one length");
+      warnings.push_back("the history of " + field + " of the probe '" + column.name + "' " +
+                         reason);
+      for (const std::string &name : {"mean " + field, "middle " + field, "amplitude " + field,
+                                      std::string("frequency"), std::string("change of amplitude")})
+        summary.add_absence(name + of_periods, label, "the history " + reason);
+    }
   }
   if (probe.modes.empty())
     return;

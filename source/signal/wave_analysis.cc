@@ -1,6 +1,7 @@
 #include <continua/base/undefined.h>
 #include <continua/signal/first_pulse.h>
 #include <continua/signal/fourier_transform.h>
+#include <continua/signal/two_wave_fit.h>
 #include <continua/signal/wave_analysis.h>
 
 #include <deal.II/base/numbers.h>
@@ -9,7 +10,10 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace Continua
 {
@@ -21,6 +25,22 @@ constexpr ByArrival nothing = {undefined, undefined, undefined, undefined};
 /// From one station to the next a pulse grows and widens by less than these factors.
 constexpr double largest_growth = 1.25;
 constexpr double largest_widening = 1.3;
+/// A pulse that is lower than this part of that at the station before has not come.
+constexpr double least_of_previous = 0.25;
+/// A backward wave that is larger than this part of the forward one overlaps with it.
+constexpr double largest_backward = 0.1;
+/// Rows of the record between the arrivals at the first and at the last station.
+constexpr unsigned int least_rows = 3;
+/// The other arrivals take up to this many times as long as the foot, or this much less.
+constexpr double largest_change_of_shape = 1.5;
+/// A record that begins with a slope of this part of the pulse's mean one begins within the rise.
+constexpr double largest_first_slope = 0.25;
+/// What heights may be off the line: absolutely, and of what the line falls.
+constexpr double least_scatter = 1e-3, largest_scatter = 0.2;
+/// What a fit of two waves may leave of the record, and how uncertain its attenuation may be. The
+/// record is so many times as long as the pulse needs to the last station.
+constexpr double largest_misfit_of_waves = 0.01, largest_uncertainty_of_waves = 0.1,
+                 least_length_of_record = 1.5;
 /// The window of the phase: rise times before and after the peak, and its tapered parts.
 constexpr double window_before = 4.;
 constexpr double window_after = 2.5;
@@ -175,6 +195,155 @@ void set_phases(const WaveRecord &record,
   }
 }
 
+/// Whether the last value is the largest one, above the pulse if there is one.
+bool still_rises(const std::vector<double> &pressure, const FirstPulse &pulse)
+{
+  const double last = pressure.back() - pressure.front();
+  return last > 0. && std::max_element(pressure.begin(), pressure.end()) + 1 == pressure.end() &&
+         !(last <= pulse.amplitude);
+}
+
+/// Whether a backward wave is there when the pressure of the station is largest.
+bool meets_backward_wave(const WaveRecord &record,
+                         const std::size_t station,
+                         const double peak_time)
+{
+  if (record.flow_rate.empty())
+    return false;
+  const SeparatedWaves waves = separate_waves(record.pressure[station], record.flow_rate[station],
+                                              record.characteristic_impedance[station]);
+  const std::size_t peak = std::min<std::size_t>(
+      std::lower_bound(record.times.begin(), record.times.end(), peak_time) - record.times.begin(),
+      record.times.size() - 1);
+  return std::abs(waves.backward[peak] - waves.backward.front()) >
+         largest_backward * std::abs(waves.forward[peak] - waves.forward.front());
+}
+
+/// Whether the foot lies before a record that does not begin at rest.
+bool lacks_foot(const WaveRecord &record, const std::size_t station, const FirstPulse &pulse)
+{
+  const std::vector<double> &pressure = record.pressure[station];
+  const double first_slope = (pressure[1] - pressure[0]) / (record.times[1] - record.times[0]);
+  const double mean_slope = 0.5 * (pulse.amplitude - pulse.level) / pulse.rise_time();
+  return !record.begins_at_rest && first_slope > largest_first_slope * mean_slope;
+}
+
+/// Of few digits, which are the same on any machine.
+std::string rounded(const double value)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+/// The speed by one definition; NaN, and why, if the arrivals have none.
+double speed_of(const WaveRecord &record,
+                const std::vector<double> &arrivals,
+                const std::vector<double> &feet,
+                std::string &reason)
+{
+  std::vector<std::size_t> used;
+  for (std::size_t i = 0; i < arrivals.size(); ++i)
+    if (std::isfinite(arrivals[i]))
+      used.push_back(i);
+  if (used.size() < 2)
+  {
+    reason = arrivals.size() < 2 ? "a speed needs two stations" : too_few_stations;
+    return undefined;
+  }
+  for (std::size_t i = 1; i < used.size(); ++i)
+    if (!(arrivals[used[i]] > arrivals[used[i - 1]]))
+    {
+      const auto place_and_time = [&](const std::size_t station)
+      {
+        return rounded(std::abs(record.positions[station])) + " m (" + rounded(arrivals[station]) +
+               " s)";
+      };
+      reason = "it comes to " + place_and_time(used[i]) + " no later than to " +
+               place_and_time(used[i - 1]) + ", which is nearer to where it comes from";
+      return undefined;
+    }
+  const double first = arrivals[used.front()], last = arrivals[used.back()];
+  const auto rows = std::lower_bound(record.times.begin(), record.times.end(), last) -
+                    std::lower_bound(record.times.begin(), record.times.end(), first);
+  if (rows < least_rows)
+  {
+    reason = "the pulse passes all stations within " + rounded(last - first) + " s, in which are " +
+             std::to_string(rows) + " rows: record more often, or set the stations farther apart";
+    return undefined;
+  }
+  const double of_foot = feet[used.back()] - feet[used.front()];
+  const double change = (last - first) / of_foot;
+  if (of_foot > 0. && (change > largest_change_of_shape || change < 1. / largest_change_of_shape))
+  {
+    reason = "the pulse changes its shape, as overlapping pulses do: the foot takes " +
+             rounded(of_foot) + " s from the first to the last station, this takes " +
+             rounded(last - first) + " s";
+    return undefined;
+  }
+  return slope(arrivals, record.positions);
+}
+
+/// The loss of the wave; NaN, and why, if the stations do not tell it.
+double attenuation_of(const WaveRecord &record,
+                      const std::vector<double> &heights,
+                      const double speed,
+                      const double last_arrival,
+                      std::string &reason)
+{
+  std::vector<std::size_t> used;
+  std::vector<double> places, logarithms;
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    if (std::isfinite(heights[i]))
+    {
+      used.push_back(i);
+      places.push_back(record.positions[i]);
+      logarithms.push_back(std::log(heights[i]));
+    }
+  if (places.size() < 3)
+  {
+    reason = "it needs three stations with a whole pulse, to tell the loss from other waves";
+    return undefined;
+  }
+  const double rise = slope(places, logarithms);
+  double mean_place = 0., mean_logarithm = 0., square = 0.;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    mean_place += places[i] / places.size();
+    mean_logarithm += logarithms[i] / places.size();
+  }
+  for (std::size_t i = 0; i < places.size(); ++i)
+    square += std::pow(logarithms[i] - mean_logarithm - rise * (places[i] - mean_place), 2) /
+              places.size();
+  const double scatter = std::sqrt(square), loss = -rise * (places.back() - places.front());
+  if (scatter <= std::max(least_scatter, largest_scatter * std::abs(loss)))
+    return -rise;
+
+  reason = "another wave changes the heights: they lie off a straight line by " +
+           rounded(100. * scatter) + " %, and the line falls by " + rounded(100. * loss) +
+           " % from the first to the last station";
+  if (record.flow_rate.empty() || !record.begins_at_rest || !std::isfinite(speed) ||
+      record.times.back() - record.times.front() <
+          least_length_of_record * (last_arrival - record.times.front()))
+  {
+    reason += "; to tell the waves apart takes flow rates from rest on, a wave speed, and a record "
+              "half as long again as the pulse needs to the last station";
+    return undefined;
+  }
+  const TwoWaveFit fit = fit_two_waves(record, used, speed);
+  if (fit.misfit <= largest_misfit_of_waves && fit.uncertainty <= largest_uncertainty_of_waves &&
+      fit.attenuation > 0.)
+  {
+    reason.clear();
+    return fit.attenuation;
+  }
+  reason += "; two waves along a uniform tube do not explain the record (misfit " +
+            rounded(100. * fit.misfit) + " %, attenuation " + rounded(fit.attenuation) +
+            " 1/m, uncertain by " + rounded(100. * fit.uncertainty) + " %)";
+  return undefined;
+}
+
 double reflection(const std::vector<double> &times, const SeparatedWaves &waves)
 {
   const FirstPulse forward = find_first_pulse(times, waves.forward);
@@ -219,21 +388,38 @@ WaveAnalysis analyse_wave(const WaveRecord &record)
   check(record);
   const std::size_t n = record.positions.size();
   WaveAnalysis analysis{std::vector<StationWave>(n, {nothing, undefined, undefined, undefined, {}}),
-                        nothing, undefined};
+                        nothing,
+                        undefined,
+                        {}};
   std::vector<FirstPulse> pulses(n);
   const FirstPulse *previous = nullptr;
   bool overlaps = false;
   for (std::size_t i = 0; i < n; ++i)
   {
     FirstPulse &pulse = pulses[i] = find_first_pulse(record.times, record.pressure[i]);
-    if (previous != nullptr && std::isfinite(pulse.peak_time))
+    const bool is_there = std::isfinite(pulse.peak_time);
+    if (is_there && lacks_foot(record, i, pulse))
+      pulse.tangent_foot_time = undefined;
+    MissingPulse &missing = analysis.stations[i].missing;
+    if (previous != nullptr && is_there)
       overlaps = overlaps || pulse.amplitude > largest_growth * previous->amplitude ||
                  pulse.rise_time() > largest_widening * previous->rise_time();
     if (overlaps)
-      pulse = find_first_pulse({}, {});
-    if (!std::isfinite(pulse.peak_time))
+      missing = MissingPulse::overlaps;
+    else if (still_rises(record.pressure[i], pulse))
+      missing = MissingPulse::rises;
+    else if (!is_there)
+      missing = MissingPulse::no_peak;
+    else if (previous != nullptr && pulse.amplitude < least_of_previous * previous->amplitude)
+      missing = MissingPulse::not_come;
+    else if (meets_backward_wave(record, i, pulse.peak_time))
     {
-      analysis.stations[i].missing = overlaps ? MissingPulse::overlaps : MissingPulse::no_peak;
+      missing = MissingPulse::overlaps;
+      analysis.stations[i].arrival.tangent_foot = pulse.tangent_foot_time;
+    }
+    if (missing != MissingPulse::none)
+    {
+      pulse = find_first_pulse({}, {});
       continue;
     }
     previous = &pulse;
@@ -249,18 +435,27 @@ WaveAnalysis analyse_wave(const WaveRecord &record)
           reflection(record.times, separate_waves(record.pressure[i], record.flow_rate[i],
                                                   record.characteristic_impedance[i]));
 
-  for (double ByArrival::*definition :
-       {&ByArrival::peak, &ByArrival::half, &ByArrival::tangent_foot, &ByArrival::phase})
+  const auto arrivals = [&](double ByArrival::*definition)
   {
-    std::vector<double> arrivals;
+    std::vector<double> result;
     for (const StationWave &station : analysis.stations)
-      arrivals.push_back(station.arrival.*definition);
-    analysis.speed.*definition = slope(arrivals, record.positions);
-  }
-  std::vector<double> logarithms;
+      result.push_back(station.arrival.*definition);
+    return result;
+  };
+  const std::vector<double> feet = arrivals(&ByArrival::tangent_foot);
+  for (const auto &[definition, reason] :
+       {std::make_pair(&ByArrival::peak, &MissingOfWave::peak),
+        std::make_pair(&ByArrival::half, &MissingOfWave::half),
+        std::make_pair(&ByArrival::tangent_foot, &MissingOfWave::tangent_foot),
+        std::make_pair(&ByArrival::phase, &MissingOfWave::phase)})
+    analysis.speed.*definition =
+        speed_of(record, arrivals(definition), feet, analysis.missing.*reason);
+  std::vector<double> heights;
   for (const StationWave &station : analysis.stations)
-    logarithms.push_back(std::log(station.amplitude));
-  analysis.attenuation = -slope(record.positions, logarithms);
+    heights.push_back(station.amplitude);
+  analysis.attenuation = attenuation_of(record, heights, analysis.speed.peak,
+                                        previous == nullptr ? undefined : previous->peak_time,
+                                        analysis.missing.attenuation);
   return analysis;
 }
 } // namespace Continua

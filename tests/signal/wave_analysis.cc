@@ -26,6 +26,11 @@ double gaussian(const double t)
   return 1e3 * std::exp(-std::pow((t - 0.03) / 0.01, 2));
 }
 
+double long_pulse(const double t)
+{
+  return t <= 0. || t >= 0.6 ? 0. : 1e3 * std::pow(std::sin(M_PI * t / 0.6), 2);
+}
+
 struct Case
 {
   std::function<double(double)> inlet = sine_squared;
@@ -177,6 +182,93 @@ UNIT_TEST(wave_analysis)
     const WaveAnalysis rest = analyse_wave(still);
     check::is_true("rest has no pulse",
                    std::isnan(rest.stations[1].arrival.half) && std::isnan(rest.speed.half));
+  }
+  {
+    // The pulse needs 0.15 s to the sixth station; what there is of it until then is the forerunner
+    // of the wall's wave, whose peak comes at 32 ms to all stations.
+    Case clamped;
+    clamped.forerunner = 0.05;
+    clamped.end_time = 0.11;
+    const WaveAnalysis analysis = analyse_wave(make(clamped, stations(8)));
+    check_speeds("pulses that have not come", analysis.speed, 2e-2);
+    check::is_true("a forerunner is no pulse",
+                   std::isnan(analysis.stations[7].arrival.peak) &&
+                       analysis.stations[7].missing == MissingPulse::not_come &&
+                       std::isnan(analysis.stations[7].amplitude));
+    check::is_true("a pulse that still rises is none",
+                   analysis.stations[4].missing == MissingPulse::rises);
+    check::is_true("what is there needs no reason", analysis.missing.peak.empty());
+  }
+  {
+    // The peak comes to all stations at once, as of a wave that stands.
+    WaveRecord standing = make(Case(), stations(4));
+    for (auto &history : standing.pressure)
+      history = standing.pressure.front();
+    standing.flow_rate.clear();
+    const WaveAnalysis analysis = analyse_wave(standing);
+    check::is_true("no speed where the times do not rise",
+                   std::isnan(analysis.speed.peak) && std::isnan(analysis.speed.half) &&
+                       analysis.missing.peak.find("no later") != std::string::npos);
+  }
+  {
+    // It goes from the first to the second station within 18 ms.
+    Case seldom;
+    seldom.interval = 0.01;
+    const WaveAnalysis analysis = analyse_wave(make(seldom, stations(2)));
+    check::is_true("no speed of two rows",
+                   std::isnan(analysis.speed.peak) &&
+                       analysis.missing.peak.find("rows") != std::string::npos);
+  }
+  {
+    // A pulse of 0.6 s in a tube through which it goes in 0.18 s: the pressure is the sum of pulse
+    // and reflection everywhere, and its peak comes later to a station nearer to the inlet.
+    Case overlapping;
+    overlapping.inlet = long_pulse;
+    overlapping.end_time = 2.;
+    WaveRecord record = make(overlapping, stations(8));
+    const WaveAnalysis with_flow = analyse_wave(record);
+    check::is_true("no speed of pulses that overlap, by the flow",
+                   std::isnan(with_flow.speed.peak) && std::isnan(with_flow.attenuation) &&
+                       with_flow.stations[3].missing == MissingPulse::overlaps);
+    record.flow_rate.clear();
+    const WaveAnalysis without_flow = analyse_wave(record);
+    check::is_true("no speed of pulses that overlap, by the pressure alone",
+                   std::isnan(without_flow.speed.peak) && std::isnan(without_flow.speed.phase) &&
+                       !without_flow.missing.peak.empty());
+  }
+  {
+    // Another wave raises and lowers the heights by 4 %; the loss over the stations is 4 %.
+    WaveRecord record = make(Case(), stations(7));
+    for (unsigned int i = 0; i < 7; ++i)
+      for (double &value : record.pressure[i])
+        value *= i % 2 == 0 ? 1.04 : 0.96;
+    record.flow_rate.clear();
+    const WaveAnalysis analysis = analyse_wave(record);
+    check::is_true("no attenuation where another wave changes the heights",
+                   std::isnan(analysis.attenuation) &&
+                       analysis.missing.attenuation.find("another wave") != std::string::npos);
+    check_speeds("but the speed", analysis.speed, 1e-3);
+    const WaveAnalysis two = analyse_wave(make(Case(), stations(2)));
+    check::is_true("no attenuation of two stations",
+                   std::isfinite(two.speed.peak) && std::isnan(two.attenuation) &&
+                       two.missing.attenuation.find("three stations") != std::string::npos);
+  }
+  {
+    // A beat that begins within the rise has no foot.
+    WaveRecord record = make(Case(), stations(3));
+    std::size_t cut = 0;
+    while (record.times[cut] < record.positions[0] / speed + 0.012)
+      ++cut;
+    record.times.erase(record.times.begin(), record.times.begin() + cut);
+    for (auto &history : record.pressure)
+      history.erase(history.begin(), history.begin() + cut);
+    record.flow_rate.clear();
+    record.begins_at_rest = false;
+    check::is_true("no foot before the record",
+                   std::isnan(analyse_wave(record).stations[0].arrival.tangent_foot));
+    record.begins_at_rest = true;
+    check::is_true("from rest on there is one",
+                   std::isfinite(analyse_wave(record).stations[0].arrival.tangent_foot));
   }
   const SeparatedWaves waves = separate_waves({10., 4.}, {2., -2.}, 3.);
   check::is_true("separation", waves.forward[0] == 8. && waves.backward[0] == 2. &&

@@ -33,6 +33,13 @@ public:
   /// By station, by field, by time; SI.
   using Histories = std::vector<std::vector<std::vector<double>>>;
 
+  /// What the user should know.
+  struct Notes
+  {
+    std::vector<std::string> lines;   ///< why a speed or the attenuation is absent
+    std::vector<std::string> details; ///< which stations are left out, and why
+  };
+
   WaveReport(const WaveStations &stations, const std::vector<double> &times);
 
   enum class Source
@@ -63,9 +70,10 @@ public:
    * `largest difference of FIELD` (relative to the largest value of the field), and relative, over
    * the stations that have both, `largest difference of first pulse time`, `... height`, `largest
    * difference of reflected pulse time`, `... height`; with "from measurement" added for the
-   * latter. Returns what the user should know: why there is no wave speed.
+   * latter. What the record cannot carry is absent, with the reason in the summary. Returns what
+   * the user should know.
    */
-  std::vector<std::string> add_quantities(Summary &summary) const;
+  Notes add_quantities(Summary &summary) const;
   /// Pulses, speeds and reflections are those until this time [s] only: the first one of several
   /// beats. The table has all times.
   void set_end_of_first_beat(double end_time);
@@ -97,11 +105,10 @@ private:
   const Data &data(Source source) const { return sources[static_cast<int>(source)]; }
   int field(const std::string &name) const;
   std::string station_name(unsigned int station) const;
-  std::vector<Pulse>
-  analyse(Source source, Summary &summary, std::vector<std::string> &notes) const;
-  /// Why there is no speed, by what the stations `used` say.
-  std::string reason_of_no_speed(const std::vector<unsigned int> &used,
-                                 const std::vector<MissingPulse> &missing) const;
+  std::vector<Pulse> analyse(Source source, Summary &summary, Notes &notes) const;
+  /// Which stations have no pulse, and why; `used`: those that were analysed.
+  std::string places_without_pulse(const std::vector<unsigned int> &used,
+                                   const WaveAnalysis &wave) const;
   void compare(Source a,
                Source b,
                const std::vector<std::vector<Pulse>> &pulses,

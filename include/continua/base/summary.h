@@ -25,8 +25,8 @@ struct Quantity
 /**
  * summary.json: what was run (version, revision, command line, ranks, libraries), how large, how
  * long, which quantities came out and which of the expected values hold. Keys keep their order;
- * `quantities` and `checks` stand at the end. A number that is not finite is written as null. Only
- * rank 0 writes the file.
+ * `quantities`, `absent` and `checks` stand at the end. A number that is not finite is written as
+ * null. Only rank 0 writes the file.
  */
 class Summary
 {
@@ -56,6 +56,9 @@ public:
   /// A quantity of the same name and probe replaces the earlier one.
   void add(const Quantity &quantity);
   const std::vector<Quantity> &quantities() const;
+  /// A quantity that the results cannot carry, and why: one expected value of it fails with this
+  /// reason. The summary lists these under `absent`.
+  void add_absence(const std::string &name, const std::string &probe, const std::string &reason);
   /// What was set as a number under this key; 0 if nothing was.
   double number_of(const std::string &key) const;
   /// What was set as numbers with names under this key; none if nothing was.
@@ -68,10 +71,10 @@ public:
   /**
    * One verdict line per expected value, without digits of the result when it passed, so that it is
    * the same on any machine ("check: frequency (tip): within 0.2 % of 3.3624 Hz"), with value and
-   * deviation when it failed ("... FAILED: 3.2 Hz is 4.8 % off 3.3624 Hz +- 0.2 %"), or "FAILED:
-   * the run has no such quantity (it has ...)"; also recorded under `checks` (name, probe,
-   * criterion as written; expected, tolerance and value in `unit`, the unit written; passed).
-   * `all_passed` tells whether all held. A value that is not finite never passes.
+   * deviation when it failed ("... FAILED: 3.2 Hz is 4.8 % off 3.3624 Hz +- 0.2 %"), "FAILED:
+   * absent: REASON", or "FAILED: the run has no such quantity (it has ...)"; also recorded under
+   * `checks` (name, probe, criterion as written; expected, tolerance and value in `unit`, the unit
+   * written; passed). `all_passed` tells whether all held. A value that is not finite never passes.
    *
    * A quantity that is not among the possible ones, where these were set, is a mistake of the
    * program: one more line says so.
