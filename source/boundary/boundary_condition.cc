@@ -512,7 +512,7 @@ const Words<BoundaryType> &boundary_type_words()
   return words;
 }
 
-std::set<std::string> fixed_boundaries(const ParameterFile &file)
+std::set<std::string> boundaries_held_across(const ParameterFile &file)
 {
   std::set<std::string> names;
   const ParameterText::Section *const section = file.text().find({"Boundaries"});
@@ -520,9 +520,15 @@ std::set<std::string> fixed_boundaries(const ParameterFile &file)
     return names;
   for (const ParameterText::Section &child : section->sections)
   {
-    const ParameterText::Entry *const type = child.entry("Type");
+    const auto says = [&child](const char *const key, const std::vector<std::string> &words)
+    {
+      const ParameterText::Entry *const entry = child.entry(key);
+      return entry != nullptr &&
+             std::find(words.begin(), words.end(), entry->value()) != words.end();
+    };
     const ParameterText::Entry *const boundary = child.entry("Boundary");
-    if (type != nullptr && type->value() == "fixed")
+    if (says("Type", {"fixed", "velocity", "flow rate"}) ||
+        says("Tangential", {"fixed", "velocity"}) || says("Coupling", {"flow"}))
       names.insert(boundary != nullptr && !boundary->value().empty() ? boundary->value()
                                                                      : child.name);
   }

@@ -161,7 +161,7 @@ Case<dim>::Case(ParameterFile &file,
   const bool in_time = analysis.motion == Motion::in_time;
 
   geometry = make_geometry<dim>(root.subsection("Geometry"), root.subsection("Mesh"), axisymmetric,
-                                fixed_boundaries(file));
+                                boundaries_held_across(file));
   mesh = MeshParameters::read(root.subsection("Mesh"));
   problem.regions = geometry->regions();
   problem.boundaries = geometry->boundaries();

@@ -177,7 +177,10 @@ end_of(const Problem &problem, const TubeExtents::End &extents, const double ref
       condition_on(problem.conditions, extents.fluid_boundary, extents.fluid_region);
   end.flow_is_given = fluid != nullptr && fluid->normal.kind == BoundaryPart::Kind::velocity;
   if (fluid != nullptr)
+  {
     end.outlet = fluid->outlet;
+    end.rim_is_held = fluid->tangential.kind == BoundaryPart::Kind::velocity;
+  }
   end.wall_is_clamped = is_fixed(
       condition_on(problem.conditions, extents.wall_boundary, extents.layers.front().region));
   end.wall_cell = extents.wall_cell / refinement;

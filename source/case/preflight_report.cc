@@ -240,22 +240,27 @@ void PreflightReport::report_ends(const double speed)
           "'" + end.boundary + "': " +
               (end.flow_is_given ? "the flow is prescribed (closed)"
                                  : "the pressure is prescribed (open)"));
-    if (!end.wall_is_clamped)
+    if (!end.wall_is_clamped && !end.rim_is_held)
       continue;
+    const std::string held = end.wall_is_clamped ? "clamped " : "held ";
     const double nu = end.section.poisson_ratio(reference_angular_frequency()).real();
     const double bend = std::sqrt(end.section.inner_radius * end.section.wall_thickness());
-    add("wall cell at the clamped " + which, end.wall_cell, "m",
-        "sqrt(R h)/2 is " + quantity_text(0.5 * bend, "m"));
-    add("early reflection by the clamped " + which,
-        2. * bend / std::pow(3. * (1. - nu * nu), 0.25) / speed, "s");
+    add("wall cell at the " + held + which, end.wall_cell, "m",
+        "sqrt(R h)/2 is " + quantity_text(0.5 * bend, "m") +
+            (end.wall_is_clamped ? "" : "; '" + end.boundary + "' holds the rim of the wall"));
+    if (end.wall_is_clamped)
+      add("early reflection by the clamped " + which,
+          2. * bend / std::pow(3. * (1. - nu * nu), 0.25) / speed, "s");
     if (end.wall_cell > largest_clamped_cell * bend)
     {
       std::ostringstream text;
       text.precision(3);
-      text << "pre-flight: the wall's cells at its clamped " << which << ", "
+      text << "pre-flight: the wall's cells at its " << held << which << ", "
            << quantity_text(end.wall_cell, "m") << " long, do not resolve its bending over "
-           << quantity_text(bend, "m")
-           << " = sqrt(R h): reflections there come too early; grade the mesh towards the ends";
+           << quantity_text(bend, "m") << " = sqrt(R h): "
+           << (end.wall_is_clamped ? "reflections there come too early"
+                                   : "the distension near it is wrong")
+           << "; grade the mesh towards the ends";
       warning_list.push_back(text.str());
     }
   }

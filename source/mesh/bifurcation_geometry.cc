@@ -209,10 +209,10 @@ std::vector<std::string> BifurcationGeometry::boundaries() const
   return result;
 }
 
-void BifurcationGeometry::note_fixed_boundaries(const std::set<std::string> &fixed)
+void BifurcationGeometry::note_held_boundaries(const std::set<std::string> &names)
 {
   for (unsigned int i = 0; i < n_branches; ++i)
-    parameters.branches[i].clamped = fixed.count(wall_end(i)) > 0;
+    parameters.branches[i].held = names.count(ends[i]) > 0 || names.count(wall_end(i)) > 0;
 }
 
 std::vector<double> BifurcationGeometry::axial_points(const unsigned int i) const
@@ -224,7 +224,7 @@ std::vector<double> BifurcationGeometry::axial_points(const unsigned int i) cons
       std::clamp(static_cast<unsigned int>(std::lround(reach / equal)), 1u, branch.axial_cells - 1);
   std::array<double, 2> end_cells;
   end_cells.fill(std::numeric_limits<double>::infinity());
-  if (branch.clamped)
+  if (branch.held)
     end_cells[1] = clamped_end_cell(parameters.axial_grading, equal, 0.5 * branch.inner_diameter,
                                     branch.wall_thickness);
   std::vector<double> points = {0.};

@@ -126,7 +126,7 @@ template <int dim>
 std::unique_ptr<Geometry<dim>> make_geometry(ParameterSection geometry,
                                              ParameterSection mesh,
                                              const bool axisymmetric,
-                                             const std::set<std::string> &fixed_boundaries)
+                                             const std::set<std::string> &held_boundaries)
 {
   Assert(!(axisymmetric && dim == 3), dealii::ExcInternalError());
   std::string type = table<dim>().front().name;
@@ -166,7 +166,7 @@ std::unique_ptr<Geometry<dim>> make_geometry(ParameterSection geometry,
     mesh.refuse(entry_of_cells(mesh), problem.str(),
                 "Give fewer cells, and divide them by Mesh/Refinements");
   }
-  result->note_fixed_boundaries(fixed_boundaries);
+  result->note_held_boundaries(held_boundaries);
   if (geometry.has_subsection("Regions"))
     result =
         std::make_unique<PaintedGeometry<dim>>(std::move(result), geometry.subsection("Regions"));

@@ -178,9 +178,13 @@ std::vector<std::string> TubeGeometry<dim>::boundaries() const
 }
 
 template <int dim>
-void TubeGeometry<dim>::note_fixed_boundaries(const std::set<std::string> &names)
+void TubeGeometry<dim>::note_held_boundaries(const std::set<std::string> &names)
 {
-  parameters.clamped = {{names.count("wall inlet end") > 0, names.count("wall outlet end") > 0}};
+  // Where the liquid's section holds its rim, the wall cannot widen at its inner surface.
+  const std::array<std::string, 2> ends = {{"inlet", "outlet"}};
+  for (unsigned int i = 0; i < 2; ++i)
+    parameters.held[i] = !parameters.law.is_rigid() &&
+                         (names.count(ends[i]) > 0 || names.count("wall " + ends[i] + " end") > 0);
 }
 
 template <int dim>
@@ -190,7 +194,7 @@ std::vector<double> TubeGeometry<dim>::axial_points() const
   std::array<double, 2> end_cells;
   end_cells.fill(std::numeric_limits<double>::infinity());
   for (unsigned int i = 0; i < 2; ++i)
-    if (parameters.clamped[i])
+    if (parameters.held[i])
     {
       const double z = i == 0 ? 0. : law.length();
       end_cells[i] =

@@ -211,6 +211,8 @@ UNIT_TEST(preflight_report)
     input.ends[1].wall_is_clamped = false;
     check::is_true("which does not matter if it is free",
                    PreflightReport(input).warnings().empty());
+    input.ends[1].rim_is_held = true;
+    warns("but if the liquid's section holds its rim", input, "held far end, 1 mm long");
     input = tube();
     input.frequency = 300.;
     input.axial_cell = 1e-4;

@@ -95,7 +95,7 @@ void test_cone(const double copies, const unsigned int n_cells, const std::vecto
   tube.radial_grading = 0.5;
   small_problem::Mesh<dim> mesh(MPI_COMM_WORLD);
   TubeGeometry<dim> geometry(tube);
-  geometry.note_fixed_boundaries({"wall inlet end"});
+  geometry.note_held_boundaries({"wall inlet end"});
   geometry.create(mesh);
   Space<dim> space(mesh, SpaceParameters(),
                    dim == 2 ? Model::axisymmetric : Model::three_dimensional, 2);

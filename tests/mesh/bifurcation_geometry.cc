@@ -241,7 +241,7 @@ void test_layers_and_ends()
   for (auto &branch : parameters.branches)
     branch.axial_cells = 10;
   BifurcationGeometry geometry(parameters);
-  geometry.note_fixed_boundaries({"wall first outlet end"});
+  geometry.note_held_boundaries({"wall first outlet end"});
   check::equal("layers", joined(geometry.regions()), "fluid; inner; outer; ");
   dealii::Triangulation<3> mesh;
   geometry.create(mesh);

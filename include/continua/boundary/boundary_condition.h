@@ -120,10 +120,11 @@ std::vector<std::pair<std::string, std::string>> boundary_types();
 const Words<BoundaryType> &boundary_type_words();
 
 /**
- * The names of the boundaries that the section Boundaries sets to Type = fixed, for a geometry,
- * which is made before the conditions can be read. Declares and refuses nothing.
+ * The names of the boundaries along which the section Boundaries prescribes the velocity (Type =
+ * fixed, velocity or flow rate, Tangential = fixed, Coupling = flow), for a geometry, which is made
+ * before the conditions can be read. Declares and refuses nothing.
  */
-std::set<std::string> fixed_boundaries(const ParameterFile &file);
+std::set<std::string> boundaries_held_across(const ParameterFile &file);
 
 /**
  * Reads the section Boundaries: one child for each boundary, named after it; or a child of any name

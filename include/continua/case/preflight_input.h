@@ -30,7 +30,8 @@ struct PreflightInput
     bool flow_is_given = false; ///< the velocity along the axis is prescribed, else the pressure
     std::shared_ptr<const Outlet> outlet; ///< of the whole tube; null if there is none
     bool wall_is_clamped = false;
-    double wall_cell = 0.; ///< largest axial extent of the wall's cells there [m]
+    bool rim_is_held = false; ///< by the section of the liquid, whose velocity along it is given
+    double wall_cell = 0.;    ///< largest axial extent of the wall's cells there [m]
   };
 
   std::vector<Region> regions;

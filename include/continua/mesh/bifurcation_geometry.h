@@ -38,7 +38,7 @@ public:
       /// Between the continuation of the parent's axis and the daughter's [rad]; of the parent, 0.
       double angle;
       unsigned int axial_cells;
-      bool clamped = false; ///< the wall at the end
+      bool held = false; ///< the wall cannot widen at the end
     };
     /// Parent, first daughter, second daughter.
     std::array<Branch, n_branches> branches = {{{0.04, 6.2e-3, 0.5e-3, 0., 16},
@@ -46,7 +46,7 @@ public:
                                                 {0.04, 3.5e-3, 0.5e-3, 0.4363323129985824, 16}}};
     WallLayers layers;
     TubeCrossSection::Sector sector = TubeCrossSection::Sector::half; ///< half or full
-    /// Length of the first cell at an end where the wall is clamped over that of equal cells; 0:
+    /// Length of the first cell at an end where the wall is held over that of equal cells; 0:
     /// that cell is sqrt(R h)/2 long.
     double axial_grading = 0.;
     TubeSectionCells section;
@@ -65,8 +65,8 @@ public:
   void create(dealii::Triangulation<3> &triangulation) const override;
   MeshExtent extent() const override;
   std::unique_ptr<Geometry<3>> coarsened(double most_cells) const override;
-  /// Grades the cells towards the clamped ends of the wall.
-  void note_fixed_boundaries(const std::set<std::string> &names) override;
+  /// Grades the cells towards the held ends of the wall.
+  void note_held_boundaries(const std::set<std::string> &names) override;
   /// `parent`, `first daughter`, `second daughter`. Positions along the parent count from the
   /// inlet, along a daughter from the point where the axes meet; the axes reach over what is a
   /// round tube.
@@ -77,7 +77,7 @@ public:
 
 private:
   /// The vertices along a branch as distances from the point where the axes meet [m], 0 and the
-  /// end included: equal cells in the junction and on the tube, and shorter ones at a clamped end.
+  /// end included: equal cells in the junction and on the tube, and shorter ones at a held end.
   std::vector<double> axial_points(unsigned int branch) const;
 
   Parameters parameters;

@@ -34,9 +34,9 @@ public:
   /// The same body in about `most_cells` coarse cells or fewer, for checks of the input alone. Null
   /// where the cells themselves are input.
   virtual std::unique_ptr<Geometry<dim>> coarsened(double most_cells) const;
-  /// Takes note of the boundaries, by name, that are held fast: a geometry whose cells are to be
-  /// small at them makes them so in `create`.
-  virtual void note_fixed_boundaries(const std::set<std::string> & /* names */) {}
+  /// Takes note of the boundaries, by name, along which nothing moves but as it is prescribed: a
+  /// geometry whose cells are to be small at them makes them so in `create`.
+  virtual void note_held_boundaries(const std::set<std::string> & /* names */) {}
   /// What it has of vessels: one branch of a tube, several where it divides, none of a body that is
   /// no vessel.
   virtual std::vector<VesselBranch<dim>> branches() const { return {}; }
@@ -57,13 +57,13 @@ std::vector<std::pair<std::string, std::string>> geometry_types();
  * geometry.cc) and wraps it with the painted regions, if the section Geometry/Regions has any: `set
  * NAME = EXPRESSION`, each evaluated at the centre of every coarse cell; the first one that is
  * positive takes the cell. `axisymmetric`: some types and names depend on it (an `axis` boundary).
- * `fixed_boundaries`: the names of those that are held fast.
+ * `held_boundaries`: the names of those that are held fast.
  */
 template <int dim>
 std::unique_ptr<Geometry<dim>> make_geometry(ParameterSection geometry,
                                              ParameterSection mesh,
                                              bool axisymmetric,
-                                             const std::set<std::string> &fixed_boundaries = {});
+                                             const std::set<std::string> &held_boundaries = {});
 } // namespace Continua
 
 #endif

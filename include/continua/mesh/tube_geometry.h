@@ -33,10 +33,12 @@ public:
     std::shared_ptr<const Centreline> centreline;
     TubeCrossSection::Sector sector = TubeCrossSection::Sector::quarter; ///< in three dimensions
     unsigned int axial_cells = 20;
-    /// Length of the first cell at an end where the wall is clamped over length / axial_cells; 0:
+    /// Length of the first cell at an end where the wall is held over length / axial_cells; 0:
     /// that cell is sqrt(R h)/2 long.
     double axial_grading = 0.;
-    std::array<bool, 2> clamped = {{false, false}}; ///< the wall, at the inlet and at the outlet
+    /// Whether the wall cannot widen at the inlet and at the outlet: its end is clamped, or the
+    /// velocity along the section of the liquid beside it is prescribed.
+    std::array<bool, 2> held = {{false, false}};
 
     /// Throws InputError.
     static Parameters read(ParameterSection geometry, ParameterSection mesh);
@@ -51,8 +53,8 @@ public:
   void create(dealii::Triangulation<dim> &triangulation) const override;
   MeshExtent extent() const override;
   std::unique_ptr<Geometry<dim>> coarsened(double most_cells) const override;
-  /// Grades the cells towards the clamped ends of the wall.
-  void note_fixed_boundaries(const std::set<std::string> &names) override;
+  /// Grades the cells towards the ends at which the wall is held.
+  void note_held_boundaries(const std::set<std::string> &names) override;
   std::vector<VesselBranch<dim>> branches() const override;
 
   /// By how much neighbouring cells along the axis differ at most.
@@ -60,7 +62,7 @@ public:
 
 private:
   /**
-   * The vertices along the axis [m]: equal cells, and shorter ones at clamped ends, since the wall
+   * The vertices along the axis [m]: equal cells, and shorter ones at held ends, since the wall
    * bends there over the length sqrt(R h) / (3 (1 - nu^2))^(1/4), R its inner radius, h its
    * thickness.
    */
