@@ -1,6 +1,7 @@
 #include <continua/case/absorbing_ends.h>
 
 #include <continua/base/input_error.h>
+#include <continua/base/misfit.h>
 #include <continua/case/case.h>
 #include <continua/case/cost_of_case.h>
 #include <continua/case/load_spectrum.h>
@@ -396,6 +397,12 @@ void AbsorbingEnds::report(Log &log, Summary &summary) const
                  "tolerance says";
       log.warning(warning.str());
     }
+    if (const std::string warning =
+            misfit_warning("Boundaries/" + end.name + ": the fit of the absorbing end", end.error,
+                           "the largest error over the largest impedance",
+                           "Set a smaller Fit tolerance, or leave it out");
+        !warning.empty())
+      log.warning(warning);
     summary.add({"absorbing end fit error", end.error, "1", end.name});
     summary.set("absorbing end " + end.name,
                 std::map<std::string, double>{{"impedance [Pa s/m^3]", end.impedance},

@@ -1,5 +1,6 @@
 #include <continua/case/power_laws.h>
 
+#include <continua/base/misfit.h>
 #include <continua/base/units.h>
 #include <continua/materials/power_law_fit.h>
 
@@ -12,6 +13,21 @@
 
 namespace Continua
 {
+std::string warning_of_relaxation_table(const std::string &region, const double misfit)
+{
+  return misfit_warning("Materials/" + region + "/Relaxation table: the power law", misfit,
+                        "root of the mean square",
+                        "Such a material follows no power law: give the part of the table that "
+                        "matters to the run, or a Type = prony");
+}
+
+std::string warning_of_prony_series(const std::string &region, const double error)
+{
+  return misfit_warning("Materials/" + region + ": the Prony series of the power law", error,
+                        "the largest relative error of the modulus",
+                        "Set a smaller Fit tolerance, or leave it out");
+}
+
 void PowerLaws::note_table(const std::string &region, const ParameterSection &section)
 {
   tables[region] = fit_relaxation_test(read_relaxation_test(section));
@@ -26,6 +42,9 @@ void PowerLaws::report_tables(Log &log, Summary &summary) const
     text << region << ": the relaxation table follows " << fit.modulus << " Pa (t/1 s)^-"
          << fit.exponent << ", root of the mean square misfit " << fit.misfit;
     log.line(text.str());
+    if (const std::string warning = warning_of_relaxation_table(region, fit.misfit);
+        !warning.empty())
+      log.warning(warning);
     summary.add({"c", fit.modulus, "Pa", region});
     summary.add({"n", fit.exponent, "1", region});
     summary.add({"misfit of the relaxation table", fit.misfit, "1", region});
@@ -115,6 +134,8 @@ void PowerLaws::report_series(Log &log, Summary &summary) const
               << " s has no frequencies above " << 0.5 / smallest_step << " Hz";
       log.warning(warning.str());
     }
+    if (const std::string warning = warning_of_prony_series(region, prony.error); !warning.empty())
+      log.warning(warning);
     summary.add({"Prony fit error", prony.error, "1", region});
     std::map<std::string, double> values = {{"lowest frequency [Hz]", prony.lowest_frequency},
                                             {"highest frequency [Hz]", prony.highest_frequency},

@@ -1,4 +1,5 @@
 #include <continua/base/interruption.h>
+#include <continua/base/misfit.h>
 #include <continua/base/units.h>
 #include <continua/laboratory/laboratory_tests.h>
 #include <continua/materials/relaxation_test.h>
@@ -79,10 +80,14 @@ public:
   {
     for (std::size_t i = 0; i < n; ++i)
       gsl_vector_set(values, i, signal[i]);
-    double residual = 0.;
-    gsl_multifit_linear(matrix, values, result, covariance, &residual, work);
-    return {gsl_vector_get(result, 0), gsl_vector_get(result, 1)};
+    double sum_of_squares = 0.;
+    gsl_multifit_linear(matrix, values, result, covariance, &sum_of_squares, work);
+    const std::complex<double> found = {gsl_vector_get(result, 0), gsl_vector_get(result, 1)};
+    misfit = std::sqrt(sum_of_squares / n) / std::abs(found);
+    return found;
   }
+
+  double misfit = 0.; ///< of the last signal: root of the mean square, over the amplitude [1]
 
 private:
   const std::size_t n;
@@ -276,7 +281,7 @@ void LaboratoryTests<dim>::harmonic_test(const double frequency,
             {"time [s]", "strain [1]", "stress [Pa]", "stress of the closed solution [Pa]"});
   Difference from_branches;
   std::complex<double> modulus = 0.;
-  double change = 1.;
+  double change = 1., misfit = 0.;
   unsigned int n_periods = 0;
   constexpr double periodic = 1e-7;
   while (!specimen.at_end() && change > periodic)
@@ -296,7 +301,9 @@ void LaboratoryTests<dim>::harmonic_test(const double frequency,
     ++n_periods;
     stop_if_asked("in the harmonic test at " + shortest_number(frequency) + " Hz");
     SineFit fit(times, omega);
-    const std::complex<double> of_period = fit.amplitude(stresses) / fit.amplitude(strains);
+    const std::complex<double> of_stress = fit.amplitude(stresses);
+    misfit = fit.misfit;
+    const std::complex<double> of_period = of_stress / fit.amplitude(strains);
     change = std::abs(of_period - modulus) / std::abs(of_period);
     modulus = of_period;
   }
@@ -311,6 +318,12 @@ void LaboratoryTests<dim>::harmonic_test(const double frequency,
          << change << " of itself";
     log.warning(text.str());
   }
+  if (const std::string warning = misfit_warning(test + ": the sine of the stress", misfit,
+                                                 "root of the mean square, of its amplitude",
+                                                 "Give more 'Periods', or more 'Steps per period'");
+      !warning.empty())
+    log.warning(warning);
+  summary.add({"misfit of the sine", misfit, "1", test});
   const std::complex<double> exact = material.complex_young_modulus(omega);
   const double difference = std::abs(modulus / response.modulus(omega) - 1.);
   summary.add({"storage modulus", modulus.real(), "Pa", test});
@@ -366,7 +379,8 @@ void LaboratoryTests<dim>::name_quantities(const LaboratoryParameters &parameter
       const std::string test = harmonic_name(frequency);
       add(test, {"storage modulus", "loss modulus", "tan delta", "storage modulus of the law",
                  "loss modulus of the law", "tan delta of the law",
-                 "difference of the modulus from the closed solution", from_solution, "periods"});
+                 "difference of the modulus from the closed solution", from_solution,
+                 "misfit of the sine", "periods"});
       if (is_power_law)
         add(test, {"difference of the modulus from the power law"});
     }

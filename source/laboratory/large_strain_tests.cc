@@ -1,6 +1,7 @@
 #include <continua/laboratory/large_strain_tests.h>
 
 #include <continua/base/interruption.h>
+#include <continua/base/misfit.h>
 #include <continua/base/units.h>
 #include <continua/laboratory/relaxing_law.h>
 #include <continua/materials/strain_law_types.h>
@@ -135,6 +136,12 @@ void LargeStrainTests::fit()
   text.precision(2);
   text << "; root mean square of the difference " << found.misfit << " of the largest stress";
   log.line(text.str());
+  if (const std::string warning =
+          misfit_warning("Laboratory: the law " + law_parameters.type, found.misfit,
+                         "root of the mean square, of the largest stress",
+                         "Choose another law, or leave out the rows that it cannot follow");
+      !warning.empty())
+    log.warning(warning);
   summary.add({"misfit", found.misfit, "1", "fit"});
 
   const auto strain_law = law();

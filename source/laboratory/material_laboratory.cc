@@ -219,6 +219,12 @@ void MaterialLaboratory::report(Log &log, Summary &summary) const
            << table.times.size() << " rows of the table within " << std::setprecision(2)
            << fit_relaxation_test(table).misfit << " (root mean square)" << std::setprecision(6);
     log.line(text.str());
+    for (const std::string &warning :
+         {table.file.empty() ? std::string()
+                             : warning_of_relaxation_table(name, fit_relaxation_test(table).misfit),
+          warning_of_prony_series(name, series.error)})
+      if (!warning.empty())
+        log.warning(warning);
     summary.add({"c", material.shear.power_law->modulus, "Pa", name});
     summary.add({"n", material.shear.power_law->exponent, "1", name});
     if (!table.file.empty())

@@ -1,5 +1,6 @@
 #include <continua/base/collective.h>
 #include <continua/base/input_error.h>
+#include <continua/base/misfit.h>
 #include <continua/postprocess/probes.h>
 
 #include <continua/postprocess/writing_rank.h>
@@ -333,6 +334,12 @@ void Probes<dim>::add_quantities(const Column &column,
     add(name + " decay per oscillation", std::exp(-mode.decay_rate / mode.frequency), "1");
     add(name + " amplitude", mode.amplitude, unit);
   }
+  if (const std::string warning =
+          misfit_warning("Probes: the modes of " + field + " of the probe '" + column.name + "'",
+                         fit.residual, "root of the mean square, of the first mode's amplitude",
+                         "Give more Modes, or a longer history");
+      !warning.empty())
+    warnings.push_back(warning);
   add("modes offset", fit.offset, unit);
   add("modes residual", fit.residual, "1");
 }

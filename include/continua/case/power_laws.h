@@ -53,6 +53,11 @@ private:
   std::map<std::string, PronySeries> series;   ///< of the shear modulus, by region
   double smallest_step = 0.;                   ///< [s]
 };
+
+/// What to warn of where a region's power law misses its relaxation table, or its Prony series the
+/// law, by more than `largest_misfit`; else empty.
+std::string warning_of_relaxation_table(const std::string &region, double misfit);
+std::string warning_of_prony_series(const std::string &region, double error);
 } // namespace Continua
 
 #endif
