@@ -1,10 +1,10 @@
 #include <continua/analysis/modal.h>
 
+#include <continua/analysis/free_motions.h>
 #include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
 #include <continua/base/table_writer.h>
-#include <continua/case/case_checks.h>
 #include <continua/postprocess/field_writer.h>
 
 #include <deal.II/base/mpi.h>
@@ -322,13 +322,9 @@ void Modal<dim>::check(const Case<dim> &input, ParameterSection root)
                  "the highest modes of the finite elements are not sought: with an incompressible "
                  "material they have no bound",
                  "Set Discretisation = cell-wise, or Which = lowest");
-  if (!input.modal.highest() && input.modal.shift == 0. && !is_held(input.problem))
-    boundaries.refuse(
-        "",
-        "nothing holds the body, so that it can move without vibrating: the "
-        "frequency 0 Hz is a mode's",
-        "Make a boundary 'fixed', 'roller' or 'support', or give Modal/Shift a frequency, such "
-        "as half of the first mode's");
+  if (!input.modal.highest() && input.modal.shift == 0.)
+    refuse_free_motions(input, root, ", so that the frequency 0 Hz is a mode's",
+                        "; or give Modal/Shift a frequency, such as half of the first mode's");
   ParameterSection linear_solver = root.subsection("Linear solver");
   if (!input.discretisation.is_cell_wise() &&
       input.discretisation.taylor_hood.linear_solver.type == LinearSolverType::iterative)

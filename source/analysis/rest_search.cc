@@ -1,8 +1,8 @@
 #include <continua/analysis/rest_search.h>
 
+#include <continua/analysis/free_motions.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
-#include <continua/case/case_checks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,18 +52,18 @@ void RestSearch<dim>::check(const Case<dim> &input,
               .refuse("", "a solid at rest cannot have a prescribed velocity",
                       "Prescribe zero, or " + remedy);
       }
-  if (!is_held(input.problem))
+  refuse_free_motions(input, root, "", "; or " + remedy);
+  if (std::none_of(input.problem.conditions.begin(), input.problem.conditions.end(),
+                   [](const BoundaryCondition &condition)
+                   {
+                     return condition.normal.kind == BoundaryPart::Kind::velocity ||
+                            condition.tangential.kind == BoundaryPart::Kind::velocity;
+                   }) &&
+      std::none_of(materials.begin(), materials.end(),
+                   [](const Material &material) { return material.is_solid(); }))
     root.subsection("Boundaries")
-        .refuse(
-            "",
-            input.problem.finds_unloaded_shape()
-                ? "nothing holds the body in the search for its unloaded shape: no boundary has "
-                  "a prescribed velocity, and springs of a support do not act in the mesh's shape"
-                : "nothing holds the body: no boundary has a prescribed velocity or a support "
-                  "that is stiff",
-            input.problem.finds_unloaded_shape()
-                ? "Make one boundary 'fixed' or 'roller'"
-                : "Make one boundary 'fixed', 'roller' or 'support'");
+        .refuse("", "nothing holds the liquid: no boundary has a prescribed velocity",
+                "Make one boundary 'fixed' or 'roller'");
 }
 
 template <int dim>

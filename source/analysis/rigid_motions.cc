@@ -30,6 +30,19 @@ Tensor<1, dim> RigidMotion<dim>::operator()(const Point<dim> &point) const
 }
 
 template <int dim>
+std::vector<RigidMotion<dim>> rigid_motions(const Point<dim> &centre, const bool axisymmetric)
+{
+  const std::array<const char *, 3> names = {{"x", "y", "z"}};
+  std::vector<RigidMotion<dim>> motions;
+  for (unsigned int d = 0; d < (axisymmetric ? 1 : dim); ++d)
+    motions.push_back({names[d], false, 0., d, centre});
+  if (!axisymmetric)
+    for (unsigned int axis = (dim == 2 ? 2 : 0); axis < 3; ++axis)
+      motions.push_back({names[axis], true, 0., axis, centre});
+  return motions;
+}
+
+template <int dim>
 std::vector<RigidMotion<dim>> rigid_motions(const parallel::TriangulationBase<dim> &triangulation,
                                             const Mapping<dim> &mapping,
                                             const Problem &problem)
@@ -68,19 +81,18 @@ std::vector<RigidMotion<dim>> rigid_motions(const parallel::TriangulationBase<di
     centre[d] = sums[1 + d] / sums[0];
     spread[d] = sums[1 + dim + d] - sums[0] * centre[d] * centre[d];
   }
-  const std::array<const char *, 3> names = {{"x", "y", "z"}};
-  std::vector<RigidMotion<dim>> motions;
-  for (unsigned int d = 0; d < (axisymmetric ? 1 : dim); ++d)
-    motions.push_back({names[d], false, sums[0], d, centre});
-  if (!axisymmetric)
-    for (unsigned int axis = (dim == 2 ? 2 : 0); axis < 3; ++axis)
-      motions.push_back(
-          {names[axis], true, spread[(axis + 1) % 3] + spread[(axis + 2) % 3], axis, centre});
+  std::vector<RigidMotion<dim>> motions = rigid_motions<dim>(centre, axisymmetric);
+  for (RigidMotion<dim> &motion : motions)
+    motion.inertia =
+        motion.rotates ? spread[(motion.axis_number + 1) % 3] + spread[(motion.axis_number + 2) % 3]
+                       : sums[0];
   return motions;
 }
 
 template struct RigidMotion<2>;
 template struct RigidMotion<3>;
+template std::vector<RigidMotion<2>> rigid_motions(const Point<2> &, bool);
+template std::vector<RigidMotion<3>> rigid_motions(const Point<3> &, bool);
 template std::vector<RigidMotion<2>>
 rigid_motions(const parallel::TriangulationBase<2> &, const Mapping<2> &, const Problem &);
 template std::vector<RigidMotion<3>>

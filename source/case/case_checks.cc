@@ -337,20 +337,6 @@ void check_convection(const Case<dim> &input, ParameterSection root)
 }
 } // namespace
 
-bool is_held(const Problem &problem)
-{
-  // The search for the unloaded shape leaves springs out, which are free of force in the mesh.
-  const bool springs_hold = !problem.finds_unloaded_shape();
-  return std::any_of(problem.conditions.begin(), problem.conditions.end(),
-                     [&](const BoundaryCondition &condition)
-                     {
-                       return condition.normal.kind == BoundaryPart::Kind::velocity ||
-                              condition.tangential.kind == BoundaryPart::Kind::velocity ||
-                              (springs_hold && (condition.normal.stiffness > 0. ||
-                                                condition.tangential.stiffness > 0.));
-                     });
-}
-
 template <int dim>
 void check_case(const Case<dim> &input, ParameterSection root)
 {

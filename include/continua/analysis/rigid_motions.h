@@ -23,11 +23,15 @@ struct RigidMotion
   /// its moment of inertia about the axis through the centre of mass [kg m^2].
   double inertia = 0.;
   unsigned int axis_number = 0; ///< 0 is x
-  dealii::Point<dim> centre;    ///< of mass
+  dealii::Point<dim> centre;    ///< about which it turns, such as that of mass
 
   /// The displacement at a point [m].
   dealii::Tensor<1, dim> operator()(const dealii::Point<dim> &point) const;
 };
+
+/// The rigid motions that a model has, translations first, about any point; without inertia.
+template <int dim>
+std::vector<RigidMotion<dim>> rigid_motions(const dealii::Point<dim> &centre, bool axisymmetric);
 
 /**
  * The rigid motions of the body that a mesh describes, translations first: along each axis and,

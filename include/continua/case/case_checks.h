@@ -5,9 +5,6 @@
 
 namespace Continua
 {
-/// Whether a boundary has a prescribed velocity or a support that is stiff.
-bool is_held(const Problem &problem);
-
 /**
  * The rules across sections that no single section can check: first those of the analysis
  * (AnalysisTraits::check), then those that hold for each analysis with fields: whether pressure
