@@ -4,12 +4,45 @@
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
 
+#include <deal.II/base/bounding_box.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace Continua
 {
+namespace
+{
+/// Over the time in which the viscosity of a liquid lets the walls around it give way, or the
+/// liquid itself. Vessels that are long and narrow take a multiple of that time.
+constexpr double over_viscous_time = 1e9;
+/// By which the size of static steps grows where they come no nearer to rest, and how often.
+constexpr double static_growth = 1e3;
+constexpr unsigned int most_static_growths = 2, most_static_steps = 30;
+/// Of a static step: changes below it that do not fall any more are what a solve leaves.
+constexpr double largest_round_off = 1e-7;
+
+/// Diagonal of the box around the body [m].
+template <int dim>
+double length_of(const dealii::parallel::TriangulationBase<dim> &triangulation)
+{
+  dealii::BoundingBox<dim> box;
+  bool is_first = true;
+  for (const auto &cell : triangulation.cell_iterators_on_level(0))
+  {
+    if (is_first)
+      box = cell->bounding_box();
+    else
+      box.merge_with(cell->bounding_box());
+    is_first = false;
+  }
+  const auto corners = box.get_boundary_points();
+  return corners.first.distance(corners.second);
+}
+} // namespace
+
 template <int dim>
 RestSearch<dim>::RestSearch(Run<dim> &run, const Sink &sink, const std::string &interrupted)
     : run(run), sink(sink), interrupted(interrupted)
@@ -70,6 +103,11 @@ template <int dim>
 void RestSearch<dim>::perform(const bool loads_come, const double time)
 {
   time_of_loads = time;
+  if (!run.input.problem.is_nonlinear())
+  {
+    perform_linear();
+    return;
+  }
   const RestParameters &rest = run.input.rest;
   load_part = loads_come ? 1. / rest.load_steps : 1.;
   load = loads_come && rest.load_steps > 1 ? 0. : 1.;
@@ -77,6 +115,8 @@ void RestSearch<dim>::perform(const bool loads_come, const double time)
   double largest_velocity = 0., size = rest.time_step, last_size = size, smallest = size,
          largest = size, passed = 0.;
   unsigned int n_corrections = 0;
+  // After static steps that fail, the body has to come nearer.
+  unsigned int next_static = 0;
   for (unsigned int step = 0; step < rest.maximum_steps; ++step)
   {
     // The step that brings the last part of the loads may change little, however far it is from
@@ -94,7 +134,10 @@ void RestSearch<dim>::perform(const bool loads_come, const double time)
     // A step that Newton's iteration has made shorter than the one asked for changes less, however
     // far it is from rest.
     const double change = report.largest_change * std::max(1., rest.time_step / size);
-    if (had_all_loads && change <= rest.tolerance * largest_velocity)
+    const bool is_slow = had_all_loads && change <= rest.tolerance * largest_velocity;
+    if (is_slow && step >= next_static && !balance(size))
+      next_static = 2 * step + 2;
+    else if (is_slow && step >= next_static)
     {
       std::ostringstream text;
       text << (finds_unloaded_shape ? "Found after " : "At rest after ") << step + 1 << " steps";
@@ -132,6 +175,112 @@ void RestSearch<dim>::perform(const bool loads_come, const double time)
 }
 
 template <int dim>
+void RestSearch<dim>::perform_linear()
+{
+  const CellWiseParameters &cell_wise = run.input.discretisation.cell_wise;
+  if (run.input.discretisation.is_cell_wise() && cell_wise.formulation == Formulation::displacement)
+  {
+    run.solver->solve_steady(time_of_loads);
+    return;
+  }
+  if (!balance(run.input.rest.time_step))
+    throw RunError("the body does not come to rest under its loads: each of " +
+                   std::to_string(n_static) +
+                   " solves of the equations of rest has moved it on; a flow that nothing "
+                   "resists grows for ever, and so does a body that is filled without an outlet");
+  run.log.line("At rest");
+  run.log.detail("The equations of rest hold after " + std::to_string(n_static) + " solves");
+}
+
+template <int dim>
+bool RestSearch<dim>::balance(const double last_size)
+{
+  const std::vector<Material> &materials = run.input.problem.materials;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double viscosity = 0., density = 0., modulus = infinity, bulk_modulus = infinity;
+  bool has_liquid = false, is_inviscid = false;
+  for (const Material &material : materials)
+    if (material.is_solid())
+      modulus = std::min(modulus, material.long_term_shear_modulus());
+    else
+    {
+      has_liquid = true;
+      viscosity = std::max(viscosity, material.shear.viscosity);
+      density = std::max(density, material.density);
+      if (!material.is_incompressible())
+        bulk_modulus = std::min(bulk_modulus, 1. / material.inverse_bulk_modulus());
+      is_inviscid = is_inviscid || material.shear.viscosity == 0.;
+    }
+  const bool has_solid = !std::isinf(modulus);
+  // A solid alone has the same displacement for any size, an incompressible liquid alone the same
+  // velocity.
+  double size = 1.;
+  if (has_liquid && (has_solid || !std::isinf(bulk_modulus)))
+    size = over_viscous_time * viscosity / (has_solid ? modulus : bulk_modulus);
+  if (is_inviscid)
+    size = std::max(size, static_growth * (has_solid ? length_of<dim>(*run.input.triangulation) *
+                                                           std::sqrt(density / modulus)
+                                                     : last_size));
+  const bool is_one_solve = run.input.problem.is_nonlinear() && !(has_liquid && has_solid);
+  n_static = 0;
+  unsigned int n_growths = 0, n_corrections = 0;
+  double last_change = std::numeric_limits<double>::infinity();
+  run.solver->stop_solids();
+  while (n_static < most_static_steps)
+  {
+    Step step = static_step(size, is_inviscid);
+    set_loads(step);
+    StepReport report;
+    try
+    {
+      report = run.solver->advance(step);
+    }
+    catch (const StepFailure &failure)
+    {
+      run.log.detail(std::string("the equations of rest, from the state that the steps have come "
+                                 "to: ") +
+                     failure.what());
+      return false;
+    }
+    sink(report, 0., size);
+    ++n_static;
+    n_corrections += report.corrections;
+    const double change = report.change_at_rest;
+    const bool is_round_off = change < largest_round_off && change > 0.8 * last_change;
+    if (is_one_solve || change <= run.input.rest.tolerance || is_round_off)
+    {
+      run.solver->stop_solids();
+      if (n_corrections > 0)
+      {
+        std::ostringstream text;
+        text << "The equations of rest hold after " << n_static << " solves with " << n_corrections
+             << " corrections";
+        run.log.detail(text.str());
+      }
+      return true;
+    }
+    if (change > 0.5 * last_change && n_growths < most_static_growths)
+    {
+      size *= static_growth;
+      ++n_growths;
+    }
+    last_change = change;
+    SignalWatch::stop_if_asked(run.input.communicator, "on the way to rest; " + interrupted);
+  }
+  return false;
+}
+
+template <int dim>
+void RestSearch<dim>::set_loads(Step &step) const
+{
+  // All is as at the time of the loads, however long it takes.
+  step.balance_time = time_of_loads;
+  step.is_towards_rest = true;
+  step.finds_unloaded_shape = finds_unloaded_shape;
+  step.time = 0.;
+}
+
+template <int dim>
 void RestSearch<dim>::find_unloaded_shape(const bool loads_come)
 {
   run.log.line("Before the start: the unloaded shape, from which the loads at t = 0 bring the body "
@@ -152,11 +301,7 @@ StepReport RestSearch<dim>::step_of(const double last_size, double &size)
   for (unsigned int halvings = 0;;)
   {
     Step euler = euler_step(0., size, Update::implicit);
-    // Loads are those of one time and pictures those of t = 0, however long it takes.
-    euler.balance_time = time_of_loads;
-    euler.is_towards_rest = true;
-    euler.finds_unloaded_shape = finds_unloaded_shape;
-    euler.time = 0.;
+    set_loads(euler);
     // Round-off of the sum is no part of its own.
     const double next_load = load + load_part < 1. - 1e-12 ? load + load_part : 1.;
     euler.load_factor = next_load;

@@ -61,12 +61,16 @@ void GeneralParameters::read(ParameterSection root,
 void RestParameters::read(ParameterSection section, const bool is_nonlinear)
 {
   section.add("Time step", time_step, Dimensions::time,
-              "Backward Euler step by which a body of fluid and solid is brought to rest.",
+              "First of the steps of backward Euler that lead to rest with convection or finite "
+              "deformation. The state at rest does not depend on it. Linear equations of rest are "
+              "solved without steps.",
               Range::positive());
   section.add("Tolerance", tolerance, Dimensions::none,
-              "At rest when the velocity changes in a step by less than this fraction of the "
-              "largest velocity so far. The change of a step that was halved counts as that of "
-              "Time step.",
+              "The steps of backward Euler end when the velocity changes in one by less than this "
+              "fraction of the largest velocity so far; the change of a step that was halved "
+              "counts as that of Time step. The solves of the equations of rest, which follow, "
+              "end when one changes the displacement of each solid and the forces of each liquid "
+              "by less than this fraction of them.",
               Range::positive());
   section.add("Maximum steps", maximum_steps, "Steps after which the run gives up [1].", 1);
   if (is_nonlinear)

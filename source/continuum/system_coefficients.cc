@@ -32,13 +32,15 @@ void SystemCoefficients::set_of_small_strains(const Problem &problem, const Step
   for (const Material &material : problem.materials)
   {
     mass.push_back(step.a0 * material.density);
-    stiffness.push_back(material.shear.viscosity + BranchHistory::step_stiffness(material, step));
+    const bool is_viscous = !material.is_solid() || !step.is_towards_rest;
+    stiffness.push_back((is_viscous ? material.shear.viscosity : 0.) +
+                        BranchHistory::step_stiffness(material, step));
     compressibility.push_back(BulkHistory::step_compressibility(material, step));
   }
   // In the mesh's shape springs of supports are free of force.
   const bool has_supports = problem.has_supports() && !step.finds_unloaded_shape;
   support_stiffness = has_supports ? BranchHistory::step_displacement(step) : 0.;
-  support_damping = has_supports ? 1. : 0.;
+  support_damping = has_supports && !step.is_towards_rest ? 1. : 0.;
 }
 
 void SystemCoefficients::set_steady(const Problem &problem)

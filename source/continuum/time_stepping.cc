@@ -7,6 +7,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -55,16 +57,31 @@ void TimeStepping::initialise()
   wall_shear.start(present());
 }
 
-void TimeStepping::start_from_present_state()
+std::vector<bool> TimeStepping::nodes_of_solids() const
 {
-  present_time = pressure_known_time = 0.;
-  // What flowed on the way here is no displacement of the run.
-  std::vector<bool> has_branches(velocity.locally_owned_size(), false);
+  std::vector<bool> of_solids(velocity.locally_owned_size(), false);
   const std::vector<std::vector<unsigned int>> nodes = operators.velocity_nodes();
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
     if (!problem.materials[region].shear.branches.empty())
       for (const unsigned int i : nodes[region])
-        has_branches[i] = true;
+        of_solids[i] = true;
+  return of_solids;
+}
+
+void TimeStepping::stop_solids()
+{
+  const std::vector<bool> of_solids = nodes_of_solids();
+  for (unsigned int i = 0; i < of_solids.size(); ++i)
+    if (of_solids[i])
+      velocity.begin()[i] = balanced.velocity.begin()[i] = 0.;
+  ledger.forget_forces();
+}
+
+void TimeStepping::start_from_present_state()
+{
+  present_time = pressure_known_time = 0.;
+  // What flowed on the way here is no displacement of the run.
+  const std::vector<bool> has_branches = nodes_of_solids();
   DistributedVector &displacement = history.displacement();
   for (unsigned int i = 0; i < has_branches.size(); ++i)
     if (!has_branches[i])
@@ -181,6 +198,8 @@ StepReport TimeStepping::advance(const Step &given_step)
   }
   TimerOutput::Scope scope(log.timer(), "update");
   set_extremes(step, velocity, balanced.velocity, balanced.pressure, report);
+  if (step.is_towards_rest)
+    report.change_at_rest = change_at_rest(step);
   finish(step);
   return report;
 }
@@ -442,6 +461,60 @@ void TimeStepping::deform_massless()
   pressure.add(1., pressure_work);
   pressure_older.add(1., pressure_work);
   bulk_history.jump(pressure_work);
+}
+
+double TimeStepping::change_at_rest(const Step &step)
+{
+  // What round-off leaves of a region that nothing loads is no change.
+  constexpr double least_share = 1e-5;
+  const std::vector<std::vector<unsigned int>> nodes = operators.velocity_nodes();
+  const double way = BranchHistory::step_displacement(step);
+  const DistributedVector &displacement = history.displacement();
+  const unsigned int n = problem.materials.size();
+  // By region: the change, and what it is a part of. Displacements [m] of solids, forces [N] of
+  // liquids.
+  std::vector<double> sizes(2 * n, 0.);
+  for (unsigned int region = 0; region < n; ++region)
+  {
+    double &change = sizes[region], &whole = sizes[n + region];
+    if (problem.materials[region].is_solid())
+    {
+      for (const unsigned int i : nodes[region])
+      {
+        const double of_step = way * balanced.velocity.begin()[i];
+        change = std::max(change, std::abs(of_step));
+        whole = std::max(whole, std::abs(displacement.begin()[i] + of_step));
+      }
+      continue;
+    }
+    const auto force_of = [&](const DistributedVector &of_velocity)
+    {
+      operators.multiply_stiffness(region, velocity_work, of_velocity);
+      velocity_work *= problem.materials[region].shear.viscosity;
+      operators.multiply_mass(region, momentum, of_velocity);
+      velocity_work.add(step.a0 * problem.materials[region].density, momentum);
+      return velocity_work.linfty_norm();
+    };
+    mixture.equ(1., balanced.velocity);
+    whole = force_of(mixture);
+    mixture.add(-1., velocity);
+    change = force_of(mixture);
+    operators.multiply_gradient(region, velocity_work, balanced.pressure);
+    whole = std::max(whole, least_share * velocity_work.linfty_norm());
+  }
+  Utilities::MPI::max(sizes, problem.communicator, sizes);
+  std::array<double, 2> largest{}; // of liquids, of solids
+  for (unsigned int region = 0; region < n; ++region)
+    largest[problem.materials[region].is_solid()] =
+        std::max(largest[problem.materials[region].is_solid()], sizes[n + region]);
+  double result = 0.;
+  for (unsigned int region = 0; region < n; ++region)
+    if (sizes[region] > 0.)
+      result = std::max(result,
+                        sizes[region] /
+                            std::max(sizes[n + region],
+                                     least_share * largest[problem.materials[region].is_solid()]));
+  return result;
 }
 
 bool TimeStepping::steady_is_direct() const

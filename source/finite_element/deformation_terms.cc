@@ -319,7 +319,7 @@ void DeformationTerms<dim>::finish_step(const BalancedStep &balanced, const Stat
 template <int dim>
 SymmetricTensor<2, 3> DeformationTerms<dim>::viscous_stress(const Point &here) const
 {
-  return 2. * material().shear.viscosity * here.kinematics.volume_ratio() *
+  return 2. * acting_viscosity() * here.kinematics.volume_ratio() *
          deviator(symmetrize(here.velocity_gradient));
 }
 
@@ -397,7 +397,7 @@ template <int dim>
 double DeformationTerms<dim>::integrate(const bool by_kind)
 {
   const StrainLaw &law = *material().strain_law;
-  const bool is_viscous = material().shear.viscosity != 0. && !step.finds_unloaded_shape;
+  const bool is_viscous = acting_viscosity() != 0. && !step.finds_unloaded_shape;
   for (Vector<double> &forces : cell_forces)
     forces = 0.;
   cell_volume = 0.;
@@ -632,7 +632,7 @@ template <int dim>
 void DeformationTerms<dim>::integrate_derivative(FullMatrix<double> &matrix)
 {
   const StrainLaw &law = *material().strain_law;
-  const double viscosity = material().shear.viscosity,
+  const double viscosity = acting_viscosity(),
                inverse_bulk_modulus = material().inverse_bulk_modulus();
   const double b = displacement_by_velocity, rate_by_pressure = 1. / step.pressure_time;
   const unsigned int n_functions = cells.n_functions(), n_velocity = dim * n_functions,

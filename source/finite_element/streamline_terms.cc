@@ -36,7 +36,8 @@ void StreamlineTerms<dim>::visit(const Cell &cell, const Step &of_step)
 template <int dim>
 double StreamlineTerms<dim>::time_scale(const double speed) const
 {
-  const double by_time = 2. / step.size(), by_flow = 2. * speed / size,
+  // A steady flow, whose equations have no inertia, has no step either.
+  const double by_time = step.a0 == 0. ? 0. : 2. / step.size(), by_flow = 2. * speed / size,
                by_viscosity = 12. * viscosity() / (problem.materials[region].density * size * size);
   return 1. / std::sqrt(by_time * by_time + by_flow * by_flow + by_viscosity * by_viscosity);
 }

@@ -498,7 +498,8 @@ Step CellWise<dim>::own_step(const Step &step)
                 "boundaries: a few of its highest modes may grow in a long run");
   undamped_is_reported = undamped_is_reported || step.extrapolate;
   Step result = step;
-  if (parameters.pressure_update == PressureUpdate::as_displacement || step.extrapolate)
+  if (parameters.pressure_update == PressureUpdate::as_displacement || step.extrapolate ||
+      step.is_towards_rest)
     return result;
   const bool trapezoidal = parameters.pressure_update == PressureUpdate::trapezoidal;
   result.pressure_time = (trapezoidal ? 0.5 : 1.) * step.size();

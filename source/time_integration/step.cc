@@ -18,6 +18,13 @@ BranchCoefficients Step::branch(const double relaxation_time) const
 {
   BranchCoefficients result;
   const bool relaxes = !std::isinf(relaxation_time);
+  if (is_towards_rest)
+  {
+    // A branch that relaxes has done so.
+    result.velocity = relaxes ? 0. : size();
+    result.old = relaxes ? 0. : 1.;
+    return result;
+  }
   if (branch_is_exponential(relaxation_time))
   {
     // Exact for a velocity that is linear over the step.
@@ -69,6 +76,15 @@ Step euler_step(const double time_old, const double size, const Update update)
   step.update = update;
   step.pressure_time = update == Update::trapezoidal ? 0.5 * size : size;
   step.divergence_old = update == Update::trapezoidal;
+  return step;
+}
+
+Step static_step(const double size, const bool with_inertia)
+{
+  Step step = euler_step(0., size, Update::implicit);
+  if (!with_inertia)
+    step.a0 = step.a1 = 0.;
+  step.is_towards_rest = true;
   return step;
 }
 

@@ -9,9 +9,17 @@
 namespace Continua
 {
 /**
- * Brings a body to rest, or a flow to its steady state, under the loads at one time: steps of
- * backward Euler that grow until nothing changes, as the section Steady says, the first of them
- * with a part of the loads where it asks for load steps.
+ * Brings a body to rest, or a flow to its steady state, under the loads at one time. What is found
+ * obeys the equations of rest (see static_step()), whatever the steps on the way there are like.
+ *
+ * Linear equations: static steps from the start. A solid alone has its displacement after one of
+ * them, and so has a liquid alone its velocity. Where both are there, the velocity that a solid
+ * still has in the first one sets the liquid in motion, which the next ones show and take away.
+ *
+ * Equations that are not linear: steps of backward Euler, which keep the inertia and grow until the
+ * velocity hardly changes, as the section Steady says, the first of them with a part of the loads
+ * where it asks for load steps. That a step changes little shows nothing of the state at rest, so
+ * static steps follow. If they have no solution, the steps with inertia go on.
  */
 template <int dim>
 class RestSearch
@@ -45,6 +53,15 @@ private:
   double load = 1.;      ///< part of the loads that the last step had [1]
   double load_part = 1.; ///< by which it grew
 
+  unsigned int n_static = 0; ///< static steps of the last balance()
+
+  void perform_linear();
+  /// Makes static steps until they change the displacement of each solid and the forces of each
+  /// liquid by less than the tolerance; false if they do not come to that. `last_size` [s]: of the
+  /// step before them.
+  bool balance(double last_size);
+  /// Loads, and what the equations leave out.
+  void set_loads(Step &step) const;
   /// Makes a step towards rest after one of `last_size` [s], of a smaller size, or with a smaller
   /// part of the loads, where there is no solution. Throws RunError.
   StepReport step_of(double last_size, double &size);

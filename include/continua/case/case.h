@@ -55,12 +55,13 @@ enum class CaseUse
   check    ///< nothing but to find what is wrong with it
 };
 
-/// How a body of fluid and solid is brought to rest in a steady analysis.
+/// How a body is brought to rest.
 struct RestParameters
 {
   double time_step = 1.; ///< [s]
-  double tolerance =
-      1e-8; ///< largest change of the velocity in a step over the largest velocity of all steps
+  /// Largest change of the velocity in a step over the largest velocity of all steps, and of the
+  /// state in a static step over the state.
+  double tolerance = 1e-8;
   unsigned int maximum_steps = 1000;
   double time_step_growth = 1.; ///< largest ratio of a step to the one before it [1]
   unsigned int load_steps = 1;  ///< in which the loads come

@@ -112,6 +112,9 @@ struct StepReport
   double largest_velocity =
       0.; ///< [m/s], largest component of the step's velocity; never NaN: that throws
   double largest_change = 0.; ///< [m/s], largest component of its change in the step
+  /// Of a static step: the largest part of what a region has by which the step has changed it [1],
+  /// of a solid's displacement and of the forces of a liquid's velocity.
+  double change_at_rest = 0.;
   /// Of a solver that corrects its solution in a loop: how often it did so, else 0.
   unsigned int corrections = 0;
   double residual = 0.;     ///< [1] with which the loop ended, in its own scale
@@ -179,6 +182,8 @@ public:
   virtual void initialise() = 0;
   /// One step; throws RunError if the result is not finite or the solve failed.
   virtual StepReport advance(const Step &step) = 0;
+  /// The solids come to rest where they are: their velocity is 0.
+  virtual void stop_solids() {}
   /// Takes the present state, which is at rest or steady, for that of t = 0, with nothing before
   /// it.
   virtual void start_from_present_state() = 0;

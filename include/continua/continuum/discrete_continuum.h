@@ -24,6 +24,7 @@ public:
                     Log &log);
 
   void initialise() override { stepping.initialise(); }
+  void stop_solids() override { stepping.stop_solids(); }
   void start_from_present_state() override { stepping.start_from_present_state(); }
   void begin_unloaded_shape() override { stepping.begin_unloaded_shape(); }
   void keep_unloaded_shape() override { stepping.keep_unloaded_shape(); }

@@ -34,6 +34,7 @@ public:
   /// Sets everything up on the present mesh, with the state of t = 0.
   void initialise();
   /// See ContinuumSolver. Materials without branches have no displacement then.
+  void stop_solids();
   void start_from_present_state();
   void begin_unloaded_shape();
   void keep_unloaded_shape();
@@ -126,7 +127,11 @@ private:
                  operators.unloaded_displacement(),
                  &cavities.states()};
   }
+  /// Of the velocity nodes of this rank: whether a solid has them.
+  std::vector<bool> nodes_of_solids() const;
   void report_exponential_branches(const Step &step);
+  /// StepReport::change_at_rest of a step that is solved and not finished.
+  double change_at_rest(const Step &step);
   /// Solves the equations of a step at its balanced level.
   void balance(const Step &step, StepReport &report);
   /// The same by Newton's iteration, of the right-hand sides that are set.

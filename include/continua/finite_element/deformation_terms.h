@@ -141,6 +141,8 @@ private:
   void set_rest_states();
   void visit(const Cell &cell);
   const Material &material() const { return problem.materials[present->region]; }
+  /// The shear viscosity that acts in the step [Pa s].
+  double acting_viscosity() const { return step.is_towards_rest ? 0. : material().shear.viscosity; }
   Point point(unsigned int q) const;
   /// Of a vector of the present cell, by the reference place.
   dealii::Tensor<2, 3> gradient(const dealii::Vector<double> &entries, unsigned int q) const;

@@ -55,8 +55,9 @@ struct Step
   Update update = Update::implicit;
   /// Of all loads and prescribed velocities [1]; what outlets stand against has no part of it.
   double load_factor = 1.;
-  /// Whether it is one on the way to rest: outlets then stand as in a steady flow, however long
-  /// they take to fill.
+  /// Whether it is one on the way to rest. Nothing acts then that a state at rest does not have,
+  /// however long it would last: outlets stand as in a steady flow, branches have relaxed, and
+  /// neither the viscosity of a solid nor the damping of a support is there.
   bool is_towards_rest = false;
   /// Whether it is one of the search for the unloaded shape: the displacement then leads from that
   /// shape to the mesh, which has the shape under the loads.
@@ -71,6 +72,12 @@ struct Step
 
 /// Backward Euler from `time_old` over `size` (equation 3.44).
 Step euler_step(double time_old, double size, Update update);
+/**
+ * One solve of the equations of rest, with Step::is_towards_rest: without inertia (unless
+ * `with_inertia`), the displacement of a solid is its velocity times `size` after what it was. The
+ * size [s] weighs the velocity that a solid still has against that of a liquid beside it.
+ */
+Step static_step(double size, bool with_inertia);
 /// Second-order backward differencing after a step of `size_old` (equation 3.45, for changed steps
 /// too).
 Step backward_differencing_step(double time_old, double size, double size_old, Update update);
