@@ -277,7 +277,7 @@ void RestSearch<dim>::set_loads(Step &step) const
   step.balance_time = time_of_loads;
   step.is_towards_rest = true;
   step.finds_unloaded_shape = finds_unloaded_shape;
-  step.time = 0.;
+  step.time = std::isinf(time_of_loads) ? 0. : time_of_loads;
 }
 
 template <int dim>

@@ -40,12 +40,13 @@ void Steady<dim>::perform()
   run.initialise();
   flow.start(0., 0.);
   Case<dim> &input = run.input;
+  const double time = input.rest.time_of_loads;
   input.probes.open(run.directory.file("probes.csv"));
 
   std::unique_ptr<TableWriter> table;
   for (unsigned int cycle = 0; cycle <= input.adaptation.cycles; ++cycle)
   {
-    if (cycle > 0 && !run.adapt(0.))
+    if (cycle > 0 && !run.adapt(time))
     {
       run.log.line("No cell is left to refine");
       break;
@@ -84,28 +85,29 @@ void Steady<dim>::perform()
   }
   if (table)
     table->flush();
-  input.probes.record(0.);
+  input.probes.record(time);
   if (input.output.final_fields)
   {
     FieldWriter<dim> writer(
         input.communicator, run.directory.path(),
         input.output.subdivisions_for(input.discretisation.velocities_per_cell()),
         input.output.higher_order_cells, input.output.files_per_state);
-    writer.write(*run.solver, 0.);
+    writer.write(*run.solver, time);
     writer.finish(run.summary);
   }
   loop.finish(run.summary);
   if (n_steps > 0)
     run.summary.set("matrices factored", static_cast<double>(n_factors));
   flow.finish();
-  run.finish(n_steps, 0.);
+  run.finish(n_steps, time);
 }
 
 template <int dim>
 void Steady<dim>::solve(const bool loads_come)
 {
+  const double time = run.input.rest.time_of_loads;
   if (run.solver->steady_is_direct())
-    run.solver->solve_steady(0.);
+    run.solver->solve_steady(time);
   else
   {
     const auto sink = [this](const StepReport &report, const double passed, double)
@@ -119,7 +121,7 @@ void Steady<dim>::solve(const bool loads_come)
     const bool finds_unloaded_shape = run.input.problem.finds_unloaded_shape();
     if (finds_unloaded_shape)
       RestSearch<dim>(run, sink, interrupted).find_unloaded_shape(loads_come);
-    RestSearch<dim>(run, sink, interrupted).perform(loads_come && !finds_unloaded_shape);
+    RestSearch<dim>(run, sink, interrupted).perform(loads_come && !finds_unloaded_shape, time);
   }
 }
 

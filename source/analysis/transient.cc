@@ -39,6 +39,9 @@ Transient<dim>::Transient(Run<dim> &run)
 template <int dim>
 void Transient<dim>::check(const Case<dim> &input, ParameterSection root)
 {
+  if (ParameterSection steady = root.subsection("Steady"); steady.given("Time of loads"))
+    steady.refuse("Time of loads", "a run in time starts under the loads at t = 0",
+                  "Remove the entry, or set Analysis = steady");
   LinearWaveTheory<dim>::check_overlay(input, root);
   StreamReport<dim>::check(input, root);
   const bool finds_unloaded_shape = input.problem.finds_unloaded_shape();

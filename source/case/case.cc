@@ -81,6 +81,10 @@ void RestParameters::read(ParameterSection section, const bool is_nonlinear)
               "needed no more than "
               "half of its maximum, and a step without a solution is made anew at half its size.",
               Range{1., 100.});
+  section.add("Time of loads", time_of_loads, Dimensions::time,
+              "Time at which a steady analysis takes loads and prescribed velocities. With "
+              "Unloaded shape = inverse solve the mesh has the shape under those at t = 0, and "
+              "the displacement leads from there to the shape at rest under those at this time.");
   section.add("Load steps", load_steps,
               "Steps in which loads and prescribed velocities come, by equal parts, one for each "
               "time step; with a long Time step it is a continuation in the load, of a flow in the "

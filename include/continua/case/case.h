@@ -65,6 +65,7 @@ struct RestParameters
   unsigned int maximum_steps = 1000;
   double time_step_growth = 1.; ///< largest ratio of a step to the one before it [1]
   unsigned int load_steps = 1;  ///< in which the loads come
+  double time_of_loads = 0.;    ///< [s], of a steady analysis
 
   /// `with_convection`: the steps grow by themselves.
   void read(ParameterSection section, bool with_convection);
