@@ -49,7 +49,8 @@ void Analysis::perform(const OutputDirectory &directory, Log &log, Summary &summ
                     if (command_line.restart)
                       return;
                     std::ostringstream resolved;
-                    file.print(resolved, ParameterFile::Style::prm);
+                    file.print(resolved, ParameterFile::Style::prm,
+                               OutputDirectory::names_of_copies(file.input_files()));
                     write_file_atomically(directory.file("parameters.prm"), resolved.str());
                   });
   if (!directory.warning().empty())

@@ -44,9 +44,12 @@ void AnalysisTable::refuse_sections_of_others(ParameterSection root, const Analy
         others += (others.empty() ? "" : " or ") + other.name;
         is_read = is_read || (other.is_study() && row.has_case());
       }
-    if (!is_read && !others.empty())
-      root.subsection(section).refuse("", "Analysis = " + row.name + " does not read this section",
-                                      "Remove it, or set Analysis = " + others);
+    if (is_read || others.empty())
+      continue;
+    ParameterSection unread = root.subsection(section);
+    if (root.sets_in_subsection(section))
+      unread.refuse("", "Analysis = " + row.name + " does not read this section",
+                    "Remove it, or set Analysis = " + others);
   }
 }
 

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -194,21 +195,39 @@ Refusal prepare(const fs::path &directory,
   return {};
 }
 
+/// The names of the copies: of files that are one file the same, of other files of one name each
+/// with a number of its own.
+std::vector<std::string> copied_names(const std::vector<std::string> &files)
+{
+  std::map<fs::path, std::string> name_of_source;
+  std::set<fs::path> taken;
+  std::vector<std::string> names;
+  for (const std::string &file : files)
+  {
+    const fs::path source(file);
+    std::string &name = name_of_source[fs::weakly_canonical(file)];
+    if (name.empty())
+    {
+      name = source.filename().string();
+      for (unsigned int number = 2; !taken.insert(name).second; ++number)
+        name = source.stem().string() + "-" + std::to_string(number) + source.extension().string();
+    }
+    names.push_back(name);
+  }
+  return names;
+}
+
 /// Copies each file once.
 void copy_to(const fs::path &folder, const std::vector<std::string> &files)
 {
-  std::set<fs::path> sources, names;
-  for (const std::string &file : files)
+  const std::vector<std::string> names = copied_names(files);
+  std::set<std::string> done;
+  for (std::size_t i = 0; i < files.size(); ++i)
   {
-    if (!sources.insert(fs::weakly_canonical(file)).second)
-      continue;
-    const fs::path source(file);
-    fs::path name = source.filename();
-    for (unsigned int number = 2; !names.insert(name).second; ++number)
-      name = source.stem().string() + "-" + std::to_string(number) + source.extension().string();
+    const fs::path source(files[i]), copy = folder / names[i];
     // After a restart with the copies themselves as input there is nothing to copy.
-    if (!fs::exists(folder / name) || !fs::equivalent(source, folder / name))
-      fs::copy_file(source, folder / name, fs::copy_options::overwrite_existing);
+    if (done.insert(names[i]).second && (!fs::exists(copy) || !fs::equivalent(source, copy)))
+      fs::copy_file(source, copy, fs::copy_options::overwrite_existing);
   }
 }
 } // namespace
@@ -267,6 +286,16 @@ std::string OutputDirectory::file_of_case(const std::string &name) const
 const std::string &OutputDirectory::path() const
 {
   return directory;
+}
+
+std::map<std::string, std::string>
+OutputDirectory::names_of_copies(const std::vector<std::string> &files)
+{
+  const std::vector<std::string> names = copied_names(files);
+  std::map<std::string, std::string> result;
+  for (std::size_t i = 0; i < files.size(); ++i)
+    result[fs::absolute(files[i]).lexically_normal().string()] = "input/" + names[i];
+  return result;
 }
 
 void OutputDirectory::copy_inputs(const std::vector<std::string> &files) const

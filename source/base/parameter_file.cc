@@ -91,12 +91,14 @@ std::vector<std::string> ParameterFile::input_files() const
   return files;
 }
 
-void ParameterFile::print(std::ostream &out, const Style style) const
+void ParameterFile::print(std::ostream &out,
+                          const Style style,
+                          const std::map<std::string, std::string> &copies) const
 {
   switch (style)
   {
   case Style::prm:
-    print_prm(out, *store);
+    print_prm(out, *store, copies);
     break;
   case Style::json:
     print_json(out, *store);

@@ -5,12 +5,15 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace Continua
 {
 namespace
 {
 using Path = std::vector<std::string>;
+/// Names of input files by their absolute paths.
+using Names = std::map<std::string, std::string>;
 
 /// A cell of a markdown table.
 std::string cell(const std::string &text)
@@ -44,21 +47,45 @@ bool stands_as_set(const ParameterStore &store, const ParameterStore::Declaratio
   return given != nullptr && !(given->value().empty() && entry.default_value.empty());
 }
 
+/// The value as the line holds it: a path may need another name.
+std::string printed_value(const ParameterStore &store,
+                          const ParameterStore::Declaration &entry,
+                          const Names &copies)
+{
+  const std::string value = store.value(entry);
+  if (!entry.is_input_file || can_be_a_value(value))
+    return value;
+  if (const auto copy = copies.find(value); copy != copies.end())
+    return copy->second;
+  const std::string relative =
+      std::filesystem::path(value).lexically_relative(std::filesystem::current_path()).string();
+  if (!can_be_a_value(relative))
+    throw InputError(store.given(entry.section, entry.key)->origin(), join_path(entry.path()),
+                     "no parameter file can hold the path '" + value +
+                         "': it has a '#', blanks that would be lost, or no UTF-8",
+                     "Rename the folder, or call the program in the folder of the file");
+  return relative;
+}
+
 void print_prm_entries(std::ostream &out,
                        const ParameterStore &store,
+                       const Names &copies,
                        const std::vector<const ParameterStore::Declaration *> &entries,
                        const std::string &indent)
 {
   constexpr unsigned int width = 78;
   std::size_t longest_key = 0, longest_value = 0;
+  std::vector<std::string> values;
   for (const ParameterStore::Declaration *const entry : entries)
   {
+    values.push_back(printed_value(store, *entry, copies));
     longest_key = std::max(longest_key, entry->key.size());
-    longest_value = std::max(longest_value, store.value(*entry).size());
+    longest_value = std::max(longest_value, values.back().size());
   }
   bool first = true;
-  for (const ParameterStore::Declaration *const entry : entries)
+  for (std::size_t i = 0; i < entries.size(); ++i)
   {
+    const ParameterStore::Declaration *const entry = entries[i];
     if (const std::string text = entry->full_documentation(); !text.empty())
     {
       out << (first ? "" : "\n");
@@ -67,7 +94,7 @@ void print_prm_entries(std::ostream &out,
            dealii::Utilities::break_text_into_lines(text, width - indent.size() - 2))
         out << indent << "# " << line << '\n';
     }
-    const std::string value = store.value(*entry);
+    const std::string &value = values[i];
     out << indent << (stands_as_set(store, *entry) ? "" : "# ") << "set " << entry->key
         << blanks(longest_key - entry->key.size() + 1) << "= " << value;
     if (value != entry->default_value)
@@ -88,14 +115,17 @@ bool is_printed(const ParameterStore &store, const Path &section)
                      });
 }
 
-void print_prm_section(std::ostream &out, const ParameterStore &store, const Path &section)
+void print_prm_section(std::ostream &out,
+                       const ParameterStore &store,
+                       const Names &copies,
+                       const Path &section)
 {
   const std::string indent = blanks(2 * section.size());
   std::vector<const ParameterStore::Declaration *> entries;
   for (const ParameterStore::Declaration &entry : store.declarations)
     if (entry.section == section)
       entries.push_back(&entry);
-  print_prm_entries(out, store, entries, indent);
+  print_prm_entries(out, store, copies, entries, indent);
 
   bool first = true;
   for (const std::string &name : store.subsections(section))
@@ -106,16 +136,16 @@ void print_prm_section(std::ostream &out, const ParameterStore &store, const Pat
       continue;
     out << (first && !entries.empty() ? "\n\n" : "") << indent << "subsection " << name << '\n';
     first = false;
-    print_prm_section(out, store, child);
+    print_prm_section(out, store, copies, child);
     out << indent << "end\n\n" << (section.empty() ? "\n" : "");
   }
 }
 } // namespace
 
-void print_prm(std::ostream &out, const ParameterStore &store)
+void print_prm(std::ostream &out, const ParameterStore &store, const Names &copies)
 {
   out << "# Listing of Parameters\n# ---------------------\n";
-  print_prm_section(out, store, {});
+  print_prm_section(out, store, copies, {});
 }
 
 void print_json(std::ostream &out, const ParameterStore &store)

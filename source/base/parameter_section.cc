@@ -27,14 +27,15 @@ void declare_and_get(ParameterStore &store,
                      const std::string &text,
                      const EntryType<Value> &type,
                      Value &variable,
-                     const Resolve &resolve = {})
+                     const Resolve &resolve = {},
+                     const bool is_input_file = false)
 {
   const bool none_is_default = type.default_value.empty();
   const auto one_form = [read = type.read, write = type.write, none_is_default,
                          none = type.write(variable)](const std::string &value)
   { return value.empty() && none_is_default ? none : write(read(value)); };
-  const ParameterStore::Declaration declaration{
-      names, key, type.default_value, type.values, type.unit, text, one_form};
+  const ParameterStore::Declaration declaration{names,     key,  type.default_value, type.values,
+                                                type.unit, text, one_form,           is_input_file};
   store.declare(declaration,
                 EntryPattern(type.values, type.may_be_empty || none_is_default, type.read));
 
@@ -59,6 +60,14 @@ void declare_and_get(ParameterStore &store,
   const std::string value = store.value(declaration);
   if (!(value.empty() && none_is_default))
     variable = type.read(value);
+}
+
+/// Whether the section or one below it has an entry with a value.
+bool sets_an_entry(const ParameterText::Section &section)
+{
+  return std::any_of(section.entries.begin(), section.entries.end(),
+                     [](const auto &entry) { return !entry.value().empty(); }) ||
+         std::any_of(section.sections.begin(), section.sections.end(), sets_an_entry);
 }
 } // namespace
 
@@ -152,15 +161,17 @@ void ParameterSection::add_input_file(const std::string &key,
                : value;
   };
   type.write = [](const std::string &value) { return filesystem::path(value).filename().string(); };
-  declare_and_get(*store, *this, names, key, text, type, path,
-                  [&directory](const std::string &name)
-                  {
-                    if (name.empty())
-                      return name;
-                    const filesystem::path named = (directory / name).lexically_normal();
-                    check_input_file(named.string());
-                    return filesystem::absolute(named).lexically_normal().string();
-                  });
+  declare_and_get(
+      *store, *this, names, key, text, type, path,
+      [&directory](const std::string &name)
+      {
+        if (name.empty())
+          return name;
+        const filesystem::path named = (directory / name).lexically_normal();
+        check_input_file(named.string());
+        return filesystem::absolute(named).lexically_normal().string();
+      },
+      is_given);
   if (is_given)
     store->add_input_file(path);
 }
@@ -217,6 +228,13 @@ bool ParameterSection::has_subsection(const std::string &name) const
 {
   const ParameterText::Section *const section = store->text.find(names);
   return section != nullptr && section->section(name) != nullptr;
+}
+
+bool ParameterSection::sets_in_subsection(const std::string &name) const
+{
+  const ParameterText::Section *const section = store->text.find(names);
+  const ParameterText::Section *const child = section == nullptr ? nullptr : section->section(name);
+  return child != nullptr && sets_an_entry(*child);
 }
 
 std::vector<std::string> ParameterSection::subsections() const

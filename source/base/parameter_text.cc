@@ -205,6 +205,12 @@ std::string collapse_blanks(const std::string &text)
   return result;
 }
 
+bool can_be_a_value(const std::string &text)
+{
+  return text.find('#') == std::string::npos && collapse_blanks(text) == text &&
+         (text.empty() || text.back() != '\\') && problem_of_text(text).empty();
+}
+
 std::string join_path(const std::vector<std::string> &names)
 {
   std::string path;
@@ -408,7 +414,7 @@ void ParameterText::set_from_command_line(const std::string &override_text)
   const std::string path = override_text.substr(0, equals);
   const std::string value = collapse_blanks(override_text.substr(equals + 1));
   // What a file could not hold could not be printed for a later run either.
-  if (value.find('#') != std::string::npos || (!value.empty() && value.back() == '\\'))
+  if (!can_be_a_value(value))
     throw InputError(here, collapse_blanks(path),
                      "the value '" + value + "' holds a '#' or ends with a backslash",
                      "Leave it out: in a parameter file it would start a comment or continue "

@@ -219,13 +219,13 @@ Case<dim>::Case(ParameterFile &file,
   if (analysis.is_transient() &&
       (problem.interior.starts_at_rest_under_loads || problem.finds_unloaded_shape()))
     rest.read(root.subsection("Steady"), problem.is_nonlinear());
-  else if (analysis.is_transient() && root.has_subsection("Steady"))
-    root.subsection("Steady").refuse(
-        "",
-        "Analysis = transient reads this section for a start from a steady state or an unloaded "
-        "shape only",
-        "Remove it, or set Initial state/Type = steady or mean, Unloaded shape = inverse solve or "
-        "Analysis = steady");
+  else if (ParameterSection steady = root.subsection("Steady");
+           analysis.is_transient() && root.sets_in_subsection("Steady"))
+    steady.refuse("",
+                  "Analysis = transient reads this section for a start from a steady state or an "
+                  "unloaded shape only",
+                  "Remove it, or set Initial state/Type = steady or mean, Unloaded shape = inverse "
+                  "solve or Analysis = steady");
   if (!analysis.is_modal())
   {
     ParameterSection section = root.subsection("Adaptivity");

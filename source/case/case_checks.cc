@@ -201,7 +201,7 @@ void refuse_what_convection_uses(const Problem &problem, ParameterSection root)
 {
   const std::string remedy = "Remove it, or set Convection = navier stokes";
   for (const char *const name : {"Flow", "Newton"})
-    if (root.has_subsection(name) && !(name == std::string("Newton") && problem.is_nonlinear()))
+    if (root.sets_in_subsection(name) && !(name == std::string("Newton") && problem.is_nonlinear()))
       root.subsection(name).refuse(
           "", "without convection nothing uses the section",
           name == std::string("Newton") ? remedy + ", or Deformation = finite" : remedy);

@@ -236,7 +236,7 @@ void check_deformation(const Case<dim> &input, ParameterSection root)
     check_cavity(input, problem.conditions[cavity], root);
   if (problem.deformation == Deformation::small)
   {
-    if (root.has_subsection("Wall directions"))
+    if (root.sets_in_subsection("Wall directions"))
       root.subsection("Wall directions")
           .refuse("", "fibres and prestretch are for finite deformation",
                   "Remove the section, or set Deformation = finite");
@@ -272,7 +272,7 @@ void check_deformation(const Case<dim> &input, ParameterSection root)
                 "Set Convection = none");
   if (problem.finds_unloaded_shape())
     check_unloaded_shape(problem, root);
-  if (root.has_subsection("Wall directions") &&
+  if (root.sets_in_subsection("Wall directions") &&
       std::none_of(problem.materials.begin(), problem.materials.end(), has_directions))
     root.subsection("Wall directions")
         .refuse("", "no material has fibres or a prestretch, which alone have directions",

@@ -195,6 +195,14 @@ UNIT_TEST(output_directory)
   const OutputDirectory copies(base + "g", Mode::fresh, MPI_COMM_SELF);
   copies.copy_inputs({base + "in/beam.prm", base + "in/one/table.csv", base + "in/two/table.csv",
                       base + "in/table-2.csv", base + "in/../in/beam.prm"});
+  check::is_true(
+      "the names of copies",
+      OutputDirectory::names_of_copies({base + "in/one/table.csv", base + "in/two/table.csv"}) ==
+          std::map<std::string, std::string>(
+              {{(fs::current_path() / base / "in/one/table.csv").lexically_normal(),
+                "input/table.csv"},
+               {(fs::current_path() / base / "in/two/table.csv").lexically_normal(),
+                "input/table-2.csv"}}));
   check::equal("copied", content("g/input/beam.prm"), "1");
   check::equal("first of a name", content("g/input/table.csv"), "2");
   check::equal("second of a name", content("g/input/table-2.csv"), "3");

@@ -51,6 +51,11 @@ void refused(const std::string &name,
       pattern);
 }
 
+void write_here(const std::string &name, const std::string &text)
+{
+  std::ofstream(name) << text;
+}
+
 std::string print(const ParameterFile &parameters, const ParameterFile::Style style)
 {
   std::ostringstream out;
@@ -502,6 +507,66 @@ void test_value_errors()
           { root.subsection("Time").refuse("", "is too long", "Shorten it"); });
 }
 
+/// A printed file opens every section that was read: that says nothing of what the user wants.
+void test_empty_sections()
+{
+  ParameterFile parameters =
+      file("subsection Time\nend\nsubsection Mesh\n  set Cells =\nend\n"
+           "subsection Materials\n  subsection wall\n  end\n  subsection fluid\n"
+           "    set Young's modulus = 1 Pa\n  end\nend\n");
+  const ParameterSection root = parameters.root();
+  check::is_true("an empty section is opened", root.has_subsection("Time"));
+  check::is_true("an empty section sets nothing", !root.sets_in_subsection("Time"));
+  check::is_true("an entry without a value sets nothing", !root.sets_in_subsection("Mesh"));
+  check::is_true("a section that is not there", !root.sets_in_subsection("Probe"));
+  check::is_true("an entry further below", root.sets_in_subsection("Materials"));
+}
+
+/// A parameter file cannot hold the path of every file that it can name.
+void test_paths_that_no_file_can_hold()
+{
+  const auto measured_of = [](const std::string &prm)
+  {
+    ParameterFile parameters(prm);
+    Everything read;
+    read.read(parameters.root());
+    return read.table;
+  };
+  for (const std::string folder : {"a #1", "two  blanks", "a tab\there", "commas, and; a \\"})
+  {
+    write(folder + "/t.csv", "1\n");
+    write(folder + "/run/input/t.csv", "2\n");
+    const std::string prm =
+        write(folder + "/case.prm", "subsection Probe\n  set Measured = t.csv\nend\n");
+    ParameterFile parameters(prm);
+    Everything read;
+    read.read(parameters.root());
+    const std::filesystem::path there = std::filesystem::current_path() / directory / folder;
+    std::ostringstream of_run;
+    parameters.print(of_run, ParameterFile::Style::prm, {{there / "t.csv", "input/t.csv"}});
+    const std::string printed = write(folder + "/run/parameters.prm", of_run.str());
+    const std::string found = measured_of(printed);
+    check::is_true(folder.substr(0, 5) + ": what a run prints can be read",
+                   std::filesystem::equivalent(found, there / "t.csv") ||
+                       std::filesystem::equivalent(found, there / "run/input/t.csv"));
+    // On the screen: by the way from here, if that can be read.
+    if (folder[0] != 'c')
+      check::throws<InputError>(
+          folder.substr(0, 5) + ": on the screen",
+          [&]() { print(parameters, ParameterFile::Style::prm); },
+          "case.prm:2: 'Probe/Measured': no parameter file can hold the path");
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(there);
+    ParameterFile here("case.prm");
+    Everything again;
+    again.read(here.root());
+    write_here("printed.prm", print(here, ParameterFile::Style::prm));
+    check::is_true(folder.substr(0, 5) + ": in its folder",
+                   std::filesystem::equivalent(measured_of("printed.prm"), "t.csv"));
+    std::filesystem::current_path(before);
+  }
+}
+
 void test_rest()
 {
   ParameterFile parameters =
@@ -551,6 +616,8 @@ UNIT_TEST(parameter_file)
   test_text_errors();
   test_unknown();
   test_value_errors();
+  test_empty_sections();
+  test_paths_that_no_file_can_hold();
   test_rest();
   std::filesystem::remove_all(directory);
 }

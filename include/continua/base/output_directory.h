@@ -5,6 +5,7 @@
 
 #include <mpi.h>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -48,6 +49,8 @@ public:
   /// Copies the user's files to input/ (same base names; a second one of the same name gets a
   /// number). Collective; throws RunError on all ranks.
   void copy_inputs(const std::vector<std::string> &files) const;
+  /// The names that their copies have or will have, "input/NAME", by the files' absolute paths.
+  static std::map<std::string, std::string> names_of_copies(const std::vector<std::string> &files);
 
 private:
   std::string directory;

@@ -4,6 +4,7 @@
 #include <continua/base/parameter_section.h>
 #include <continua/base/parameter_text.h>
 
+#include <map>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -58,7 +59,12 @@ public:
   /// ParameterHandler that has declared the entries; json is a list of objects with path, value,
   /// default, values (what is accepted), unit and text; markdown is a table a section for the
   /// manual.
-  void print(std::ostream &out, Style style) const;
+  /// A parameter file cannot hold every path (can_be_a_value). In place of such a one stands its
+  /// name among the `copies` (by absolute paths), or else the path from the working directory.
+  /// Throws InputError if that cannot stand there either.
+  void print(std::ostream &out,
+             Style style,
+             const std::map<std::string, std::string> &copies = {}) const;
 
   /// All resolved entries but those that are, or lie in, one of `left_out` ("Output", "Time/End
   /// time"), sorted, a line "PATH=VALUE" each, and of each input file "content of NAME=HASH": what

@@ -100,7 +100,11 @@ public:
   std::string name() const;
 
   ParameterSection subsection(const std::string &name);
+  /// Whether the user opens the subsection, with entries or without.
   bool has_subsection(const std::string &name) const;
+  /// Whether the user sets anything in the subsection or below it. A printed file opens each
+  /// section that was read: what nobody has set in it is no wish of the user.
+  bool sets_in_subsection(const std::string &name) const;
   /// The names of the subsections in the file in their order: the members of a named family.
   std::vector<std::string> subsections() const;
   /// Declares every entry of this section as free text and returns them in their order (for

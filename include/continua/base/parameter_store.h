@@ -30,6 +30,7 @@ struct ParameterStore
     /// Brings the text of a value into one form only, in SI: two ways to write one value have the
     /// same.
     std::function<std::string(const std::string &)> one_form;
+    bool is_input_file = false; ///< the value is the absolute path of a file
 
     /// The section and the key.
     std::vector<std::string> path() const;

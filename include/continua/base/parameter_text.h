@@ -85,6 +85,9 @@ private:
 
 /// Without white space at its ends, and with one blank for each run of it inside.
 std::string collapse_blanks(const std::string &text);
+/// Whether a file that sets an entry to this text is read to the same text: no '#' begins a comment
+/// in it, no blank would be lost, it is one line of UTF-8.
+bool can_be_a_value(const std::string &text);
 /// "A/B/C".
 std::string join_path(const std::vector<std::string> &names);
 } // namespace Continua
