@@ -5,6 +5,7 @@
 #include <continua/base/input_file.h>
 #include <continua/base/interruption.h>
 #include <continua/base/message_passing.h>
+#include <continua/base/rank_agreement.h>
 #include <continua/base/version.h>
 #include <continua/mesh/gmsh_mesher.h>
 #include <continua/mesh/gmsh_process.h>
@@ -27,14 +28,13 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <new>
 #include <sstream>
 
 namespace
 {
 using namespace Continua;
 
-constexpr int status_done = 0, status_run_failed = 1, status_input_wrong = 2;
+constexpr int status_done = 0;
 
 ParameterFile::Style style_of(const std::string &name)
 {
@@ -93,6 +93,7 @@ void perform_file(const CommandLine &command_line, const MPI_Comm communicator)
   if (given.entries.empty() && given.sections.empty())
     throw InputError(given.origin, "", "the parameter file is empty: it sets nothing",
                      "Begin with one of the shipped files of parameter_files");
+  require_same_input(file, communicator);
   if (!command_line.mesh_file.empty())
     require_folder_of(command_line.mesh_file);
   if (command_line.allow_mesh_commands)
@@ -157,12 +158,10 @@ void perform_new(const CommandLine &command_line)
   print_all(text.str());
 }
 
-/// Every rank reads the same input and finds the same mistake.
-int refuse(const InputError &error, const MPI_Comm communicator)
+int refuse(const InputError &error)
 {
-  if (is_writing_rank(communicator))
-    std::cerr << "error: " << printable(error.what()) << std::endl;
-  return status_input_wrong;
+  RankAgreement::print_error(error.what(), exit_status_of_wrong_input);
+  return exit_status_of_wrong_input;
 }
 
 /// Several files are checked; a wrong one does not keep those behind it from being checked.
@@ -178,7 +177,7 @@ int validate_files(const CommandLine &command_line, const MPI_Comm communicator)
     }
     catch (const InputError &error)
     {
-      status = refuse(error, communicator);
+      status = refuse(error);
     }
     catch (...)
     {
@@ -223,13 +222,13 @@ int perform(const CommandLine &command_line, const MPI_Comm communicator)
   return status_done;
 }
 
-/// The run failed on this rank; the other ranks may be waiting for it.
+/// The run failed. What the ranks have of libraries may wait for others at its end.
 int fail(const std::string &text, const MPI_Comm communicator)
 {
-  std::cerr << "error: " << printable(text) << std::endl;
+  RankAgreement::print_error(text, exit_status_of_failure);
   if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
-    MPI_Abort(communicator, status_run_failed);
-  return status_run_failed;
+    MPI_Abort(communicator, exit_status_of_failure);
+  return exit_status_of_failure;
 }
 
 /// One command line, from the start of MPI to its end.
@@ -251,39 +250,25 @@ int run_command_line(int argc, char **argv)
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(n_names, names, 1);
   const MPI_Comm communicator = MPI_COMM_WORLD;
   const bool is_writer = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+  const RankAgreement agreement(communicator);
   try
   {
     return perform(CommandLine::parse(argc, argv), communicator);
   }
   catch (const Continua::InputError &error)
   {
-    return refuse(error, communicator);
+    return refuse(error);
   }
   catch (const Continua::Interrupted &interruption)
   {
     // All ranks come here.
     if (is_writer)
       std::cerr << interruption.what() << std::endl;
-    return status_run_failed;
+    return exit_status_of_failure;
   }
-  catch (const Continua::RunError &error)
-  {
-    return fail(error.what(), communicator);
-  }
-  catch (const std::bad_alloc &)
-  {
-    return fail("the memory of the machine is not enough for this run. Take fewer cells or steps, "
-                "or another machine.",
-                communicator);
-  }
-  // The rest are texts of libraries, and of parts of Continua that know of no run.
   catch (const std::exception &error)
   {
-    return fail(
-        std::string("the run failed, and Continua has no better reason than the text below. "
-                    "If the parameter file is right, please report it with this text.\n") +
-            error.what(),
-        communicator);
+    return fail(text_of_failure(error), communicator);
   }
   catch (...)
   {
@@ -303,7 +288,7 @@ int serve(const std::string &socket_file)
   catch (const std::exception &error)
   {
     std::cerr << "error: " << printable(error.what()) << std::endl;
-    return status_input_wrong;
+    return exit_status_of_wrong_input;
   }
 }
 } // namespace

@@ -4,6 +4,7 @@
 #include <continua/analysis/record_table.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
+#include <continua/base/rank_agreement.h>
 #include <continua/case/cost_of_case.h>
 #include <continua/mesh/mesh_file.h>
 #include <continua/mesh/partition.h>
@@ -97,8 +98,9 @@ void AnalysisOfCase<dim>::compute(const OutputDirectory &directory, Log &log, Su
   {
     perform_run(run);
   }
-  catch (const InputError &)
+  catch (const InputError &error)
   {
+    RankAgreement::wait_for_all(error.what(), exit_status_of_wrong_input);
     throw;
   }
   catch (const Interrupted &interruption)
@@ -119,6 +121,8 @@ void AnalysisOfCase<dim>::compute(const OutputDirectory &directory, Log &log, Su
       // A full disk has no room for the summary either; what came first counts.
       log.warning(second.what());
     }
+    // While the run lives: some of its parts end by collective operations.
+    RankAgreement::wait_for_all(text_of_failure(error), exit_status_of_failure);
     throw;
   }
 }

@@ -1,5 +1,7 @@
 #include <continua/analysis/analysis_table.h>
 
+#include <continua/base/rank_agreement.h>
+
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
@@ -62,7 +64,10 @@ std::unique_ptr<Analysis> AnalysisTable::make(ParameterFile &file,
   const AnalysisRow &chosen = row(general.analysis);
   if (!chosen.is_study())
     refuse_sections_of_others(file.root(), chosen);
-  return chosen.make({file, general, command_line, communicator, *this});
+  std::unique_ptr<Analysis> analysis =
+      chosen.make({file, general, command_line, communicator, *this});
+  require_same_input(file, communicator);
+  return analysis;
 }
 
 template <int dim>

@@ -5,19 +5,18 @@
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
 #include <continua/base/parameter_text.h>
+#include <continua/base/rank_agreement.h>
 #include <continua/base/version.h>
 #include <continua/postprocess/writing_rank.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <sstream>
-#include <thread>
 
 namespace Continua
 {
@@ -63,24 +62,6 @@ std::string program_identity(const MPI_Comm communicator)
        << std::filesystem::file_size(file) << " bytes";
   // Nodes may have copies of other times.
   return broadcast(communicator, text.str());
-}
-
-/// Whether every rank comes here within a minute: an exception that all threw, not one alone while
-/// the others wait for it elsewhere. `communicator`: used for nothing else.
-bool all_ranks_arrive(const MPI_Comm communicator)
-{
-  using Clock = std::chrono::steady_clock;
-  MPI_Request request;
-  MPI_Ibarrier(communicator, &request);
-  const Clock::time_point start = Clock::now();
-  for (int done = 0; Clock::now() - start < std::chrono::minutes(1);)
-  {
-    MPI_Test(&request, &done, MPI_STATUS_IGNORE);
-    if (done != 0)
-      return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return false;
 }
 
 /// The file as rank 0 sees it, on all ranks; empty if it cannot be read.
@@ -178,8 +159,6 @@ RunSeries::perform(const std::vector<PlannedRun> &plans,
                                               communicator, input_files));
   // From now on there is something to restart from, if only from the first run.
   on_writing_rank(communicator, [&]() { write_file_atomically(checkpoint, finished); });
-  MPI_Comm watch;
-  MPI_Comm_dup(communicator, &watch);
   std::vector<RunResult> runs;
   for (unsigned int i = 0; i < plans.size(); ++i)
   {
@@ -188,7 +167,7 @@ RunSeries::perform(const std::vector<PlannedRun> &plans,
     if (folders[i] == nullptr)
       summary = summary_in_folder(plans[i]);
     else
-      failure = perform(plans[i], *folders[i], watch, summary);
+      failure = perform(plans[i], *folders[i], summary);
     runs.push_back(result(plans[i], summary));
     RunResult &run = runs.back();
     run.failure = failure;
@@ -205,14 +184,11 @@ RunSeries::perform(const std::vector<PlannedRun> &plans,
       finished += identity(plans[i]) + "\n";
     on_writing_rank(communicator, [&]() { write_file_atomically(checkpoint, finished); });
   }
-  MPI_Comm_free(&watch);
   return runs;
 }
 
-std::string RunSeries::perform(const PlannedRun &plan,
-                               const OutputDirectory &directory,
-                               const MPI_Comm watch,
-                               Summary &summary) const
+std::string
+RunSeries::perform(const PlannedRun &plan, const OutputDirectory &directory, Summary &summary) const
 {
   CommandLine of_run = plan.command_line;
   of_run.text = text_of(of_run);
@@ -230,9 +206,8 @@ std::string RunSeries::perform(const PlannedRun &plan,
   }
   catch (const std::exception &error)
   {
-    // One rank alone cannot go on to the next run: main ends them all.
-    if (!all_ranks_arrive(watch))
-      throw;
+    // One rank alone cannot go on to the next run.
+    RankAgreement::wait_for_all(text_of_failure(error), exit_status_of_failure);
     const std::string reason = collapse_blanks(error.what());
     return reason.empty() ? "unknown reason" : reason;
   }

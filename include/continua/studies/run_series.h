@@ -85,10 +85,8 @@ private:
   /// What identifies the input, the program and the ranks of a run.
   std::string identity(const PlannedRun &plan) const;
   /// Performs the run, fills its summary and returns why it failed; empty if it did not.
-  std::string perform(const PlannedRun &plan,
-                      const OutputDirectory &directory,
-                      MPI_Comm watch,
-                      Summary &summary) const;
+  std::string
+  perform(const PlannedRun &plan, const OutputDirectory &directory, Summary &summary) const;
   /// The summary that stands in the folder of a run, the same on all ranks.
   Summary summary_in_folder(const PlannedRun &plan) const;
   /// What rank 0 finds in the summary of a run, the same on all ranks.
