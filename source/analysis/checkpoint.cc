@@ -91,17 +91,6 @@ problem_of_table(const std::string &file, const unsigned long length, const unsi
   return "";
 }
 
-/// The files of the mesh, without their folder.
-std::vector<std::string> mesh_files(const std::string &folder)
-{
-  std::vector<std::string> names;
-  for (const fs::directory_entry &entry : fs::directory_iterator(folder))
-    if (entry.path().filename().string().compare(0, 4, "mesh") == 0)
-      names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 void add_tables(ArchiveWriter &archive, const std::vector<WrittenTable> &tables)
 {
   std::string names;
@@ -198,7 +187,6 @@ void Checkpoint::remove_all_but(const std::string &step) const
 
 std::string Checkpoint::write(const unsigned int step,
                               const std::function<void(ArchiveWriter &)> &fill,
-                              const std::function<void(const std::string &)> &save_mesh,
                               const std::vector<WrittenTable> &tables) const
 {
   const std::string name = std::to_string(step), path = folder + "/" + name;
@@ -240,8 +228,6 @@ std::string Checkpoint::write(const unsigned int step,
   fill(archive);
   unsigned long checksum = 0;
   stop_at(problem_in([&]() { checksum = archive.piece().write(piece_file(name, rank)); }));
-  if (save_mesh)
-    stop_at(problem_in([&]() { save_mesh(path + "/mesh"); }));
   const std::vector<unsigned long> checksums = all_gather(communicator, checksum);
   stop_at(problem_in(
       [&]()
@@ -251,16 +237,6 @@ std::string Checkpoint::write(const unsigned int step,
         archive.add("identity", identity);
         archive.add("version", version());
         archive.add("checksums of the pieces", checksums);
-        std::string names;
-        std::vector<unsigned long> checksums_of_mesh;
-        for (const std::string &file : mesh_files(path))
-        {
-          flush_to_disk(path + "/" + file);
-          checksums_of_mesh.push_back(Checksum::of_file(path + "/" + file).value());
-          names += file + "\n";
-        }
-        archive.add("files of the mesh", names);
-        archive.add("checksums of the mesh", checksums_of_mesh);
         add_tables(archive, tables);
         archive.write(archive_file(name));
         flush_to_disk(folder);
@@ -353,15 +329,6 @@ void Checkpoint::check_files(const ArchiveReader &archive, const std::string &st
   for (unsigned int i = rank; i < pieces.size(); i += Utilities::MPI::n_mpi_processes(communicator))
     if (ArchiveReader(piece_file(step, i)).checksum() != pieces[i])
       throw RunError("'" + piece_file(step, i) + "' is not of this checkpoint");
-  if (rank != 0)
-    return;
-  const std::vector<unsigned long> of_mesh = archive.integers("checksums of the mesh");
-  std::istringstream names(archive.text("files of the mesh"));
-  unsigned int i = 0;
-  for (std::string name; std::getline(names, name); ++i)
-    if (Checksum::of_file(folder + "/" + step + "/" + name).value() != of_mesh.at(i))
-      throw RunError("'" + folder + "/" + step + "/" + name +
-                     "' is truncated or damaged: its checksum is wrong");
 }
 
 void Checkpoint::check_tables(
@@ -418,11 +385,5 @@ void Checkpoint::cut_tables(
                         throw RunError("cannot cut '" + file.string() + "': " + error.message());
                     });
   }
-}
-
-std::string Checkpoint::mesh_file() const
-{
-  const std::string file = folder + "/" + current() + "/mesh";
-  return fs::exists(file) ? file : "";
 }
 } // namespace Continua

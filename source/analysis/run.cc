@@ -85,7 +85,7 @@ void Run<dim>::report_strain_laws()
 }
 
 template <int dim>
-void Run<dim>::initialise(const std::string &mesh_file)
+void Run<dim>::initialise(const std::function<void()> &make_mesh)
 {
   const InterruptibleSetUp set_up(command_line.restart
                                       ? "the checkpoint stands, go on with --restart"
@@ -93,11 +93,10 @@ void Run<dim>::initialise(const std::string &mesh_file)
   log.memory_use().mark("coarse mesh and case");
   {
     TimerOutput::Scope scope(log.timer(), "mesh");
-    if (mesh_file.empty())
-      refine(*input.triangulation, input.mesh.refinements);
+    if (make_mesh)
+      make_mesh();
     else
-      dynamic_cast<parallel::distributed::Triangulation<dim> &>(*input.triangulation)
-          .load(mesh_file);
+      refine(*input.triangulation, input.mesh.refinements);
   }
   log.memory_use().mark("mesh");
   InterruptibleSetUp::end_of_phase(input.communicator, "the mesh");

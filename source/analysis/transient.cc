@@ -8,6 +8,7 @@
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
 #include <continua/case/preflight_report.h>
+#include <continua/mesh/refinement_tree.h>
 #include <continua/postprocess/writing_rank.h>
 
 #include <algorithm>
@@ -264,9 +265,12 @@ void Transient<dim>::restart()
         run.input.power_laws.load(archive, run.input.problem, run.input.time);
         run.input.absorbing_ends.load(archive, run.input.problem);
       });
-  const std::string mesh_file = checkpoint.mesh_file();
-  mesh_has_changed = !mesh_file.empty();
-  run.initialise(mesh_file);
+  mesh_has_changed = has_refinement(archive);
+  if (mesh_has_changed)
+    run.initialise(
+        [&]() { reading([&]() { load_refinement<dim>(archive, *run.input.triangulation); }); });
+  else
+    run.initialise();
   double size = 0.;
   unsigned long n_rows_written = 0;
   bool is_due_to_adapt = false;
@@ -609,10 +613,9 @@ void Transient<dim>::write_checkpoint()
         for (const std::string &warning : run.log.warnings())
           warnings += warning + "\n";
         archive.add("warnings", warnings);
+        if (mesh_has_changed)
+          save_refinement<dim>(*run.input.triangulation, archive);
       },
-      mesh_has_changed ? std::function<void(const std::string &)>([this](const std::string &name)
-                                                                  { save_mesh(name); })
-                       : nullptr,
       written_tables());
   if (!warning.empty())
     run.log.warning(warning);
@@ -653,27 +656,6 @@ std::vector<WrittenTable> Transient<dim>::written_tables() const
         tables.back().without_last_row = table->all;
     }
   return tables;
-}
-
-template <int dim>
-void Transient<dim>::save_mesh(const std::string &name) const
-{
-  auto &mesh = dynamic_cast<parallel::distributed::Triangulation<dim> &>(*run.input.triangulation);
-  // p4est ends the program when the disk is full. It keeps some 20 bytes a cell, and the vertices
-  // and neighbours of the coarse cells.
-  int is_full = 0;
-  if (run.is_writer)
-  {
-    const double size =
-        1e5 + 32. * static_cast<double>(mesh.n_global_active_cells()) + 1000. * mesh.n_cells(0);
-    std::error_code error;
-    const auto space =
-        std::filesystem::space(std::filesystem::path(name).parent_path(), error).available;
-    is_full = !error && static_cast<double>(space) < size ? 1 : 0;
-  }
-  if (Utilities::MPI::max(is_full, run.input.communicator) != 0)
-    throw RunError("the disk is too full for the mesh");
-  mesh.save(name);
 }
 
 template <int dim>

@@ -14,7 +14,7 @@ namespace Continua
 namespace
 {
 const std::string magic = "Continua archive";
-constexpr std::uint64_t format_version = 5;
+constexpr std::uint64_t format_version = 6;
 constexpr std::size_t number_size = sizeof(std::uint64_t);
 
 static_assert(sizeof(unsigned long) == number_size && sizeof(double) == number_size,

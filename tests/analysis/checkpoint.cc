@@ -89,17 +89,10 @@ UNIT_TEST(checkpoint)
 
   check::throws<InputError>(
       "none", [&] { checkpoint.read(); }, "no complete checkpoint");
-  checkpoint.write(10, fill(1.), nullptr);
+  checkpoint.write(10, fill(1.));
   check::is_true("first: bit by bit, each rank its own", holds(checkpoint, 1.));
-  check::is_true("first: no mesh", checkpoint.mesh_file().empty());
-  checkpoint.write(20, fill(2.),
-                   [rank](const std::string &name)
-                   {
-                     if (rank == 0)
-                       std::ofstream(name) << "mesh\n";
-                   });
+  checkpoint.write(20, fill(2.));
   check::is_true("second", holds(checkpoint, 2.));
-  check::equal("second: mesh", checkpoint.mesh_file(), folder + "/20/mesh");
   check::is_true("the first one is gone", !fs::exists(folder + "/10"));
 
   // Killed while the third is written: all its files may be there, but it is not named.
@@ -113,15 +106,14 @@ UNIT_TEST(checkpoint)
   // Killed within the writing of an archive: an exception stands for the kill.
   try
   {
-    checkpoint.write(
-        30, [](ArchiveWriter &) { throw std::runtime_error("killed"); }, nullptr);
+    checkpoint.write(30, [](ArchiveWriter &) { throw std::runtime_error("killed"); });
   }
   catch (const std::runtime_error &)
   {
   }
   MPI_Barrier(MPI_COMM_WORLD);
   check::is_true("killed within the writing: the old one", holds(checkpoint, 2.));
-  checkpoint.write(30, fill(3.), nullptr);
+  checkpoint.write(30, fill(3.));
   check::is_true("written again over what was left", holds(checkpoint, 3.));
 
   const auto refused =
@@ -181,23 +173,16 @@ UNIT_TEST(checkpoint)
     file.seekp(static_cast<std::streamoff>(fs::file_size(path)) - 20);
     file.put(static_cast<char>(old ^ 4));
   };
-  checkpoint.write(40, fill(4.),
-                   [rank](const std::string &name)
-                   {
-                     if (rank == 0)
-                       std::ofstream(name) << "the mesh of a run that has adapted\n";
-                   });
+  checkpoint.write(40, fill(4.));
   const std::string last =
       "rank-" + std::to_string(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) - 1);
   damaged("a bit of the state", "state", "'.*/40/state' is truncated or damaged", flip_a_bit);
   damaged("a bit of a piece", last, last + "' is truncated or damaged", flip_a_bit);
-  damaged("a bit of the mesh", "mesh", "'.*/40/mesh' is truncated or damaged", flip_a_bit);
   const auto cut = [](const fs::path &path) { fs::resize_file(path, fs::file_size(path) - 9); };
   damaged("a piece cut short", last, "is truncated or damaged", cut);
   const auto remove = [](const fs::path &path) { fs::remove(path); };
   damaged("a piece is missing", last, "cannot read '.*/40/" + last + "': No such file", remove);
   damaged("the state is missing", "state", "cannot read '.*/40/state'", remove);
-  damaged("the mesh is missing", "mesh", "cannot read '.*/40/mesh'", remove);
   damaged("a piece of another state", last, "is not of this checkpoint",
           [&](const fs::path &path)
           {
@@ -210,11 +195,12 @@ UNIT_TEST(checkpoint)
   bool kept = false;
   try
   {
-    checkpoint.write(50, fill(5.),
-                     [&](const std::string &name)
+    checkpoint.write(50,
+                     [&](ArchiveWriter &archive)
                      {
+                       fill(5.)(archive);
                        if (rank == 0)
-                         fs::create_directories(fs::path(name).parent_path() / "state.new");
+                         fs::create_directories(folder + "/50/state.new");
                      });
   }
   catch (const RunError &error)

@@ -16,11 +16,10 @@ namespace Continua
 {
 /**
  * The state of a run on disk, to go on from on any number of ranks: `checkpoint/STEP/` with an
- * archive `state`, a piece `rank-N` of each rank that wrote it and, where the mesh has changed, the
- * mesh; `checkpoint/current` names the last complete one. A new one is written beside the old,
- * flushed to the disk, then named, then the old one is removed, so that a kill at any moment leaves
- * a good one. The state that `current` names is never removed. All methods are collective and throw
- * on all ranks alike.
+ * archive `state` and a piece `rank-N` of each rank that wrote it; `checkpoint/current` names the
+ * last complete one. A new one is written beside the old, flushed to the disk, then named, then the
+ * old one is removed, so that a kill at any moment leaves a good one. The state that `current`
+ * names is never removed. All methods are collective and throw on all ranks alike.
  *
  * An archive also states length and checksum of each table that a restart continues.
  */
@@ -34,14 +33,12 @@ public:
   Checkpoint(MPI_Comm communicator, const OutputDirectory &directory, const ParameterFile &file);
 
   /// Writes what `fill` adds to the archive, on rank 0, and to its piece, on every rank.
-  /// `save_mesh`, if any, writes the mesh to the file it is given and to files that begin like it.
   /// `tables`, on rank 0: what is written, and flushed to the disk, of the tables that a restart
   /// continues. Throws RunError when the disk refuses; what was written of this one is then
   /// removed, and an earlier one is kept. Returns, on all ranks, what the user should be warned of:
   /// a disk that refused when the new one was named already.
   std::string write(unsigned int step,
                     const std::function<void(ArchiveWriter &)> &fill,
-                    const std::function<void(const std::string &)> &save_mesh,
                     const std::vector<WrittenTable> &tables = {}) const;
 
   /// Opens the last complete checkpoint. Throws InputError if there is none, if it belongs to
@@ -58,8 +55,6 @@ public:
   void cut_tables(const ArchiveReader &archive,
                   const std::string &output,
                   const std::function<bool(const std::string &table)> &keeps_last_row) const;
-  /// The mesh file of the last complete checkpoint; empty if the mesh was not changed.
-  std::string mesh_file() const;
 
 private:
   MPI_Comm communicator;

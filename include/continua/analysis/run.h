@@ -8,6 +8,7 @@
 #include <continua/case/case.h>
 #include <continua/continuum/continuum_solver.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -29,9 +30,9 @@ public:
       Log &log,
       Summary &summary);
 
-  /// Refines the mesh as the file asks, sets the solver up and attaches the probes. `mesh_file`:
-  /// instead, the mesh of a checkpoint.
-  void initialise(const std::string &mesh_file = "");
+  /// Refines the mesh as the file asks, or by `make_mesh`, sets the solver up and attaches the
+  /// probes.
+  void initialise(const std::function<void()> &make_mesh = {});
   /// Changes the mesh by the indicators at `time` [s] and carries the state over; returns whether
   /// it changed. Where no indicator looks at the solution it is changed until it fits.
   bool adapt(double time);

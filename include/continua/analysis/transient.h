@@ -80,7 +80,6 @@ private:
   void flush_log_to_disk();
   /// What a restart continues, on rank 0.
   std::vector<WrittenTable> written_tables() const;
-  void save_mesh(const std::string &name) const;
   void report_progress();
 };
 } // namespace Continua
