@@ -8,6 +8,8 @@
 
 #include "../unit_test.h"
 
+#include <algorithm>
+
 namespace test_of_partition
 {
 using namespace Continua;
@@ -39,6 +41,35 @@ double owned_share(const dealii::parallel::TriangulationBase<2> &mesh, const uns
       ++n_owned;
   return double(n_owned) / mesh.n_global_active_cells();
 }
+
+/// The numbers of cells in the parts, the fewest first.
+std::vector<unsigned int> sizes_of_parts(const std::vector<unsigned int> &cells,
+                                         const unsigned int n_parts)
+{
+  dealii::Triangulation<2> mesh;
+  dealii::GridGenerator::subdivided_hyper_rectangle(mesh, cells, Point<2>(),
+                                                    Point<2>(cells[0], cells[1]));
+  divide_by_metis<2>(mesh, n_parts);
+  std::vector<unsigned int> sizes(n_parts, 0);
+  for (const auto &cell : mesh.active_cell_iterators())
+    ++sizes.at(cell->subdomain_id());
+  std::sort(sizes.begin(), sizes.end());
+  return sizes;
+}
+
+/// METIS itself leaves 8 of 16 parts of 5 x 5 cells empty, and 16 of 32 of a row of 40.
+void test_few_cells()
+{
+  const std::vector<unsigned int> square = sizes_of_parts({5, 5}, 16),
+                                  row = sizes_of_parts({40, 1}, 32);
+  check::is_true("5 x 5 cells in 16 parts", square.front() == 1 && square.back() <= 3);
+  check::is_true("40 cells in 32 parts", row.front() == 1 && row.back() <= 3);
+  check::is_true("2 cells in 3 parts",
+                 sizes_of_parts({2, 1}, 3) == std::vector<unsigned int>({0, 1, 1}));
+  check::is_true("3 cells in 3 parts",
+                 sizes_of_parts({3, 1}, 3) == std::vector<unsigned int>({1, 1, 1}));
+}
+
 } // namespace
 
 UNIT_TEST(partition)
@@ -48,6 +79,7 @@ UNIT_TEST(partition)
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     std::cout.setstate(std::ios::failbit);
 
+  test_few_cells();
   const auto metis = make_mesh(Partitioner::metis, 1., 1);
   const PartitionQuality quality = measure_partition(*metis);
   check::is_true("cells", metis->n_global_active_cells() == 256);

@@ -48,16 +48,22 @@ template <int dim>
 std::unique_ptr<dealii::parallel::TriangulationBase<dim>> make_triangulation(
     MPI_Comm communicator, const PartitionParameters &parameters, std::vector<bool> is_solid);
 
+/// Gives each active cell the number of a part, so that the parts have equal weights and few faces
+/// between them. No part is empty unless there are fewer cells than parts.
+template <int dim>
+void divide_by_metis(dealii::Triangulation<dim> &triangulation, unsigned int n_parts);
+
 /// Refines every cell so many times, and divides the mesh by the weights even if that is none.
 template <int dim>
 void refine(dealii::parallel::TriangulationBase<dim> &triangulation, unsigned int n_refinements);
 
 /// The cells of the rank that has most over the mean of all ranks, each by its weight, and the
-/// faces between two ranks. Collective.
+/// faces between two ranks; the ranks without a cell. Collective.
 struct PartitionQuality
 {
   double imbalance = 1.;
   unsigned int n_cut_faces = 0;
+  unsigned int n_idle_ranks = 0;
 };
 template <int dim>
 PartitionQuality measure_partition(const dealii::parallel::TriangulationBase<dim> &triangulation);
