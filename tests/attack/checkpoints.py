@@ -11,8 +11,27 @@ from program import Verdict, judge_reading
 
 LENGTHS = (0, 1, 7, -1, -8, 1 << 20, 1 << 40, (1 << 63) - 1, 1 << 63, (1 << 64) - 8)
 FORGED = ("length", "resize", "type", "drop")
-CURRENT = ("", "0\n", "-1\n", "99999999999999999999\n", "../../../shared/whole/checkpoint/8\n", "5/../5\n", ".\n",
+CURRENT = ("", "0\n", "-1\n", "99999999999999999999\n", "../../../shared/channel/whole/checkpoint/8\n", "5/../5\n", ".\n",
            "..\n", "5 6\n", "5\0\n", "/\n", "current\n", "5" * 5000 + "\n", "5\n")
+
+
+class Disturbed:
+    """A run up to a checkpoint, what can be damaged of it, and folders whose files are exchanged for its own."""
+
+    def __init__(self, program, folder, run):
+        os.makedirs(folder)
+        self.reference = runs.Reference(program, folder, run=run).make_partly()
+        self.others = {}
+        of_run = runs.RUNS[run]
+        for name, overrides in (("step", [f"Time/End time={of_run.shorter}"]),
+                                ("case", [runs.PARTLY, f"Materials/{of_run.region}/Density=900 kg/m^3"]),
+                                ("numbers", [runs.PARTLY, "Output/Probe interval=1 ms"])):
+            self.others[name] = os.path.join(folder, "of-another-" + name)
+            self.reference.to_the_end([self.reference.case, "--output", self.others[name], *runs.as_options(overrides)])
+        files = sorted(runs.content(self.reference.partly))
+        self.of_checkpoint = [name for name in files if name.startswith("checkpoint/")]
+        self.archives = [name for name in self.of_checkpoint if os.path.basename(name).startswith(("state", "rank-"))]
+        self.tables = [name for name in files if name.endswith(".csv") and "/" not in name] + ["fields.pvd"]
 
 
 class Attack:
@@ -23,59 +42,41 @@ class Attack:
         self.program = program
 
     def prepare(self, folder):
-        self.reference = runs.Reference(self.program, folder).make_partly()
-        self.others = {}
-        for name, overrides in (("step", ["Time/End time=1.5 ms"]),
-                                ("case", [runs.PARTLY, "Materials/fluid/Density=900 kg/m^3"]),
-                                ("numbers", [runs.PARTLY, "Output/Probe interval=1 ms"])):
-            self.others[name] = os.path.join(folder, "of-another-" + name)
-            self.reference.to_the_end([self.reference.case, "--output", self.others[name],
-                                       *runs.as_options(overrides)])
-        files = sorted(runs.content(self.reference.partly))
-        self.of_checkpoint = [name for name in files if name.startswith("checkpoint/")]
-        self.archives = [name for name in self.of_checkpoint if os.path.basename(name) in ("state", "rank-0")]
-        self.tables = [name for name in files if name.endswith(".csv") and "/" not in name] + ["fields.pvd"]
+        self.disturbed = runs.Made(lambda run: Disturbed(self.program, os.path.join(folder, run), run))
 
     def corpus(self):
         return runs.corpus_lines("checkpoints.txt")
 
     def trials(self, number, seed):
+        """Names: [RUN: ]KIND FILE [HOW]."""
         chance = random.Random(seed)
-        files = self.of_checkpoint + self.tables
         found = []
-        while len(found) < number:
+        for run in runs.runs_of_trials(number, chance, seed):
+            disturbed = self.disturbed[run]
             kind = chance.choice(("truncate", "flip", "flip", "remove", "digit", "row", "exchange", "length", "resize",
                                   "type", "drop", "current"))
-            archive, table, file = chance.choice(self.archives), chance.choice(self.tables), chance.choice(files)
-            place = f"{chance.random():.6f}"
-            if kind == "truncate":
-                found.append(f"truncate {file} {chance.choice(('0', place, place, '0.999999'))}")
-            elif kind == "flip":
-                found.append(f"flip {file} {place} {chance.randrange(8)}")
-            elif kind == "remove":
-                found.append(f"remove {file}")
-            elif kind == "digit":
-                found.append(f"digit {table} {place}")
-            elif kind == "row":
-                found.append(f"row {table} {place} {chance.choice(('delete', 'double', 'swap', 'empty', 'end'))}")
-            elif kind == "exchange":
-                found.append(f"exchange {file} {chance.choice(sorted(self.others))}")
-            elif kind == "length":
-                found.append(f"length {archive} {place} {chance.choice((1, 2))} {chance.choice(LENGTHS)}")
-            elif kind == "resize":
-                found.append(f"resize {archive} {place} {chance.choice((-8, -1, 1, 8, 800))}")
-            elif kind == "type":
-                found.append(f"type {archive} {place} {chance.choice('tvndix')}")
-            elif kind == "drop":
-                found.append(f"drop {archive} {place}")
-            else:
-                found.append(f"current {chance.randrange(len(CURRENT))}")
+            archive, table = chance.choice(disturbed.archives), chance.choice(disturbed.tables)
+            file, place = chance.choice(disturbed.of_checkpoint + disturbed.tables), f"{chance.random():.6f}"
+            name = {"truncate": lambda: f"{file} {chance.choice(('0', place, place, '0.999999'))}",
+                    "flip": lambda: f"{file} {place} {chance.randrange(8)}",
+                    "remove": lambda: file,
+                    "digit": lambda: f"{table} {place}",
+                    "row": lambda: f"{table} {place} {chance.choice(('delete', 'double', 'swap', 'empty', 'end'))}",
+                    "exchange": lambda: f"{file} {chance.choice(sorted(disturbed.others))}",
+                    "length": lambda: f"{archive} {place} {chance.choice((1, 2))} {chance.choice(LENGTHS)}",
+                    "resize": lambda: f"{archive} {place} {chance.choice((-8, -1, 1, 8, 800))}",
+                    "type": lambda: f"{archive} {place} {chance.choice('tvndix')}",
+                    "drop": lambda: f"{archive} {place}",
+                    "current": lambda: str(chance.randrange(len(CURRENT)))}[kind]()
+            found.append(runs.joined_name(run, f"{kind} {name}"))
         return found
 
     def perform(self, trial):
+        run, rest = runs.split_name(trial.name)
+        reference = self.disturbed[run].reference
         output = os.path.join(trial.folder, "run")
-        shutil.copytree(self.reference.partly, output)
-        words = trial.name.split()
+        shutil.copytree(reference.partly, output)
+        words = rest.split()
         if words[0] == "current":
             with open(os.path.join(output, "checkpoint", "current"), "w", encoding="utf-8") as stream:
                 stream.write(CURRENT[int(words[1])])
@@ -84,12 +85,15 @@ class Attack:
             path = os.path.join(output, words[1])
             if not os.path.isfile(path):
                 return Verdict("skipped", f"there is no {words[1]}")
-            getattr(self, words[0])(path, *words[2:])
+            if words[0] == "exchange":
+                self.exchange(path, self.disturbed[run].others[words[2]])
+            else:
+                getattr(self, words[0])(path, *words[2:])
         before = runs.content(output)
-        done = trial.note(self.program.run(self.reference.arguments(output, "--restart"), trial.folder))
-        found = judge_reading(done, self.reference.names(output))
+        done = trial.note(reference.perform(reference.arguments(output, "--restart"), trial.folder))
+        found = judge_reading(done, reference.names(output))
         if found is None:
-            found = runs.difference(self.reference.expected, output)
+            found = reference.difference(output)
             return Verdict("wrong", "exit status 0, but " + found) if found else Verdict("accepted", "")
         if found.kind != "refused" and words[0] in FORGED and done.status == 1 \
                 and "right checksums but cannot be used" in done.errors:
@@ -150,7 +154,7 @@ class Attack:
 
     def exchange(self, path, other):
         """The file of another step, or of another case, for this one."""
-        source, name = self.others[other], os.path.basename(path)
+        source, name = other, os.path.basename(path)
         if "/checkpoint/" in path:
             source = os.path.join(source, "checkpoint")
             if name != "current":

@@ -30,6 +30,27 @@ def build_library(folder):
     return library
 
 
+def arguments_of(reference, output, phase):
+    return reference.arguments(output, *(["--restart"] if phase == "restart" else []))
+
+
+class Counted:
+    """A run, and its operations on files in each phase."""
+
+    def __init__(self, attack, folder, run):
+        os.makedirs(folder)
+        self.reference = runs.Reference(attack.program, folder, run=run).make_partly()
+        self.operations = {}
+        for phase in ("run", "restart"):
+            at = os.path.join(folder, "count-" + phase)
+            os.makedirs(at)
+            output, environment = attack.start(self.reference, at, phase)
+            done = self.reference.perform(arguments_of(self.reference, output, phase), at, environment=environment)
+            if done.status != 0:
+                raise runs.AttackError(f"the run whose operations are counted failed\n{done.text()}")
+            self.operations[phase] = power.read_log(environment["CONTINUA_FAULT_LOG"])
+
+
 class Attack:
     name = "files"
     summary = "each operation on a file of a run and of a restart fails, short, by a kill, by a loss of power"
@@ -39,67 +60,64 @@ class Attack:
 
     def prepare(self, folder):
         self.library = build_library(folder)
-        self.reference = runs.Reference(self.program, folder).make_partly()
-        self.operations = {}
-        for phase in ("run", "restart"):
-            at = os.path.join(folder, "count-" + phase)
-            os.makedirs(at)
-            output, environment = self.start(at, phase)
-            done = self.program.run(self.arguments(output, phase), at, environment)
-            if done.status != 0:
-                raise runs.AttackError(f"the run whose operations are counted failed\n{done.text()}")
-            self.operations[phase] = power.read_log(environment["CONTINUA_FAULT_LOG"])
+        self.counted = runs.Made(lambda run: Counted(self, os.path.join(folder, run), run))
 
-    def start(self, folder, phase, fault=""):
+    def start(self, reference, folder, phase, fault=""):
         """The folder in which the run works, and the environment of its fault."""
         output = os.path.join(folder, "run")
         if phase == "restart":
-            shutil.copytree(self.reference.partly, output)
+            shutil.copytree(reference.partly, output)
         shadow = os.path.join(folder, "shadow")
         os.makedirs(shadow)
         environment = {"LD_PRELOAD": self.library, "CONTINUA_FAULT_LOG": os.path.join(folder, "operations.txt"),
-                       "CONTINUA_FAULT_FOLDERS": f"out={output}:in={os.path.dirname(self.reference.case)}"}
+                       "CONTINUA_FAULT_FOLDERS": f"out={output}:in={os.path.dirname(reference.case)}"}
         if fault:
             environment["CONTINUA_FAULT"] = fault
         if fault.split(" ")[0] in ("power", "names"):
             environment["CONTINUA_FAULT_SHADOW"] = shadow
         return output, environment
 
-    def arguments(self, output, phase):
-        return self.reference.arguments(output, *(["--restart"] if phase == "restart" else []))
-
     def corpus(self):
         return [one for name in runs.corpus_lines("files.txt") for one in self.each(name)]
 
     def each(self, name):
         """A star for the number of the call stands for each of them."""
-        phase, kind, operation, number, file = name.split(" ", 4)
+        run, rest = runs.split_name(name)
+        phase, kind, operation, number, file = rest.split(" ", 4)
         if number != "*":
             return [name]
-        return [f"{phase} {kind} {operation} {count} {file}" for other, at, count, _ in self.operations[phase]
-                if (other, at) == (operation, file)]
+        return [runs.joined_name(run, f"{phase} {kind} {operation} {count} {file}")
+                for other, at, count, _ in self.counted[run].operations[phase] if (other, at) == (operation, file)]
 
-    def trials(self, number, seed):
-        """Names: PHASE KIND OPERATION NUMBER FILE. All of them if the number is 0."""
-        names = [f"{phase} {kind} {operation} {count} {file}"
-                 for phase, log in self.operations.items() for operation, file, count, _ in log
+    def all_of(self, run):
+        """Names: [RUN: ]PHASE KIND OPERATION NUMBER FILE."""
+        names = [runs.joined_name(run, f"{phase} {kind} {operation} {count} {file}")
+                 for phase, log in self.counted[run].operations.items() for operation, file, count, _ in log
                  for kind in KINDS.get(operation, KINDS_OF_NAMES)
                  # What is read stays as it is when the process dies.
                  if file.startswith("out") or kind in ("once", "ever", "short")]
-        names = list(dict.fromkeys(names))
-        return random.Random(seed).sample(names, min(number, len(names))) if number else names
+        return list(dict.fromkeys(names))
+
+    def trials(self, number, seed):
+        """All of them if the number is 0."""
+        if number == 0:
+            return [name for run in runs.RUNS for name in self.all_of(run)]
+        chance = random.Random(seed)
+        return [chance.choice(self.all_of(run)) for run in runs.runs_of_trials(number, chance, seed)]
 
     def perform(self, trial):
-        phase, fault = trial.name.split(" ", 1)
+        run, rest = runs.split_name(trial.name)
+        reference = self.counted[run].reference
+        phase, fault = rest.split(" ", 1)
         kind, file = fault.split(" ")[0], fault.split(" ", 3)[3]
-        output, environment = self.start(trial.folder, phase, fault)
+        output, environment = self.start(reference, trial.folder, phase, fault)
         disk = power.Disk(output)
-        done = trial.note(self.program.run(self.arguments(output, phase), trial.folder, environment))
+        done = trial.note(reference.perform(arguments_of(reference, output, phase), trial.folder, environment=environment))
         log = power.read_log(environment["CONTINUA_FAULT_LOG"])
         if kind in ("kill", "half", "power", "names"):
             if done.status == 0:
                 return Verdict("skipped", "the operation was not reached")
-            if done.status != -9:
+            if not reference.was_killed(done.status):
                 return Verdict("wrong", f"exit status {done.status} instead of a kill")
             if kind in ("power", "names"):
                 changes = disk.follow(log).lose_power(kind == "names", environment["CONTINUA_FAULT_SHADOW"])
@@ -113,14 +131,14 @@ class Attack:
             if file.startswith("out/"):
                 names.add(os.path.join("/run", os.path.relpath(os.path.dirname(file), "out")).rstrip("/."))
             if kind in ("ever", "cut"):
-                names |= self.reference.names(output)
+                names |= reference.names(output)
             found = defect(done, names)
             if found:
                 return found
             if done.status == 0:
-                found = runs.difference(self.reference.expected, output)
+                found = reference.difference(output)
                 if found:
                     return Verdict("wrong", "exit status 0, but " + found)
         had_checkpoint = phase == "restart" or power.has_complete_checkpoint(log, kind == "names")
-        found = self.reference.go_on(trial, output, had_checkpoint)
+        found = reference.go_on(trial, output, had_checkpoint)
         return found or Verdict("accepted" if done.status == 0 else "refused", "")

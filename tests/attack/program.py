@@ -43,18 +43,19 @@ class Program:
     def __init__(self, path, time_limit=120., memory=4):
         self.path, self.time_limit, self.memory = os.path.abspath(path), time_limit, memory
 
-    def start(self, arguments, folder, environment=None, limits="", wrapper=()):
-        """A running subprocess.Popen. `limits`: commands of a shell before the start (ulimit, trap)."""
+    def start(self, arguments, folder, environment=None, limits="", wrapper=(), ranks=1):
+        """A running subprocess.Popen, of mpiexec where there are several ranks. `limits`: commands of a shell before the start (ulimit, trap)."""
         variables = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", DEAL_II_NUM_THREADS="1",
                          OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_hwloc_base_binding_policy="none",
                          PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe",
                          PRTE_MCA_hwloc_default_binding_policy="none", OMPI_ALLOW_RUN_AS_ROOT="1",
-                         OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", LC_ALL="C.UTF-8")
+                         OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_mpi_yield_when_idle="1", LC_ALL="C.UTF-8")
         memory = f"ulimit -v {self.memory << 20}; " if self.memory else ""
         script = f"ulimit -c 0; {memory}{limits}{'; ' if limits else ''}exec {'env ' if environment else ''}\"$@\""
         # Set by env, for the program alone: the shell has none of it.
         variables_of_program = [f"{key}={value}" for key, value in (environment or {}).items()]
-        command = ["/bin/sh", "-c", script, "sh", *variables_of_program, *wrapper, self.path, *arguments]
+        launcher = ["mpiexec", "--bind-to", "none", "-n", str(ranks)] if ranks > 1 else []
+        command = ["/bin/sh", "-c", script, "sh", *variables_of_program, *wrapper, *launcher, self.path, *arguments]
         return subprocess.Popen(command, cwd=folder, env=variables, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                 stderr=subprocess.PIPE, start_new_session=True)
 
@@ -70,16 +71,32 @@ class Program:
         return Done([self.path, *arguments], process.returncode, output.decode("utf-8", "replace"),
                     errors.decode("utf-8", "replace"), time.monotonic() - begin, hung)
 
-    def run(self, arguments, folder, environment=None, limits="", wrapper=(), time_limit=None):
-        return self.finish(self.start(arguments, folder, environment, limits, wrapper), arguments, time_limit)
+    def run(self, arguments, folder, environment=None, limits="", wrapper=(), time_limit=None, ranks=1):
+        return self.finish(self.start(arguments, folder, environment, limits, wrapper, ranks), arguments, time_limit)
+
+
+def family_of(process):
+    """The process and all that it started: the ranks below mpiexec have groups of their own."""
+    children = collections.defaultdict(list)
+    for name in filter(str.isdigit, os.listdir("/proc")):
+        try:
+            with open(f"/proc/{name}/stat", encoding="utf-8", errors="replace") as stream:
+                children[int(stream.read().rpartition(")")[2].split()[1])].append(int(name))
+        except OSError:
+            pass
+    family = [process.pid]
+    for pid in family:
+        family += children[pid]
+    return family
 
 
 def end_group(process):
-    """Ends a process and its children, which are the group that start() made for them."""
-    try:
-        os.killpg(process.pid, signal.SIGKILL)
-    except ProcessLookupError:
-        pass
+    """Ends a process and all that it started."""
+    for pid in family_of(process):
+        try:
+            os.kill(pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
 
 
 def defect(done, names):

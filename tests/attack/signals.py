@@ -22,22 +22,26 @@ class Attack:
         self.program = program
 
     def prepare(self, folder):
-        self.reference = runs.Reference(self.program, folder, LONG)
+        self.references = runs.Made(lambda run: runs.Reference(self.program, os.path.join(folder, run), LONG, run))
 
     def corpus(self):
         return runs.corpus_lines("signals.txt")
 
     def trials(self, number, seed):
-        """Names: SIGNAL HOW OFTEN ROWS SECONDS: when the table has so many rows, and so much later."""
+        """Names: [RUN: ]SIGNAL HOW OFTEN ROWS SECONDS: when the table has so many rows, and so much later."""
         chance = random.Random(seed)
-        return [f"{chance.choice(NAMES + ('CLOSED',))} {chance.choice((1, 1, 3, 40))} {chance.choice((0, 1, 1, 1, 1))} "
-                f"{chance.random() * 0.6 * self.reference.seconds:.4f}" for _ in range(number)]
+        return [runs.joined_name(run, f"{chance.choice(NAMES + ('CLOSED',))} {chance.choice((1, 1, 3, 40))} "
+                                      f"{chance.choice((0, 1, 1, 1, 1))} "
+                                      f"{chance.random() * 0.6 * self.references[run].seconds:.4f}")
+                for run in runs.runs_of_trials(number, chance, seed, others=False)]
 
     def perform(self, trial):
-        name, often, rows, seconds = trial.name.split()
+        run, rest = runs.split_name(trial.name)
+        name, often, rows, seconds = rest.split()
+        reference = self.references[run]
         output = os.path.join(trial.folder, "run")
-        arguments = self.reference.arguments(output)
-        process = self.program.start(arguments, trial.folder)
+        arguments = reference.arguments(output)
+        process = reference.start(arguments, trial.folder)
         table = os.path.join(output, "probes.csv")
         end = time.monotonic() + self.program.time_limit
         while int(rows) and not os.path.exists(table) and process.poll() is None and time.monotonic() < end:
@@ -49,7 +53,7 @@ class Attack:
         else:
             for _ in range(int(often)):
                 if process.poll() is None:
-                    os.kill(process.pid, getattr(signal, "SIG" + name))
+                    self.send(process, reference, getattr(signal, "SIG" + name))
                 time.sleep(0.003)
             done = self.program.finish(process, arguments)
         trial.note(done)
@@ -59,14 +63,23 @@ class Attack:
                 return found
         # Before it has anything to keep the program may die of a signal.
         if done.status == 0:
-            found = runs.difference(self.reference.expected, output)
+            found = reference.difference(output)
             if found:
                 return Verdict("wrong", "exit status 0, but " + found)
         had_checkpoint = os.path.exists(os.path.join(output, "checkpoint", "current"))
         if done.status == 1 and not had_checkpoint and name != "CLOSED":
             return Verdict("lost", "interrupted, but there is no checkpoint")
-        found = self.reference.go_on(trial, output, had_checkpoint)
+        found = reference.go_on(trial, output, had_checkpoint)
         return found or Verdict("accepted" if done.status == 0 else "refused", "")
+
+    def send(self, process, reference, number):
+        """To the run, or to each of its ranks, as batch systems do. mpiexec itself ends ranks by signals of its own."""
+        one = reference.run.ranks == 1
+        for pid in [process.pid] if one else runs.processes_of_program(process, self.program.path):
+            try:
+                os.kill(pid, number)
+            except ProcessLookupError:
+                pass
 
     def close_screen(self, process, arguments):
         """As `| head` does that has seen enough."""

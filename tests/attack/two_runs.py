@@ -22,34 +22,37 @@ class Attack:
         self.program = program
 
     def prepare(self, folder):
-        self.reference = runs.Reference(self.program, folder, LONG)
-        self.reference.make_partly(PARTLY)
+        self.references = runs.Made(lambda run: runs.Reference(self.program, os.path.join(folder, run), LONG, run)
+                                    .make_partly(PARTLY))
 
     def corpus(self):
         return runs.corpus_lines("two-runs.txt")
 
     def trials(self, number, seed):
-        """Names: `stopped FIRST SECOND`, where the first is stopped while it steps until the second has ended, and
-        `race FIRST SECOND SECONDS`."""
+        """Names: [RUN: ]`stopped FIRST SECOND`, where the first is stopped while it steps until the second has ended, and
+        [RUN: ]`race FIRST SECOND SECONDS`."""
         chance = random.Random(seed)
         firsts, seconds = ("run", "restart"), ("run", "restart", "overwrite")
-        return [f"race {chance.choice(firsts)} {chance.choice(seconds)} {chance.random() * self.reference.seconds:.4f}"
-                for _ in range(number)]
+        return [runs.joined_name(run, f"race {chance.choice(firsts)} {chance.choice(seconds)} "
+                                      f"{chance.random() * self.references[run].seconds:.4f}")
+                for run in runs.runs_of_trials(number, chance, seed, others=False)]
 
     def perform(self, trial):
-        how, first, second, *seconds = trial.name.split()
+        run, rest = runs.split_name(trial.name)
+        how, first, second, *seconds = rest.split()
+        reference = self.references[run]
         output = os.path.join(trial.folder, "run")
         if first == "restart":
-            shutil.copytree(self.reference.partly, output)
-        arguments = self.reference.arguments(output, *WAYS[first])
-        one = self.program.start(arguments, trial.folder)
+            shutil.copytree(reference.partly, output)
+        arguments = reference.arguments(output, *WAYS[first])
+        one = reference.start(arguments, trial.folder)
         if how == "stopped":
             if not runs.wait_until_open(one, os.path.join(output, "power.csv"), self.program.time_limit):
                 return Verdict("wrong", f"the first run ended too early: {self.program.finish(one, arguments).text()}")
             os.kill(one.pid, signal.SIGSTOP)
         else:
             time.sleep(float(seconds[0]))
-        other = trial.note(self.program.run(self.reference.arguments(output, *WAYS[second]), trial.folder))
+        other = trial.note(reference.perform(reference.arguments(output, *WAYS[second]), trial.folder))
         if how == "stopped":
             os.kill(one.pid, signal.SIGCONT)
         alone = trial.note(self.program.finish(one, arguments))
@@ -63,7 +66,7 @@ class Attack:
         # One after the other both may end well.
         if statuses not in ([0, 0], [0, 2]):
             return Verdict("wrong", f"the two end with {statuses[0]} and {statuses[1]}")
-        found = runs.difference(self.reference.expected, output)
+        found = reference.difference(output)
         if found:
             return Verdict("wrong", found)
         return Verdict("refused" if 2 in statuses else "accepted", "")
