@@ -18,6 +18,8 @@ DRIVER = os.path.join(ROOT, "tests", "drivers", "mesh_changes.py")
 DRIVEN = os.path.join(ROOT, "tests", "mesh_changes", "long")
 CHEAP = 60.0
 CHECKPOINTS = "Output/Checkpoint wall time=5 min"
+#: The verdict on a check that fails as its file says.
+KNOWN = "known to fail"
 SECONDS = {"s": 1.0, "second": 1.0, "seconds": 1.0, "min": 60.0, "minute": 60.0, "minutes": 60.0, "h": 3600.0}
 
 
@@ -109,6 +111,32 @@ class ExpectedFailure:
         return (name, "failure of the run", "passed" if holds else "FAILED", value, expected, cost)
 
 
+class KnownFailures:
+    """The checks that a file is known to miss, by the comments `# known to fail: QUANTITY: because REASON`."""
+
+    def __init__(self, text):
+        lines = re.findall(r"^#\s*known to fail:\s*(.*?)\s*$", text, re.MULTILINE)
+        #: {quantity as the table names it: why}
+        self.reasons = {}
+        for line in lines:
+            quantity, _, reason = line.partition(": because ")
+            self.reasons[quantity] = reason
+
+    def judge(self, rows):
+        """The rows with the verdict KNOWN where a check fails as known; a check that holds all the same, or that the run does not have, FAILED."""
+        result = []
+        for row in rows:
+            if row[1] in self.reasons and row[2] == "FAILED":
+                row = (*row[:2], KNOWN, *row[3:])
+            elif row[1] in self.reasons:
+                row = (*row[:2], "FAILED", row[3], f"{row[4]}, which is known to fail: remove this comment", row[5])
+            result.append(row)
+        names = {row[1] for row in rows}
+        result += [(rows[0][0], quantity, "FAILED", "no such check", "one that is known to fail", rows[0][5])
+                   for quantity in self.reasons if quantity not in names]
+        return result
+
+
 def newest_input(texts, program):
     """When the last of the parameter file, its pieces, its tables and meshes, and the program was changed."""
     files = [program]
@@ -193,7 +221,7 @@ class Runs:
         output = os.path.join(self.folder, name)
         if path.startswith(DRIVEN + os.sep):
             return self.drive(path, name, output, newest_input(texts, self.program))
-        failure = ExpectedFailure(texts[0][1])
+        failure, known = ExpectedFailure(texts[0][1]), KnownFailures(texts[0][1])
         newest = newest_input(texts, self.program)
 
         def is_newer(*names):
@@ -203,7 +231,7 @@ class Runs:
         if self.keep and is_newer("summary.json"):
             summary = read_summary(output)
             if summary.get("status") == "finished" and not failure:
-                return self.rows(name, 0, summary), "", "kept"
+                return known.judge(self.rows(name, 0, summary)), "", "kept"
             if summary.get("status") == "failed" and failure:
                 return [failure.row(name, failure.status, "error: " + summary.get("failure", ""), cost_of(summary))], "", "kept"
         arguments = [path, "--output", output]
@@ -226,6 +254,8 @@ class Runs:
             rows = [failure.row(name, status, text, cost_of(summary))]
         else:
             rows = self.rows(name, status, summary if status in (0, 1) else {})
+            # A run that did not end has no checks to judge.
+            rows = known.judge(rows) if summary.get("checks") and status in (0, 1) else rows
         wrong = any(row[2] == "FAILED" for row in rows) and (failure or status != 0)
         return rows, "\n".join(text.splitlines()[-15:]) if wrong else "", how
 
