@@ -36,6 +36,18 @@ UNIT_TEST(jump)
                  !jumps_within([](const double t)
                                { return t > 0.9999999 ? std::pow(t - 0.9999999, 2) : 0.; },
                                0., 1.));
+  for (const double level : {13300., -13300., 1e6})
+    check::is_true(
+        "a small step on a mean of " + std::to_string(level),
+        jumps_within([level](const double t) { return level + (t < 0.4 ? 0. : 100.); }, 0., 1.));
+  check::is_true("a step of a millionth of the mean",
+                 jumps_within([](const double t) { return t < 0.4 ? 1e3 : 1e3 + 1e-3; }, 0., 1.));
+  check::is_true(
+      "a slow wave on a mean",
+      !jumps_within([](const double t) { return 13300. + 1e-3 * std::cos(t); }, 0., 1e-3));
+  check::is_true(
+      "round-off of a constant",
+      !jumps_within([](const double t) { return 13300. + 3e-12 * std::sin(1e9 * t); }, 0., 1.));
   check::is_true("a constant", !jumps_within([](double) { return 3.; }, 0., 1.));
 }
 } // namespace test_of_jump
