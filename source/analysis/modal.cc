@@ -1,6 +1,7 @@
 #include <continua/analysis/modal.h>
 
 #include <continua/analysis/free_motions.h>
+#include <continua/analysis/mode_search.h>
 #include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
@@ -123,38 +124,8 @@ std::vector<Eigenpair> Modal<dim>::solve()
   }
   stop_if_asked("the factor");
   TimerOutput::Scope scope(run.log.timer(), "eigenvalues");
-  const LinearMap mass = [this](const std::vector<double> &x, std::vector<double> &y)
-  { vibration->multiply_mass(x, y); };
-  const LinearMap inverse = [this](const std::vector<double> &x, std::vector<double> &y)
-  {
-    y = x;
-    vibration->solve(y);
-  };
-  std::vector<Eigenpair> pairs;
-  if (vibration->is_symmetric())
-    pairs = dominant_eigenpairs(inverse, mass, n, modal.n_modes, communicator);
-  else
-    pairs = dominant_eigenpairs(
-        [this](const std::vector<double> &x, std::vector<double> &y)
-        {
-          vibration->multiply_mass(x, y);
-          vibration->solve(y);
-        },
-        n, modal.n_modes, communicator);
-  for (Eigenpair &pair : pairs)
-  {
-    // Of two conjugate values the one with positive imaginary part is kept, as before.
-    pair.value = shift + 1. / pair.value;
-    if (pair.value.imag() < 0.)
-    {
-      pair.value = std::conj(pair.value);
-      for (double &x : pair.imaginary)
-        x = -x;
-    }
-  }
-  std::sort(pairs.begin(), pairs.end(),
-            [](const Eigenpair &a, const Eigenpair &b) { return a.value.real() < b.value.real(); });
-  return pairs;
+  return ModeSearch<dim>(*vibration, motions, momenta, communicator, run.log)
+      .nearest(shift, modal.n_modes);
 }
 
 template <int dim>
@@ -206,14 +177,17 @@ std::string Modal<dim>::text_of(const unsigned int number, const Mode &mode) con
   std::array<unsigned int, 2> first = {{0, 0}};
   std::array<double, 2> largest = {{0., 0.}};
   for (unsigned int m = 0; m < motions.size(); ++m)
-    if (mode.inertia_shares[m] > largest[motions[m].rotates])
+    if (mode.inertia_shares[m] > (1. + 1e-6) * largest[motions[m].rotates])
     {
       largest[motions[m].rotates] = mode.inertia_shares[m];
       first[motions[m].rotates] = m;
     }
-  const auto direction =
-      std::max_element(mode.direction_shares.begin(), mode.direction_shares.end());
-  const char axis = "xyz"[direction - mode.direction_shares.begin()];
+  // Round-off must not choose between directions that symmetry makes equal.
+  unsigned int direction = 0;
+  for (unsigned int d = 1; d < dim; ++d)
+    if (mode.direction_shares[d] > (1. + 1e-6) * mode.direction_shares[direction])
+      direction = d;
+  const char axis = "xyz"[direction];
   std::ostringstream text;
   text << "Mode " << number << ": " << std::setprecision(5) << mode.frequency << " Hz, ";
   if (mode.growth_rate > 0.)
@@ -223,7 +197,7 @@ std::string Modal<dim>::text_of(const unsigned int number, const Mode &mode) con
     text << "turns about " << motions[first[true]].axis;
   else
     text << "moves along " << axis;
-  text << std::fixed << std::setprecision(1) << ": " << percent(*direction)
+  text << std::fixed << std::setprecision(1) << ": " << percent(mode.direction_shares[direction])
        << " % of its energy along " << axis;
   for (const bool rotates : {false, true})
   {
@@ -333,6 +307,12 @@ void Modal<dim>::check(const Case<dim> &input, ParameterSection root)
   if (!input.discretisation.is_cell_wise() && linear_solver.given("Factor precision"))
     linear_solver.refuse("Factor precision", "the factor of vibrations has double precision",
                          "Remove it");
+  if (!input.discretisation.is_cell_wise() &&
+      input.discretisation.taylor_hood.linear_solver.direct_solver == DirectSolver::umfpack)
+    linear_solver.refuse(
+        "Direct solver",
+        "umfpack does not tell the signs of its pivots, by which modes are counted",
+        "Use automatic or mumps");
   if (input.modal.shift > 0. &&
       input.discretisation.taylor_hood.linear_solver.direct_solver == DirectSolver::cholmod)
     linear_solver.refuse("Direct solver", "cholmod does not pivot, which a shift needs",

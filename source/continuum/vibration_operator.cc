@@ -11,6 +11,13 @@ void VibrationOperator<dim>::accelerate(const std::vector<double> & /*x*/,
   AssertThrow(false, dealii::ExcNotImplemented());
 }
 
+template <int dim>
+std::size_t VibrationOperator<dim>::n_below_shift() const
+{
+  AssertThrow(false, dealii::ExcNotImplemented());
+  return 0;
+}
+
 template class VibrationOperator<2>;
 template class VibrationOperator<3>;
 } // namespace Continua

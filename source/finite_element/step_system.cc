@@ -63,11 +63,16 @@ SolverChoice StepSystem<dim>::choice() const
 }
 
 template <int dim>
+bool StepSystem<dim>::has_negative_mass() const
+{
+  return std::any_of(coefficients.mass.begin(), coefficients.mass.end(),
+                     [](const double mass) { return mass < 0.; });
+}
+
+template <int dim>
 void StepSystem<dim>::choose()
 {
-  const bool is_shifted = std::any_of(coefficients.mass.begin(), coefficients.mass.end(),
-                                      [](const double mass) { return mass < 0.; });
-  if (is_shifted)
+  if (has_negative_mass())
   {
     if (parameters.type == LinearSolverType::iterative)
       throw RunError("the iterative solver does not apply to vibrations, whose matrix is "
@@ -155,12 +160,15 @@ void StepSystem<dim>::factorize()
   // The oldest goes first: there may be no room for one more.
   while (kept_factors.size() >= parameters.kept_factors)
     kept_factors.pop_back();
-  // A negative mass is the shift of an eigenvalue problem.
-  const bool quasi_definite =
-      std::all_of(coefficients.compressibility.begin(), coefficients.compressibility.end(),
-                  [](const double c) { return c > 0.; }) &&
-      std::all_of(coefficients.mass.begin(), coefficients.mass.end(),
-                  [](const double mass) { return mass >= 0.; });
+  const bool is_shifted = has_negative_mass();
+  const bool quasi_definite = !is_shifted && std::all_of(coefficients.compressibility.begin(),
+                                                         coefficients.compressibility.end(),
+                                                         [](const double c) { return c > 0.; });
+  // A shift needs pivots, which CHOLMOD has not; a case may ask for CHOLMOD where it solves without
+  // a shift, and count modes with one.
+  const DirectSolver library = is_shifted && parameters.direct_solver == DirectSolver::cholmod
+                                   ? DirectSolver::mumps
+                                   : parameters.direct_solver;
   make_work_space();
   packed.resize(space.velocity_owned.n_elements() + space.pressure_owned.n_elements());
   std::vector<int> owned;
@@ -182,13 +190,14 @@ void StepSystem<dim>::factorize()
   else
     try
     {
-      made.factor = make_symmetric_factor(parameters.direct_solver, quasi_definite,
-                                          matrix.values.size(), space.communicator);
+      made.factor =
+          make_symmetric_factor(library, quasi_definite, matrix.values.size(), space.communicator);
     }
     catch (const std::invalid_argument &error)
     {
       throw RunError(error.what());
     }
+  made.factor->counts_pivots = counts_pivots;
   if (announce)
     made.factor->announce = [this, n = matrix.n](const FactorEstimate &estimate)
     { announce(n, estimate.memory); };

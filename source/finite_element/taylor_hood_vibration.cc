@@ -52,6 +52,7 @@ TaylorHoodVibration<dim>::TaylorHoodVibration(const Space<dim> &space,
       pressure(space.pressure_vector()),
       mass(space.pressure_vector())
 {
+  system.counts_pivots = true;
 }
 
 template <int dim>
@@ -113,6 +114,15 @@ void TaylorHoodVibration<dim>::set_shift(const double new_shift)
   }
   coefficients.support_stiffness = 1.;
   system.prepare(coefficients);
+}
+
+template <int dim>
+std::size_t TaylorHoodVibration<dim>::n_below_shift() const
+{
+  // The rows of pressures have one negative pivot each, whether the material is compressible (their
+  // block is -C) or not (a pressure and the velocities it constrains make a pair of either sign);
+  // so have hanging pressures, with -1 on the diagonal. Velocities that are held have +1.
+  return system.n_negative_pivots() - space.pressure_dofs.n_dofs();
 }
 
 template <int dim>

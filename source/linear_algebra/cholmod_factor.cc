@@ -163,6 +163,16 @@ void CholmodFactor::solve(std::vector<double> &x)
     x[k] = solution[d.owned[k]];
 }
 
+std::size_t CholmodFactor::count_negative_pivots() const
+{
+  const auto *const starts = static_cast<const int *>(data->factor->p);
+  const auto *const values = static_cast<const double *>(data->factor->x);
+  std::size_t n_negative = 0;
+  for (std::size_t k = 0; k < data->factor->n; ++k)
+    n_negative += values[starts[k]] < 0.;
+  return n_negative;
+}
+
 double CholmodFactor::n_entries() const
 {
   return data->common.lnz;

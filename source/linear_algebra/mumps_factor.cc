@@ -15,6 +15,7 @@ MumpsFactor::MumpsFactor(const bool quasi_definite, const MPI_Comm communicator)
 void MumpsFactor::factorize(SymmetricTriplets matrix, const std::vector<int> &owned)
 {
   matrix.check(owned);
+  solver.counts_pivots = counts_pivots;
   solver.factorize(matrix.n, std::move(matrix.rows), std::move(matrix.columns),
                    std::move(matrix.values), owned, announce);
 }

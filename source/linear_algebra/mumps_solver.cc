@@ -231,6 +231,8 @@ FactorEstimate MumpsSolver<Number>::analyse_from_one(const int n,
   d.icntl(7) = 5;  // METIS; a MUMPS built without it (Debian's) takes PORD instead
   if (scaling == MumpsScaling::none)
     d.icntl(8) = 0;
+  if (counts_pivots)
+    d.icntl(13) = 1;       // no ScaLAPACK, see the header
   d.icntl(10) = 0;         // no iterative refinement
   d.icntl(24) = 1;         // find the zero pivots of a singular matrix
   d.mumps.cntl[2] = 1e-13; // what counts as zero, relative to the scaled matrix
@@ -344,6 +346,12 @@ template <typename Number>
 double MumpsSolver<Number>::n_entries() const
 {
   return count_of(data->mumps.infog[28]);
+}
+
+template <typename Number>
+std::size_t MumpsSolver<Number>::n_negative_pivots() const
+{
+  return data->mumps.infog[11];
 }
 
 template <typename Number>

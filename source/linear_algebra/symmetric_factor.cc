@@ -1,3 +1,4 @@
+#include <continua/base/input_error.h>
 #include <continua/linear_algebra/both_triangles.h>
 #include <continua/linear_algebra/cholmod_factor.h>
 #include <continua/linear_algebra/mumps_factor.h>
@@ -23,6 +24,18 @@ void SymmetricTriplets::check(const std::vector<int> &owned) const
                                   std::to_string(n));
   if (std::any_of(owned.begin(), owned.end(), [&](const int i) { return i < 0 || i >= n; }))
     throw std::invalid_argument("SymmetricTriplets: an owned index is outside the matrix");
+}
+
+std::size_t SymmetricFactor::n_negative_pivots() const
+{
+  if (!counts_pivots)
+    throw std::logic_error("SymmetricFactor: set counts_pivots before the factorisation");
+  return count_negative_pivots();
+}
+
+std::size_t SymmetricFactor::count_negative_pivots() const
+{
+  throw RunError("the solver " + name() + " does not tell the signs of its pivots; choose mumps");
 }
 
 std::unique_ptr<SymmetricFactor> make_symmetric_factor(const DirectSolver choice,

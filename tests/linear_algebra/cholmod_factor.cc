@@ -35,6 +35,18 @@ UNIT_TEST(cholmod_factor)
   check::is_true("a second factor is bit-equal", problems::solve(again, b) == first);
   check::is_true("memory", factor.memory() > 12 * factor.n_entries());
 
+  for (const double shift : {0., 0.1234, 1.234, 5.678})
+  {
+    CholmodFactor counting;
+    counting.counts_pivots = true;
+    problems::factorize(counting, problems::five_points(20, shift));
+    check::equal("negative pivots, shift " + std::to_string(shift),
+                 std::to_string(counting.n_negative_pivots()),
+                 std::to_string(problems::n_negative_of_five_points(20, shift)));
+  }
+  check::throws<std::logic_error>(
+      "pivots that are not counted", [&]() { factor.n_negative_pivots(); }, "counts_pivots");
+
   check::throws<RunError>(
       "singular", [&]() { problems::factorize(factor, problems::rank_one()); },
       "CHOLMOD.*singular");

@@ -118,6 +118,81 @@ UNIT_TEST(eigenpairs)
     check::absolute("rotations: residual " + std::to_string(k + 1), turned[k].residual, 0., 1e-12);
   }
 
+  // Values that occur three and two times: one start vector has a part in one shape of each.
+  const std::vector<double> copies = {5., 5., 5., 3., 3., 2., 1., 1., 1., 0.5, 0.25};
+  const unsigned int n_copies = copies.size();
+  const unsigned int n_local_of_copies = begin_of(n_copies, rank + 1) - begin_of(n_copies, rank);
+  const LinearMap diagonal = whole(n_copies,
+                                   [&](std::vector<double> x)
+                                   {
+                                     for (unsigned int i = 0; i < n_copies; ++i)
+                                       x[i] *= copies[i];
+                                     return x;
+                                   });
+  const auto n_independent = [&](const std::vector<Eigenpair> &pairs)
+  {
+    std::vector<std::vector<double>> basis;
+    const auto product = [&](const std::vector<double> &a, const std::vector<double> &b)
+    {
+      double sum = 0.;
+      for (std::size_t i = 0; i < a.size(); ++i)
+        sum += a[i] * b[i];
+      MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+      return sum;
+    };
+    for (const Eigenpair &pair : pairs)
+    {
+      std::vector<double> x = pair.real;
+      const double before = product(x, x);
+      for (const std::vector<double> &q : basis)
+      {
+        const double part = product(q, x);
+        for (std::size_t i = 0; i < x.size(); ++i)
+          x[i] -= part * q[i];
+      }
+      const double after = product(x, x);
+      if (after < 1e-8 * before)
+        continue;
+      for (double &entry : x)
+        entry /= std::sqrt(after);
+      basis.push_back(x);
+    }
+    return basis.size();
+  };
+  const auto check_copies = [&](const std::string &name, const std::vector<Eigenpair> &pairs)
+  {
+    check::equal(name + ": shapes", std::to_string(n_independent(pairs)),
+                 std::to_string(pairs.size()));
+    for (unsigned int k = 0; k < pairs.size(); ++k)
+      check::absolute(name + ": value " + std::to_string(k + 1),
+                      std::abs(pairs[k].value - copies[k]), 0., 1e-10);
+  };
+  for (const unsigned int n_wanted : {2u, 3u, 4u, 5u, 9u, 11u})
+  {
+    const std::vector<Eigenpair> found =
+        dominant_eigenpairs(diagonal, n_local_of_copies, n_wanted, MPI_COMM_WORLD);
+    check::equal("copies: " + std::to_string(n_wanted) + " values", std::to_string(found.size()),
+                 std::to_string(n_wanted));
+    check_copies("copies: " + std::to_string(n_wanted), found);
+  }
+  // The symmetric ones go on where they are told to.
+  const LinearMap identity = whole(n_copies, [](const std::vector<double> &x) { return x; });
+  std::vector<Eigenpair> found;
+  while (found.size() < n_copies)
+  {
+    const std::vector<Eigenpair> next =
+        dominant_eigenpairs(diagonal, identity, n_local_of_copies, 1, MPI_COMM_WORLD, found);
+    if (next.empty())
+      break;
+    found.insert(found.end(), next.begin(), next.end());
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Eigenpair &a, const Eigenpair &b)
+                     { return a.value.real() > b.value.real() + 1e-8; });
+  }
+  check::equal("copies, one after the other", std::to_string(found.size()),
+               std::to_string(n_copies));
+  check_copies("copies, one after the other", found);
+
   // Two values that are not zero.
   const std::vector<Eigenpair> few =
       dominant_eigenpairs(whole(7, [](const std::vector<double> &x)

@@ -55,6 +55,18 @@ UNIT_TEST(mumps_factor)
       problems::relative_residual(quasi_definite, problems::saddle_point(24, 1e3, 1e-3, false)), 0,
       1e-10);
 
+  for (const double shift : {0., 0.1234, 1.234, 5.678})
+  {
+    MumpsFactor counting(false, MPI_COMM_WORLD);
+    counting.counts_pivots = true;
+    problems::factorize(counting, problems::five_points(20, shift));
+    check::equal("negative pivots, shift " + std::to_string(shift),
+                 std::to_string(counting.n_negative_pivots()),
+                 std::to_string(problems::n_negative_of_five_points(20, shift)));
+  }
+  check::throws<std::logic_error>(
+      "pivots that are not counted", [&]() { factor.n_negative_pivots(); }, "counts_pivots");
+
   check::throws<RunError>(
       "singular", [&]() { problems::factorize(factor, problems::rank_one()); }, "MUMPS.*singular");
   check::throws<RunError>(

@@ -33,6 +33,34 @@ inline SymmetricTriplets rank_one()
   return {3, {0, 1, 1, 2, 2, 2}, {0, 0, 1, 0, 1, 2}, {1, 2, 4, 3, 6, 9}};
 }
 
+/// The five-point Laplacian of m x m nodes inside a square, less `shift`, has the eigenvalues
+/// 4 - 2 cos(i pi/(m + 1)) - 2 cos(j pi/(m + 1)) - shift: so many of them are negative.
+inline SymmetricTriplets five_points(const int m, const double shift)
+{
+  SymmetricTriplets matrix;
+  matrix.n = m * m;
+  for (int j = 0; j < m; ++j)
+    for (int i = 0; i < m; ++i)
+    {
+      add(matrix, j * m + i, j * m + i, 4. - shift);
+      if (i + 1 < m)
+        add(matrix, j * m + i, j * m + i + 1, -1.);
+      if (j + 1 < m)
+        add(matrix, j * m + i, (j + 1) * m + i, -1.);
+    }
+  return matrix;
+}
+
+inline std::size_t n_negative_of_five_points(const int m, const double shift)
+{
+  std::size_t n_negative = 0;
+  for (int j = 1; j <= m; ++j)
+    for (int i = 1; i <= m; ++i)
+      n_negative +=
+          4. - 2. * std::cos(i * M_PI / (m + 1)) - 2. * std::cos(j * M_PI / (m + 1)) < shift;
+  return n_negative;
+}
+
 /// The graph Laplacian of a square of m x m nodes: its rows sum to zero. `shift` is added to the
 /// diagonal.
 inline SymmetricTriplets laplacian(const int m, const double shift)

@@ -6,6 +6,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -53,6 +54,9 @@ public:
   virtual void set_shift(double shift) = 0;
   /// x becomes (K - shift M)^-1 x: in [kg m/s^2], out [m].
   virtual void solve(std::vector<double> &x) = 0;
+  /// The number of lambda below the shift of the last set_shift(), by the signs of the factor's
+  /// pivots. Only where is_symmetric().
+  virtual std::size_t n_below_shift() const;
 
   /// Whether accelerate() exists: M must be regular on the unknowns.
   virtual bool has_acceleration() const { return false; }

@@ -49,6 +49,8 @@ public:
 
   /// Called before a factor of so many unknowns is made that will need so much memory [bytes].
   std::function<void(double n_unknowns, double bytes)> announce;
+  /// Whether n_negative_pivots() will be asked for of factors that are made from here on.
+  bool counts_pivots = false;
   /// Is told what the solvers take; null: nothing is.
   MemoryUse *memory_use = nullptr;
 
@@ -103,6 +105,9 @@ public:
 
   /// The factor in use, of the stiff block alone if the solver is iterative; null if there is none.
   const SymmetricFactor *factor() const;
+  /// The number of negative eigenvalues of the system with the present coefficients, constrained
+  /// dofs included, by the pivots of a factor: each pressure has one where no mass is negative.
+  std::size_t n_negative_pivots() const { return factor()->n_negative_pivots(); }
   /// Of the solver in use; empty before the first prepare().
   std::string name() const;
   StepSolver solver() const { return chosen.solver; }
@@ -146,6 +151,8 @@ private:
   DistributedVector velocity_residual, pressure_residual, velocity_correction, pressure_correction,
       zero_velocity;
 
+  /// A negative mass is the shift of an eigenvalue problem.
+  bool has_negative_mass() const;
   void make_work_space();
   /// Decides on the solver for these coefficients.
   void choose();

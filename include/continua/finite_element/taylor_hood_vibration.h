@@ -36,6 +36,7 @@ public:
   momentum(const std::function<dealii::Tensor<1, dim>(const dealii::Point<dim> &)> &field) override;
   void set_shift(double shift) override;
   void solve(std::vector<double> &x) override;
+  std::size_t n_below_shift() const override;
   void set_shape(const std::vector<double> &x, double eigenvalue) override;
 
 private:

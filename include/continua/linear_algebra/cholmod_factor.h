@@ -30,6 +30,8 @@ public:
   std::string name() const override;
 
 private:
+  std::size_t count_negative_pivots() const override;
+
   struct Data;
   std::unique_ptr<Data> data;
 };

@@ -28,6 +28,10 @@ struct Eigenpair
  * are on this rank. Of two conjugate values the one with positive imaginary part is returned and
  * counts once.
  *
+ * The method begins with one vector and may miss further copies of a multiple value. So it is asked
+ * again for the largest value of what the found vectors leave of the map, until that is smaller
+ * than all that are returned. Then none is missing.
+ *
  * Fewer pairs come back where the map has fewer values that are not zero (below 1e-12 of the
  * largest). Throws RunError if the method does not converge.
  */
@@ -36,13 +40,16 @@ std::vector<Eigenpair> dominant_eigenpairs(const LinearMap &map,
                                            unsigned int n_wanted,
                                            MPI_Comm communicator);
 
-/// The same of A = S M with S symmetric and M symmetric, positive semi-definite: A is self-adjoint
-/// in the inner product M, hence all values and vectors are real and the vectors orthogonal in M.
+/// Of A = S M with S symmetric and M symmetric, positive semi-definite: A is self-adjoint in the
+/// inner product M, hence all values and vectors are real and the vectors orthogonal in M. They are
+/// sought among the vectors that are orthogonal in M to those `found` before. Further copies of a
+/// multiple value may be missing: the caller counts.
 std::vector<Eigenpair> dominant_eigenpairs(const LinearMap &symmetric_map,
                                            const LinearMap &inner_product,
                                            unsigned int n_local,
                                            unsigned int n_wanted,
-                                           MPI_Comm communicator);
+                                           MPI_Comm communicator,
+                                           const std::vector<Eigenpair> &found = {});
 } // namespace Continua
 
 #endif

@@ -20,6 +20,8 @@ public:
   std::string name() const override;
 
 private:
+  std::size_t count_negative_pivots() const override { return solver.n_negative_pivots(); }
+
   const bool quasi_definite;
   MumpsSolver<double> solver;
 };

@@ -5,6 +5,7 @@
 
 #include <mpi.h>
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -42,6 +43,10 @@ public:
   MumpsSolver(MumpsSymmetry symmetry, MumpsScaling scaling, MPI_Comm communicator);
   ~MumpsSolver();
 
+  /// Whether n_negative_pivots() will be asked for; set before factorize(). On several ranks the
+  /// last block is then MUMPS's own and not ScaLAPACK's, whose pivots MUMPS does not count.
+  bool counts_pivots = false;
+
   /// What factorize() would announce for a matrix with such entries. There is no factor then.
   FactorEstimate analyse(int n, std::vector<int> rows, std::vector<int> columns);
   /// Entries (global indices from 0) are spread over ranks in any way, those that occur twice add.
@@ -57,6 +62,8 @@ public:
   /// Allocates nothing of its own; MUMPS does inside.
   void solve(std::vector<Number> &x);
   double n_entries() const;
+  /// On all ranks, of a symmetric matrix.
+  std::size_t n_negative_pivots() const;
   /// What MUMPS used in the factorisation, in whole megabytes; more than the factor alone.
   double memory() const;
 

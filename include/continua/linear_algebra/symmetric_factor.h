@@ -41,6 +41,8 @@ public:
   /// Called on every rank between analysis and factorisation; not by UMFPACK, which has no
   /// estimate.
   std::function<void(const FactorEstimate &)> announce;
+  /// Whether n_negative_pivots() will be asked for; set before factorize().
+  bool counts_pivots = false;
 
   /**
    * Analyses and factors. `owned` are the global indices whose right-hand side and solution entries
@@ -54,10 +56,19 @@ public:
   /// Allocates nothing.
   virtual void solve(std::vector<double> &x) = 0;
 
+  /// The number of negative eigenvalues of the matrix, by Sylvester's law of inertia: that of the
+  /// negative pivots, on all ranks. Throws std::logic_error without `counts_pivots`, RunError if
+  /// the solver does not know it.
+  std::size_t n_negative_pivots() const;
+
   /// Entries of the factor over all ranks, and its memory in bytes.
   virtual double n_entries() const = 0;
   virtual double memory() const = 0;
   virtual std::string name() const = 0;
+
+private:
+  /// Of n_negative_pivots(); the solver does not know the number unless this is overridden.
+  virtual std::size_t count_negative_pivots() const;
 };
 
 /// A factor would need more memory than it may.
