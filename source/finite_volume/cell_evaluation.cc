@@ -22,7 +22,7 @@ using Source = ProbeWeights::Source;
 
 template <int dim>
 CellEvaluation<dim>::CellEvaluation(const CellSpace<dim> &space, const Problem &problem)
-    : FieldProbes<dim>(problem), space(space), linear(space), mapping(2)
+    : FieldProbes<dim>(problem), space(space), linear(space, problem), mapping(2)
 {
 }
 
@@ -260,9 +260,11 @@ void CellEvaluation<dim>::add_value(const FieldDefinition<dim> &field,
 
   if (field.quantity == Quantity::velocity || field.quantity == Quantity::displacement)
   {
-    DistributedVector &target = collector.weights(
-        field.quantity == Quantity::velocity ? Source::velocity : Source::displacement);
-    for (const auto &entry : linear.velocity(place, point))
+    const bool is_velocity = field.quantity == Quantity::velocity;
+    DistributedVector &target =
+        collector.weights(is_velocity ? Source::velocity : Source::displacement);
+    for (const auto &entry :
+         is_velocity ? linear.velocity(place, point) : linear.displacement(place, point))
       for (unsigned int c = 0; c < dim; ++c)
         add(target, dim * entry.first + c, weight * factors[c] * entry.second);
     return;
@@ -365,6 +367,7 @@ double CellEvaluation<dim>::error_norm(const State &state,
         present = stress_at(place, point, vectors[volume.material_id], pressure);
       else
       {
+        // In a cell; a displacement is another than a velocity on faces alone.
         const Tensor<1, dim> value =
             linear.vector_value(linear.velocity(place, point), vectors.front());
         for (unsigned int c = 0; c < dim; ++c)

@@ -100,16 +100,28 @@ typename CellTransfer<dim>::CellData CellTransfer<dim>::data_of(const unsigned i
       const auto entry = [&](const unsigned int value) { return vector(n_components * value + c); };
       Component component;
       component.value = entry(values.of_cell(cell));
-      for (const auto &part : gradient(cell))
-        component.gradient += entry(part.first) * part.second;
+      const auto gradient_of = [&](const unsigned int number)
+      {
+        Tensor<1, dim> sum;
+        for (const auto &part : gradient(number))
+          sum += entry(part.first) * part.second;
+        return sum;
+      };
+      component.gradient = gradient_of(cell);
       for (const unsigned int number : volume.faces)
       {
         const VolumeFace<dim> &face = space.mesh.faces()[number];
         const unsigned int side = space.mesh.side(number, cell);
         const unsigned int f = face.number_in_cell[side];
-        if (face.has_value())
-          component.on_faces[f] +=
-              face.plane_area / data.face_areas[f] * entry(values.of_face(number, side));
+        if (!face.has_value())
+          continue;
+        const double share = face.plane_area / data.face_areas[f];
+        component.on_faces[f] += share * entry(values.of_face(number, side));
+        // What both sides have in common belongs to the solid.
+        const unsigned int owner =
+            n_components == dim ? reconstruction.owner_along(number, cell) : cell;
+        component.face_gradients[f] +=
+            share * (owner == cell ? component.gradient : gradient_of(owner));
       }
       data.components.push_back(component);
     }
@@ -144,7 +156,11 @@ typename CellTransfer<dim>::CellData CellTransfer<dim>::mean_over(const CellIter
       mean.components[i].value += weight * data.components[i].value;
       mean.components[i].gradient += weight * data.components[i].gradient;
       for (unsigned int f = 0; f < n_faces; ++f)
+      {
         mean.components[i].on_faces[f] += data.face_areas[f] * data.components[i].on_faces[f];
+        mean.components[i].face_gradients[f] +=
+            data.face_areas[f] * data.components[i].face_gradients[f];
+      }
     }
   }
   mean.centre /= volume;
@@ -157,7 +173,10 @@ typename CellTransfer<dim>::CellData CellTransfer<dim>::mean_over(const CellIter
     component.gradient /= volume;
     for (unsigned int f = 0; f < n_faces; ++f)
       if (mean.face_areas[f] > 0.)
+      {
         component.on_faces[f] /= mean.face_areas[f];
+        component.face_gradients[f] /= mean.face_areas[f];
+      }
   }
   return mean;
 }
@@ -182,6 +201,8 @@ std::vector<char> CellTransfer<dim>::pack(const CellData &data) const
     values.push_back(component.value);
     add(component.gradient);
     values.insert(values.end(), component.on_faces.begin(), component.on_faces.end());
+    for (const Tensor<1, dim> &of_face : component.face_gradients)
+      add(of_face);
   }
   std::vector<char> bytes(values.size() * sizeof(double));
   std::memcpy(bytes.data(), values.data(), bytes.size());
@@ -212,6 +233,8 @@ CellTransfer<dim>::unpack(const std::vector<double> &values) const
     take(component.gradient);
     for (double &value : component.on_faces)
       value = *next++;
+    for (Tensor<1, dim> &of_face : component.face_gradients)
+      take(of_face);
     data.components.push_back(component);
   }
   return data;
@@ -266,7 +289,7 @@ void CellTransfer<dim>::set(const unsigned int cell,
       offset -= (offset * face.normal) * face.normal;
       Tensor<1, dim> change;
       for (unsigned int c = 0; c < n_components; ++c)
-        change[c] = component[c].gradient * offset;
+        change[c] = component[c].face_gradients[f] * offset;
       if (n_components == dim && face.at_boundary())
         change = free_part(number, change);
       for (unsigned int c = 0; c < n_components; ++c)

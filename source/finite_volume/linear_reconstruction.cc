@@ -73,6 +73,51 @@ Stencil<double> LinearReconstruction<dim>::velocity(const CellPlace &place,
 }
 
 template <int dim>
+unsigned int LinearReconstruction<dim>::owner_along(const unsigned int face,
+                                                    const unsigned int cell) const
+{
+  const VolumeFace<dim> &surface = space.mesh.faces()[face];
+  if (!surface.is_interface || is_solid(cell))
+    return cell;
+  const unsigned int other = surface.cell(1 - space.mesh.side(face, cell));
+  return is_solid(other) ? other : cell;
+}
+
+template <int dim>
+bool LinearReconstruction<dim>::is_solid(const unsigned int cell) const
+{
+  return problem.materials[space.mesh.cells()[cell].material_id].is_solid();
+}
+
+template <int dim>
+Stencil<double> LinearReconstruction<dim>::displacement(const CellPlace &place,
+                                                        const Point<dim> &point) const
+{
+  if (place.face == CellPlace::none)
+    return velocity(place, point);
+  const unsigned int owner = owner_along(place.face, place.cell);
+  if (!is_solid(owner) && is_held(place.face))
+    return {space.velocities.of_face(place.face, space.mesh.side(place.face, owner)), 1.};
+  return velocity({owner, place.face}, point);
+}
+
+template <int dim>
+bool LinearReconstruction<dim>::is_held(const unsigned int face) const
+{
+  const VolumeFace<dim> &surface = space.mesh.faces()[face];
+  const unsigned int region = space.mesh.cells()[surface.owner].material_id;
+  return surface.at_boundary() &&
+         std::any_of(problem.conditions.begin(), problem.conditions.end(),
+                     [&](const BoundaryCondition &condition)
+                     {
+                       return condition.boundary_id == surface.boundary_id &&
+                              condition.region_ids.count(region) > 0 &&
+                              condition.normal.kind == BoundaryPart::Kind::velocity &&
+                              condition.tangential.kind == BoundaryPart::Kind::velocity;
+                     });
+}
+
+template <int dim>
 Stencil<double> LinearReconstruction<dim>::pressure(const CellPlace &place,
                                                     const Point<dim> &point) const
 {

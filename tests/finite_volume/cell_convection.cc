@@ -60,7 +60,7 @@ struct Stream
               change(problem);
             },
             parameters),
-        reconstruction(body.space),
+        reconstruction(body.space, body.problem),
         excess(body.system, reconstruction),
         convection(body.system, excess, reconstruction)
   {

@@ -133,6 +133,45 @@ void test_linear(const std::string &name, const std::function<void(Triangulation
   check::relative(name + ": volume", transfer.sums()[1], before[1], 1e-12);
 }
 
+/// The way that a liquid's cells have gone leaves the wall where it is.
+template <int dim>
+void test_interface(const std::string &name)
+{
+  Transfer<dim> transfer(
+      [](Triangulation<dim> &mesh)
+      {
+        make_box(mesh, 4);
+        refine_corner(mesh);
+      },
+      dim == 2 ? Model::plane_strain : Model::three_dimensional, false);
+  Body<dim> &body = transfer.body;
+  const VectorFunction<dim> displacement = [](const Point<dim> &x)
+  {
+    Tensor<1, dim> result;
+    result[0] = linear<dim>(x);
+    return result;
+  };
+  body.velocity = velocity_field<dim>(body.space, displacement);
+  for (unsigned int cell = 0; cell < body.space.mesh.n_owned_cells(); ++cell)
+    if (const auto &volume = body.space.mesh.cells()[cell]; volume.material_id == 1)
+      body.velocity.begin()[body.space.local_velocity(body.space.velocities.of_cell(cell))] +=
+          50. * (volume.centre[0] + volume.centre[1]);
+  check::is_true(name + ", interface: cells are divided and put together", transfer.carry());
+  double largest_error = 0., n_found = 0.;
+  for (unsigned int face = 0; face < body.space.mesh.faces().size(); ++face)
+  {
+    const VolumeFace<dim> &surface = body.space.mesh.faces()[face];
+    if (!surface.is_interface || !body.space.velocities.owns_face(face, 0))
+      continue;
+    const double value =
+        body.velocity.begin()[body.space.local_velocity(body.space.velocities.of_face(face, 0))];
+    largest_error = std::max(largest_error, std::abs(value - displacement(surface.centre)[0]));
+    n_found += 1.;
+  }
+  check::is_true(name + ", interface: there is one", sum(n_found) > 0.);
+  check::absolute(name + ", interface: displacement", largest(largest_error), 0., 1e-12);
+}
+
 /// Cells put together in axisymmetry keep the sums of any field; those that are divided are exact
 /// for linear functions only.
 void test_axisymmetric()
@@ -228,6 +267,8 @@ UNIT_TEST(cell_transfer)
                    shear(mesh);
                    refine_corner(mesh);
                  });
+  test_interface<2>("2-D");
+  test_interface<3>("3-D");
   test_axisymmetric();
   test_held();
 }

@@ -48,7 +48,7 @@ struct Liquid
             model,
             make_coefficients(),
             [](Problem &problem) { problem.materials[1].density = density; }),
-        reconstruction(body.space),
+        reconstruction(body.space, body.problem),
         excess(body.system, reconstruction)
   {
     reconstruction.build();

@@ -33,7 +33,8 @@ void test(const Model model)
     named.make(triangulation);
     CellSpace<dim> space(triangulation, model);
     space.distribute();
-    LinearReconstruction<dim> reconstruction(space);
+    const Problem problem = make_problem<dim>(model);
+    LinearReconstruction<dim> reconstruction(space, problem);
     reconstruction.build();
     const DistributedVector velocity =
         reconstruction.ghosted_velocity(velocity_field<dim>(space, field));

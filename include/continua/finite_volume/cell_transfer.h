@@ -17,8 +17,9 @@ namespace Continua
  * triangulations). A cell that is divided gives its parts its value plus its gradient times the
  * distance of the centres, exact for linear functions; one that is put together has the mean over
  * the volumes of its parts, so that nothing is lost. The values of faces are carried over as those
- * of cells are, along the face; where a velocity of zero is prescribed the parts of a face have its
- * value, so that what a boundary holds stays held.
+ * of cells are, along the face, between a liquid and a solid with the gradient of the solid; where
+ * a velocity of zero is prescribed the parts of a face have its value, so that what a boundary
+ * holds stays held.
  */
 template <int dim>
 class CellTransfer
@@ -53,6 +54,8 @@ private:
     double value = 0.;
     dealii::Tensor<1, dim> gradient;
     std::array<double, n_faces> on_faces{}; ///< of those with their own value
+    /// With which those change along themselves: of the cell, or of the solid beside it.
+    std::array<dealii::Tensor<1, dim>, n_faces> face_gradients;
   };
   /// What is known of one cell, or of one that is put together of several.
   struct CellData

@@ -1,6 +1,7 @@
 #ifndef continua_finite_volume_linear_reconstruction_h
 #define continua_finite_volume_linear_reconstruction_h
 
+#include <continua/continuum/problem.h>
 #include <continua/finite_volume/cell_space.h>
 
 #include <deal.II/base/index_set.h>
@@ -26,7 +27,10 @@ template <int dim>
 class LinearReconstruction
 {
 public:
-  explicit LinearReconstruction(const CellSpace<dim> &space) : space(space) {}
+  LinearReconstruction(const CellSpace<dim> &space, const Problem &problem)
+      : space(space), problem(problem)
+  {
+  }
 
   /// Finds which values of other ranks are needed on the present mesh.
   void build();
@@ -34,6 +38,16 @@ public:
   /// A component of a velocity (or of an internal displacement), and the pressure, at a point.
   Stencil<double> velocity(const CellPlace &place, const dealii::Point<dim> &point) const;
   Stencil<double> pressure(const CellPlace &place, const dealii::Point<dim> &point) const;
+  /**
+   * A component of the displacement. A liquid's is the way that its particles have gone, which
+   * grows for ever in a stream and says nothing of where its surface is. So a face between a liquid
+   * and a solid is the solid's, whose gradient counts along it, and a face on which the liquid's
+   * velocity is prescribed has one value all over.
+   */
+  Stencil<double> displacement(const CellPlace &place, const dealii::Point<dim> &point) const;
+  /// The cell that owns a face between a liquid and a solid: the solid's. Of another face the given
+  /// one of its cells.
+  unsigned int owner_along(unsigned int face, unsigned int cell) const;
   /// The gradient of a component [1/m]: in a cell one for all of it; on a face with its normal part
   /// from the face's value.
   Stencil<dealii::Tensor<1, dim>> velocity_gradient(const CellPlace &place) const;
@@ -55,8 +69,12 @@ public:
 
 private:
   const CellSpace<dim> &space;
+  const Problem &problem;
   dealii::IndexSet relevant_velocities, relevant_pressures;
 
+  bool is_solid(unsigned int cell) const;
+  /// Whether all of the velocity is prescribed on a face.
+  bool is_held(unsigned int face) const;
   Stencil<double> at_point(const ValueSpace<dim> &values,
                            const GaussGradient<dim> &gradient,
                            const CellPlace &place,
