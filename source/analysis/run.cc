@@ -6,6 +6,8 @@
 #include <continua/base/version.h>
 #include <continua/case/cost_of_case.h>
 #include <continua/continuum/field_list.h>
+#include <continua/mesh/gmsh_geometry.h>
+#include <continua/mesh/kept_corners.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -93,6 +95,12 @@ void Run<dim>::initialise(const std::function<void()> &make_mesh)
   log.memory_use().mark("coarse mesh and case");
   {
     TimerOutput::Scope scope(log.timer(), "mesh");
+    if (dynamic_cast<const GmshGeometry<dim> *>(input.geometry.get()) != nullptr &&
+        (input.mesh.refinements > 0 || input.adaptation.changes_mesh()))
+      if (const std::string text = warning_of(kept_corners<dim>(
+              *input.triangulation, input.problem.regions, input.problem.boundaries));
+          !text.empty())
+        log.warning(text);
     if (make_mesh)
       make_mesh();
     else
