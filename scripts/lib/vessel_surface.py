@@ -11,24 +11,32 @@ class SurfaceError(Exception):
 
 
 def read_stl(path):
-    """The corners of the triangles, (n, 3, 3), in the unit of the file."""
+    """The corners of the triangles, (n, 3, 3), in the unit of the file, and the number of bytes behind those of a binary file."""
     with open(path, "rb") as stream:
         content = stream.read()
     n_triangles = int(numpy.frombuffer(content[80:84], "<u4")[0]) if len(content) >= 84 else 0
-    if len(content) == 84 + 50 * n_triangles and n_triangles > 0:
+    n_bytes = 84 + 50 * n_triangles
+    n_left_out = 0
+    # The letters of a text in the place of the number make it more than any file holds.
+    if 0 < n_triangles and n_bytes <= len(content):
         record = numpy.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
         corners = numpy.frombuffer(content, record, n_triangles, 84)["corners"].astype(float)
+        n_left_out = len(content) - n_bytes
+    elif b"vertex" not in content.lower() and b"endsolid" not in content.lower():
+        raise SurfaceError(f"{path} is no STL file, neither binary nor text, or it is cut off: write it again")
     else:
+        # Names in the file may have any letters; what counts is the same in all of them.
+        lines = [line.split() for line in content.decode("latin-1").splitlines()]
         try:
-            words = [line.split() for line in content.decode("ascii").splitlines()]
-            corners = numpy.array([line[1:] for line in words if line[:1] == ["vertex"]], float).reshape(-1, 3, 3)
+            corners = numpy.array([line[1:] for line in lines if line and line[0].lower() == "vertex"], float).reshape(-1, 3, 3)
         except ValueError as error:
-            raise SurfaceError(f"{path} is no STL file, neither binary nor text, or it is cut off: write it again") from error
+            raise SurfaceError(f"{path} has a corner without three numbers, or a triangle without three corners, or it is cut off: "
+                               "write it again") from error
     if len(corners) == 0:
         raise SurfaceError(f"{path} has no triangles: write the surface of the vessel as STL")
     if not numpy.isfinite(corners).all():
         raise SurfaceError(f"{path} has a corner that is no finite number: write it again")
-    return corners
+    return corners, n_left_out
 
 
 class Section:
@@ -92,8 +100,14 @@ class Surface:
                      & (triangles[:, 2] != triangles[:, 0]))
         self.join(triangles[different])
         if self.number_of_parts(self.neighbours) != 1:
-            raise SurfaceError("the surface has several parts that are not joined: keep that of the vessel, and join its triangles")
+            raise SurfaceError("the surface has several parts that are not joined: keep that of the vessel, of a wall its inner side, and "
+                               "join its triangles")
         if (self.neighbours >= 0).all():
+            # Without a hole through it a closed surface is a sphere to topology: its Euler characteristic is 2.
+            if len(numpy.unique(self.triangles)) - len(self.triangles) // 2 < 2:
+                raise SurfaceError("the surface is closed and has a hole through it, as a wall has with its inner and its outer side: keep "
+                                   "its inner side alone, without the outer side and the rings that join the two. If it is that of a "
+                                   "lumen, cut the vessel open at its ends, and remove a branch that divides and joins again")
             self.remove_caps(list(ends_near))
         loops = self.open_loops()
         if len(loops) > 2:

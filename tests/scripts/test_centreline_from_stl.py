@@ -238,10 +238,50 @@ class Centreline(unittest.TestCase):
         one_cap = straight(100., 5., 5., caps=True)[:-N_AROUND]
         self.refused(one_cap, "open at one end and closed at the other")
         self.refused(numpy.concatenate([surface, surface[:1]]), "more than two triangles.*doubled")
-        self.refused(self.closed_ring(), "closed and has 0 flat ends.*open")
+        self.refused(self.closed_ring(), "closed and has a hole through it.*cut the vessel open")
         self.refused(b"solid nothing\nendsolid nothing\n", "no triangles")
         self.refused(b"\x00\xff" * 200, "no STL file")
-        self.refused(b"solid a\nvertex 1 2\nvertex 1 2 3\n", "no STL file")
+        self.refused(b"solid a\nvertex 1 2\nvertex 1 2 3\n", "corner without three numbers.*cut off")
+        self.refused(b"vessel".ljust(80) + struct.pack("<I", 3) + bytes(100), "cut off")
+
+    def test_files_of_other_programs(self):
+        """Names in any letters, keywords in capitals, and bytes behind those that a binary file counts."""
+        sys.path.insert(0, os.path.join(os.path.dirname(SCRIPT), "lib"))
+        from vessel_surface import read_stl
+        triangles = straight(10., 5., 5., n_along=2)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "vessel.stl")
+            write_stl(path, triangles, as_text=True)
+            with open(path, "rb") as stream:
+                content = stream.read()
+            write_stl(path, triangles)
+            with open(path, "rb") as stream:
+                binary = stream.read()
+            for written in (content, content.upper(), content.replace(b"\n", b"\r\n"), content.replace(b"vessel", "Gefäß Å".encode()),
+                            content.replace(b"vessel", "Gefäß".encode("latin-1")), binary, b"solid " + binary[6:]):
+                with open(path, "wb") as stream:
+                    stream.write(written)
+                corners, n_left_out = read_stl(path)
+                self.assertEqual(n_left_out, 0)
+                self.assertLess(numpy.abs(corners - triangles).max(), 1e-5)
+        done, _ = self.run_on(binary + b"\n\0x")
+        self.assertRegex(done.stderr, r"^warning: .* has 3 bytes behind the 256 triangles")
+
+    def test_wall_as_a_body(self):
+        """Its message, followed to the letter, gives the lumen."""
+        inner, outer = straight(100., 5., 5., n_along=20), straight(100., 6., 6., n_along=20)[:, [1, 0, 2]]
+        rings = []
+        for x in (0., 100.):
+            first, second = (numpy.unique(surface.reshape(-1, 3)[surface.reshape(-1, 3)[:, 0] == x], axis=0) for surface in (inner, outer))
+            order = [numpy.argsort(numpy.arctan2(ring[:, 2], ring[:, 1])) for ring in (first, second)]
+            a, b = first[order[0]], second[order[1]]
+            for k in range(N_AROUND):
+                m = (k + 1) % N_AROUND
+                rings += [(a[k], a[m], b[m]), (a[k], b[m], b[k])]
+        self.refused(numpy.concatenate([inner, outer, numpy.array(rings)]), "hole through it, as a wall has.*keep its inner side alone")
+        self.refused(numpy.concatenate([inner, outer]), "several parts.*of a wall its inner side")
+        _, table = self.table(inner, "--points", "5")
+        self.assertLess(numpy.abs(table[:, 3] / (5. * POLYGON) - 1).max(), 1e-3)
 
     def test_arguments(self):
         surface = straight(100., 5., 5.)
