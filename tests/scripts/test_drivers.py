@@ -160,6 +160,28 @@ class Drivers(unittest.TestCase):
                                       capture_output=True, text=True, check=False)
         return done
 
+    def compare_screens(self, reference, printed):
+        """Whether screen.py takes what was printed for the reference."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "reference")
+            with open(path, "w", encoding="utf-8") as stream:
+                stream.write(reference)
+            done = subprocess.run(["/usr/bin/python3", "-B", os.path.join(DRIVERS, "screen.py"), path, os.path.join(folder, "work"),
+                                   "/usr/bin/printf", "%s", printed], capture_output=True, text=True, check=False)
+        return done.returncode == 0
+
+    def test_screen(self):
+        """Numbers are compared as numbers whatever stands beside them: blanks, commas of a table, brackets."""
+        for separator in (" ", ",", ";"):
+            row = separator.join(["a", "{}", "5", "({}"]) + ")\n"
+            reference = row.format("123.456", "1e5")
+            for first, second in (("123.456000001", "1e5"), ("1.23456e2", "100000.0001")):
+                self.assertTrue(self.compare_screens(reference, row.format(first, second)), repr(separator))
+            for first, second in (("123.457", "1e5"), ("123.456", "100001"), ("nan", "1e5"), ("", "1e5")):
+                self.assertFalse(self.compare_screens(reference, row.format(first, second)), repr(separator))
+        self.assertFalse(self.compare_screens("a, 1\n", "b, 1\n"))
+        self.assertFalse(self.compare_screens("a, 1\n", "a, 1\na, 1\n"))
+
     def test_verify(self):
         done = self.verify({"case.prm": "set Cells = 4\n"}, "--markdown")
         self.assertEqual(done.returncode, 0, done.stderr)
