@@ -86,7 +86,10 @@ class State:
         """A vtkUnstructuredGrid of the whole body, undeformed. Raises ResultsError for a file that is not there or cut short."""
         append = vtkAppendFilter()
         for file in self.files:
-            append.AddInputData(_read(file))
+            piece = _read(file)
+            if piece.GetPoints() is None:
+                raise ResultsError(file, "the file has no points", _DAMAGED)
+            append.AddInputData(piece)
         append.Update()
         grid = vtkUnstructuredGrid()
         grid.ShallowCopy(append.GetOutput())
@@ -107,8 +110,10 @@ class State:
         data = grid.GetPointData()
         variables = {}
         for i in range(data.GetNumberOfArrays()):
-            values = vtk_to_numpy(data.GetArray(i))
             name = data.GetArrayName(i)
+            if data.GetArray(i) is None or not name:
+                raise ResultsError(", ".join(self.files), f"the field '{name}' has no numbers or no name", _DAMAGED)
+            values = vtk_to_numpy(data.GetArray(i))
             variables[name] = (("point", "component")[:values.ndim], values, {"units": units.get(name, "1")})
         points = vtk_to_numpy(grid.GetPoints().GetData())
         places = {name: ("point", points[:, i], {"units": "m"}) for i, name in enumerate("xyz")}
@@ -124,7 +129,10 @@ def _pieces(file):
         tree = xml.etree.ElementTree.parse(file)
     except (OSError, xml.etree.ElementTree.ParseError) as error:
         raise ResultsError(file, f"cannot be read: {error}", _DAMAGED) from error
-    return [os.path.join(os.path.dirname(file), piece.get("Source")) for piece in tree.iter("Piece")]
+    pieces = [piece.get("Source") for piece in tree.iter("Piece")]
+    if not pieces or not all(pieces):
+        raise ResultsError(file, "lists no files, or one without a name", _DAMAGED)
+    return [os.path.join(os.path.dirname(file), piece) for piece in pieces]
 
 
 def _read(file):
@@ -153,7 +161,7 @@ def _units(file):
     with open(file, "rb") as stream:
         for attributes in re.findall(rb"<DataArray\s([^>]*)>", stream.read()):
             found = dict(re.findall(r'(\w+)="([^"]*)"', attributes.decode("utf-8", "replace")))
-            if "units" in found:
+            if "units" in found and "Name" in found:
                 units[found["Name"]] = found["units"]
     return units
 

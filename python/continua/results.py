@@ -15,6 +15,7 @@ _TABLES = ("amplification", "beats", "comparison", "creep", "dispersion", "harmo
            "refinement", "relaxation", "relaxation-table", "residuals", "runs", "spin-coating", "wave")
 _MARKS = ("summary.json", "parameters.prm", "log.txt", "fields.pvd", "checkpoint", "other-files.txt", *(f"{name}.csv" for name in _TABLES))
 _UNFINISHED = {"failed": "failed", "interrupted": "was interrupted", "running": "is still running", "killed": "was killed"}
+_DAMAGED = "The file is damaged: copy it again, or remove it to read the tables without it"
 # Folders of a run that are no runs of a study.
 _OWN_FOLDERS = ("checkpoint", "fields", "input", "plots")
 
@@ -179,10 +180,10 @@ class Results:
             with open(path, encoding="utf-8") as stream:
                 summary = json.load(stream)
         except (OSError, ValueError) as error:
-            raise ResultsError(path, f"cannot be read: {error}",
-                               "The file is damaged: copy it again, or remove it to read the tables without it") from error
-        if not isinstance(summary, dict):
-            raise ResultsError(path, "this is no summary of Continua")
+            raise ResultsError(path, f"cannot be read: {error}", _DAMAGED) from error
+        problem = _problem_of_summary(summary)
+        if problem:
+            raise ResultsError(path, f"this is no summary of Continua: {problem}", _DAMAGED)
         return summary
 
     @functools.cached_property
@@ -246,7 +247,9 @@ class Results:
         return {}
 
     def _over_time(self, name, why):
-        self._path(name + ".csv", why)
+        path = self._path(name + ".csv", why)
+        if "time" not in self.table(name).columns:
+            raise ResultsError(path, "the table has no column 'time'", "The file is damaged: copy it again, or repeat the run")
         frame = self.table(name).set_index("time")
         frame.attrs["units"] = self.table(name).attrs["units"]
         return frame
@@ -291,8 +294,12 @@ class Results:
     @functools.cached_property
     def log(self):
         """The text of log.txt."""
-        with open(self._path("log.txt", ""), encoding="utf-8", errors="replace") as stream:
-            return stream.read()
+        path = self._path("log.txt", "")
+        try:
+            with open(path, encoding="utf-8", errors="replace") as stream:
+                return stream.read()
+        except OSError as error:
+            raise ResultsError(path, f"cannot be read: {error.strerror}") from error
 
     # Studies.
 
@@ -308,12 +315,36 @@ class Results:
         return [name for name in self._names_of_runs() if name not in self.runs]
 
     def _names_of_runs(self):
-        try:
-            with open(os.path.join(self.folder, "other-files.txt"), encoding="utf-8") as stream:
-                lines = stream.read().splitlines()
-        except OSError:
+        path = os.path.join(self.folder, "other-files.txt")
+        if not os.path.exists(path):
             return []
+        try:
+            with open(path, encoding="utf-8") as stream:
+                lines = stream.read().splitlines()
+        except (OSError, UnicodeDecodeError) as error:
+            raise ResultsError(path, f"cannot be read: {getattr(error, 'strerror', None) or error}",
+                               "The file is damaged: copy it again, or remove it to read the folder without the runs of a study") from error
         return [line[:-1] for line in lines if line.endswith("/") and line[:-1] not in _OWN_FOLDERS]
+
+
+def _problem_of_summary(summary):
+    """What is no summary, in words; "" if nothing is."""
+    if not isinstance(summary, dict):
+        return "it is no dictionary"
+    for key in ("version", "status", "failure", "interruption", "title"):
+        if not isinstance(summary.get(key), (str, type(None))):
+            return f"'{key}' is no text"
+    for key in ("quantities", "checks"):
+        entries = summary.get(key, [])
+        if not isinstance(entries, list):
+            return f"'{key}' is no list"
+        for number, entry in enumerate(entries):
+            if not isinstance(entry, dict) or not isinstance(entry.get("name"), str) or not isinstance(entry.get("probe", ""), str):
+                return f"entry {number} of '{key}' has no name"
+            value = entry.get("value", "missing")
+            if isinstance(value, bool) or not isinstance(value, (int, float, type(None))):
+                return f"'value' of '{entry['name']}' in '{key}' is neither a number nor null"
+    return ""
 
 
 def _has_lock(process):

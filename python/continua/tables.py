@@ -51,12 +51,19 @@ def read_table(path):
 
 def read_header(path):
     """The dictionary from the names of the columns to their units, without reading the rows."""
-    with open(path, encoding="utf-8", errors="replace", newline="") as stream:
-        return _read_header(path, stream.readline())[1]
+    try:
+        with open(path, encoding="utf-8", errors="replace", newline="") as stream:
+            line = stream.readline()
+    except OSError as error:
+        raise ResultsError(path, f"cannot be read: {error.strerror}") from error
+    return _read_header(path, line)[1]
 
 
 def _read_header(path, line):
-    cells = next(csv.reader([line]), [])
+    try:
+        cells = next(csv.reader([line]), [])
+    except csv.Error as error:
+        raise ResultsError(path, f"the first line is no header: {error}", "The file is damaged: copy it again, or repeat the run") from error
     # An apostrophe shows spreadsheets that a name is no formula.
     cells = [re.sub(r"^'(?=[=+\-@])", "", cell) for cell in cells]
     named = [split_unit(cell) for cell in cells]

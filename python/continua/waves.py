@@ -10,7 +10,7 @@ import xarray
 from . import tables
 
 SOURCES = ("simulated", "theory", "measured")
-_COLUMN = re.compile(r"(.*) ([-+.\deE]+) m: (.*), (" + "|".join(SOURCES) + ")")
+_COLUMN = re.compile(r"(.*) ([-+]?\d+\.?\d*(?:[eE][-+]?\d+)?) m: (.*), (" + "|".join(SOURCES) + ")")
 
 
 def paths_of_waves(folder):

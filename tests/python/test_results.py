@@ -383,6 +383,38 @@ class Damaged(WithFolder):
         self.assert_raises(continua.ResultsError, "There are the probes 'one', 'two'", run.quantity, "a", "three")
         self.assert_raises(continua.ResultsError, "the run wrote no probes.csv. The parameter file has no section Probes", lambda: run.probes)
 
+    def test_damaged_files(self):
+        """Whatever is damaged, the error names the file and what is wrong with it."""
+        start = '{"version": "' + continua.__version__ + '", '
+        for summary, wrong in ((start + '"quantities": 1}', "'quantities' is no list"), (start + '"quantities": [{"value": 1}]}', "entry 0 of"),
+                               (start + '"quantities": [{"name": "a"}]}', "'value' of 'a' in 'quantities' is neither a number nor null"),
+                               (start + '"checks": [{"name": "a", "value": "1"}]}', "'value' of 'a' in 'checks'"),
+                               (start + '"status": 1}', "'status' is no text")):
+            self.write("summary.json", summary)
+            self.assert_raises(continua.ResultsError, wrong, lambda: continua.open(self.folder).quantities)
+        self.write("summary.json", start + '"status": "finished"}')
+        for name, content, wrong, ask in (
+                ("other-files.txt", b"\xff/\n", "cannot be read", lambda run: run.runs),
+                ("probes.csv", b"t [s],a [m]\n0,1\n", "no column 'time'", lambda run: run.probes),
+                ("wave.csv", b"time [s],tube - m: pressure; theory [Pa]\n0,1\n", None, lambda run: run.waves),
+                ("fields.pvd", b"<VTKFile><Collection><DataSet timestep='0' file='a.pvtu'/></Collection></VTKFile>", "a.pvtu: lists no files",
+                 lambda run: run.fields[0].dataset)):
+            with open(self.path(name), "wb") as stream:
+                stream.write(content)
+            if name == "fields.pvd":
+                self.write("a.pvtu", "<VTKFile><Piece/></VTKFile>")
+            if wrong:
+                self.assert_raises(continua.ResultsError, wrong, ask, continua.open(self.folder))
+            else:
+                self.assertRaises(continua.ResultsError, ask, continua.open(self.folder))
+            os.remove(self.path(name))
+        for name, ask in (("log.txt", lambda run: run.log), ("power.csv", lambda run: run.power), ("other-files.txt", lambda run: run.runs)):
+            os.mkdir(self.path(name))
+            self.assert_raises(continua.ResultsError, f"{name}: cannot be read", ask, continua.open(self.folder))
+            if name.endswith(".csv"):
+                self.assertIn("table power: cannot be read", str(continua.open(self.folder)))
+            os.rmdir(self.path(name))
+
     def test_lock(self):
         """A lock of a process that is there and has it, of one that is there and has none, of one that is not, of another machine."""
         self.write("summary.json", '{"version": "' + continua.__version__ + '", "status": "interrupted", "interruption": "by a test"}')
