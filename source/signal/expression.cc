@@ -1,5 +1,6 @@
 #include <continua/base/formula_text.h>
 #include <continua/signal/expression.h>
+#include <continua/signal/formula_quantities.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -60,6 +61,20 @@ std::string after_number(const std::string &text)
   return first == std::string::npos ? "" : rest.substr(first);
 }
 
+bool is_unit(const std::string &text)
+{
+  try
+  {
+    Dimension dimension;
+    unit_factor(text, dimension);
+    return true;
+  }
+  catch (const std::invalid_argument &)
+  {
+    return false;
+  }
+}
+
 /// Whether `text` is a number with something after it that can only be meant as a unit.
 bool looks_like_quantity(const std::string &text)
 {
@@ -70,18 +85,7 @@ bool looks_like_quantity(const std::string &text)
   // sign.
   if (std::isalpha(static_cast<unsigned char>(rest[0])) || (rest[0] & 0x80) != 0 || rest == "%")
     return true;
-  if (!std::isdigit(static_cast<unsigned char>(rest[0])))
-    return false;
-  try
-  {
-    Dimension dimension;
-    unit_factor(rest, dimension);
-    return true;
-  }
-  catch (const std::invalid_argument &)
-  {
-    return false;
-  }
+  return std::isdigit(static_cast<unsigned char>(rest[0])) != 0 && is_unit(rest);
 }
 
 /// muParser appends a blank to its text, which gets into its tokens.
@@ -150,7 +154,18 @@ Expression::Expression(const std::string &text, const Dimension &dimension)
     {
       quantity_problem = exception.what();
     }
-  if (looks_like_quantity(text))
+  try
+  {
+    formula = formula_in_si(text, dimension);
+  }
+  catch (const std::invalid_argument &)
+  {
+    // Nothing but a quantity.
+    if (rest.find_first_of("*( ") == std::string::npos && is_unit(rest))
+      throw std::invalid_argument(quantity_problem);
+    throw;
+  }
+  if (formula == text && looks_like_quantity(text))
   {
     const bool may_be_product =
         rest.find('(') != std::string::npos ||
@@ -158,11 +173,11 @@ Expression::Expression(const std::string &text, const Dimension &dimension)
          (rest.size() == 1 || !std::isalpha(static_cast<unsigned char>(rest[1]))));
     throw std::invalid_argument(quantity_problem + (may_be_product ? "; a product needs '*'" : ""));
   }
-  check_formula_text(text);
+  check_formula_text(formula);
 
   try
   {
-    parser = std::make_unique<Parser>(text);
+    parser = std::make_unique<Parser>(formula);
     const double value = parser->parser.Eval();
     if (parser->parser.GetNumResults() != 1)
       throw std::invalid_argument("'" + text +
@@ -192,8 +207,9 @@ Expression::~Expression() = default;
 
 Expression::Expression(const Expression &other)
     : source(other.source),
+      formula(other.formula),
       constant(other.constant),
-      parser(other.parser ? std::make_unique<Parser>(other.source, other.parser->place) : nullptr),
+      parser(other.parser ? std::make_unique<Parser>(other.formula, other.parser->place) : nullptr),
       time_dependent(other.time_dependent),
       space_dependent(other.space_dependent)
 {
@@ -204,8 +220,9 @@ Expression &Expression::operator=(const Expression &other)
   if (this != &other)
   {
     source = other.source;
+    formula = other.formula;
     constant = other.constant;
-    parser = other.parser ? std::make_unique<Parser>(other.source, other.parser->place) : nullptr;
+    parser = other.parser ? std::make_unique<Parser>(other.formula, other.parser->place) : nullptr;
     time_dependent = other.time_dependent;
     space_dependent = other.space_dependent;
   }
@@ -275,7 +292,8 @@ namespace
 std::string documentation(const std::string &text, const Dimension &dimension)
 {
   return text + " [" + dimension.unit() +
-         "] A quantity with its unit, or an expression of x, y, z, t in SI.";
+         "] A quantity with its unit, an expression of x, y, z, t in SI, or a sum of quantities "
+         "times such expressions.";
 }
 
 Expression parse(const ParameterSection &section,

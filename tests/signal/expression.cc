@@ -3,6 +3,7 @@
 #include <continua/base/parameter_file.h>
 #include <continua/signal/expression.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -56,6 +57,46 @@ void test_values()
   check::relative("complement", value("erfc(0.5)"), 0.4795001221869535, 1e-14);
   check::relative("Bessel of order zero", value("j0(1)"), 0.7651976865579666, 1e-14);
   check::relative("Bessel of order one", value("j1(1)"), 0.4400505857449335, 1e-14);
+}
+
+/// Quantities as factors of terms.
+void test_quantities()
+{
+  const auto flow_rate = [](const std::string &text, const double time = 0.5)
+  { return value(text, time, Dimensions::flow_rate); };
+  const auto pressure = [](const std::string &text, const double time = 0.5)
+  { return value(text, time, Dimensions::pressure); };
+  // 1 + sin(2 pi 0.2/0.8) = 2.
+  check::relative("a quantity as a factor", flow_rate("1 ml/s*(1 + sin(2*pi*t/0.8))", 0.2), 2e-6,
+                  1e-14);
+  check::relative("with blanks", flow_rate("-3 l / min * 2*t"), -5e-5, 1e-14);
+  check::relative("in two terms", pressure("80 mmHg + 40 mmHg*sin(pi*t)"), 120. * 133.322387415,
+                  1e-9);
+  check::relative("behind a factor", pressure("2*t*3 kPa/4 - t*1 Pa"), 749.5, 1e-14);
+  check::relative("a sign in a term", pressure("2 kPa*-t"), -1000., 1e-14);
+  check::relative("time is no tonne", value("4 kg/m^3*t", 0.5, Dimensions::density), 2., 1e-14);
+  check::relative("a product of units", value("4 mPa s*(1 + x)", 0., Dimensions::viscosity), 12e-3,
+                  1e-14);
+  check::relative("a minute is no minimum", flow_rate("6 l/min*min(t, 2)"), 5e-5, 1e-14);
+  check::relative("Euler's number", pressure("2 kPa*e^(-t)", 1.), 2000. * std::exp(-1.), 1e-14);
+  check::relative("without variables", pressure("10 kPa*2"), 20000., 1e-14);
+  check::relative("of no dimension", value("1 + 50 %*t", 1.), 1.5, 1e-14);
+  const Expression time("1 kPa*sin(t)", Dimensions::pressure), copy(time);
+  check::is_true("of time", copy.depends_on_time() && !copy.depends_on_space());
+  check::relative("copy", copy(point, 2.), 1000. * std::sin(2.), 1e-14);
+  check::equal("its text", copy.text(), "1 kPa*sin(t)");
+
+  refused("another dimension", "1 ml/s*(1 + t)", "'1 ml/s' with the wrong unit.*m\\^3/s.*Pa");
+  refused("a rate", "5 Pa/s*t", "'5 Pa/s' with the wrong unit");
+  refused("inside brackets", "2*(1 kPa + 3*t)", "'1 kPa' inside brackets");
+  refused("in a function", "if(t < 10 ms, 1, 0)", "'10 ms' inside brackets");
+  refused("in a divisor", "1 kPa*t/0.8 s", "second quantity, '0.8 s'");
+  refused("as a divisor", "t/2 kPa", "'2 kPa' behind '/'");
+  refused("a term without a unit", "80 mmHg + 40*sin(t)", "a term without a unit beside");
+  refused("two in a term", "2 kPa*3 kPa*t", "second quantity");
+  refused("a choice", "t < 1 ? 1 kPa : 2 kPa", "comparison or a choice|behind");
+  refused("no operator", "1 kPa (1 + t)", "needs '\\*'");
+  refused("no operator behind a unit", "1 kPa t", "needs '\\*'");
 }
 
 void test_dependence()
@@ -159,6 +200,7 @@ void test_sections()
 UNIT_TEST(expression)
 {
   test_values();
+  test_quantities();
   test_dependence();
   test_copies();
   test_refusals();

@@ -10,8 +10,9 @@
 namespace Continua
 {
 /**
- * A number of (x, y, z, t): a quantity with a unit ("10 mmHg") or a muParser expression in SI
- * ("1e3*sin(pi*t)"). In axisymmetry x is the axial and y the radial coordinate.
+ * A number of (x, y, z, t): a quantity with a unit ("10 mmHg"), a muParser expression in SI
+ * ("1e3*sin(pi*t)"), or terms with a quantity as a factor ("1 kPa + 10 mmHg*sin(pi*t)", see
+ * formula_in_si()). In axisymmetry x is the axial and y the radial coordinate.
  *
  * Variables: x, y, z [m], t [s]. Constants: pi, e. Functions: if(condition, a, b), min, max, sum,
  * avg (any number of arguments), abs, sign, floor, ceil, rint, step (0 below 0, else 1), exp, ln
@@ -53,6 +54,7 @@ public:
 private:
   struct Parser;
   std::string source;
+  std::string formula; ///< the same in SI
   double constant;
   std::unique_ptr<Parser> parser; ///< null if constant
   bool time_dependent = false;
