@@ -13,6 +13,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -28,6 +29,8 @@ std::vector<std::string> header(const std::vector<std::string> &column_names)
   return names;
 }
 
+/// Of a probe [bytes]: with what stands around it in the name of a file, below the limit of 255.
+constexpr std::size_t longest_name = 200;
 } // namespace
 
 template <int dim>
@@ -48,6 +51,11 @@ void Probes<dim>::read(ParameterSection section,
     if (name.find('/') != std::string::npos)
       child.refuse("", "the name of a probe has a '/', which files cannot have in their names",
                    "Call it otherwise");
+    if (name.size() > longest_name)
+      child.refuse("",
+                   "the name of a probe has " + std::to_string(name.size()) +
+                       " bytes, and files are named after it, whose names end at 255",
+                   "Give it a name of " + std::to_string(longest_name) + " bytes or less");
     probes.emplace_back(child, boundaries, regions, branches);
     const Stations<dim> &stations = probes.back().stations;
     if (stations.given())
@@ -65,6 +73,14 @@ void Probes<dim>::check(const dealii::Triangulation<dim> &coarse_mesh,
 {
   for (ProbeEntries<dim> &probe : probes)
     probe.check(coarse_mesh, fields, boundary_regions);
+  std::set<std::string> names;
+  for (const ProbeEntries<dim> &probe : probes)
+    for (const ProbeColumnName &column : columns_of(probe, fields))
+      if (const std::string name = column.name + ": " + column.field; !names.insert(name).second)
+        probe.section.refuse("",
+                             "two columns of probes.csv would have the name '" + name +
+                                 "', this one and that of another probe, station or field",
+                             "Rename this probe, or record the field once");
 }
 
 template <int dim>
