@@ -62,6 +62,11 @@ std::string reason_of_mpi(const std::string &text)
   return ": " + text.substr(first, text.find('"', first) - first);
 }
 
+/// The list is written anew with each of so many states. Of more states it may take a twentieth of
+/// the time, since a list of n states that is written n times costs n^2.
+constexpr std::size_t states_listed_at_once = 100;
+constexpr int largest_wait = 20;
+
 const std::string list_head = "<?xml version=\"1.0\"?>\n"
                               "<VTKFile type=\"Collection\" version=\"0.1\">\n"
                               "  <Collection>\n";
@@ -170,6 +175,7 @@ void FieldWriter<dim>::record(const RecordedStep<dim> &step)
 template <int dim>
 void FieldWriter<dim>::finish(const RecordedEnd<dim> &end)
 {
+  complete_list();
   finish(end.summary);
 }
 
@@ -300,7 +306,10 @@ void FieldWriter<dim>::write(ContinuumSolver<dim> &solver, const double time)
       communicator,
       [&]()
       {
-        write_list();
+        const auto since = Clock::now() - list_is_written_at;
+        list_is_behind = true;
+        if (entries.size() <= states_listed_at_once || since > largest_wait * duration_of_list)
+          write_list();
         const std::string view = output_file(folder, "view-in-paraview.py");
         std::error_code unknown; // without its place the script is of use, too
         if (!has_view)
@@ -312,18 +321,48 @@ void FieldWriter<dim>::write(ContinuumSolver<dim> &solver, const double time)
 }
 
 template <int dim>
-void FieldWriter<dim>::write_list() const
+FieldWriter<dim>::~FieldWriter()
 {
+  // Of a run that fails, too, all states are to be found.
+  try
+  {
+    if (list_is_behind)
+      write_list();
+  }
+  catch (const std::exception &)
+  {
+  }
+}
+
+template <int dim>
+void FieldWriter<dim>::complete_list()
+{
+  on_writing_rank(communicator,
+                  [&]()
+                  {
+                    if (list_is_behind)
+                      write_list();
+                  });
+}
+
+template <int dim>
+void FieldWriter<dim>::write_list()
+{
+  const auto start = Clock::now();
   std::string text = list_head;
   for (const auto &entry : entries)
     text += line_of_list(entry);
   text += "  </Collection>\n</VTKFile>\n";
   write_file_atomically(output_file(folder, "fields.pvd"), text);
+  list_is_behind = false;
+  list_is_written_at = Clock::now();
+  duration_of_list = list_is_written_at - start;
 }
 
 template <int dim>
 void FieldWriter<dim>::flush_to_disk()
 {
+  complete_list();
   std::string problem;
   try
   {

@@ -23,6 +23,8 @@ namespace
 {
 /// The files and folders that were flushed, by name.
 std::set<std::string> flushed;
+/// How long a flush takes at least.
+unsigned int milliseconds_of_flush = 0;
 } // namespace
 
 /// In place of the system's.
@@ -31,6 +33,7 @@ extern "C" int fsync(const int descriptor)
   std::error_code error;
   flushed.insert(std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(descriptor), error)
                      .filename());
+  usleep(1000 * milliseconds_of_flush);
   return static_cast<int>(syscall(SYS_fsync, descriptor));
 }
 
@@ -47,6 +50,21 @@ std::string list_of(const std::string &entries)
 std::string entry(const std::string &time, const std::string &file)
 {
   return "    <DataSet timestep=\"" + time + "\" part=\"0\" file=\"fields/" + file + "\"/>\n";
+}
+
+/// How many states the list has; 0 if it is not whole.
+unsigned int n_listed()
+{
+  MPI_Barrier(MPI_COMM_WORLD);
+  const std::string text = read_text("fields.pvd"), end = "  </Collection>\n</VTKFile>\n";
+  MPI_Barrier(MPI_COMM_WORLD);
+  if (text.size() < end.size() || text.substr(text.size() - end.size()) != end)
+    return 0;
+  unsigned int n = 0;
+  for (std::size_t i = text.find("<DataSet"); i != std::string::npos;
+       i = text.find("<DataSet", i + 1))
+    ++n;
+  return n;
 }
 
 /// The first number of that attribute.
@@ -201,6 +219,25 @@ UNIT_TEST(field_writer)
     check::is_true("each rank its own",
                    dealii::Utilities::MPI::min(mine ? 1 : 0, MPI_COMM_WORLD) == 1);
   }
+  // A long list is not written with each state where that takes long, and is complete at the end.
+  {
+    FieldWriter<2> writer(MPI_COMM_WORLD, ".", 1, false);
+    for (unsigned int i = 0; i < 99; ++i)
+      writer.write(solver, i);
+    writer.flush_to_disk();
+    milliseconds_of_flush = 100;
+    for (unsigned int i = 99; i < 102; ++i)
+      writer.write(solver, i);
+    check::absolute("states in a list that waits", n_listed(), 100., 0.);
+    writer.flush_to_disk();
+    check::absolute("states after a flush", n_listed(), 102., 0.);
+    writer.write(solver, 102.);
+    check::absolute("the next one waits", n_listed(), 102., 0.);
+    milliseconds_of_flush = 0;
+  }
+  check::absolute("states at the end", n_listed(), 103., 0.);
+  for (unsigned int i = 0; i < 103; ++i)
+    std::filesystem::remove("fields/solution-" + dealii::Utilities::int_to_string(i, 5) + suffix);
   // A limit on the size of files stands for the full disk.
   {
     std::signal(SIGXFSZ, SIG_IGN);

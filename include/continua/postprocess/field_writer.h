@@ -5,6 +5,7 @@
 
 #include <mpi.h>
 
+#include <chrono>
 #include <map>
 #include <set>
 #include <string>
@@ -17,7 +18,8 @@ namespace Continua
  * The fields over the body for ParaView: fields.pvd, which lists the times, and the folder fields
  * with a solution-00000.vtu for each, or on several ranks a solution-00000.pvtu with the pieces
  * solution-00000.NUMBER.vtu. The list is written after the files that it names, whole each time.
- * Beside it is view-in-paraview.py, which opens it.
+ * Beside it is view-in-paraview.py, which opens it. Of more than a hundred states fields.pvd may
+ * lack the last ones for a while, until the next checkpoint or the end of the run at the latest.
  * Methods are collective and throw RunError on all ranks when the disk refuses.
  */
 template <int dim>
@@ -32,6 +34,9 @@ public:
               unsigned int subdivisions,
               bool higher_order_cells,
               unsigned int files_per_state = 0);
+  ~FieldWriter() override;
+  FieldWriter(const FieldWriter &) = delete;
+  FieldWriter &operator=(const FieldWriter &) = delete;
 
   // As a record of a run: the states for which its schedule asks.
   void open(ContinuumSolver<dim> &solver, const std::string &folder, bool is_due) override;
@@ -52,7 +57,12 @@ public:
   void finish(Summary &summary) const;
 
 private:
-  void write_list() const;
+  using Clock = std::chrono::steady_clock;
+
+  /// Writes the list as it is to be, as one file that is whole at all times.
+  void write_list();
+  /// Has states listed that are not.
+  void complete_list();
   /// Writes this rank's part of the file `base` with the number of its group; empty if all is well.
   std::string
   write_together(dealii::DataOut<dim> &data_out, const std::string &file, unsigned int group) const;
@@ -65,9 +75,13 @@ private:
   bool higher_order_cells;
   unsigned int files_per_state;
   std::vector<std::pair<double, std::string>> entries; ///< time [s] and file, from the folder
-  std::map<std::string, std::string> units;            ///< of the fields
-  bool has_view = false;                               ///< view-in-paraview.py is written
-  std::set<std::string> not_flushed;                   ///< files of this rank
+  // Of fields.pvd, on the writing rank:
+  bool list_is_behind = false; ///< it lacks the last states
+  Clock::time_point list_is_written_at;
+  Clock::duration duration_of_list = Clock::duration::zero();
+  std::map<std::string, std::string> units; ///< of the fields
+  bool has_view = false;                    ///< view-in-paraview.py is written
+  std::set<std::string> not_flushed;        ///< files of this rank
 };
 } // namespace Continua
 
