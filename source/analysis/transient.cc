@@ -90,12 +90,7 @@ void Transient<dim>::perform()
                           "known, and the time step does not adapt"
                         : "each change of the mesh excites fast motions, which an adaptive time "
                           "step follows: a fixed one may need fewer steps");
-  for (const BoundaryCondition &condition : run.input.problem.conditions)
-    for (const std::string &warning : condition.table_warnings(run.input.time.end_time))
-      run.log.warning(warning);
-  for (const std::string &warning :
-       run.input.problem.interior.table_warnings(run.input.time.end_time))
-    run.log.warning(warning);
+  report_tables();
   if (run.command_line.restart)
     restart();
   else
@@ -209,6 +204,23 @@ void Transient<dim>::report_initial_jumps()
     if (!text.empty())
       run.log.detail(text);
   }
+}
+
+template <int dim>
+void Transient<dim>::report_tables()
+{
+  const double end_time = run.input.time.end_time;
+  const auto report = [this](const std::vector<Waveform::Remark> &remarks)
+  {
+    for (const Waveform::Remark &remark : remarks)
+      if (remark.is_warning)
+        run.log.warning(remark.text);
+      else
+        run.log.note("Pre-flight: " + remark.text);
+  };
+  for (const BoundaryCondition &condition : run.input.problem.conditions)
+    report(condition.table_remarks(end_time));
+  report(run.input.problem.interior.table_remarks(end_time));
 }
 
 template <int dim>

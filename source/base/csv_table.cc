@@ -70,8 +70,23 @@ std::string unit_in_round_brackets(const std::string &cell, std::size_t &open)
   }
 }
 
-/// Cells of a line, trimmed. A separator inside brackets, as in "[mPa s]", does not separate;
-/// `separator` ' ' stands for any number of blanks.
+/// What stands between quotes, in which a quote is written twice.
+std::string without_quotes(const std::string &cell)
+{
+  if (cell.size() < 2 || cell.front() != '"' || cell.back() != '"')
+    return cell;
+  std::string text;
+  for (std::size_t i = 1; i + 1 < cell.size(); ++i)
+  {
+    text += cell[i];
+    if (cell[i] == '"' && cell[i + 1] == '"' && i + 2 < cell.size())
+      ++i;
+  }
+  return trim(text);
+}
+
+/// Cells of a line, trimmed and without their quotes. A separator inside brackets, as in "[mPa s]",
+/// does not separate; `separator` ' ' stands for any number of blanks and tabs.
 std::vector<std::string> split(const std::string &line, const char separator)
 {
   std::vector<std::string> cells(1);
@@ -82,13 +97,14 @@ std::vector<std::string> split(const std::string &line, const char separator)
       in_quotes = !in_quotes;
     if (character == '[' || character == ']')
       in_brackets = (character == '[');
-    if (character != separator || in_brackets || in_quotes)
+    const bool separates = character == separator || (separator == ' ' && character == '\t');
+    if (!separates || in_brackets || in_quotes)
       cells.back() += character;
     else if (separator != ' ' || !cells.back().empty())
       cells.emplace_back();
   }
   for (std::string &cell : cells)
-    cell = trim(cell);
+    cell = without_quotes(trim(cell));
   return cells;
 }
 
@@ -100,19 +116,91 @@ char find_separator(const std::string &header)
   return ' ';
 }
 
+/// The cell with the exponent of Fortran, 1.0D-03, written as 1.0e-03.
+std::string with_usual_exponent(std::string cell)
+{
+  const auto is_digit = [&cell](const std::size_t i)
+  { return i < cell.size() && std::isdigit(static_cast<unsigned char>(cell[i])) != 0; };
+  const std::size_t place = cell.find_first_of("dD");
+  if (place == std::string::npos || place == 0 || !(is_digit(place - 1) || cell[place - 1] == '.'))
+    return cell;
+  const bool has_sign =
+      place + 1 < cell.size() && (cell[place + 1] == '+' || cell[place + 1] == '-');
+  if (is_digit(place + (has_sign ? 2 : 1)))
+    cell[place] = 'e';
+  return cell;
+}
+
+/// Whether the cell is a finite number, and which.
+bool is_number(const std::string &cell, double &number)
+{
+  const std::string text = with_usual_exponent(cell);
+  const char *const begin = text.data() + (!text.empty() && text[0] == '+' ? 1 : 0);
+  const char *const end = text.data() + text.size();
+  const auto result = std::from_chars(begin, end, number);
+  return result.ec == std::errc() && result.ptr == end && std::isfinite(number);
+}
+
 double read_number(const Origin &origin, const std::string &column, const std::string &cell)
 {
   if (cell.empty())
     throw InputError(origin, column, "the value is missing", "Fill it in, or remove the line");
-  const char *const begin = cell.data() + (cell[0] == '+' ? 1 : 0);
-  const char *const end = cell.data() + cell.size();
   double number = 0.;
-  const auto result = std::from_chars(begin, end, number);
-  if (result.ec != std::errc() || result.ptr != end || !std::isfinite(number))
+  if (!is_number(cell, number))
     throw InputError(origin, column,
                      (is_plain_name(cell) ? "'" + cell + "'" : "the cell") + " is not a number",
                      "Write a finite number with a decimal point and no unit, such as -1.5e-3");
   return number;
+}
+
+bool are_numbers(const std::vector<std::string> &cells)
+{
+  double ignored = 0.;
+  return std::all_of(cells.begin(), cells.end(),
+                     [&](const std::string &cell) { return is_number(cell, ignored); });
+}
+
+/// Leaves out empty cells at the end, which a separator at the end of each line makes, beyond the
+/// first `n`.
+void drop_empty_cells(std::vector<std::string> &cells, const std::size_t n)
+{
+  while (cells.size() > n && cells.back().empty())
+    cells.pop_back();
+}
+
+std::vector<std::string> cells_of_line(const std::string &line)
+{
+  std::vector<std::string> cells = split(line, find_separator(line));
+  drop_empty_cells(cells, 1);
+  return cells;
+}
+
+/// Whether the cells are whole numbers of which the first one says how many rows follow, as some
+/// programs write before the rows.
+bool count_rows(const std::vector<std::string> &cells, const std::size_t n_rows)
+{
+  return std::all_of(cells.begin(), cells.end(),
+                     [](const std::string &cell) {
+                       return !cell.empty() &&
+                              cell.find_first_not_of("0123456789") == std::string::npos;
+                     }) &&
+         cells.front() == std::to_string(n_rows);
+}
+
+/// The example of a header, for rows with that many cells and this separator.
+std::string header_for(const std::string &example, const std::size_t n_cells, const char separator)
+{
+  const std::vector<std::string> names = split(example, ',');
+  const std::string between = separator == ' '    ? "  "
+                              : separator == '\t' ? "\t"
+                                                  : std::string(1, separator) + " ";
+  std::string header;
+  for (std::size_t i = 0; i < std::max(names.size(), n_cells); ++i)
+  {
+    header += i > 0 ? between : "";
+    header += i < names.size() ? names[i] : "value " + std::to_string(i + 1) + " [1]";
+  }
+  return header;
 }
 } // namespace
 
@@ -120,40 +208,102 @@ CsvTable::CsvTable(const std::string &file, const std::string &example) : file(f
 {
   const std::vector<std::string> lines = read_input_lines(file);
   const std::string remedy = "Write a first line such as '" + example + "'";
-  char separator = lines.empty() ? '\0' : separator_of_excel(lines.front());
-  std::size_t i = separator == '\0' ? 0 : 1;
-  while (i < lines.size() && !has_content(lines[i]))
-    ++i;
-  if (i == lines.size())
+  const char separator_given = lines.empty() ? '\0' : separator_of_excel(lines.front());
+  // The lines that are neither empty nor comments.
+  std::vector<std::size_t> content;
+  for (std::size_t i = separator_given == '\0' ? 0 : 1; i < lines.size(); ++i)
+    if (has_content(lines[i]))
+      content.push_back(i);
+  if (content.empty())
     throw InputError({file, 0}, "", lines.empty() ? "the file is empty" : "the file has no header",
                      remedy);
-  header_line = static_cast<unsigned int>(i + 1);
-  if (separator == '\0')
-    separator = find_separator(lines[i]);
-  columns = parse_header(lines[i], separator);
 
-  for (++i; i < lines.size(); ++i)
-    if (has_content(lines[i]))
-    {
-      const unsigned int line = static_cast<unsigned int>(i + 1);
-      rows.push_back({line, split(lines[i], separator)});
-      const std::size_t n_cells = rows.back().cells.size();
-      if (n_cells != columns.size())
-        throw InputError({file, line}, "",
-                         "the row has " + std::to_string(n_cells) + " cells, the header " +
-                             std::to_string(columns.size()),
-                         "Give every row one number per column, with the header's separator and a "
-                         "decimal point");
-    }
+  std::size_t first_row = 1;
+  std::string header_text = lines[content.front()];
+  header_line = static_cast<unsigned int>(content.front() + 1);
+  if (are_numbers(cells_of_line(header_text)))
+  {
+    first_row = 0;
+    header_text = header_in_comment(lines, content.front());
+    if (header_text.empty())
+      refuse_without_header(lines, content, example);
+  }
+  const char separator = separator_given == '\0' ? find_separator(header_text) : separator_given;
+  columns = parse_header(header_text, separator);
+
+  const auto cells_of = [&](const std::string &line, const char of_rows)
+  {
+    std::vector<std::string> cells = split(line, of_rows);
+    drop_empty_cells(cells, columns.size());
+    return cells;
+  };
+  // A header with commas often stands above rows with blanks.
+  char separator_of_rows = separator;
+  if (first_row < content.size() && columns.size() > 1)
+    if (const std::string &row = lines[content[first_row]];
+        cells_of(row, separator).size() == 1 && cells_of(row, ' ').size() == columns.size())
+      separator_of_rows = ' ';
+  for (std::size_t i = first_row; i < content.size(); ++i)
+  {
+    const unsigned int line = static_cast<unsigned int>(content[i] + 1);
+    rows.push_back({line, cells_of(lines[content[i]], separator_of_rows)});
+    const std::size_t n_cells = rows.back().cells.size();
+    if (n_cells != columns.size())
+      throw InputError({file, line}, "",
+                       "the row has " + std::to_string(n_cells) + " cells, the header " +
+                           std::to_string(columns.size()),
+                       "Give every row one number per column, with the header's separator and a "
+                       "decimal point");
+  }
+}
+
+std::string CsvTable::header_in_comment(const std::vector<std::string> &lines,
+                                        const std::size_t first_row)
+{
+  std::size_t i = first_row;
+  while (i > 0 && trim(lines[i - 1]).empty())
+    --i;
+  if (i == 0)
+    return "";
+  // A comment, since the first row is the first line that is none.
+  std::string text = trim(lines[i - 1]);
+  text.erase(0, text.find_first_not_of("# \t"));
+  if (text.empty())
+    return "";
+  const std::vector<Column> named = parse_header(text, find_separator(text));
+  const bool has_units =
+      std::any_of(named.begin(), named.end(), [](const Column &column) { return column.has_unit; });
+  if (!has_units || named.size() != cells_of_line(lines[first_row]).size())
+    return "";
+  header_line = static_cast<unsigned int>(i);
+  return text;
+}
+
+void CsvTable::refuse_without_header(const std::vector<std::string> &lines,
+                                     const std::vector<std::size_t> &content,
+                                     const std::string &example) const
+{
+  const std::string &first = lines[content.front()];
+  const bool counts = content.size() > 2 && count_rows(cells_of_line(first), content.size() - 1);
+  const std::string &row = lines[content[counts ? 1 : 0]];
+  const std::string header = header_for(example, cells_of_line(row).size(), find_separator(row));
+  const std::string units = "' with the names and units of the columns";
+  throw InputError({file, header_line}, "",
+                   counts ? "the table has no header: this line counts the rows that follow"
+                          : "the table has no header: this line has only numbers",
+                   counts ? "Write '#' before this line, insert a line such as '" + header + units +
+                                " below it, and keep all rows"
+                          : "Insert a line such as '" + header + units +
+                                " above this line, and keep this line");
 }
 
 std::vector<CsvTable::Column> CsvTable::parse_header(const std::string &line, const char separator)
 {
   std::vector<Column> columns;
-  for (std::string cell : split(line, separator))
+  std::vector<std::string> cells = split(line, separator);
+  drop_empty_cells(cells, 1);
+  for (std::string cell : cells)
   {
-    if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"')
-      cell = cell.substr(1, cell.size() - 2);
     // Where blanks separate, the unit stands in a cell of its own.
     const bool is_unit = cell[0] == '[' || (cell[0] == '(' && cell.back() == ')');
     if (separator == ' ' && is_unit && !columns.empty() && !columns.back().has_unit)
@@ -216,7 +366,8 @@ double CsvTable::unit_factor_of(const std::size_t number, const Dimension &dimen
   const std::string remedy =
       "Write the header as '" + (column.name.empty() ? "NAME" : column.name) + " [UNIT]'" +
       (dimension == Dimensions::none ? " or without a unit"
-                                     : " with a unit of the dimension of " + dimension.unit());
+                                     : " with a unit of the dimension of " + dimension.unit() +
+                                           " (" + usual_units(dimension) + ")");
   if (!column.has_unit)
     throw InputError(header(), column.name, "the column has no unit", remedy);
   try
@@ -256,6 +407,9 @@ std::vector<double> CsvTable::increasing_values(const std::size_t column,
   if (pair != numbers.end())
   {
     const std::size_t row = pair - numbers.begin() + 1;
+    if (row == 1 && rows.size() > 2 && count_rows(rows.front().cells, rows.size() - 1))
+      refuse(0, columns.size(), "the line counts the rows that follow, and is no row itself",
+             "Write '#' before this line");
     refuse(row, column,
            "the " + time + " " + rows[row].cells[column] + " is not " + later +
                " than that of the row before",

@@ -29,9 +29,10 @@ constexpr Dimension volume{0, 3, 0};
 // Conventional millimetre of mercury: density 13595.1 kg/m^3, standard gravity 9.80665 m/s^2; of
 // water 1000 kg/m^3.
 constexpr double standard_gravity = 9.80665;
-constexpr std::array<Unit, 22> known_units{{
+constexpr std::array<Unit, 24> known_units{{
     {"m", 1., Dimensions::length, true},
     {"s", 1., Dimensions::time, true},
+    {"sec", 1., Dimensions::time, true},
     {"g", 1e-3, mass, true},
     {"N", 1., force, true},
     {"Pa", 1., Dimensions::pressure, true},
@@ -39,6 +40,7 @@ constexpr std::array<Unit, 22> known_units{{
     {"W", 1., Dimensions::power, true},
     {"l", 1e-3, volume, true},
     {"L", 1e-3, volume, true},
+    {"cc", 1e-6, volume, false},
     {"Hz", 1., Dimensions::frequency, true},
     {"bar", 1e5, Dimensions::pressure, true},
     {"P", 0.1, Dimensions::viscosity, true},
@@ -97,6 +99,22 @@ Scale named_unit(const std::string &name)
       if (unit.takes_prefix && name == std::string(prefix.name) + unit.name)
         return {prefix.factor * unit.factor, unit.dimension};
   throw std::invalid_argument("unit '" + name + "' is unknown");
+}
+
+/// A unit with its power behind it: cm3, s-1.
+Scale unit_with_power(const std::string &name)
+{
+  const std::size_t digit = name.size() - 1;
+  std::size_t end = digit;
+  if (end > 0 && (name[end - 1] == '-' || name[end - 1] == '+'))
+    --end;
+  if (end == 0 || name[digit] < '1' || name[digit] > '9' ||
+      std::isalpha(static_cast<unsigned char>(name[end - 1])) == 0)
+    return named_unit(name);
+  Scale scale;
+  scale.multiply(named_unit(name.substr(0, end)),
+                 (name[end] == '-' ? -1 : 1) * (name[digit] - '0'));
+  return scale;
 }
 
 /// Reads "kg/m^3", "N/(m s)" from left to right.
@@ -196,7 +214,7 @@ private:
       ++position;
     if (position == begin)
       fail("is incomplete");
-    return named_unit(text.substr(begin, position - begin));
+    return unit_with_power(text.substr(begin, position - begin));
   }
 };
 

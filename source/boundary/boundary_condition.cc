@@ -426,7 +426,7 @@ bool BoundaryPart::depends_on_time() const
   return along_normal.depends_on_time();
 }
 
-std::vector<std::string> BoundaryCondition::table_warnings(const double end_time) const
+std::vector<Waveform::Remark> BoundaryCondition::table_remarks(const double end_time) const
 {
   std::vector<const Waveform *> waveforms;
   for (const BoundaryPart *part : {&normal, &tangential})
@@ -439,13 +439,7 @@ std::vector<std::string> BoundaryCondition::table_warnings(const double end_time
     waveforms.push_back(&volume_ratio);
   if (outlet)
     waveforms.push_back(&outlet->pressure_behind);
-  std::vector<std::string> warnings;
-  for (const Waveform *const waveform : waveforms)
-    if (const std::string text = waveform->table_warning(end_time); !text.empty())
-      if (const std::string warning = "the boundary '" + name + "': " + text;
-          std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
-        warnings.push_back(warning);
-  return warnings;
+  return Waveform::table_remarks(waveforms, "the boundary '" + name + "': ", end_time);
 }
 
 std::string BoundaryCondition::initial_jump(const double *point) const

@@ -106,12 +106,15 @@ void read_measured_waves(const Probes<dim> &probes,
 {
   for (const StationsProbe &probe : probes.stations())
   {
-    const std::string file = MeasuredWaves::read_file(probe.section);
-    if (!file.empty() && !in_time)
+    MeasuredWavesEntries measured;
+    measured.read(probe.section);
+    if (measured.file.empty())
+      continue;
+    if (!in_time)
       probe.section.refuse("Measured", "a state at rest has no wave to compare with",
                            "Remove the entry, or use another analysis");
-    if (!file.empty())
-      waves.emplace(probe.name, MeasuredWaves(file, probe.positions, probe.fields));
+    waves.emplace(probe.name,
+                  MeasuredWaves(measured, probe.section, probe.positions, probe.fields));
   }
 }
 } // namespace

@@ -2,6 +2,7 @@
 
 #include <continua/base/csv_table.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -19,14 +20,65 @@ const Dimension &dimension_of_station_field(const std::string &field)
   return dimensions.at(field);
 }
 
-MeasuredWaves::MeasuredWaves(const std::string &file,
+namespace
+{
+/// Of the largest position, by which two numbers for one station may differ.
+constexpr double position_slack = 1e-9;
+
+/// The station at a position [m]; the number of stations if there is none.
+std::size_t station_at(const std::vector<double> &stations, const double position)
+{
+  double largest = std::abs(position);
+  for (const double station : stations)
+    largest = std::max(largest, std::abs(station));
+  std::size_t nearest = stations.size();
+  for (std::size_t s = 0; s < stations.size(); ++s)
+    if (const double distance = std::abs(stations[s] - position);
+        distance <= position_slack * largest &&
+        (nearest == stations.size() || distance < std::abs(stations[nearest] - position)))
+      nearest = s;
+  return nearest;
+}
+} // namespace
+
+void MeasuredWavesEntries::read(ParameterSection probe)
+{
+  probe.add_input_file(
+      "Measured", file,
+      "With Stations: a csv file of what was measured there, which stands beside "
+      "simulation and theory in wave.csv. Its header is 'time [ms], 0.1 m: pressure "
+      "[mmHg], ...' with stations and Fields of this probe (units required).");
+  probe.add("Measured factors", factors, Dimensions::none,
+            "What the columns of Measured behind the time are multiplied by, such as -1 for a flow "
+            "that was counted in the other direction: one number for all, or one for each column; "
+            "empty: 1.");
+  probe.add("Measured shift", shift, Dimensions::time,
+            "Added to the times of Measured: by how much later it was measured in the time of the "
+            "run.");
+  probe.add("Measured period", period, Dimensions::time,
+            "The period with which Measured repeats itself, such as that of a heart beat. Between "
+            "the last row and the first one of the next period its values are interpolated. 0: it "
+            "is not repeated.",
+            Range::not_negative());
+  for (const char *const key : {"Measured factors", "Measured shift", "Measured period"})
+    if (file.empty() && probe.given(key))
+      probe.refuse(key, "the entry belongs to Measured",
+                   "Add 'set Measured = FILE', or remove the entry");
+}
+
+MeasuredWaves::MeasuredWaves(const MeasuredWavesEntries &entries,
+                             const ParameterSection &probe,
                              const std::vector<double> &positions,
                              const std::vector<std::string> &fields)
     : n_stations(positions.size()), n_fields(fields.size())
 {
-  const CsvTable table(file, "time [ms], 0.1 m: pressure [mmHg]");
-  table.require_rows(2);
-  const std::vector<double> times = table.increasing_values(0, Dimensions::time, "time", "later");
+  const CsvTable table(entries.file, "time [ms], 0.1 m: pressure [mmHg]");
+  const std::size_t n_factors = entries.factors.size();
+  if (n_factors > 1 && n_factors + 1 != table.n_columns())
+    probe.refuse("Measured factors",
+                 "there are " + std::to_string(n_factors) + " factors, but " +
+                     std::to_string(table.n_columns() - 1) + " columns behind the time",
+                 "Give one number for all columns, or one for each");
   for (std::size_t c = 1; c < table.n_columns(); ++c)
   {
     const std::string &name = table.name(c);
@@ -57,9 +109,8 @@ MeasuredWaves::MeasuredWaves(const std::string &file,
     }
     std::string field_name = name.substr(colon + 1);
     field_name.erase(0, field_name.find_first_not_of(' '));
-    std::size_t station = 0, field = 0;
-    while (station < positions.size() && std::abs(positions[station] - position) > 1e-6)
-      ++station;
+    const std::size_t station = station_at(positions, position);
+    std::size_t field = 0;
     while (field < fields.size() && fields[field] != field_name)
       ++field;
     if (station == positions.size())
@@ -69,21 +120,16 @@ MeasuredWaves::MeasuredWaves(const std::string &file,
     for (const Column &column : columns)
       if (column.station == station && column.field == field)
         refuse("this field of the station is given twice");
-    columns.push_back({station, field,
-                       Interpolant(times, table.values(c, dimension_of_station_field(field_name)),
-                                   Interpolant::Kind::linear)});
+    TimeTable::Reading reading;
+    reading.before = reading.after =
+        entries.period > 0. ? TimeTable::Outside::repeat : TimeTable::Outside::nothing;
+    reading.factor = n_factors == 0 ? 1. : entries.factors[n_factors == 1 ? 0 : c - 1];
+    reading.shift = entries.shift;
+    reading.period = entries.period;
+    reading.period_key = "Measured period";
+    columns.push_back(
+        {station, field, TimeTable(table, c, dimension_of_station_field(field_name), reading)});
   }
-}
-
-std::string MeasuredWaves::read_file(ParameterSection probe)
-{
-  std::string file;
-  probe.add_input_file(
-      "Measured", file,
-      "With Stations: a csv file of what was measured there, which stands beside "
-      "simulation and theory in wave.csv. Its header is 'time [ms], 0.1 m: pressure "
-      "[mmHg], ...' with stations and Fields of this probe (units required).");
-  return file;
 }
 
 std::vector<std::vector<std::vector<double>>>
@@ -95,8 +141,7 @@ MeasuredWaves::histories(const std::vector<double> &times) const
       std::vector<std::vector<double>>(n_fields, std::vector<double>(times.size(), nan)));
   for (const Column &column : columns)
     for (std::size_t i = 0; i < times.size(); ++i)
-      if (times[i] >= column.values.first_point() && times[i] <= column.values.last_point())
-        result[column.station][column.field][i] = column.values(times[i]);
+      result[column.station][column.field][i] = column.values(times[i]);
   return result;
 }
 } // namespace Continua

@@ -91,15 +91,12 @@ void InteriorData::read(ParameterSection body_force_section,
                              "Write it as a function of x, y, z");
 }
 
-std::vector<std::string> InteriorData::table_warnings(const double end_time) const
+std::vector<Waveform::Remark> InteriorData::table_remarks(const double end_time) const
 {
-  std::vector<std::string> warnings;
+  std::vector<const Waveform *> waveforms;
   for (const auto *components : {&body_force, &acceleration})
     for (const Waveform &component : *components)
-      if (const std::string text = component.table_warning(end_time); !text.empty())
-        if (const std::string warning = "the body force: " + text;
-            std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
-          warnings.push_back(warning);
-  return warnings;
+      waveforms.push_back(&component);
+  return Waveform::table_remarks(waveforms, "the body force: ", end_time);
 }
 } // namespace Continua

@@ -106,7 +106,7 @@ void read_discretisation(ParameterSection &root, const GeneralParameters &genera
 void read_probe(ParameterSection &root, const GeneralParameters &)
 {
   Probes<2>(MPI_COMM_SELF).read(root.subsection("Probes"), {"<boundary>"}, {"<region>"});
-  MeasuredWaves::read_file(root.subsection("Probes").subsection("<probe>"));
+  MeasuredWavesEntries().read(root.subsection("Probes").subsection("<probe>"));
 }
 
 /// The sections in the order of the documentation: to document a further one, add a row.

@@ -47,19 +47,16 @@ std::string named(const std::string &prefix, std::string entry)
 struct TableEntries
 {
   std::string path; ///< empty only where the documentation of the entries is made
-  TimeTable::Interpolation interpolation = TimeTable::Interpolation::linear;
-  TimeTable::After after = TimeTable::After::hold;
-  double offset = 0.;    ///< in SI
-  std::string held_file; ///< the path, if the user does not say what holds after the table
+  TimeTable::Reading reading;
+  Waveform::TableNames names;
 
-  bool is_repeated() const { return after == TimeTable::After::repeat; }
   /// Null without a path.
   std::shared_ptr<const TimeTable> table(const Dimension &dimension,
                                          const std::string &column) const
   {
     if (path.empty())
       return nullptr;
-    return std::make_shared<const TimeTable>(path, dimension, interpolation, after, offset, column);
+    return std::make_shared<const TimeTable>(path, dimension, reading, column);
   }
 };
 
@@ -68,26 +65,50 @@ TableEntries read_table(ParameterSection &section,
                         const std::string &key,
                         const Dimension &dimension)
 {
+  using Outside = TimeTable::Outside;
+  const Words<Outside> outside = {
+      {"hold", Outside::hold}, {"repeat", Outside::repeat}, {"zero", Outside::zero}};
   TableEntries table;
+  TimeTable::Reading &reading = table.reading;
   section.add_input_file(named(prefix, "Table"), table.path,
                          "A csv file of " + key +
                              " over time, with a header such as 'time [ms], value [" +
                              dimension.unit() + "]'.");
   add_choice(
-      section, named(prefix, "Interpolation"), table.interpolation,
+      section, named(prefix, "Interpolation"), reading.interpolation,
       {{"linear", TimeTable::Interpolation::linear}, {"cubic", TimeTable::Interpolation::cubic}},
       "Between the rows; cubic is smooth and does not overshoot.");
-  section.add(named(prefix, "Offset"), table.offset, dimension,
-              "Added to the values of the table.");
-  add_choice(section, named(prefix, "After the table"), table.after,
-             {{"hold", TimeTable::After::hold},
-              {"repeat", TimeTable::After::repeat},
-              {"zero", TimeTable::After::zero}},
-             "After the last row: its value, the table again with the period last time - "
-             "first time, or zero without the offset.");
+  section.add(named(prefix, "Table factor"), reading.factor, Dimensions::none,
+              "What the values of the table are multiplied by, such as -1 where the table counts a "
+              "flow out of the body as positive.");
+  section.add(named(prefix, "Offset"), reading.offset, dimension,
+              "Added to the values of the table, after their factor.");
+  section.add(named(prefix, "Table shift"), reading.shift, Dimensions::time,
+              "Added to the times of the table: by how much later its values act.");
+  add_choice(section, named(prefix, "Before the table"), reading.before, outside,
+             "Before the first row: its value, the table repeated backwards, or zero without the "
+             "offset.");
+  add_choice(section, named(prefix, "After the table"), reading.after, outside,
+             "After the last row: its value, the table again and again with the period, or zero "
+             "without the offset.");
+  const std::string period_key = named(prefix, "Table period");
+  section.add(period_key, reading.period, Dimensions::time,
+              "The period of a table that is repeated. Between the last row and the first one of "
+              "the next period the values are interpolated. 0: from the first to the last row, "
+              "which is then the first one of the next period.",
+              Range::not_negative());
   section.require(named(prefix, "Table"));
-  if (!section.given(named(prefix, "After the table")))
-    table.held_file = table.path;
+  if (reading.period > 0. && reading.before != Outside::repeat && reading.after != Outside::repeat)
+    section.refuse(period_key, "the table is not repeated",
+                   "Set '" + named(prefix, "After the table") + " = repeat', or remove the entry");
+  reading.period_key = period_key;
+  table.names.file = std::filesystem::path(table.path).filename().string();
+  for (const auto &[entry, silent_key] :
+       {std::make_pair("Before the table", &table.names.before_key),
+        std::make_pair("After the table", &table.names.after_key),
+        std::make_pair("Table period", &table.names.period_key)})
+    if (!section.given(named(prefix, entry)))
+      *silent_key = named(prefix, entry);
   return table;
 }
 
@@ -158,7 +179,8 @@ const std::vector<std::string> kinds = {formula, "table", sine_squared_pulse, ga
 /// The entries of each kind but the formula, which has KEY.
 const std::vector<std::pair<std::string, std::vector<std::string>>> entries_of_kinds = {
     {"table",
-     {"Table", "Column", "Columns", "Interpolation", "Offset", "After the table", "Direction"}},
+     {"Table", "Column", "Columns", "Interpolation", "Table factor", "Offset", "Table shift",
+      "Before the table", "After the table", "Table period", "Direction"}},
     {sine_squared_pulse, {"Amplitude", "Duration", "Start", "Offset", "Direction"}},
     {gaussian_pulse, {"Amplitude", "Time of the peak", "Width", "Offset", "Direction"}}};
 
@@ -233,18 +255,14 @@ std::shared_ptr<const Waveform::TimeFunction> Waveform::read_pulse(ParameterSect
 }
 
 std::shared_ptr<const Waveform::TimeFunction>
-Waveform::function_of_table(const std::shared_ptr<const TimeTable> &table,
-                            const std::string &held_file,
-                            const bool is_repeated)
+Waveform::function_of_table(const std::shared_ptr<const TimeTable> &table, const TableNames &names)
 {
   if (!table)
     return nullptr;
   TimeFunction function;
   function.value = [table](const double time) { return (*table)(time); };
-  function.held_file = held_file;
-  function.last_time = table->last_time();
-  if (is_repeated)
-    function.period = table->last_time() - table->first_time();
+  function.table = table;
+  function.names = names;
   return std::make_shared<const TimeFunction>(function);
 }
 
@@ -270,8 +288,8 @@ Waveform Waveform::read(ParameterSection &section,
     if (kind == "table")
     {
       const TableEntries table = read_table(section, "", key, dimension);
-      waveform.of_time = function_of_table(table.table(dimension, read_column(section, "")),
-                                           table.held_file, table.is_repeated());
+      waveform.of_time =
+          function_of_table(table.table(dimension, read_column(section, "")), table.names);
     }
     else
       waveform.of_time = read_pulse(section, "", key, dimension, kind);
@@ -310,9 +328,9 @@ std::vector<Waveform> Waveform::read_vector(ParameterSection &section,
                   "The columns of the components, one for each direction, in place of 'Column' and "
                   "'Direction'.");
       if (columns.empty())
-        of_time.assign(n_components,
-                       function_of_table(table.table(dimension, read_column(section, prefix)),
-                                         table.held_file, table.is_repeated()));
+        of_time.assign(
+            n_components,
+            function_of_table(table.table(dimension, read_column(section, prefix)), table.names));
       else
       {
         for (const std::string &entry : {named(prefix, "Column"), direction_key})
@@ -325,8 +343,7 @@ std::vector<Waveform> Waveform::read_vector(ParameterSection &section,
                              std::to_string(n_components) + " components",
                          "Name one column for each direction");
         for (unsigned int c = 0; c < n_components; ++c)
-          of_time[c] = function_of_table(table.table(dimension, columns[c]), table.held_file,
-                                         table.is_repeated());
+          of_time[c] = function_of_table(table.table(dimension, columns[c]), table.names);
       }
     }
     else
@@ -398,7 +415,7 @@ double Waveform::mean(const double *point) const
 
 double Waveform::table_period() const
 {
-  return of_time ? of_time->period : 0.;
+  return of_time && of_time->table && of_time->table->is_repeated() ? of_time->table->period() : 0.;
 }
 
 bool Waveform::depends_on_time() const
@@ -411,14 +428,55 @@ bool Waveform::depends_on_space() const
   return expression.depends_on_space();
 }
 
-std::string Waveform::table_warning(const double end_time) const
+std::vector<Waveform::Remark> Waveform::table_remarks(const double end_time) const
 {
-  if (!of_time || of_time->held_file.empty() || of_time->last_time >= end_time * (1. - 1e-9))
-    return "";
-  return "the table '" + std::filesystem::path(of_time->held_file).filename().string() +
-         "' ends at t = " + shortest_number(of_time->last_time) + " s, the run at " +
-         shortest_number(end_time) +
-         " s: its last value holds in between. Set 'After the table' to hold, repeat or zero";
+  if (!of_time || !of_time->table)
+    return {};
+  constexpr double time_slack = 1e-9;   // of the end time
+  constexpr double largest_jump = 1e-2; // of the range of the values
+  const TimeTable &table = *of_time->table;
+  const TableNames &names = of_time->names;
+  const std::string name = "the table '" + names.file + "'";
+  std::vector<Remark> remarks;
+  if (table.is_repeated())
+    remarks.push_back({name + " repeats itself after " + table.period_text() +
+                           (names.period_key.empty() ? "" : ", from its first to its last row"),
+                       false});
+  if (!names.before_key.empty() && table.first_time() > end_time * time_slack)
+    remarks.push_back({name + " begins at t = " + shortest_number(table.first_time()) +
+                           " s: its first value holds from the start on. Set '" + names.before_key +
+                           "' to hold, repeat or zero",
+                       true});
+  if (!names.after_key.empty() && table.last_time() < end_time * (1. - time_slack))
+    remarks.push_back({name + " ends at t = " + shortest_number(table.last_time()) +
+                           " s, the run at " + shortest_number(end_time) +
+                           " s: its last value holds in between. Set '" + names.after_key +
+                           "' to hold, repeat or zero",
+                       true});
+  if (!names.period_key.empty() && table.is_repeated() && table.jump() > largest_jump)
+    remarks.push_back({name +
+                           " does not end with its first value, which follows its last row at "
+                           "once. Set '" +
+                           names.period_key + "': " + table.period_text() +
+                           " if the value is to jump, the period if the row that closes it is "
+                           "missing",
+                       true});
+  return remarks;
+}
+
+std::vector<Waveform::Remark> Waveform::table_remarks(
+    const std::vector<const Waveform *> &waveforms, const std::string &owner, const double end_time)
+{
+  std::vector<Remark> remarks;
+  for (const Waveform *const waveform : waveforms)
+    for (Remark &remark : waveform->table_remarks(end_time))
+    {
+      remark.text.insert(0, owner);
+      if (std::none_of(remarks.begin(), remarks.end(),
+                       [&remark](const Remark &other) { return other.text == remark.text; }))
+        remarks.push_back(remark);
+    }
+  return remarks;
 }
 
 bool Waveform::is_zero() const

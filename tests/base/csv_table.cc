@@ -27,8 +27,68 @@ void refused(const std::string &name,
 }
 } // namespace
 
+namespace
+{
+/// What public tables have: no header, or one in a comment; quotes around cells; the exponents of
+/// Fortran; a separator at the end of each line; rows with blanks below a header with commas.
+void test_public_tables()
+{
+  const auto second = [](const std::string &content)
+  { return table(content).values(1, Dimensions::flow_rate).at(1); };
+  check::relative("quoted cells", second("\"t [s]\",\"q [ml/s]\"\n\"0\",\"1\"\n\"1\",\"2.5\"\n"),
+                  2.5e-6, 1e-14);
+  check::equal("a quote in quotes", table("\"2\"\" tube [m]\",b\n1,2\n").name(0), "2\" tube");
+  check::relative("exponents of Fortran",
+                  second("t [s] q [ml/s]\n 0.0D+00  1.0d0\n 1.0D-03 -2.5D+01\n"), -25e-6, 1e-14);
+  check::relative("separators at the ends", second("t [s], q [ml/s],\n0, 1,\n1, 2.5,\n"), 2.5e-6,
+                  1e-14);
+  check::relative("at the ends of the rows", second("t [s];q [ml/s]\n0;1;\n1;2.5;;\n"), 2.5e-6,
+                  1e-14);
+  check::relative("rows with blanks", second("t [s], q [ml/s]\n  0 1\n 1\t  2.5\n"), 2.5e-6, 1e-14);
+  check::relative("other names of units", second("t [sec], q [cc/sec]\n0, 1\n1, 2.5\n"), 2.5e-6,
+                  1e-14);
+  check::relative("powers behind units", second("t (msec), q (cm3 s-1)\n0, 1\n1, 2.5\n"), 2.5e-6,
+                  1e-14);
+  const CsvTable comment = table("# of a phantom\n# t [s]  q [ml/s]\n\n0 1\n1 2.5\n");
+  check::is_true("a header in a comment", comment.n_rows() == 2 && comment.header().line == 2);
+  check::relative("its unit", comment.values(1, Dimensions::flow_rate)[1], 2.5e-6, 1e-14);
+  refused(
+      "the header in the comment has another unit",
+      [&] { comment.values(1, Dimensions::pressure); }, ":2: 'q'.*ml/s.*Pa");
+  // Fewer names, no unit: a remark.
+  for (const char *const remark : {"# t [s]", "# flow time", "#", " "})
+    refused(
+        std::string("no header but: ") + remark,
+        [&] { table(std::string(remark) + "\n0; 1\n1; 2\n"); },
+        ":2: the table has no header: this line has only numbers. Insert a line such as "
+        "'time \\[ms\\]; pressure \\[mmHg\\]' with .* above this line, and keep this line");
+  refused(
+      "as many columns as the rows have", [] { table("0 1 2\n1 2 3\n"); },
+      ":1: .*'time \\[ms\\]  pressure \\[mmHg\\]  value 3 \\[1\\]'");
+  refused(
+      "a first line that counts rows", [] { table("3    16\n0. -1.\n1. -2.\n2. 0.\n"); },
+      ":1: .*counts the rows that follow. Write '#' before this line, insert a line such as "
+      "'time \\[ms\\]  pressure");
+  // As this remedy says.
+  check::is_true("after the remedy", table("#3    16\ntime [ms]  pressure [mmHg]\n0. -1.\n1. -2.\n"
+                                           "2. 0.\n")
+                                             .n_rows() == 3);
+  refused(
+      "rows counted below a header",
+      []
+      {
+        table("t [s]  q [1]\n3    16\n0. -1.\n1. -2.\n2. 0.\n")
+            .increasing_values(0, Dimensions::time, "time", "later");
+      },
+      ":2: the line counts the rows that follow.*'#' before");
+  refused(
+      "no decimal comma", [] { table("t [s]; q [1]\n0,5\n1,5\n"); }, ":2: .*cells, the header 2");
+}
+} // namespace
+
 UNIT_TEST(csv_table)
 {
+  test_public_tables();
   const CsvTable tube = table("# measured\nx [cm]; \"wall, outer [mm]\"; ratio; note\n\n"
                               "0; 1.5; 0.5; a\n# between\n2; -2e-1; 1; b\n");
   check::is_true("columns and rows", tube.n_columns() == 4 && tube.n_rows() == 2);

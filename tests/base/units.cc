@@ -56,6 +56,11 @@ UNIT_TEST(units)
   quantity("1.1 g/cm^3", density, 1100.);
   quantity("1 t/m^3", density, 1000.);
   quantity("7 mg/ml", density, 7.);
+  quantity("2 cm3/sec", flow_rate, 2e-6);
+  quantity("2 cc/s", flow_rate, 2e-6);
+  quantity("2 mL s-1", flow_rate, 2e-6);
+  quantity("3 msec", Dimensions::time, 3e-3);
+  quantity("2 kg m-3", density, 2.);
   quantity("1 mPa s", viscosity, 1e-3);
   quantity("1 mPa*s", viscosity, 1e-3);
   quantity("4 cP", viscosity, 4e-3);
@@ -78,7 +83,10 @@ UNIT_TEST(units)
   refused("10 mm", pressure, "'10 mm' has the wrong unit: it is in m, not in Pa");
   refused("5 %", length, "it is in 1, not in m");
   refused("10 parsec", length, "unit 'parsec' is unknown");
-  refused("10 Mm2", length, "unit 'Mm2' is unknown");
+  refused("10 Mm2", length, "it is in m\\^2, not in m");
+  refused("10 m0", length, "unit 'm0' is unknown");
+  refused("10 m12", length, "unit 'm12' is unknown");
+  refused("10 -2", length, "unit '-2' is unknown");
   refused("10 m^x", length, "whole number after '\\^'");
   refused("10 m/", length, "incomplete");
   refused("10 N/(m s", length, "lacks a '\\)'");

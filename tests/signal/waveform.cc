@@ -15,11 +15,14 @@ using namespace Continua;
 
 namespace
 {
-/// The warning in a run to 2 s, with more entries.
-std::string warning(const std::string &entries, const double end_time = 2.)
+/// What is said of a table in a run to 2 s, with more entries: a line for each sentence, and
+/// "warning: " before those that warn.
+std::string remarks(const std::string &entries,
+                    const double end_time = 2.,
+                    const std::string &rows = "0, 0\n1, 5\n")
 {
   const std::string path = "waveform-test.prm";
-  std::ofstream("waveform-test.csv") << "time [s], p [Pa]\n0, 0\n1, 5\n";
+  std::ofstream("waveform-test.csv") << "time [s], p [Pa]\n" + rows;
   std::ofstream(path) << "set Waveform = table\nset Table = waveform-test.csv\n" + entries;
   ParameterFile file(path);
   ParameterSection root = file.root();
@@ -27,7 +30,12 @@ std::string warning(const std::string &entries, const double end_time = 2.)
       Waveform::read(root, "Pressure", Dimensions::pressure, "A pressure.", true);
   std::filesystem::remove(path);
   std::filesystem::remove("waveform-test.csv");
-  return waveform.table_warning(end_time);
+  std::string text;
+  for (const Waveform::Remark &remark : waveform.table_remarks(end_time))
+    text.append(text.empty() ? "" : "\n")
+        .append(remark.is_warning ? "warning: " : "")
+        .append(remark.text);
+  return text;
 }
 /// The components of a vector in the plane, from a table with two columns of forces.
 std::vector<Waveform>
@@ -142,13 +150,43 @@ UNIT_TEST(waveform)
 {
   test_vectors();
   test_means();
-  check::equal(
-      "held without a word", warning(""),
-      "the table 'waveform-test.csv' ends at t = 1 s, the run at 2 s: its last value holds "
-      "in between. Set 'After the table' to hold, repeat or zero");
-  check::equal("as long as the run", warning("", 1.), "");
-  for (const char *const after : {"hold", "repeat", "zero"})
-    check::equal(after, warning("set After the table = " + std::string(after) + "\n"), "");
-  check::equal("no table", Waveform(3.).table_warning(2.), "");
+  const std::string table = "the table 'waveform-test.csv'";
+  check::equal("held without a word", remarks(""),
+               "warning: " + table +
+                   " ends at t = 1 s, the run at 2 s: its last value holds in between. Set 'After "
+                   "the table' to hold, repeat or zero");
+  check::equal("as long as the run", remarks("", 1.), "");
+  for (const char *const after : {"hold", "zero"})
+    check::equal(after, remarks("set After the table = " + std::string(after) + "\n"), "");
+  const std::string repeat = "set After the table = repeat\n", closed = "0, 0\n1, 5\n1.5, 0\n";
+  check::equal("the period of the rows", remarks(repeat, 2., closed),
+               table + " repeats itself after 1.5 s, from its first to its last row");
+  check::equal("another period", remarks(repeat + "set Table period = 1.8 s\n", 2., closed),
+               table + " repeats itself after 1.8 s");
+  check::equal("a row is missing", remarks(repeat),
+               table +
+                   " repeats itself after 1 s, from its first to its last row\nwarning: " + table +
+                   " does not end with its first value, which follows its last row at once. Set "
+                   "'Table period': 1 s if the value is to jump, the period if the row that closes "
+                   "it is missing");
+  check::equal("a jump that is meant", remarks(repeat + "set Table period = 1 s\n"),
+               table + " repeats itself after 1 s");
+  check::equal("a late begin without a word", remarks("set Table shift = 0.5 s\n", 1.),
+               "warning: " + table +
+                   " begins at t = 0.5 s: its first value holds from the start on. Set 'Before the "
+                   "table' to hold, repeat or zero");
+  for (const char *const before : {"hold", "repeat", "zero"})
+    check::equal(
+        std::string("before: ") + before,
+        remarks("set Table shift = 0.5 s\nset Before the table = " + std::string(before) + "\n",
+                1.),
+        "");
+  check::throws<InputError>(
+      "a period of no repetition", [] { remarks("set Table period = 2 s\n"); },
+      "'Table period'.*not repeated.*After the table = repeat");
+  check::throws<InputError>(
+      "a period shorter than the rows", [&] { remarks(repeat + "set Table period = 0.9 s\n"); },
+      "waveform-test.csv:3: .*1 s later.*0.9 s.*longer 'Table period'");
+  check::is_true("no table", Waveform(3.).table_remarks(2.).empty());
 }
 } // namespace test_of_waveform

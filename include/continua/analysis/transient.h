@@ -56,6 +56,8 @@ private:
   /// Which boundaries begin with a value that a body at rest meets as a jump.
   void report_initial_jumps();
   /// What linear theory says of a run with fluid and solid, and the numbers of a flow.
+  /// Says the periods of tables, and warns of what they leave open.
+  void report_tables();
   void report_preflight();
   void restart();
   void step();

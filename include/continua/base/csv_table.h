@@ -11,11 +11,16 @@ namespace Continua
 {
 /**
  * A csv file of numbers with units in its header: "time [ms], pressure [mmHg]". Separator: the
- * first of semicolon, comma, tab and blanks that the header has; blanks around a cell, quotes
- * around a name, a byte order mark and the kind of line ends do not matter; lines that start with #
- * and empty lines are left out. Excel's first line "sep=;" names the separator. A known unit may
- * also stand in round brackets, "pressure (mmHg)". The decimal separator is a point. Columns and
- * rows count from 0.
+ * first of semicolon, comma, tab and blanks that the header has; below another header the rows may
+ * be separated by blanks or tabs. Blanks and quotes around a cell, empty cells at the end of a
+ * line, a byte order mark and the kind of line ends do not matter; lines that start with # and
+ * empty lines are left out. Excel's first line "sep=;" names the separator. A known unit may also
+ * stand in round brackets, "pressure (mmHg)". The decimal separator is a point, the exponent e or
+ * Fortran's D. Columns and rows count from 0.
+ *
+ * Where the first line that is no comment has only numbers, the comment before it is the header if
+ * it has as many names, and a unit; else the file has none and is refused, since its units would be
+ * a guess.
  *
  * Whatever is wrong is thrown as an InputError with file, line, column and remedy.
  */
@@ -67,6 +72,13 @@ private:
     std::vector<std::string> cells;
   };
   static std::vector<Column> parse_header(const std::string &line, char separator);
+  /// The comment before the first row that names its columns, and sets the line of the header;
+  /// empty if there is none.
+  std::string header_in_comment(const std::vector<std::string> &lines, std::size_t first_row);
+  /// `content`: the indices of the lines that are neither empty nor comments.
+  [[noreturn]] void refuse_without_header(const std::vector<std::string> &lines,
+                                          const std::vector<std::size_t> &content,
+                                          const std::string &example) const;
   double unit_factor_of(std::size_t column, const Dimension &dimension) const;
 
   std::string file;

@@ -40,11 +40,11 @@ inline constexpr Dimension compliance{-1, 4, 2};       ///< volume over pressure
 
 /**
  * The factor that turns a number in `unit` ("mm", "kg/m^3", "mPa s", "mmHg", "GPa", "l/min", "%",
- * "1/s", "Hz", "m^2/s") into SI, with its dimension. Products by a blank or '*', quotients by '/'
- * (from left to right: "kg/m/s" is kg/(m s)), whole powers by '^', parentheses. m, s, g, N, Pa, J,
- * W, l, Hz, bar and P (poise) take the prefixes n, u (or the letter mu), m, c, d, h, k, M and G;
- * min, h, t, mmHg, cmH2O, %, rad, deg and 1 stand as they are. Throws std::invalid_argument with a
- * reason if the unit is unknown.
+ * "1/s", "Hz", "cm3/s") into SI, with its dimension. Products by a blank or '*', quotients by '/'
+ * (from left to right: "kg/m/s" is kg/(m s)), whole powers by '^' or a digit, parentheses. m, s,
+ * sec, g, N, Pa, J, W, l, Hz, bar and P (poise) take the prefixes n, u (or the letter mu), m, c, d,
+ * h, k, M and G; min, h, t, cc, mmHg, cmH2O, dyn, %, rad, deg and 1 stand as they are. Throws
+ * std::invalid_argument with a reason if the unit is unknown.
  */
 double unit_factor(const std::string &unit, Dimension &dimension);
 

@@ -111,8 +111,8 @@ struct BoundaryCondition
   /// A sentence for the log where the prescribed value at t = 0 is not zero at `point` (three
   /// coordinates [m]), so that a body at rest meets a jump; else empty.
   std::string initial_jump(const double *point) const;
-  /// What to warn of in a run to `end_time` [s]: tables that end before it, each once.
-  std::vector<std::string> table_warnings(double end_time) const;
+  /// What is to be said of its tables in a run to `end_time` [s], each sentence once.
+  std::vector<Waveform::Remark> table_remarks(double end_time) const;
 };
 
 /// The types that exist: name and a line of description, for the manual and `Type`.

@@ -1,8 +1,8 @@
 #ifndef continua_case_measured_waves_h
 #define continua_case_measured_waves_h
 
-#include <continua/base/interpolant.h>
 #include <continua/base/parameter_section.h>
+#include <continua/signal/time_table.h>
 
 #include <string>
 #include <utility>
@@ -10,21 +10,33 @@
 
 namespace Continua
 {
+/// The entries of a probe about what was measured at its stations.
+struct MeasuredWavesEntries
+{
+  std::string file;            ///< empty: none
+  std::vector<double> factors; ///< of the columns, one for all or one for each; none: 1
+  double shift = 0.;           ///< [s], added to the times
+  double period = 0.;          ///< [s] with which the measurement repeats itself; 0: it does not
+
+  /// Declares and reads them. Throws InputError.
+  void read(ParameterSection probe);
+};
+
 /**
  * A user's measurements at stations, from a csv file: `time [ms], 0.1 m: pressure [mmHg], 0.3 m:
  * flow rate [l/min]`. The first column is time, each other one is called after a station of the
  * probe and one of its fields. Throws InputError with file, line and remedy for a column that is
- * neither, a missing or wrong unit and times that do not increase.
+ * neither, a missing or wrong unit, times that do not increase and another number of factors than
+ * columns.
  */
 class MeasuredWaves
 {
 public:
-  MeasuredWaves(const std::string &file,
+  /// `positions` [m] and `fields` of the probe.
+  MeasuredWaves(const MeasuredWavesEntries &entries,
+                const ParameterSection &probe,
                 const std::vector<double> &positions,
                 const std::vector<std::string> &fields);
-
-  /// Declares and reads the entry `Measured` of a probe with stations; empty if there is no table.
-  static std::string read_file(ParameterSection probe);
 
   /// By station, field and time [s], linear between the rows; NaN where nothing was measured.
   std::vector<std::vector<std::vector<double>>> histories(const std::vector<double> &times) const;
@@ -33,7 +45,7 @@ private:
   struct Column
   {
     std::size_t station, field;
-    Interpolant values;
+    TimeTable values;
   };
   std::size_t n_stations, n_fields;
   std::vector<Column> columns;

@@ -40,8 +40,8 @@ struct InteriorData
             ParameterSection initial_state,
             const std::vector<std::string> &regions,
             unsigned int n_dimensions);
-  /// What to warn of in a run to `end_time` [s]: tables that end before it, each once.
-  std::vector<std::string> table_warnings(double end_time) const;
+  /// What is to be said of its tables in a run to `end_time` [s], each sentence once.
+  std::vector<Waveform::Remark> table_remarks(double end_time) const;
 };
 
 /// Fields of the output beside those that are always there.

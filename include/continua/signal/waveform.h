@@ -21,8 +21,9 @@ constexpr double mean_over_period = -std::numeric_limits<double>::infinity();
  * A value over time and space. In a section, `Waveform` says where it comes from:
  *
  * formula (default): the entry KEY, an expression of x, y, z, t.
- * table: `Table`, `Column`, `Interpolation` (linear | cubic), `Offset` and `After the table` (hold
- * | repeat | zero), see TimeTable. sine squared pulse: `Amplitude` A, `Duration` T and `Start` t0
+ * table: `Table`, `Column`, `Interpolation` (linear | cubic), `Table factor`, `Offset`, `Table
+ * shift`, `Before the table` and `After the table` (hold | repeat | zero) and `Table period`, see
+ * TimeTable. sine squared pulse: `Amplitude` A, `Duration` T and `Start` t0
  * give A sin^2(pi (t - t0)/T) from t0 to t0 + T and 0 before and after, a pulse with a continuous
  * first derivative. gaussian pulse: `Amplitude` A, `Time of the peak` t0 and `Width` s give A
  * exp(-((t - t0)/s)^2) for all times.
@@ -71,18 +72,36 @@ public:
   bool depends_on_time() const;
   bool depends_on_space() const;
   bool is_zero() const;
-  /// What to warn of in a run to `end_time` [s]: a table that ends before it, without a word of the
-  /// user about what holds then; empty if there is nothing.
-  std::string table_warning(double end_time) const;
+
+  /// A sentence about a table.
+  struct Remark
+  {
+    std::string text;
+    bool is_warning;
+  };
+  /// About a run to `end_time` [s]: the period of a table that is repeated; and, as warnings, a
+  /// table that begins late, ends early or is repeated with a jump, without a word of the user
+  /// about it.
+  std::vector<Remark> table_remarks(double end_time) const;
+  /// Those of several waveforms, each once and with `owner` before it.
+  static std::vector<Remark> table_remarks(const std::vector<const Waveform *> &waveforms,
+                                           const std::string &owner,
+                                           double end_time);
+
+  /// What remarks call a table.
+  struct TableNames
+  {
+    std::string file; ///< without its folder
+    /// The names of those entries that the user has not given.
+    std::string before_key, after_key, period_key;
+  };
 
 private:
   struct TimeFunction
   {
     std::function<double(double)> value;
-    /// A table whose last value holds after its end by default, and its last time [s]; else empty.
-    std::string held_file;
-    double last_time = 0.;
-    double period = 0.; ///< [s] of a table that is repeated; else 0
+    std::shared_ptr<const TimeTable> table; ///< or null
+    TableNames names;
   };
 
   /// The value, or what the function of time is multiplied by.
@@ -103,9 +122,7 @@ private:
                                                         const Dimension &dimension,
                                                         const std::string &kind);
   static std::shared_ptr<const TimeFunction>
-  function_of_table(const std::shared_ptr<const TimeTable> &table,
-                    const std::string &held_file,
-                    bool is_repeated);
+  function_of_table(const std::shared_ptr<const TimeTable> &table, const TableNames &names);
 };
 } // namespace Continua
 
