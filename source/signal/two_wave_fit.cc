@@ -129,7 +129,8 @@ int rest_of_two_waves(const gsl_vector *scaled, void *data, gsl_vector *result)
 }
 
 /// The integral of e^(-st) (values - first value) over the record.
-Complex transform(const std::vector<double> &times, const std::vector<double> &values, const Complex s)
+Complex
+transform(const std::vector<double> &times, const std::vector<double> &values, const Complex s)
 {
   Complex sum = 0.;
   for (std::size_t i = 1; i < times.size(); ++i)

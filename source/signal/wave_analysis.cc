@@ -450,6 +450,9 @@ WaveAnalysis analyse_wave(const WaveRecord &record)
         std::make_pair(&ByArrival::phase, &MissingOfWave::phase)})
     analysis.speed.*definition =
         speed_of(record, arrivals(definition), feet, analysis.missing.*reason);
+  if (analysis.missing.phase == too_few_stations && analysis.missing.peak.empty())
+    analysis.missing.phase = "the record ends within the window of the pulse, or the pressure does "
+                             "not fall to 15 % of the pulse before it rises again";
   std::vector<double> heights;
   for (const StationWave &station : analysis.stations)
     heights.push_back(station.amplitude);
