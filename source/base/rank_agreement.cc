@@ -44,8 +44,7 @@ bool all_ranks_arrive(const MPI_Comm communicator)
   using Clock = std::chrono::steady_clock;
   // Of several ranks that wait in vain the first one speaks.
   const auto turn = std::chrono::milliseconds(100) * this_mpi_process(communicator);
-  const Clock::time_point end =
-      Clock::now() + patience + std::min<Clock::duration>(turn, patience);
+  const Clock::time_point end = Clock::now() + patience + std::min<Clock::duration>(turn, patience);
   MPI_Request request;
   MPI_Ibarrier(communicator, &request);
   for (int done = 0; Clock::now() < end;)

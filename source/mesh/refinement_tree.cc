@@ -82,8 +82,7 @@ bool has_refinement(const ArchiveReader &archive)
 }
 
 template <int dim>
-void load_refinement(const ArchiveReader &archive,
-                     parallel::TriangulationBase<dim> &triangulation)
+void load_refinement(const ArchiveReader &archive, parallel::TriangulationBase<dim> &triangulation)
 {
   const std::vector<unsigned long> numbers = archive.integers(name_of_list);
   std::vector<Place> refined;

@@ -1,4 +1,5 @@
-// Ranks that read the same input, or another one. That a rank alone ends the others is shown by the attack `ranks`.
+// Ranks that read the same input, or another one. That a rank alone ends the others is shown by the
+// attack `ranks`.
 
 #include <continua/base/input_error.h>
 #include <continua/base/parameter_file.h>
@@ -70,9 +71,11 @@ UNIT_TEST(rank_agreement)
   RankAgreement::wait_for_all("an error", exit_status_of_failure);
   check::is_true("an error of all ranks", true);
   check::equal("a failure of the run", text_of_failure(RunError("no")), "no");
-  check::is_true("no memory",
-                 text_of_failure(std::bad_alloc()).find("memory of the machine") != std::string::npos);
-  check::is_true("a library's text", text_of_failure(std::runtime_error("odd")).find(
-                                         "no better reason than the text below") != std::string::npos);
+  check::is_true("no memory", text_of_failure(std::bad_alloc()).find("memory of the machine") !=
+                                  std::string::npos);
+  check::is_true(
+      "a library's text",
+      text_of_failure(std::runtime_error("odd")).find("no better reason than the text below") !=
+          std::string::npos);
 }
 } // namespace test_of_rank_agreement

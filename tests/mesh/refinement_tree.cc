@@ -1,5 +1,5 @@
-// A mesh that was refined and coarsened by chance comes back from an archive, cell by cell: the cells are
-// compared by deal.II's own names of them.
+// A mesh that was refined and coarsened by chance comes back from an archive, cell by cell: the
+// cells are compared by deal.II's own names of them.
 
 #include <continua/base/collective.h>
 #include <continua/base/input_error.h>
@@ -29,8 +29,8 @@ using Mesh = parallel::distributed::Triangulation<dim>;
 template <int dim>
 std::unique_ptr<Mesh<dim>> coarse_mesh(const unsigned int n_cells)
 {
-  auto mesh = std::make_unique<Mesh<dim>>(
-      MPI_COMM_WORLD, Triangulation<dim>::limit_level_difference_at_vertices);
+  auto mesh = std::make_unique<Mesh<dim>>(MPI_COMM_WORLD,
+                                          Triangulation<dim>::limit_level_difference_at_vertices);
   GridGenerator::subdivided_hyper_cube(*mesh, n_cells);
   return mesh;
 }

@@ -42,8 +42,8 @@ constexpr int exit_status_of_failure = 1, exit_status_of_wrong_input = 2;
 /// What a user reads of an exception that ended a run.
 std::string text_of_failure(const std::exception &error);
 
-/// Throws InputError on all ranks if one of them reads another content of a file that was read until
-/// now. Collective.
+/// Throws InputError on all ranks if one of them reads another content of a file that was read
+/// until now. Collective.
 void require_same_input(const ParameterFile &file, MPI_Comm communicator);
 } // namespace Continua
 
