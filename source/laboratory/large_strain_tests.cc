@@ -2,6 +2,7 @@
 
 #include <continua/base/interruption.h>
 #include <continua/base/misfit.h>
+#include <continua/base/six_digits.h>
 #include <continua/base/units.h>
 #include <continua/laboratory/relaxing_law.h>
 #include <continua/materials/strain_law_types.h>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <tuple>
 
 namespace Continua
 {
@@ -165,7 +167,8 @@ void LargeStrainTests::curve(const std::string &name, const HomogeneousTestType 
 {
   const bool is_shear = type == HomogeneousTestType::shear;
   const double first = is_shear ? 0. : parameters.smallest_stretch,
-               last = is_shear ? parameters.largest_shear : parameters.largest_stretch;
+               last = is_shear ? parameters.largest_shear : parameters.largest_stretch,
+               rest = is_shear ? 0. : 1.;
   log.line("Test " + name + ": " + (is_shear ? "shear " : "stretch ") + shortest_number(first) +
            " to " + shortest_number(last));
   const auto strain_law = law();
@@ -175,9 +178,15 @@ void LargeStrainTests::curve(const std::string &name, const HomogeneousTestType 
       table(name, {is_shear ? "shear [1]" : "stretch [1]", "nominal stress [Pa]",
                    "Cauchy stress [Pa]", "tangent modulus [Pa]", "normal stress difference [Pa]",
                    "stretch across the thickness [1]", "volume ratio [1]", "energy [J/m^3]"});
+  const HomogeneousTestEnd shortest = first < rest ? specimen.end(type, first)
+                                                   : HomogeneousTestEnd{first, ""},
+                           longest = last > rest ? specimen.end(type, last)
+                                                 : HomogeneousTestEnd{last, ""};
   HomogeneousTestPoint point;
   for (const double measure : points(first, last))
   {
+    if (measure < shortest.measure || measure > longest.measure)
+      continue;
     point = specimen.at(type, measure);
     if (rows)
       rows->row({measure, point.nominal_stress, point.cauchy_stress, point.tangent_modulus,
@@ -186,11 +195,60 @@ void LargeStrainTests::curve(const std::string &name, const HomogeneousTestType 
   }
   if (rows)
     rows->flush();
-  summary.add(
-      {"modulus at rest", specimen.at(type, is_shear ? 0. : 1.).tangent_modulus, "Pa", name});
+  for (const HomogeneousTestEnd &end : {shortest, longest})
+    if (!end.reason.empty())
+      throw RunError("the test " + name + " ends at the stretch " + six_digits(end.measure) + ": " +
+                     end.reason + ". The rows up to there are in the table. Ask for a range that " +
+                     (end.measure < rest ? "begins after it" : "ends before it") + " (Laboratory/" +
+                     (end.measure < rest ? "Smallest" : "Largest") + " stretch)");
+  const auto stress_and_slope = [&](const double stretch)
+  {
+    const HomogeneousTestPoint at = specimen.at(type, stretch);
+    return std::make_pair(at.nominal_stress, at.tangent_modulus);
+  };
+  if (!is_shear)
+    state_limit_points(name, "nominal stress", stress_and_slope);
+  summary.add({"modulus at rest", specimen.at(type, rest).tangent_modulus, "Pa", name});
   summary.add({"nominal stress at the end", point.nominal_stress, "Pa", name});
   summary.add({"Cauchy stress at the end", point.cauchy_stress, "Pa", name});
   summary.add({"tangent modulus at the end", point.tangent_modulus, "Pa", name});
+}
+
+void LargeStrainTests::state_limit_points(const std::string &test,
+                                          const std::string &load,
+                                          const LoadAndSlope &load_and_slope)
+{
+  // From rest on and not from the rows, so that neither the range nor the rows change the place.
+  constexpr double step = 0.01, accuracy = 1e-12; // of the logarithm of the stretch
+  const bool rises = load_and_slope(1.).second > 0.;
+  const auto has_turned = [&](const double logarithm)
+  { return (load_and_slope(std::exp(logarithm)).second > 0.) != rises; };
+  const auto state = [&](const std::string &side, const double direction, const double length)
+  {
+    double before = 0., after = 0.;
+    do
+    {
+      before = after;
+      if (std::abs(before) >= length)
+        return;
+      after = direction * std::min(std::abs(before) + step, length);
+    } while (!has_turned(after));
+    while (std::abs(after - before) > accuracy)
+    {
+      const double middle = 0.5 * (before + after);
+      (has_turned(middle) ? after : before) = middle;
+    }
+    const double stretch = std::exp(before), value = load_and_slope(stretch).first;
+    log.line("Limit point of the test " + test + " in " + side + ": the " + load +
+             " has its extreme, " + six_digits(value) + " Pa, at the stretch " +
+             six_digits(stretch) +
+             ". A specimen under a given load gives way there. The test gives the stretch and goes "
+             "on");
+    summary.add({"limit stretch in " + side, stretch, "1", test});
+    summary.add({"limit " + load + " in " + side, value, "Pa", test});
+  };
+  state("compression", -1., -std::log(parameters.smallest_stretch));
+  state("tension", 1., std::log(parameters.largest_stretch));
 }
 
 void LargeStrainTests::inflation()
@@ -207,15 +265,23 @@ void LargeStrainTests::inflation()
                                         "circumferential stress [Pa]", "axial stress [Pa]",
                                         "axial force [N]", "distensibility [1/Pa]"});
   double pressure = 0., force = 0., distensibility = 0., circumferential = 0., axial_stress = 0.;
+  const auto state_at = [&](const double stretch)
+  {
+    return wall.equilibrium({{axial, stretch, 1.}}, {{true, true, false}},
+                            {{0., 1. / stretch, 0.}});
+  };
+  // Laplace's law with the present thickness and radius; T = J sigma. With its slope.
+  const auto pressure_of = [&](const double stretch, const PrincipalState &state)
+  {
+    const double factor = thickness / (radius * axial * stretch * stretch);
+    return std::make_pair(factor * state.stress[1],
+                          factor * (state.stress_rate[1] - 2. * state.stress[1] / stretch));
+  };
   for (const double stretch : points(parameters.smallest_stretch, parameters.largest_stretch))
   {
-    const PrincipalState state =
-        wall.equilibrium({{axial, stretch, 1.}}, {{true, true, false}}, {{0., 1. / stretch, 0.}});
-    // Laplace's law with the present thickness and radius; T = J sigma.
-    const double per_stress = thickness / (radius * axial);
-    pressure = per_stress * state.stress[1] / (stretch * stretch);
-    const double slope =
-        per_stress * (state.stress_rate[1] - 2. * state.stress[1] / stretch) / (stretch * stretch);
+    const PrincipalState state = state_at(stretch);
+    double slope = 0.;
+    std::tie(pressure, slope) = pressure_of(stretch, state);
     distensibility = 2. / (stretch * slope);
     circumferential = state.stress[1] / state.strain.determinant;
     axial_stress = state.stress[0] / state.strain.determinant;
@@ -228,6 +294,8 @@ void LargeStrainTests::inflation()
   if (rows)
     rows->flush();
   const std::string name = "inflation";
+  state_limit_points(name, "pressure",
+                     [&](const double stretch) { return pressure_of(stretch, state_at(stretch)); });
   summary.add({"pressure at the end", pressure, "Pa", name});
   summary.add({"circumferential stress at the end", circumferential, "Pa", name});
   summary.add({"axial stress at the end", axial_stress, "Pa", name});
@@ -313,10 +381,18 @@ void LargeStrainTests::name_quantities(const StrainLawParameters &law,
     for (const StrainLawConstant &constant : strain_law_type(law.type).constants)
       names.add(constant.key, "fit");
   }
+  const auto add_limit_points = [&add](const std::string &test, const std::string &load)
+  {
+    for (const std::string side : {" in compression", " in tension"})
+      add(test, {"limit stretch" + side, "limit " + load + side});
+  };
   for (const std::string &test : tests)
     if (test == "inflation")
+    {
       add(test, {"pressure at the end", "circumferential stress at the end",
                  "axial stress at the end", "axial force at the end", "distensibility at the end"});
+      add_limit_points(test, "pressure");
+    }
     else if (test == "stretch relaxation" || test == "shear relaxation")
     {
       add(test, {"largest stress", "final stress"});
@@ -324,7 +400,11 @@ void LargeStrainTests::name_quantities(const StrainLawParameters &law,
         names.add("largest difference from the closed solution", test);
     }
     else
+    {
       add(test, {"modulus at rest", "nominal stress at the end", "Cauchy stress at the end",
                  "tangent modulus at the end"});
+      if (test != "shear")
+        add_limit_points(test, "nominal stress");
+    }
 }
 } // namespace Continua

@@ -7,6 +7,7 @@
 #include <continua/base/input_error.h>
 #include <continua/materials/strain_law_types.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "../unit_test.h"
@@ -137,10 +138,155 @@ void check_slopes()
   check::is_true("a strip with fibres: narrower than thick",
                  strip.strain.gradient[1][1] < strip.strain.gradient[2][2] - 0.01);
 }
+/// St. Venant-Kirchhoff's law bears what the stretches demand: without stress across, Green's
+/// strain there is -q times that along, so that this side is gone at the stretch sqrt(1 + 1/q).
+void check_ends_of_saint_venant_kirchhoff()
+{
+  using Type = HomogeneousTestType;
+  for (const double nu : {-0.3, 0., 0.2, 0.3, 0.49})
+  {
+    const double k = 2. * spring * (1. + nu) / (3. * (1. - 2. * nu)),
+                 young = 2. * spring * (1. + nu);
+    const auto law = law_of("st venant kirchhoff", k);
+    const HomogeneousTest test(*law, 1. / k, {});
+    struct Side
+    {
+      Type type;
+      std::string name;
+      double across, modulus; // of Green's strains; S = modulus times Green's strain
+    };
+    for (const Side &side :
+         {Side{Type::uniaxial, "uniaxial", nu, young},
+          Side{Type::equibiaxial, "equibiaxial", 2. * nu / (1. - nu), young / (1. - nu)},
+          Side{Type::planar, "planar", nu / (1. - nu), young / (1. - nu * nu)}})
+    {
+      const std::string name = side.name + ", Poisson's ratio " + std::to_string(nu).substr(0, 4);
+      const double tension =
+          side.across > 0. ? std::min(100., std::sqrt(1. + 1. / side.across)) : 100.;
+      // A negative ratio makes the sides shrink under compression.
+      const double compression =
+          side.across < -1. ? std::max(0.01, std::sqrt(1. + 1. / side.across)) : 0.01;
+      check::relative(name + ": end in tension", test.end(side.type, 100.).measure, tension, 1e-7);
+      check::relative(name + ": end in compression", test.end(side.type, 0.01).measure, compression,
+                      1e-7);
+      double largest = 0., of_slope = 0.;
+      for (const double part : {-0.999, -0.9, -0.6, -0.2, 0.2, 0.5, 0.9, 0.999})
+      {
+        const double l = std::pow(part < 0. ? compression : tension, std::abs(part)),
+                     exact = side.modulus * l * 0.5 * (l * l - 1.),
+                     slope = side.modulus * 0.5 * (3. * l * l - 1.);
+        const HomogeneousTestPoint point = test.at(side.type, l);
+        largest = std::max(largest, std::abs(point.nominal_stress / exact - 1.));
+        of_slope = std::max(of_slope, std::abs(point.tangent_modulus / slope - 1.));
+      }
+      check::absolute(name + ": stress to the ends", largest, 0., 1e-9);
+      check::absolute(name + ": slope to the ends", of_slope, 0., 1e-9);
+    }
+  }
+  const auto law = law_of("st venant kirchhoff", 2. * spring * 1.3 / 1.2);
+  const HomogeneousTest test(*law, 1.2 / (2. * spring * 1.3), {});
+  check::throws<RunError>(
+      "the sides are gone", [&] { test.at(Type::uniaxial, 2.5); },
+      "at the stretch 2.5: the law has none beyond 2\\.08167\\. There the free sides shrink to "
+      "nothing");
+  check::is_true(
+      "another stretch asked for, the same place",
+      test.end(Type::uniaxial, 2.1).measure / test.end(Type::uniaxial, 90.).measure - 1. < 1e-8);
+}
+
+/// A rubber that follows ln J = -p/K and is compressed: without stress across, the volume and the
+/// stretch are bound by mu J^(-5/3) (2 c - a - b)/3 = -K ln J (a, b, c: squares of the stretches, c
+/// across the thickness). Over the volume this stretch has a least value: the end.
+void check_ends_of_neo_hookean()
+{
+  using Type = HomogeneousTestType;
+  const double k = 3. * spring;
+  const auto law = law_of("neo hookean", k);
+  const HomogeneousTest test(*law, 1. / k, {});
+  for (const auto &[word, type] : homogeneous_test_words())
+  {
+    if (type == Type::shear)
+      continue;
+    const auto balance = [type = type, k](const double l, const double volume)
+    {
+      // Squares of the stretches along, along the second direction and across the thickness.
+      const double first = l * l,
+                   second = type == Type::uniaxial      ? volume / l
+                            : type == Type::equibiaxial ? first
+                                                        : 1.,
+                   third = type == Type::uniaxial ? second : volume * volume / (first * second);
+      return spring * std::pow(volume, -5. / 3.) * (2. * third - first - second) / 3. +
+             k * std::log(volume);
+    };
+    double least = 1.;
+    for (double logarithm = -3.; logarithm < -0.01; logarithm += 1e-3)
+    {
+      // For this volume, the stretch between which and a smaller one the balance changes its sign.
+      const double volume = std::exp(logarithm);
+      double below = 1e-3, above = std::min(1., std::pow(volume, type == Type::planar ? 1. : 0.5));
+      if (balance(above, volume) > 0.)
+        continue;
+      while (above - below > 1e-10)
+      {
+        const double middle = 0.5 * (below + above);
+        (balance(middle, volume) > 0. ? below : above) = middle;
+      }
+      least = std::min(least, above);
+    }
+    check::relative("neo hookean, " + word + ": end in compression", test.end(type, 0.01).measure,
+                    least, 1e-6);
+    check::is_true("neo hookean, " + word + ": the sides lose their stability",
+                   test.end(type, 0.01).reason.find("limit point") != std::string::npos);
+    check::relative("neo hookean, " + word + ": no end in tension", test.end(type, 100.).measure,
+                    100., 0.);
+  }
+}
+
+/// Laws whose volume stays bear every stretch, as far as there are numbers.
+void check_wide_ranges()
+{
+  using Type = HomogeneousTestType;
+  const double mu1 = 0.7 * spring, mu2 = 0.3 * spring, k1 = 0.8e6, k2 = 1.5;
+  const auto mooney = law_of("mooney rivlin");
+  const HomogeneousTest rubber(*mooney, 0., {});
+  double largest = 0.;
+  for (const double l : {0.03, 0.1, 0.2, 5., 30., 100.})
+  {
+    const auto take = [&](const Type type, const double exact)
+    { largest = std::max(largest, std::abs(nominal(rubber, type, l) / exact - 1.)); };
+    take(Type::uniaxial, (mu1 + mu2 / l) * (l - std::pow(l, -2)));
+    take(Type::equibiaxial, (mu1 + mu2 * l * l) * (l - std::pow(l, -5)));
+    take(Type::planar, spring * (l - std::pow(l, -3)));
+  }
+  check::absolute("mooney rivlin from 0.03 to 100", largest, 0., 1e-9);
+
+  StrainLawParameters parameters;
+  parameters.type = "holzapfel gasser ogden";
+  parameters.fibre_stiffness = k1;
+  parameters.fibre_exponent = k2;
+  const auto artery = make_strain_law(parameters, spring, 1e9);
+  const HomogeneousTest strip(*artery, 0., {dealii::Tensor<1, 3>({1., 0., 0.})});
+  double of_fibres = 0.;
+  for (const double l : {0.01, 0.5, 1.2, 1.8, 2.1, 2.3})
+  {
+    const double e = std::max(0., l * l - 1.);
+    const double exact = spring * (l - std::pow(l, -2)) + 2. * k1 * e * l * std::exp(k2 * e * e);
+    of_fibres = std::max(of_fibres, std::abs(nominal(strip, Type::uniaxial, l) / exact - 1.));
+  }
+  check::absolute("fibres along the axis", of_fibres, 0., 1e-9);
+  check::throws<RunError>(
+      "stiff fibres in a soft matrix", [&] { strip.at(Type::uniaxial, 40.); },
+      "no equilibrium at the stretch 40.*times the shear modulus");
+  check::throws<RunError>(
+      "a shear beyond all numbers", [&] { strip.at(Type::shear, 1e200); }, "larger than a number");
+}
 } // namespace
 
 UNIT_TEST(homogeneous_test)
 {
+  check_ends_of_saint_venant_kirchhoff();
+  check_ends_of_neo_hookean();
+  check_wide_ranges();
   check_rubber();
   check_moduli_at_rest();
   check_slopes();
@@ -155,6 +301,6 @@ UNIT_TEST(homogeneous_test)
   const HomogeneousTest stiff(*artery, 0., {dealii::Tensor<1, 3>({1., 0., 0.})});
   check::throws<RunError>(
       "a stress beyond all numbers", [&] { stiff.at(HomogeneousTestType::uniaxial, 40.); },
-      "no equilibrium.*40");
+      "no equilibrium at the stretch 40.*larger than a number can hold");
 }
 } // namespace test_of_homogeneous_test

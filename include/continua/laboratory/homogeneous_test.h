@@ -5,6 +5,7 @@
 #include <continua/materials/strain_law.h>
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace Continua
@@ -35,6 +36,13 @@ struct HomogeneousTestPoint
   PointStrain strain;
 };
 
+/// How far a test goes from rest towards a measure.
+struct HomogeneousTestEnd
+{
+  double measure = 0.; ///< the measure asked for, or the last one with equilibrium [1]
+  std::string reason;  ///< a sentence on why there is none beyond it; empty if there is
+};
+
 /// Equilibrium at a point: principal stretches some of which are given, the others free of stress.
 struct PrincipalState
 {
@@ -56,9 +64,14 @@ public:
                   double inverse_bulk_modulus,
                   const std::vector<dealii::Tensor<1, 3>> &fibres);
 
-  /// At a stretch > 0, or an amount of shear, by Newton's method. Throws RunError where no
-  /// equilibrium is found.
+  /// At a stretch > 0, or an amount of shear. The states of equilibrium are followed from rest with
+  /// Newton's method, up to where the free directions shrink to nothing or lose their stability.
+  /// This place belongs to the law: neither the range nor the rows of a curve change it. Throws
+  /// RunError beyond.
   HomogeneousTestPoint at(HomogeneousTestType type, double measure) const;
+
+  /// The last state towards a measure.
+  HomogeneousTestEnd end(HomogeneousTestType type, double measure) const;
 
   /// The principal stretches [1] along the axes that are `given` stay, the others are sought; the
   /// rates belong to the `logarithmic_rates` of the given ones, d(ln l)/d(measure). Throws

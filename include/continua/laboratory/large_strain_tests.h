@@ -12,8 +12,10 @@
 
 #include <mpi.h>
 
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Continua
@@ -69,6 +71,13 @@ private:
   std::vector<double> points(double first, double last) const;
   void fit();
   void curve(const std::string &name, HomogeneousTestType type);
+  /// A load [Pa] at a stretch, and its derivative by the stretch [Pa].
+  using LoadAndSlope = std::function<std::pair<double, double>(double)>;
+  /// States the first extreme of the load on each side of rest within the range of the stretches,
+  /// as a line and as quantities; nothing where there is none.
+  void state_limit_points(const std::string &test,
+                          const std::string &load,
+                          const LoadAndSlope &load_and_slope);
   void inflation();
   void relaxation(const std::string &name, HomogeneousTestType type, double held);
 };
