@@ -218,7 +218,7 @@ UNIT_TEST(checkpoint)
   {
     try
     {
-      warning = checkpoint.write(step, fill(value), nullptr);
+      warning = checkpoint.write(step, fill(value));
     }
     catch (const RunError &)
     {
@@ -297,7 +297,7 @@ UNIT_TEST(checkpoint)
   table.name = "power.csv";
   table.all.add(text);
   table.without_last_row.add(text.substr(0, text.size() - last_row.size()));
-  checkpoint.write(90, fill(9.), nullptr, {table});
+  checkpoint.write(90, fill(9.), {table});
   const auto check_table = [&](const bool keeps_last_row)
   {
     checkpoint.check_tables(checkpoint.read(), output,
