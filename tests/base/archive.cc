@@ -119,8 +119,8 @@ UNIT_TEST(archive)
   unreadable("foreign", "<?xml version=\"1.0\"?><VTKFile type=\"x\">",
              "not an archive of Continua");
   std::string newer = good;
-  newer[16] = 6;
-  unreadable("newer format", newer, "format 6; this program reads format 5");
+  newer[16] = 7;
+  unreadable("newer format", newer, "format 7; this program reads format 6");
   check::throws<RunError>(
       "no file", []() { ArchiveReader missing("no-such-file"); }, "'no-such-file'.*No such file");
   check::throws<RunError>(

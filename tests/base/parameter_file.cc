@@ -474,7 +474,8 @@ void test_value_errors()
   value("wrong unit", "Time", "Time step = 3 mm",
         "Time step': '3 mm' has the wrong unit: it is in m, not in s. Give a value > 0, with a "
         "unit like s, ms, min, h");
-  value("unknown unit", "Time", "Time step = 3 sec", "Time step': .*unit 'sec' is unknown");
+  value("unknown unit", "Time", "Time step = 3 fortnights",
+        "Time step': .*unit 'fortnights' is unknown");
   value("no number", "Time", "Time step = short", "Time step': 'short' is no number");
   value("not a number", "Time", "Time step = nan", "Time step': 'nan' is no finite");
   value("no value", "Time", "Time step =", "Time step': there is no value");

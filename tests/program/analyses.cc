@@ -77,7 +77,7 @@ UNIT_TEST(analyses)
       "'Time': Analysis = steady does not read.*transient or linear wave theory or material\\.$");
   check::throws<InputError>(
       "a study of what has no case",
-      []() { make("set Analysis = spin coating\nsubsection Comparison\nend\n"); },
+      []() { make("set Analysis = spin coating\nsubsection Comparison\nset Runs = a\nend\n"); },
       "'Comparison': Analysis = spin coating does not read.*Analysis = comparison\\.$");
 
   // The file of a study may be run alone; its section is read then, too.
