@@ -56,7 +56,7 @@ private:
   std::string result;
   std::size_t place = 0;
   unsigned int depth = 0, n_quantities = 0;
-  char previous = '\0';                        ///< the last character that was no blank
+  char previous = '\0'; ///< the last character that was no blank
   bool term_has_quantity = false, term_is_empty = true;
   bool has_bare_term = false, has_other_operators = false;
   std::string last_quantity;
@@ -107,7 +107,8 @@ private:
     if (depth == 0 && std::string("<>=!&|?:,").find(letter) != std::string::npos)
       has_other_operators = true;
     const bool is_sum = letter == '+' || letter == '-';
-    if (depth == 0 && is_sum && !term_is_empty && std::string("*/^").find(previous) == std::string::npos)
+    if (depth == 0 && is_sum && !term_is_empty &&
+        std::string("*/^").find(previous) == std::string::npos)
       end_term();
     const bool begins_term = term_is_empty && is_sum;
     copy(place + 1);
@@ -151,7 +152,8 @@ private:
   static bool is_unit(const std::string &name)
   {
     constexpr std::array<const char *, 6> symbols = {{"x", "y", "z", "t", "e", "pi"}};
-    if (name.empty() || is_digit(name[0]) || std::find(symbols.begin(), symbols.end(), name) != symbols.end())
+    if (name.empty() || is_digit(name[0]) ||
+        std::find(symbols.begin(), symbols.end(), name) != symbols.end())
       return false;
     try
     {

@@ -50,8 +50,8 @@ UNIT_TEST(kept_corners)
   check::equal("ring: a boundary and an interface", std::to_string(of_ring.size()), "2");
   for (const auto &corner : of_ring)
     check::relative("ring: " + corner.surface, degrees(corner.angle), 15., 1e-9);
-  check::is_true("ring: warning", warning_of(of_ring).find("'rim' up to 15 degrees") !=
-                                      std::string::npos);
+  check::is_true("ring: warning",
+                 warning_of(of_ring).find("'rim' up to 15 degrees") != std::string::npos);
 
   dealii::Triangulation<2> square;
   make_ring(square, 8);
