@@ -131,9 +131,10 @@ void Run<dim>::initialise(const std::function<void()> &make_mesh)
               << " faces between ranks, most work of a rank over the mean " << quality.imbalance;
     log.detail(partition.str());
     if (quality.n_idle_ranks > 0)
-      log.warning(std::to_string(quality.n_idle_ranks) + " of " +
-                  std::to_string(Utilities::MPI::n_mpi_processes(input.communicator)) +
-                  " ranks have no cells and only wait; take fewer ranks, or more cells");
+      // To the error stream: what stands on the screen does not depend on the ranks.
+      log.note("warning: " + std::to_string(quality.n_idle_ranks) + " of " +
+               std::to_string(Utilities::MPI::n_mpi_processes(input.communicator)) +
+               " ranks have no cells and only wait; take fewer ranks, or more cells");
   }
   for (const std::string &key : input.discretisation.citations())
     citations.add(key);
