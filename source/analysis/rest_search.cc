@@ -16,11 +16,14 @@ namespace Continua
 namespace
 {
 /// Over the time in which the viscosity of a liquid lets the walls around it give way, or the
-/// liquid itself. Vessels that are long and narrow take a multiple of that time.
-constexpr double over_viscous_time = 1e6;
+/// liquid itself. Vessels that are long and narrow take a multiple of that time. It is also the
+/// ratio of the stiffnesses of wall and liquid in the matrix, of which the factor's round-off is.
+constexpr double over_viscous_time = 1e8;
 /// By which the size of static steps grows where they come no nearer to rest, and how often.
 constexpr double static_growth = 1e3;
 constexpr unsigned int most_static_growths = 2, most_static_steps = 30;
+/// Changes below it [1] may be round-off, of which larger steps make more.
+constexpr double least_change_to_grow = 1e-4;
 /// Of a static step: changes below it that do not fall any more are what a solve leaves.
 constexpr double largest_round_off = 1e-7;
 
@@ -259,7 +262,8 @@ bool RestSearch<dim>::balance(const double last_size)
       }
       return true;
     }
-    if (change > 0.5 * last_change && n_growths < most_static_growths)
+    if (change > 0.5 * last_change && change > least_change_to_grow &&
+        n_growths < most_static_growths)
     {
       size *= static_growth;
       ++n_growths;
