@@ -18,7 +18,7 @@ namespace
 /// Over the time in which the viscosity of a liquid lets the walls around it give way, or the
 /// liquid itself. Vessels that are long and narrow take a multiple of that time. It is also the
 /// ratio of the stiffnesses of wall and liquid in the matrix, of which the factor's round-off is.
-constexpr double over_viscous_time = 1e8;
+constexpr double over_viscous_time = 3e7;
 /// By which the size of static steps grows where they come no nearer to rest, and how often.
 constexpr double static_growth = 1e3;
 constexpr unsigned int most_static_growths = 2, most_static_steps = 30;
