@@ -13,7 +13,8 @@ bool SystemCoefficients::operator==(const SystemCoefficients &other) const
   return nearly_equal(mass, other.mass) && nearly_equal(stiffness, other.stiffness) &&
          nearly_equal(compressibility, other.compressibility) &&
          nearly_equal({support_stiffness, support_damping},
-                      {other.support_stiffness, other.support_damping});
+                      {other.support_stiffness, other.support_damping}) &&
+         is_of_rest == other.is_of_rest;
 }
 
 void SystemCoefficients::set(const Problem &problem, const Step &step)
@@ -41,6 +42,7 @@ void SystemCoefficients::set_of_small_strains(const Problem &problem, const Step
   const bool has_supports = problem.has_supports() && !step.finds_unloaded_shape;
   support_stiffness = has_supports ? BranchHistory::step_displacement(step) : 0.;
   support_damping = has_supports && !step.is_towards_rest ? 1. : 0.;
+  is_of_rest = step.is_towards_rest;
 }
 
 void SystemCoefficients::set_steady(const Problem &problem)
@@ -56,5 +58,6 @@ void SystemCoefficients::set_steady(const Problem &problem)
   }
   support_stiffness = solid && problem.has_supports() ? 1. : 0.;
   support_damping = 0.;
+  is_of_rest = false;
 }
 } // namespace Continua

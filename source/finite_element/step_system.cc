@@ -394,7 +394,9 @@ void StepSystem<dim>::solve(DistributedVector &momentum,
     return;
   }
   solve_packed(momentum, mass, velocity, pressure);
-  for (unsigned int step = 0; step < parameters.refinement_steps; ++step)
+  const unsigned int n_refinements =
+      std::max(parameters.refinement_steps, coefficients.is_of_rest ? 1u : 0u);
+  for (unsigned int step = 0; step < n_refinements; ++step)
   {
     residual(momentum, mass, velocity, pressure);
     solve_packed(velocity_residual, pressure_residual, velocity_correction, pressure_correction);

@@ -16,6 +16,9 @@ struct SystemCoefficients
   std::vector<double> compressibility; ///< 1/(K b) [1/(Pa s)]
   /// Of the supports, with which they multiply a velocity: b of D = D_plus + b U [s], and 1.
   double support_stiffness = 0., support_damping = 0.;
+  /// Of equations of rest, whose coefficients are so far apart that a direct solve needs a step of
+  /// refinement.
+  bool is_of_rest = false;
 
   /// But for round-off: time steps of one size are not equal to the last bit.
   bool operator==(const SystemCoefficients &other) const;
