@@ -2,7 +2,7 @@
 
 #include <continua/base/table_writer.h>
 #include <continua/base/undefined.h>
-#include <continua/base/units.h>
+#include <continua/base/unit_scale.h>
 #include <continua/signal/first_pulse.h>
 #include <continua/signal/wave_analysis.h>
 
@@ -82,7 +82,7 @@ int WaveReport::field(const std::string &name) const
 
 std::string WaveReport::station_name(const unsigned int station) const
 {
-  return stations.name + " " + shortest_number(stations.positions[station]) + " m";
+  return stations.name + " " + named_value(stations.positions[station], "m");
 }
 
 void WaveReport::write(const std::string &file) const
@@ -153,7 +153,7 @@ std::string WaveReport::places_without_pulse(const std::vector<unsigned int> &us
     for (std::size_t i = 0; i < used.size(); ++i)
       if (wave.stations[i].missing == reason)
         places +=
-            (places.empty() ? "" : ", ") + shortest_number(stations.positions[used[i]]) + " m";
+            (places.empty() ? "" : ", ") + named_value(stations.positions[used[i]], "m");
     if (!places.empty())
       reasons += (reasons.empty() ? "" : "; ") + text + " at " + places;
   }
@@ -360,7 +360,7 @@ void WaveReport::name_quantities(const WaveStations &stations,
   const bool pressure = has_field("pressure"),
              flow_rate = has_field("flow rate") && !stations.impedances.empty();
   const auto station_label = [&](const double position)
-  { return stations.name + " " + shortest_number(position) + " m"; };
+  { return stations.name + " " + named_value(position, "m"); };
   for (const Source source : sources)
   {
     const std::string prefix = prefixes[static_cast<int>(source)];

@@ -358,11 +358,11 @@ std::size_t CsvTable::find(const std::string &name, const std::size_t first) con
   return found;
 }
 
-double CsvTable::unit_factor_of(const std::size_t number, const Dimension &dimension) const
+UnitScale CsvTable::unit_scale_of(const std::size_t number, const Dimension &dimension) const
 {
   const Column &column = columns[number];
   if (!column.has_unit && dimension == Dimensions::none)
-    return 1.;
+    return {};
   const std::string remedy =
       "Write the header as '" + (column.name.empty() ? "NAME" : column.name) + " [UNIT]'" +
       (dimension == Dimensions::none ? " or without a unit"
@@ -373,9 +373,9 @@ double CsvTable::unit_factor_of(const std::size_t number, const Dimension &dimen
   try
   {
     Dimension found;
-    const double factor = unit_factor(column.unit, found);
+    const UnitScale scale = unit_scale(column.unit, found);
     if (found == dimension)
-      return factor;
+      return scale;
   }
   catch (const std::invalid_argument &exception)
   {
@@ -388,12 +388,12 @@ double CsvTable::unit_factor_of(const std::size_t number, const Dimension &dimen
 
 std::vector<double> CsvTable::values(const std::size_t column, const Dimension &dimension) const
 {
-  const double factor = unit_factor_of(column, dimension);
+  const UnitScale scale = unit_scale_of(column, dimension);
   std::vector<double> values;
   values.reserve(rows.size());
   for (const Row &row : rows)
-    values.push_back(factor *
-                     read_number({file, row.line}, columns[column].name, row.cells[column]));
+    values.push_back(
+        scale.in_si(read_number({file, row.line}, columns[column].name, row.cells[column])));
   return values;
 }
 

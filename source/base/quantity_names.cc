@@ -1,6 +1,7 @@
 #include <continua/base/quantity_names.h>
 
 #include <continua/base/nearest_name.h>
+#include <continua/base/unit_scale.h>
 
 #include <algorithm>
 
@@ -11,6 +12,11 @@ namespace
 std::string joined_label(std::string probe, const std::string &name)
 {
   return probe.empty() ? name : probe.append(": ").append(name);
+}
+
+std::string problem_of_quantity(const std::string &asked)
+{
+  return "no run of this file states the quantity '" + asked + "'";
 }
 } // namespace
 
@@ -45,40 +51,61 @@ std::vector<std::string> QuantityNames::labels() const
   return result;
 }
 
-void QuantityNames::refuse(const ParameterSection &section,
-                           const std::string &key,
-                           const std::string &asked) const
+std::string QuantityNames::remedy(const std::string &asked) const
 {
   // Where the probe is left out, the name alone is what is misspelt.
   std::vector<std::string> candidates = labels();
   for (const auto &entry : names)
     candidates.push_back(entry.second);
   const std::string nearest = nearest_name(asked, candidates);
-  section.refuse(key, "no run of this file states the quantity '" + asked + "'",
-                 nearest.empty() ? "The section summary.json of doc/output.md lists the quantities"
-                                 : "Did you mean '" + nearest + "'?");
+  return nearest.empty() ? "The section summary.json of doc/output.md lists the quantities"
+                         : "Did you mean '" + nearest + "'?";
 }
 
 bool QuantityNames::states(const ExpectedValue &expected) const
 {
-  return expected.probe.empty() ? any_has(expected.name) : has(expected.name, expected.probe);
+  ExpectedValue copy = expected;
+  return find(copy);
+}
+
+bool QuantityNames::find(ExpectedValue &expected) const
+{
+  if (expected.probe.empty())
+    return any_has(expected.name);
+  for (const std::string &probe : {expected.probe, with_value_in_si(expected.probe)})
+    if (has(expected.name, probe))
+    {
+      expected.probe = probe;
+      return true;
+    }
+  return false;
 }
 
 void QuantityNames::refuse_others(const ParameterSection &section,
                                   const std::string &key,
-                                  const std::vector<std::string> &asked) const
+                                  std::vector<std::string> &asked) const
 {
   const std::vector<std::string> known = labels();
-  for (const std::string &label : asked)
-    if (!any_has(label) && !std::binary_search(known.begin(), known.end(), label))
-      refuse(section, key, label);
+  const auto is_known = [&](const std::string &label)
+  { return any_has(label) || std::binary_search(known.begin(), known.end(), label); };
+  for (std::string &label : asked)
+  {
+    const std::string in_si = with_value_in_si(label);
+    if (!is_known(label) && is_known(in_si))
+      label = in_si;
+    if (!is_known(label))
+      section.refuse(key, problem_of_quantity(label), remedy(label));
+  }
 }
 
 void QuantityNames::refuse_others(const ParameterSection &section,
-                                  const std::vector<ExpectedValue> &expected) const
+                                  std::vector<ExpectedValue> &expected) const
 {
-  for (const ExpectedValue &value : expected)
-    if (!states(value))
-      refuse(section, value.key, joined_label(value.probe, value.name));
+  for (ExpectedValue &value : expected)
+    if (!find(value))
+    {
+      const std::string asked = joined_label(value.probe, value.name);
+      section.refuse(value.key, problem_of_quantity(asked), remedy(asked));
+    }
 }
 } // namespace Continua

@@ -1,7 +1,8 @@
-#include <continua/base/units.h>
+#include <continua/base/unit_scale.h>
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
@@ -17,6 +18,7 @@ struct Unit
 {
   const char *name;
   double factor;
+  int power_of_ten;
   Dimension dimension;
   bool takes_prefix;
 };
@@ -30,58 +32,59 @@ constexpr Dimension volume{0, 3, 0};
 // water 1000 kg/m^3.
 constexpr double standard_gravity = 9.80665;
 constexpr std::array<Unit, 24> known_units{{
-    {"m", 1., Dimensions::length, true},
-    {"s", 1., Dimensions::time, true},
-    {"sec", 1., Dimensions::time, true},
-    {"g", 1e-3, mass, true},
-    {"N", 1., force, true},
-    {"Pa", 1., Dimensions::pressure, true},
-    {"J", 1., energy, true},
-    {"W", 1., Dimensions::power, true},
-    {"l", 1e-3, volume, true},
-    {"L", 1e-3, volume, true},
-    {"cc", 1e-6, volume, false},
-    {"Hz", 1., Dimensions::frequency, true},
-    {"bar", 1e5, Dimensions::pressure, true},
-    {"P", 0.1, Dimensions::viscosity, true},
-    {"min", 60., Dimensions::time, false},
-    {"h", 3600., Dimensions::time, false},
-    {"t", 1e3, mass, false},
-    {"mmHg", 13.5951 * standard_gravity, Dimensions::pressure, false},
-    {"cmH2O", 10. * standard_gravity, Dimensions::pressure, false},
-    {"dyn", 1e-5, force, false},
-    {"%", 1e-2, Dimensions::none, false},
-    {"1", 1., Dimensions::none, false},
-    {"rad", 1., Dimensions::none, false},
-    {"deg", dealii::numbers::PI / 180., Dimensions::none, false},
+    {"m", 1., 0, Dimensions::length, true},
+    {"s", 1., 0, Dimensions::time, true},
+    {"sec", 1., 0, Dimensions::time, true},
+    {"g", 1., -3, mass, true},
+    {"N", 1., 0, force, true},
+    {"Pa", 1., 0, Dimensions::pressure, true},
+    {"J", 1., 0, energy, true},
+    {"W", 1., 0, Dimensions::power, true},
+    {"l", 1., -3, volume, true},
+    {"L", 1., -3, volume, true},
+    {"cc", 1., -6, volume, false},
+    {"Hz", 1., 0, Dimensions::frequency, true},
+    {"bar", 1., 5, Dimensions::pressure, true},
+    {"P", 1., -1, Dimensions::viscosity, true},
+    {"min", 60., 0, Dimensions::time, false},
+    {"h", 3600., 0, Dimensions::time, false},
+    {"t", 1., 3, mass, false},
+    {"mmHg", 13.5951 * standard_gravity, 0, Dimensions::pressure, false},
+    {"cmH2O", standard_gravity, 1, Dimensions::pressure, false},
+    {"dyn", 1., -5, force, false},
+    {"%", 1., -2, Dimensions::none, false},
+    {"1", 1., 0, Dimensions::none, false},
+    {"rad", 1., 0, Dimensions::none, false},
+    {"deg", dealii::numbers::PI / 180., 0, Dimensions::none, false},
 }};
 
 struct Prefix
 {
   const char *name;
-  double factor;
+  int power_of_ten;
 };
-constexpr std::array<Prefix, 11> prefixes{{{"n", 1e-9},
-                                           {"u", 1e-6},
-                                           {"\u00b5", 1e-6}, // micro sign
-                                           {"\u03bc", 1e-6}, // Greek mu
-                                           {"m", 1e-3},
-                                           {"c", 1e-2},
-                                           {"d", 1e-1},
-                                           {"h", 1e2},
-                                           {"k", 1e3},
-                                           {"M", 1e6},
-                                           {"G", 1e9}}};
+constexpr std::array<Prefix, 11> prefixes{{{"n", -9},
+                                           {"u", -6},
+                                           {"\u00b5", -6}, // micro sign
+                                           {"\u03bc", -6}, // Greek mu
+                                           {"m", -3},
+                                           {"c", -2},
+                                           {"d", -1},
+                                           {"h", 2},
+                                           {"k", 3},
+                                           {"M", 6},
+                                           {"G", 9}}};
 
-/// A product of powers of units: a factor into SI and a dimension.
+/// A product of powers of units: a scale into SI and a dimension.
 struct Scale
 {
-  double factor = 1.;
+  UnitScale scale;
   Dimension dimension;
 
   void multiply(const Scale &other, const int power)
   {
-    factor *= std::pow(other.factor, power);
+    scale.factor *= std::pow(other.scale.factor, power);
+    scale.power_of_ten += power * other.scale.power_of_ten;
     dimension.mass += power * other.dimension.mass;
     dimension.length += power * other.dimension.length;
     dimension.time += power * other.dimension.time;
@@ -93,11 +96,11 @@ Scale named_unit(const std::string &name)
   // Names that stand alone come first: "min" is no milli-inch, "h" no prefix.
   for (const Unit &unit : known_units)
     if (name == unit.name)
-      return {unit.factor, unit.dimension};
+      return {{unit.factor, unit.power_of_ten}, unit.dimension};
   for (const Prefix &prefix : prefixes)
     for (const Unit &unit : known_units)
       if (unit.takes_prefix && name == std::string(prefix.name) + unit.name)
-        return {prefix.factor * unit.factor, unit.dimension};
+        return {{unit.factor, prefix.power_of_ten + unit.power_of_ten}, unit.dimension};
   throw std::invalid_argument("unit '" + name + "' is unknown");
 }
 
@@ -257,11 +260,40 @@ std::string Dimension::unit() const
   return (numerator.empty() ? "1" : numerator) + denominator;
 }
 
-double unit_factor(const std::string &unit, Dimension &dimension)
+double times_power_of_ten(const double number, const int power)
+{
+  if (power == 0 || number == 0. || !std::isfinite(number))
+    return number;
+  std::array<char, 40> text{};
+  char *const end = text.data() + text.size();
+  const auto written = std::to_chars(text.data(), end, number, std::chars_format::scientific);
+  char *const exponent = std::find(text.data(), written.ptr, 'e') + 1;
+  int old_power = 0;
+  // from_chars takes no plus sign.
+  std::from_chars(exponent + (*exponent == '+' ? 1 : 0), written.ptr, old_power);
+  const auto shifted = std::to_chars(exponent, end, old_power + power);
+  double result = 0.;
+  if (std::from_chars(text.data(), shifted.ptr, result).ec == std::errc())
+    return result;
+  return number * std::pow(10., power); // infinite, or 0 for all a number can hold
+}
+
+double UnitScale::in_si(const double number) const
+{
+  const double shifted = times_power_of_ten(number, power_of_ten);
+  return factor == 1. ? shifted : shifted * factor;
+}
+
+UnitScale unit_scale(const std::string &unit, Dimension &dimension)
 {
   const Scale scale = UnitParser(unit).parse();
   dimension = scale.dimension;
-  return scale.factor;
+  return scale.scale;
+}
+
+double unit_factor(const std::string &unit, Dimension &dimension)
+{
+  return unit_scale(unit, dimension).in_si(1.);
 }
 
 double parse_quantity(const std::string &text, const Dimension &dimension)
@@ -293,10 +325,10 @@ double parse_quantity(const std::string &text, const Dimension &dimension)
   if (trimmed[unit_begin] == ',')
     throw std::invalid_argument("'" + trimmed + "' is no number; the decimal sign is a point");
   Dimension found;
-  double factor = 1.;
+  UnitScale scale;
   try
   {
-    factor = unit_factor(trimmed.substr(unit_begin), found);
+    scale = unit_scale(trimmed.substr(unit_begin), found);
   }
   catch (const std::invalid_argument &exception)
   {
@@ -305,7 +337,7 @@ double parse_quantity(const std::string &text, const Dimension &dimension)
   if (!(found == dimension))
     throw std::invalid_argument("'" + trimmed + "' has the wrong unit: it is in " + found.unit() +
                                 ", not in " + dimension.unit());
-  const double value = number * factor;
+  const double value = scale.in_si(number);
   if (!std::isfinite(value))
     throw std::invalid_argument("'" + trimmed + "' is beyond the numbers a computer can hold");
   return value;
@@ -344,5 +376,38 @@ std::string shortest_number(const double value)
   const auto result = everyday ? std::to_chars(buffer.data(), end, value, std::chars_format::fixed)
                                : std::to_chars(buffer.data(), end, value);
   return std::string(buffer.data(), result.ptr);
+}
+
+std::string named_value(const double value, const std::string &unit)
+{
+  return shortest_number(value) + " " + unit;
+}
+
+std::string with_value_in_si(const std::string &name)
+{
+  const std::size_t colon = std::min(name.find(':'), name.size());
+  const std::string head = name.substr(0, colon);
+  const std::array<std::pair<Dimension, const char *>, 3> units{
+      {{Dimensions::length, "m"}, {Dimensions::time, "s"}, {Dimensions::frequency, "Hz"}}};
+  // "43mm" behind the last blank, "43 mm" behind the one before.
+  std::size_t blank = head.rfind(' ');
+  for (int n_words = 1; n_words <= 2 && blank != std::string::npos && blank > 0; ++n_words)
+  {
+    for (const auto &[dimension, unit] : units)
+      try
+      {
+        const std::string text = head.substr(blank + 1);
+        // A number alone is part of the name.
+        if (std::isdigit(static_cast<unsigned char>(text.back())) == 0)
+          return head.substr(0, blank + 1) + named_value(parse_quantity(text, dimension), unit) +
+                 name.substr(colon);
+      }
+      catch (const std::invalid_argument &)
+      {
+        // No such quantity.
+      }
+    blank = head.rfind(' ', blank - 1);
+  }
+  return name;
 }
 } // namespace Continua

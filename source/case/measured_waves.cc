@@ -86,9 +86,7 @@ MeasuredWaves::MeasuredWaves(const MeasuredWavesEntries &entries,
     {
       std::string stations, field_names;
       for (const double position : positions)
-        stations.append(stations.empty() ? "" : ", ")
-            .append(shortest_number(position))
-            .append(" m");
+        stations.append(stations.empty() ? "" : ", ").append(named_value(position, "m"));
       for (const std::string &field : fields)
         field_names += (field_names.empty() ? "" : ", ") + field;
       throw InputError(table.header(), name, problem,

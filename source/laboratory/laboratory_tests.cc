@@ -1,6 +1,6 @@
 #include <continua/base/interruption.h>
 #include <continua/base/misfit.h>
-#include <continua/base/units.h>
+#include <continua/base/unit_scale.h>
 #include <continua/laboratory/laboratory_tests.h>
 #include <continua/materials/relaxation_test.h>
 #include <continua/postprocess/writing_rank.h>
@@ -21,9 +21,7 @@ namespace
 {
 std::string harmonic_name(const double frequency)
 {
-  std::ostringstream name;
-  name << "harmonic at " << frequency << " Hz";
-  return name.str();
+  return "harmonic at " + named_value(frequency, "Hz");
 }
 
 /// How far simulated and exact values are apart: the largest difference over the largest exact
@@ -265,7 +263,7 @@ void LaboratoryTests<dim>::harmonic_test(const double frequency,
   const double omega = 2. * PI * frequency, amplitude = parameters.strain;
   const unsigned int n_steps = parameters.steps_per_period;
   log.line("Harmonic test: strain " + shortest_number(amplitude) + " at " +
-           shortest_number(frequency) + " Hz");
+           named_value(frequency, "Hz"));
   TimeParameters steps = time;
   steps.time_step = 1. / (frequency * n_steps);
   steps.end_time = parameters.n_periods / frequency;
@@ -299,7 +297,7 @@ void LaboratoryTests<dim>::harmonic_test(const double frequency,
       stresses.push_back(sample.stress);
     }
     ++n_periods;
-    stop_if_asked("in the harmonic test at " + shortest_number(frequency) + " Hz");
+    stop_if_asked("in the harmonic test at " + named_value(frequency, "Hz"));
     SineFit fit(times, omega);
     const std::complex<double> of_stress = fit.amplitude(stresses);
     misfit = fit.misfit;

@@ -2,6 +2,7 @@
 
 #include <continua/base/name_choice.h>
 #include <continua/base/parameter_text.h>
+#include <continua/base/unit_scale.h>
 #include <continua/base/words.h>
 #include <continua/mesh/cell_point.h>
 #include <continua/mesh/plane_section.h>
@@ -11,8 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 
 namespace Continua
@@ -25,12 +24,10 @@ const std::vector<FieldComponent> station_fields = {
     {"wall distension", "m"},    {"pressure gradient", "Pa/m"},
     {"wall shear stress", "Pa"}, {"hoop stress", "Pa"}};
 
-/// "0.1 m", without the round-off of a unit's conversion.
-std::string metres(const double value)
+/// A computed position in a message: to nanometres, without its round-off.
+std::string rounded_metres(const double value)
 {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.12g", value);
-  return shortest_number(std::strtod(text, nullptr)) + " m";
+  return named_value(std::round(1e9 * value) / 1e9, "m");
 }
 } // namespace
 
@@ -149,20 +146,21 @@ void Stations<dim>::check(const ParameterSection &section,
 {
   const auto [begin, end] = range(coarse_mesh);
   const double round_off = 1e-9 * (end - begin);
-  const std::string range = "between " + metres(begin) + " and ";
+  const std::string range = "between " + rounded_metres(begin) + " and ";
   for (unsigned int s = 0; s < station_positions.size(); ++s)
   {
     const double position = station_positions[s];
     if (position < begin - round_off || position > end + round_off)
       section.refuse("Stations", "the station " + label(s) + " is outside the tube",
-                     "Give positions " + range + metres(end));
+                     "Give positions " + range + rounded_metres(end));
     for (const double place : {position + pair_offset(), position + pair_offset() + distance})
       if (has("pressure gradient") && (place < begin - round_off || place > end + round_off))
         section.refuse("Stations",
                        "the pressure gradient at " + label(s) + " needs the section at " +
-                           metres(place) + ", which is outside the tube",
-                       "Give positions between " + metres(begin - pair_offset()) + " and " +
-                           metres(end - distance - pair_offset()) + ", or a shorter Pair distance");
+                           rounded_metres(place) + ", which is outside the tube",
+                       "Give positions between " + rounded_metres(begin - pair_offset()) + " and " +
+                           rounded_metres(end - distance - pair_offset()) +
+                           ", or a shorter Pair distance");
   }
 
   // Of a high degree, since a coarse cell may stand for a large part of a circle.
@@ -280,7 +278,7 @@ std::vector<typename Stations<dim>::Column> Stations<dim>::columns() const
 template <int dim>
 std::string Stations<dim>::label(const unsigned int station) const
 {
-  return metres(station_positions[station]);
+  return named_value(station_positions[station], "m");
 }
 
 template class Stations<2>;

@@ -32,7 +32,8 @@ UNIT_TEST(quantity_names)
   {
     ParameterFile file = parameters_of("subsection Expected\nset " + line + "\nend\n");
     const ParameterSection section = file.root().subsection("Expected");
-    names.refuse_others(section, read_expected(section));
+    std::vector<ExpectedValue> expected = read_expected(section);
+    names.refuse_others(section, expected);
   };
   refuse("frequency = 1 Hz +- 1 %");
   refuse("wall: displacement y: frequency = 1 Hz +- 1 %");
@@ -51,12 +52,36 @@ UNIT_TEST(quantity_names)
 
   ParameterFile empty = parameters_of("");
   const ParameterSection section = empty.root();
-  names.refuse_others(section, "Quantities",
-                      std::vector<std::string>{"frequency", "tip: frequency"});
+  std::vector<std::string> there = {"frequency", "tip: frequency"}, missing = {"tip: mass"};
+  names.refuse_others(section, "Quantities", there);
   check::throws<InputError>(
-      "asked for in a list",
-      [&]() { names.refuse_others(section, "Quantities", std::vector<std::string>{"tip: mass"}); },
+      "asked for in a list", [&]() { names.refuse_others(section, "Quantities", missing); },
       "'tip: mass'");
+
+  // A position in another unit than that of the name.
+  names.add("height", "stations 0.043 m");
+  names.add("maximum", "stations 0.2 m: flow rate");
+  names.add("modulus", "harmonic at 0.5 Hz");
+  names.add("height", "stations 7 mm"); // a probe that is called so
+  std::vector<std::string> in_units = {"stations 43 mm: height", "stations 4.3cm: height",
+                                       "stations 200 mm: flow rate: maximum",
+                                       "harmonic at 500 mHz: modulus", "stations 7 mm: height"};
+  names.refuse_others(section, "Quantities", in_units);
+  std::string found;
+  for (const std::string &name : in_units)
+    found += name + "; ";
+  check::equal("positions in any unit", found,
+               "stations 0.043 m: height; stations 0.043 m: height; "
+               "stations 0.2 m: flow rate: maximum; harmonic at 0.5 Hz: modulus; "
+               "stations 7 mm: height; ");
+  ParameterFile file = parameters_of("subsection Expected\nset stations 43 mm: height = < 1 m\n"
+                                     "set stations 200 mm: flow rate: maximum = < 1\nend\n");
+  const ParameterSection of_file = file.root().subsection("Expected");
+  std::vector<ExpectedValue> expected = read_expected(of_file);
+  names.refuse_others(of_file, expected);
+  check::equal("an expected position", expected.at(0).probe, "stations 0.043 m");
+  check::equal("an expected position of a field", expected.at(1).probe,
+               "stations 0.2 m: flow rate");
 
   // What no one announced is said of a summary that knows the names.
   Summary summary;

@@ -1,8 +1,11 @@
-#include <continua/base/units.h>
+#include <continua/base/unit_scale.h>
 
 #include "../unit_test.h"
 
+#include <cmath>
+#include <cstdlib>
 #include <stdexcept>
+#include <tuple>
 
 namespace test_of_units
 {
@@ -20,11 +23,56 @@ void refused(const std::string &text, const Dimension &dimension, const std::str
   check::throws<std::invalid_argument>(
       "refused: '" + text + "'", [&] { parse_quantity(text, dimension); }, pattern);
 }
+
+/// The same number whatever decimal unit it has, and its shortest name.
+void check_decimals()
+{
+  bool same = true, shortest = true, named = true;
+  for (int i = 1; i <= 2000; ++i)
+  {
+    // By the compiler's own reading of decimal texts.
+    const std::string metres = std::to_string(i / 10000) + "." +
+                               std::to_string(10000 + i % 10000).substr(1),
+                      tenths = std::to_string(i / 10) + "." + std::to_string(i % 10);
+    const double value = std::strtod(metres.c_str(), nullptr);
+    for (const std::string &text :
+         {tenths + " mm", std::to_string(i) + "e-1 mm", std::to_string(i * 100) + " um",
+          std::to_string(i * 1e-2) + " cm", std::to_string(i) + "e-7 km", metres + " m", metres})
+      same = same && parse_quantity(text, Dimensions::length) == value;
+    const std::string name = named_value(value, "m");
+    shortest =
+        shortest && name.size() <= metres.size() + 2 && std::strtod(name.c_str(), nullptr) == value;
+    named = named && with_value_in_si("stations " + tenths + " mm") == "stations " + name;
+  }
+  check::is_true("decimal units: one number", same);
+  check::is_true("decimal units: the shortest name", shortest);
+  check::is_true("decimal units: names", named);
+  bool of_other_units = true;
+  for (const auto &[text, dimension, value] :
+       {std::make_tuple("0.7 kPa", Dimensions::pressure, 700.),
+        std::make_tuple("1.1 g/cm^3", Dimensions::density, 1100.),
+        std::make_tuple("0.3 N/mm^2", Dimensions::pressure, 0.3e6),
+        std::make_tuple("4.1 cP", Dimensions::viscosity, 0.0041),
+        std::make_tuple("0.7 ml/s", Dimensions::flow_rate, 0.7e-6),
+        std::make_tuple("13 %", Dimensions::none, 0.13),
+        std::make_tuple("1.3 min", Dimensions::time, 78.)})
+    of_other_units = of_other_units && parse_quantity(text, dimension) == value;
+  check::is_true("decimal units: others", of_other_units);
+  check::is_true("a power of ten: round-off", times_power_of_ten(43., -3) == 0.043);
+  check::is_true("a power of ten: too large", std::isinf(times_power_of_ten(1e300, 20)));
+  check::is_true("a power of ten: too small", times_power_of_ten(1e-300, -40) == 0.);
+  check::is_true("a power of ten: negative", times_power_of_ten(-2.5e-7, 9) == -250.);
+  check::equal("no position", with_value_in_si("tip 2"), "tip 2");
+  check::equal("a word", with_value_in_si("wall inlet end"), "wall inlet end");
+  check::equal("a pressure", with_value_in_si("at 3 Pa"), "at 3 Pa");
+  check::equal("nothing", with_value_in_si(""), "");
+}
 } // namespace
 
 UNIT_TEST(units)
 {
   using namespace Dimensions;
+  check_decimals();
   quantity("0.35", length, 0.35);
   quantity("10 mm", length, 0.01);
   quantity("10mm", length, 0.01);

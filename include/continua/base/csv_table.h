@@ -2,7 +2,7 @@
 #define continua_base_csv_table_h
 
 #include <continua/base/input_error.h>
-#include <continua/base/units.h>
+#include <continua/base/unit_scale.h>
 
 #include <string>
 #include <vector>
@@ -79,7 +79,7 @@ private:
   [[noreturn]] void refuse_without_header(const std::vector<std::string> &lines,
                                           const std::vector<std::size_t> &content,
                                           const std::string &example) const;
-  double unit_factor_of(std::size_t column, const Dimension &dimension) const;
+  UnitScale unit_scale_of(std::size_t column, const Dimension &dimension) const;
 
   std::string file;
   unsigned int header_line = 0;

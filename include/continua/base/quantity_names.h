@@ -34,19 +34,21 @@ public:
   std::vector<std::string> labels() const;
 
   /// Throws InputError, as said of the entry `key` of `section`, for the first of `asked` ("PROBE:
-  /// NAME", or "NAME" of whatever probe) that has no name here.
+  /// NAME", or "NAME" of whatever probe) that has no name here. A position in it may have any unit
+  /// and is brought into the form that the name has ("stations 43 mm" is "stations 0.043 m").
   void refuse_others(const ParameterSection &section,
                      const std::string &key,
-                     const std::vector<std::string> &asked) const;
-  /// Throws InputError for the first of `expected`, the lines of `section`, that has no name here.
-  void refuse_others(const ParameterSection &section,
-                     const std::vector<ExpectedValue> &expected) const;
+                     std::vector<std::string> &asked) const;
+  /// The same for `expected`, the lines of `section`.
+  void refuse_others(const ParameterSection &section, std::vector<ExpectedValue> &expected) const;
 
 private:
   std::set<std::pair<std::string, std::string>> names; ///< probe, name
 
-  [[noreturn]] void
-  refuse(const ParameterSection &section, const std::string &key, const std::string &asked) const;
+  /// Whether there is the quantity; its probe then has the form that the name has.
+  bool find(ExpectedValue &expected) const;
+  /// The nearest name, for a message.
+  std::string remedy(const std::string &asked) const;
 };
 } // namespace Continua
 
