@@ -53,8 +53,8 @@ std::string version_text()
   return text;
 }
 
-/// The analysis that the file asks for. Throws InputError. What is missing may stand there under a
-/// misspelt name, which is then the mistake to report.
+/// The analysis that the file asks for. Throws InputError. A misspelt name leaves its entry at the
+/// default, with which anything may be wrong: the name is then the mistake to report.
 std::unique_ptr<Analysis>
 make_analysis(ParameterFile &file, const CommandLine &command_line, const MPI_Comm communicator)
 {
@@ -62,9 +62,9 @@ make_analysis(ParameterFile &file, const CommandLine &command_line, const MPI_Co
   {
     return analyses().make(file, command_line, communicator);
   }
-  catch (const MissingInput &)
+  catch (const InputError &error)
   {
-    refuse_unknown_names(file);
+    refuse_unknown_names(file, error);
     throw;
   }
 }

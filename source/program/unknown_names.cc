@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Continua
@@ -72,18 +73,20 @@ std::string suggestion(const std::string &name, const std::vector<std::string> &
   return list.empty() ? "Remove it" : "There is here " + list;
 }
 
+/// What no analysis knows: the path and the message of each.
+using UnknownNames = std::vector<std::pair<std::string, std::string>>;
+
 void find_unknown(const ParameterText::Section &section,
                   const KnownSection &known,
                   const std::string &path,
-                  std::string &errors)
+                  UnknownNames &unknown)
 {
   const auto report = [&](const Origin &origin, const std::string &name, const std::string &what,
                           const std::vector<std::string> &candidates)
   {
-    errors +=
-        (errors.empty() ? "" : "\n") +
-        std::string(InputError(origin, path + name, "unknown " + what, suggestion(name, candidates))
-                        .what());
+    unknown.emplace_back(
+        path + name,
+        InputError(origin, path + name, "unknown " + what, suggestion(name, candidates)).what());
   };
   for (const ParameterText::Entry &entry : section.entries)
     if (!known.knows(entry.key))
@@ -93,17 +96,26 @@ void find_unknown(const ParameterText::Section &section,
     sections.push_back(row.first);
   for (const ParameterText::Section &child : section.sections)
     if (const KnownSection *const known_child = known.section(child.name))
-      find_unknown(child, *known_child, path + child.name + "/", errors);
+      find_unknown(child, *known_child, path + child.name + "/", unknown);
     else
       report(child.origin, child.name, "subsection", sections);
 }
 } // namespace
 
-void refuse_unknown_names(const ParameterFile &file)
+void refuse_unknown_names(const ParameterFile &file, const InputError &error)
 {
-  std::string errors;
-  find_unknown(file.text().root(), known_names(), "", errors);
-  if (!errors.empty())
-    throw InputError({}, "", errors, "");
+  UnknownNames unknown;
+  find_unknown(file.text().root(), known_names(), "", unknown);
+  const std::string said = error.what();
+  std::string text;
+  for (const auto &[path, message] : unknown)
+  {
+    // Whoever found it knows more: a new name, or the entries of the type that was chosen.
+    if (said.find("'" + path + "'") != std::string::npos)
+      return;
+    text += (text.empty() ? "" : "\n") + message;
+  }
+  if (!text.empty())
+    throw InputError({}, "", text, "");
 }
 } // namespace Continua

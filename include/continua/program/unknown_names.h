@@ -1,14 +1,17 @@
 #ifndef continua_program_unknown_names_h
 #define continua_program_unknown_names_h
 
+#include <continua/base/input_error.h>
 #include <continua/base/parameter_file.h>
 
 namespace Continua
 {
-/// Throws one InputError for all entries and sections of the file that no analysis, model or type
-/// knows, one a line, each with the nearest name. ParameterFile::refuse_unknown() is stricter,
-/// since it knows what this very case reads, but that is known only when nothing is missing.
-void refuse_unknown_names(const ParameterFile &file);
+/**
+ * Throws InputError for all names in the file that no analysis knows, one a line, each with the
+ * nearest name. For a file that cannot be read further by reason of `error`, so that what its
+ * types would declare is not known. Does nothing if `error` is about one of these names itself.
+ */
+void refuse_unknown_names(const ParameterFile &file, const InputError &error);
 } // namespace Continua
 
 #endif
