@@ -217,11 +217,12 @@ class Results:
 
     @functools.cached_property
     def checks(self):
-        """A pandas.DataFrame with a row for each line of `Expected`: `probe`, `name`, `criterion` (a text), `value`, `unit`, `passed`."""
+        """A pandas.DataFrame with a row for each line of `Expected`: `probe`, `name`, `criterion` (a text), `value`, `unit`, `passed`.
+        `passed` is missing (`pandas.NA`) where a change of the command line excludes the quantity, so that it was not compared."""
         import pandas
         columns = ["probe", "name", "criterion", "value", "unit", "passed"]
         rows = [[entry.get(column, "") for column in columns] for entry in self.summary.get("checks", [])]
-        return pandas.DataFrame(rows, columns=columns).astype({"value": float, "passed": bool})
+        return pandas.DataFrame(rows, columns=columns).astype({"value": float, "passed": "boolean"})
 
     # Tables.
 

@@ -172,7 +172,7 @@ def number(value, unit):
 
 def row_of_check(name, check, cost):
     quantity = check["name"] + (f" ({check['probe']})" if check.get("probe") else "")
-    verdict = "passed" if check["passed"] else "FAILED"
+    verdict = "passed" if check["passed"] else "FAILED" if check["passed"] is False else "not compared"
     return (name, quantity, verdict, number(check["value"], check["unit"]), check["criterion"], cost)
 
 

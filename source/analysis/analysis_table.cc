@@ -1,15 +1,51 @@
 #include <continua/analysis/analysis_table.h>
 
+#include <continua/base/quantity_names.h>
 #include <continua/base/rank_agreement.h>
 
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <exception>
 
 namespace Continua
 {
 namespace
 {
+/// What `make` makes of the file. If the file expects a quantity that is impossible, and is valid
+/// without the changes of the command line, it is made again without this expectation.
+/// `check_plain` reads the file without the changes and throws InputError.
+template <typename Make, typename Check>
+auto passing_over_impossible(ParameterFile &file, const Make &make, const Check &check_plain)
+{
+  try
+  {
+    return make(file);
+  }
+  catch (const ImpossibleQuantity &)
+  {
+    if (file.text().changes().empty())
+      throw;
+    const std::exception_ptr impossible = std::current_exception();
+    try
+    {
+      check_plain();
+    }
+    catch (const ImpossibleQuantity &)
+    {
+      // This one is misspelt: the user is to see it, and not what the changes exclude.
+      throw;
+    }
+    catch (const InputError &)
+    {
+      // Without the changes the file is no valid input and says nothing.
+      std::rethrow_exception(impossible);
+    }
+  }
+  file.pass_over_impossible();
+  return make(file);
+}
+
 bool reads(const AnalysisRow &row, const std::string &section)
 {
   return std::find(row.sections.begin(), row.sections.end(), section) != row.sections.end();
@@ -59,6 +95,23 @@ std::unique_ptr<Analysis> AnalysisTable::make(ParameterFile &file,
                                               const CommandLine &command_line,
                                               const MPI_Comm communicator) const
 {
+  return passing_over_impossible(
+      file, [&](ParameterFile &read) { return make_of(read, command_line, communicator); },
+      [&]
+      {
+        CommandLine without_changes = command_line;
+        without_changes.overrides.clear();
+        without_changes.validate = true;
+        without_changes.restart = false;
+        ParameterFile unchanged(command_line.parameter_file);
+        make_of(unchanged, without_changes, communicator);
+      });
+}
+
+std::unique_ptr<Analysis> AnalysisTable::make_of(ParameterFile &file,
+                                                 const CommandLine &command_line,
+                                                 const MPI_Comm communicator) const
+{
   GeneralParameters general;
   general.read(file.root(), types());
   const AnalysisRow &chosen = row(general.analysis);
@@ -75,6 +128,24 @@ Case<dim> AnalysisTable::read_case(ParameterFile &file,
                                    const MPI_Comm communicator,
                                    const CaseUse use,
                                    const std::string &analysis) const
+{
+  return passing_over_impossible(
+      file, [&](ParameterFile &read) { return case_of<dim>(read, communicator, use, analysis); },
+      [&]
+      {
+        GeneralParameters general;
+        general.read(file.root(), types());
+        // Of a study, which chooses the analysis of its runs.
+        ParameterFile unchanged(file.text().files().front(), {"Analysis=" + general.analysis});
+        case_of<dim>(unchanged, communicator, CaseUse::check, analysis);
+      });
+}
+
+template <int dim>
+Case<dim> AnalysisTable::case_of(ParameterFile &file,
+                                 const MPI_Comm communicator,
+                                 const CaseUse use,
+                                 const std::string &analysis) const
 {
   ParameterSection root = file.root();
   GeneralParameters general;

@@ -23,14 +23,21 @@ struct Option
 
 const std::vector<Option> &options()
 {
-  static const std::vector<Option> table = {
-      {"--set", Option::Value::required},   {"--output", Option::Value::required},
-      {"--overwrite", Option::Value::none}, {"--restart", Option::Value::none},
-      {"--validate", Option::Value::none},  {"--print-parameters", Option::Value::optional},
-      {"--version", Option::Value::none},   {"--help", Option::Value::none},
-      {"-h", Option::Value::none},          {"--allow-mesh-commands", Option::Value::none},
-      {"--new", Option::Value::next},       {"--mesh", Option::Value::required},
-      {"--examples", Option::Value::none},  {"--serve", Option::Value::required}};
+  static const std::vector<Option> table = {{"--set", Option::Value::required},
+                                            {"--unset", Option::Value::required},
+                                            {"--output", Option::Value::required},
+                                            {"--overwrite", Option::Value::none},
+                                            {"--restart", Option::Value::none},
+                                            {"--validate", Option::Value::none},
+                                            {"--print-parameters", Option::Value::optional},
+                                            {"--version", Option::Value::none},
+                                            {"--help", Option::Value::none},
+                                            {"-h", Option::Value::none},
+                                            {"--allow-mesh-commands", Option::Value::none},
+                                            {"--new", Option::Value::next},
+                                            {"--mesh", Option::Value::required},
+                                            {"--examples", Option::Value::none},
+                                            {"--serve", Option::Value::required}};
   return table;
 }
 
@@ -82,6 +89,13 @@ void apply(CommandLine &result, const std::string &name, const std::string &valu
     if (value.find('=') == std::string::npos || value.front() == '=')
       refuse("--set " + value, "this names no entry and value",
              "Write --set \"Section/Key=value\"");
+    result.overrides.push_back(value);
+  }
+  else if (name == "--unset")
+  {
+    if (value.empty() || value.find('=') != std::string::npos)
+      refuse("--unset " + value, "this is no name of an entry or section",
+             "Write --unset \"Section/Key\" or --unset \"Section\"");
     result.overrides.push_back(value);
   }
   else if (name == "--output")
@@ -148,7 +162,7 @@ CommandLine CommandLine::parse(const int argc, const char *const *argv)
     const std::size_t equals = argument.find('=');
     const std::string name = argument.substr(0, equals);
     const Option &option = find_option(name);
-    if (option.name != "--set")
+    if (option.name != "--set" && option.name != "--unset")
     {
       if (std::find(seen.begin(), seen.end(), option.name) != seen.end())
         refuse(option.name, "this option is given twice", "Give it once");
@@ -167,6 +181,7 @@ CommandLine CommandLine::parse(const int argc, const char *const *argv)
       if (i + 1 == arguments.size() || arguments[i + 1].compare(0, 2, "--") == 0)
         refuse(option.name, "its value is missing",
                option.name == "--set"     ? "Write --set \"Section/Key=value\""
+               : option.name == "--unset" ? "Write --unset \"Section/Key\""
                : option.name == "--mesh"  ? "Write --mesh FILE.vtu"
                : option.name == "--serve" ? "Write continua --serve SOCKET"
                                           : "Write --output DIR");
@@ -230,6 +245,7 @@ Runs what the parameter file describes.
   --new                       lists the templates, one for each geometry and each analysis
   --new NAME [FILE.prm]       prints a template, or writes it to FILE.prm: a file with comments that runs
   --set "Section/Key=value"   sets an entry, over the file; as often as you like
+  --unset "Section/Key"       takes out an entry or a section that the file has; as often as you like
   --output DIR                the folder of the results (default: output/<name of the file>)
   --overwrite                 removes the run that the folder holds (its results only)
   --restart                   continues the run that the folder holds from its checkpoint

@@ -79,6 +79,27 @@ void ParameterFile::refuse_unknown() const
   throw InputError({}, "", text, "");
 }
 
+void ParameterFile::pass_over_impossible()
+{
+  store->passes_over_impossible = true;
+}
+
+std::string ParameterFile::changes_that_exclude(const std::string &path_of_entry)
+{
+  if (!store->passes_over_impossible)
+    return "";
+  for (const ParameterStore::Declaration &declaration : store->declarations)
+    if (join_path(declaration.path()) == path_of_entry)
+    {
+      const ParameterText::Entry *const entry = store->given(declaration.section, declaration.key);
+      if (entry == nullptr || entry->origin().file == ParameterText::command_line)
+        return "";
+      store->passed_over.push_back(declaration.path());
+      return store->text.changes();
+    }
+  return "";
+}
+
 const ParameterText &ParameterFile::text() const
 {
   return store->text;

@@ -38,11 +38,15 @@ std::string blanks(const std::size_t n)
   return std::string(n, ' ');
 }
 
-/// Whether the line sets the entry. One without a value and without a default is not set.
+/// Whether the line sets the entry. One without a value and without a default is not set, nor one
+/// with which the printed file would be refused.
 bool stands_as_set(const ParameterStore &store, const ParameterStore::Declaration &entry)
 {
   if (store.is_documentation)
     return true;
+  if (std::find(store.passed_over.begin(), store.passed_over.end(), entry.path()) !=
+      store.passed_over.end())
+    return false;
   const ParameterText::Entry *const given = store.given(entry.section, entry.key);
   return given != nullptr && !(given->value().empty() && entry.default_value.empty());
 }

@@ -1,4 +1,5 @@
 #include <continua/base/input_file.h>
+#include <continua/base/nearest_name.h>
 #include <continua/base/parameter_text.h>
 
 #include <algorithm>
@@ -36,25 +37,48 @@ bool takes_back(const ParameterText::Setting &unset, const ParameterText::Sectio
                      [&](const auto &child) { return takes_back(unset, child); });
 }
 
+/// What files set in the section.
+std::vector<std::string> names_in_files(const ParameterText::Section &section)
+{
+  const auto is_in_file = [](const ParameterText::Setting &setting)
+  { return !setting.inclusions.empty() && !setting.is_unset; };
+  std::vector<std::string> names;
+  for (const ParameterText::Entry &entry : section.entries)
+    if (std::any_of(entry.settings.begin(), entry.settings.end(), is_in_file))
+      names.push_back(entry.key);
+  for (const ParameterText::Section &child : section.sections)
+    if (std::any_of(child.openings.begin(), child.openings.end(), is_in_file))
+      names.push_back(child.name);
+  return names;
+}
+
 /// Throws InputError for an `unset` that takes nothing back.
 void check_unsets(const ParameterText::Section &section, const std::string &path)
 {
-  const auto refuse = [](const ParameterText::Setting &unset, const std::string &name)
+  const auto refuse = [&section](const ParameterText::Setting &unset, const std::string &path_of_it,
+                                 const std::string &name)
   {
-    throw InputError(unset.origin, name, "there is nothing to unset: no included file sets it",
-                     "Remove the line, or correct the name");
+    if (!unset.inclusions.empty())
+      throw InputError(unset.origin, path_of_it,
+                       "there is nothing to unset: no included file sets it",
+                       "Remove the line, or correct the name");
+    const std::string nearest = nearest_name(name, names_in_files(section));
+    throw InputError(unset.origin, path_of_it,
+                     "there is nothing to unset: the file does not set it",
+                     nearest.empty() ? "Remove the option, or correct the name"
+                                     : "Did you mean '" + nearest + "'?");
   };
   for (const ParameterText::Entry &entry : section.entries)
     for (const ParameterText::Setting &setting : entry.settings)
       if (setting.is_unset &&
           std::none_of(entry.settings.begin(), entry.settings.end(),
                        [&setting](const auto &other) { return overrides(setting, other); }))
-        refuse(setting, path + entry.key);
+        refuse(setting, path + entry.key, entry.key);
   for (const ParameterText::Section &child : section.sections)
   {
     for (const ParameterText::Setting &unset : child.unsets)
       if (!takes_back(unset, child))
-        refuse(unset, path + child.name);
+        refuse(unset, path + child.name, child.name);
     check_unsets(child, path + child.name + "/");
   }
 }
@@ -259,7 +283,15 @@ ParameterText::ParameterText(const std::string &path, const std::vector<std::str
   if (!path.empty())
     read(path, {}, top, {n_inclusions++}, stack);
   for (const std::string &text : overrides)
-    set_from_command_line(text);
+  {
+    const bool is_set = text.find('=') != std::string::npos;
+    change_list +=
+        (change_list.empty() ? "" : ", ") + std::string(is_set ? "--set " : "--unset ") + text;
+    if (is_set)
+      set_from_command_line(text);
+    else
+      unset_from_command_line(text);
+  }
   check_unsets(top, "");
   settle(top, "");
 }
@@ -402,6 +434,45 @@ void ParameterText::read(const std::string &path,
   stack.pop_back();
 }
 
+namespace
+{
+/// "A/B/C" of the command line as names. Throws InputError.
+std::vector<std::string>
+names_of(const std::string &path, const Origin &here, const std::string &remedy)
+{
+  if (const std::string problem = problem_of_text(path); !problem.empty())
+    throw InputError(here, "", "'" + path + "' " + problem, "Write it in plain UTF-8");
+  std::vector<std::string> names;
+  std::istringstream parts(path + "/");
+  for (std::string part; std::getline(parts, part, '/');)
+    names.push_back(collapse_blanks(part));
+  if (std::any_of(names.begin(), names.end(), [](const auto &name) { return name.empty(); }))
+    throw InputError(here, "", "'" + path + "' has an empty name", remedy);
+  refuse_deep(here, names.size());
+  return names;
+}
+} // namespace
+
+void ParameterText::take(Entry &entry, const std::string &path, const Setting &setting)
+{
+  const auto earlier = std::find_if(entry.settings.begin(), entry.settings.end(),
+                                    [](const Setting &other) { return other.inclusions.empty(); });
+  if (earlier == entry.settings.end())
+  {
+    entry.settings.push_back(setting);
+    return;
+  }
+  note_list.push_back("the command line " +
+                      (earlier->is_unset ? "takes out '" + path + "'"
+                                         : "sets '" + path + "' to '" + earlier->value + "'") +
+                      " and then " +
+                      (setting.is_unset    ? "takes it out"
+                       : earlier->is_unset ? "sets it to '" + setting.value + "'"
+                                           : "to '" + setting.value + "'") +
+                      "; the last one holds");
+  *earlier = setting;
+}
+
 void ParameterText::set_from_command_line(const std::string &override_text)
 {
   const Origin here{command_line, 0};
@@ -409,39 +480,35 @@ void ParameterText::set_from_command_line(const std::string &override_text)
   if (equals == std::string::npos)
     throw InputError(here, "", "'" + override_text + "' has no '='",
                      "Write --set \"Section/Key=value\"");
-  if (const std::string problem = problem_of_text(override_text); !problem.empty())
-    throw InputError(here, "", "'" + override_text + "' " + problem, "Write it in plain UTF-8");
-  const std::string path = override_text.substr(0, equals);
+  const std::vector<std::string> names =
+      names_of(override_text.substr(0, equals), here, "Write --set \"Section/Key=value\"");
   const std::string value = collapse_blanks(override_text.substr(equals + 1));
+  if (const std::string problem = problem_of_text(value); !problem.empty())
+    throw InputError(here, "", "'" + override_text + "' " + problem, "Write it in plain UTF-8");
   // What a file could not hold could not be printed for a later run either.
   if (!can_be_a_value(value))
-    throw InputError(here, collapse_blanks(path),
+    throw InputError(here, join_path(names),
                      "the value '" + value + "' holds a '#' or ends with a backslash",
                      "Leave it out: in a parameter file it would start a comment or continue "
                      "the line");
-
-  std::vector<std::string> names;
-  std::istringstream parts(path + "/");
-  for (std::string part; std::getline(parts, part, '/');)
-    names.push_back(collapse_blanks(part));
-  if (std::any_of(names.begin(), names.end(), [](const auto &name) { return name.empty(); }))
-    throw InputError(here, "", "'" + override_text + "' has an empty name before the '='",
-                     "Write --set \"Section/Key=value\"");
-  refuse_deep(here, names.size());
   Section *section = &top;
   for (std::size_t i = 0; i + 1 < names.size(); ++i)
     section = &section->get_section(names[i], here);
-  std::vector<Setting> &settings = section->get_entry(names.back()).settings;
-  const auto earlier =
-      std::find_if(settings.begin(), settings.end(),
-                   [](const Setting &setting) { return setting.inclusions.empty(); });
-  if (earlier == settings.end())
-  {
-    settings.push_back({value, here, {}});
-    return;
-  }
-  note_list.push_back("the command line sets '" + join_path(names) + "' to '" + earlier->value +
-                      "' and then to '" + value + "'; the last one holds");
-  earlier->value = value;
+  take(section->get_entry(names.back()), join_path(names), {value, here, {}});
+}
+
+void ParameterText::unset_from_command_line(const std::string &path)
+{
+  const Origin here{"command line (--unset)", 0};
+  const std::vector<std::string> names =
+      names_of(path, here, "Write --unset \"Section/Key\" or --unset \"Section\"");
+  Section *parent = &top;
+  for (std::size_t i = 0; i + 1 < names.size(); ++i)
+    parent = &parent->get_section(names[i], here);
+  const Setting unset{"", here, {}, true};
+  if (parent->section(names.back()) != nullptr)
+    parent->get_section(names.back(), here).unsets.push_back(unset);
+  else
+    take(parent->get_entry(names.back()), join_path(names), unset);
 }
 } // namespace Continua

@@ -1,6 +1,7 @@
 #include <continua/base/quantity_names.h>
 
 #include <continua/base/nearest_name.h>
+#include <continua/base/parameter_file.h>
 #include <continua/base/unit_scale.h>
 
 #include <algorithm>
@@ -107,5 +108,22 @@ void QuantityNames::refuse_others(const ParameterSection &section,
       const std::string asked = joined_label(value.probe, value.name);
       section.refuse(value.key, problem_of_quantity(asked), remedy(asked));
     }
+}
+
+void QuantityNames::refuse_others(ParameterFile &file,
+                                  const ParameterSection &section,
+                                  std::vector<ExpectedValue> &expected) const
+{
+  for (ExpectedValue &value : expected)
+  {
+    if (find(value))
+      continue;
+    const std::string path = section.path() + "/" + value.key;
+    value.excluded_by = file.changes_that_exclude(path);
+    const std::string asked = joined_label(value.probe, value.name);
+    if (value.excluded_by.empty())
+      throw ImpossibleQuantity(section.origin(value.key), path, problem_of_quantity(asked),
+                               remedy(asked));
+  }
 }
 } // namespace Continua

@@ -304,7 +304,7 @@ Case<dim>::Case(ParameterFile &file,
       expected_of_others.push_back(value->key);
     expected.erase(left_out, expected.end());
   }
-  quantities.refuse_others(root.subsection("Expected"), expected);
+  quantities.refuse_others(file, root.subsection("Expected"), expected);
 }
 
 template struct Case<2>;

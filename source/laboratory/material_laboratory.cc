@@ -43,7 +43,7 @@ MaterialLaboratory::MaterialLaboratory(const AnalysisInput &input) : Analysis(in
   // Before the checks across entries: a misspelt key is the likelier reason for them to fail.
   file.refuse_unknown();
   name_quantities();
-  quantities.refuse_others(root.subsection("Expected"), expected);
+  quantities.refuse_others(file, root.subsection("Expected"), expected);
   if (laboratory.has("relaxation") ||
       (laboratory.has_steps() && laboratory.large_strain.loading_time > 0.))
     check_loading_time(section);

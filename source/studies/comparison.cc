@@ -40,7 +40,7 @@ Comparison::Comparison(const AnalysisInput &input)
     of_runs.add(variant.quantities);
   }
   ComparisonReport::name_quantities(parameters, of_runs, quantities);
-  quantities.refuse_others(section().subsection("Expected"), parameters.expected);
+  quantities.refuse_others(file, section().subsection("Expected"), parameters.expected);
 }
 
 void Comparison::refine_mesh(CommandLine &of_run,

@@ -24,7 +24,7 @@ RefinementStudy::RefinementStudy(const AnalysisInput &input)
   RefinementReport::name_quantities(parameters, of_runs, quantities);
   of_runs.refuse_others(section(), "Quantities", parameters.quantities);
   of_runs.refuse_others(section().subsection("Reference"), parameters.references);
-  quantities.refuse_others(section().subsection("Expected"), parameters.expected);
+  quantities.refuse_others(file, section().subsection("Expected"), parameters.expected);
 }
 
 void RefinementStudy::check(const Variant &variant) const

@@ -47,7 +47,7 @@ std::string text_of(const CommandLine &command_line)
 {
   std::string text = "continua " + quoted(command_line.parameter_file);
   for (const std::string &entry : command_line.overrides)
-    text += " --set " + quoted(entry);
+    text += (entry.find('=') == std::string::npos ? " --unset " : " --set ") + quoted(entry);
   return text + " --output " + quoted(command_line.output_directory);
 }
 

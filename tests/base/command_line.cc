@@ -107,14 +107,19 @@ UNIT_TEST(command_line)
   refused("empty folder", {"a.prm", "--output="}, "'--output'.*no name");
   refused("no value in an override", {"a.prm", "--set", "Title"}, "--set Title.*Section/Key=value");
   refused("no key in an override", {"a.prm", "--set", "=1"}, "names no entry");
+  check::is_true("what is set and what is taken out, in order",
+                 parse({"a.prm", "--unset", "Expected", "--set", "A=1", "--unset=B/C"}).overrides ==
+                     std::vector<std::string>{"Expected", "A=1", "B/C"});
+  refused("a value taken out", {"a.prm", "--unset", "A=1"}, "--unset A=1.*no.*name.*--unset");
+  refused("nothing taken out", {"a.prm", "--unset"}, "'--unset'.*missing");
   refused("unknown style", {"--print-parameters=xml"}, "xml.*prm, json and markdown");
   refused("value of a flag", {"a.prm", "--restart=yes"}, "--restart=yes.*takes no value");
   refused("option given twice", {"a.prm", "--output=b", "--output=c"}, "'--output'.*twice");
 
   for (const char *const word :
-       {"--set", "--output", "--overwrite", "--restart", "--validate", "--print-parameters",
-        "--version", "--help, -h", "--allow-mesh-commands", "--new", "--mesh", "--examples",
-        "--serve", "0 done", "1 the run failed", "2 the input is wrong"})
+       {"--set", "--unset", "--output", "--overwrite", "--restart", "--validate",
+        "--print-parameters", "--version", "--help, -h", "--allow-mesh-commands", "--new", "--mesh",
+        "--examples", "--serve", "0 done", "1 the run failed", "2 the input is wrong"})
     check::is_true(std::string("help names ") + word,
                    CommandLine::usage().find(word) != std::string::npos);
 }

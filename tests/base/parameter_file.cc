@@ -7,6 +7,7 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <tuple>
 
 namespace test_of_parameter_file
 {
@@ -367,6 +368,44 @@ void test_unset()
                                        "one holds"});
 }
 
+/// What the command line takes out of the file.
+void test_unset_of_the_command_line()
+{
+  write("whole.prm", "set Title = whole\nset A = 1\nsubsection Mesh\n  set Cells = 3\n"
+                     "  set Order = 2\nend\n");
+  const ParameterFile one =
+      file("include whole.prm\nset B = 2\n", {"A", "B", "Mesh/Cells", "Mesh/Order=7"});
+  const ParameterText::Section &root = one.text().root();
+  check::is_true("an entry of an included file", root.entry("A") == nullptr);
+  check::is_true("an entry of the file", root.entry("B") == nullptr);
+  check::is_true("an entry of a section", one.text().find({"Mesh"})->entry("Cells") == nullptr);
+  check::equal("beside one that is set", one.text().find({"Mesh"})->entry("Order")->value(), "7");
+  check::equal("an entry that stays", root.entry("Title")->value(), "whole");
+  check::equal("changes", one.text().changes(),
+               "--unset A, --unset B, --unset Mesh/Cells, --set Mesh/Order=7");
+
+  check::is_true("a section",
+                 file("include whole.prm\n", {"Mesh"}).text().find({"Mesh"}) == nullptr);
+  const ParameterFile refilled = file("include whole.prm\n", {"Mesh", "Mesh/Cells=9"});
+  check::equal("a section with what is set",
+               refilled.text().find({"Mesh"})->entry("Cells")->value(), "9");
+  check::is_true("a section without the rest",
+                 refilled.text().find({"Mesh"})->entry("Order") == nullptr);
+
+  const ParameterFile changed = file("set A = 1\n", {"A", "A=2"});
+  check::equal("taken out, then set", changed.text().root().entry("A")->value(), "2");
+  check::is_true("its note", changed.text().notes() ==
+                                 Words{"the command line takes out 'A' and then sets it to '2'; "
+                                       "the last one holds"});
+  for (const auto &[name, path, problem] :
+       {std::make_tuple("misspelt", "Mesh/Cell", "'Mesh/Cell': there is nothing to unset.*'Cells'"),
+        std::make_tuple("a misspelt section", "Msh", "'Msh': there is nothing to unset.*'Mesh'"),
+        std::make_tuple("no name", "Mesh/", "has an empty name")})
+    check::throws<InputError>(
+        std::string("unset of the command line: ") + name,
+        [path = path] { file("include whole.prm\n", {path}); }, problem);
+}
+
 void test_text_errors()
 {
   check::throws<InputError>(
@@ -421,7 +460,6 @@ void test_text_errors()
   refused("carriage returns alone", "set A = 1\rnonsense\r", "case.prm:2: 'nonsense'");
   refused("twice", "subsection A\nset B = 1\nend\nsubsection A\nset B = 1\nend\n",
           "case.prm:5: 'A/B': is set a second time; the first is in line 2");
-  refused("command line without =", "", "command line \\(--set\\): 'A' has no '='", {}, {"A"});
   refused("command line without key", "", "empty name", {}, {"A/=1"});
   refused("command line with a comment", "", "'#'", {}, {"A=1 # x"});
   refused("line of what follows a continued line", "set A = 1 \\\n 2\nnonsense\n", "case.prm:3:");
@@ -614,6 +652,7 @@ UNIT_TEST(parameter_file)
   test_documentation();
   test_includes();
   test_unset();
+  test_unset_of_the_command_line();
   test_text_errors();
   test_unknown();
   test_value_errors();

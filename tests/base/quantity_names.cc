@@ -78,7 +78,7 @@ UNIT_TEST(quantity_names)
                                      "set stations 200 mm: flow rate: maximum = < 1\nend\n");
   const ParameterSection of_file = file.root().subsection("Expected");
   std::vector<ExpectedValue> expected = read_expected(of_file);
-  names.refuse_others(of_file, expected);
+  names.refuse_others(file, of_file, expected);
   check::equal("an expected position", expected.at(0).probe, "stations 0.043 m");
   check::equal("an expected position of a field", expected.at(1).probe,
                "stations 0.2 m: flow rate");

@@ -67,6 +67,14 @@ public:
 private:
   std::vector<AnalysisRow> all_rows;
 
+  std::unique_ptr<Analysis>
+  make_of(ParameterFile &file, const CommandLine &command_line, MPI_Comm communicator) const;
+  template <int dim>
+  Case<dim> case_of(ParameterFile &file,
+                    MPI_Comm communicator,
+                    CaseUse use,
+                    const std::string &analysis) const;
+
   /// Throws InputError if a section stands in the file that is not read, but would be read by
   /// another analysis.
   void refuse_sections_of_others(ParameterSection root, const AnalysisRow &row) const;

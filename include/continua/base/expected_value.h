@@ -26,6 +26,8 @@ struct ExpectedValue
   bool upper_bound = false;   ///< `< VALUE`
   bool lower_bound = false;   ///< `> VALUE`
   std::string value_text;     ///< value and unit as written: "3.3624 Hz"
+  /// The changes of the command line that exclude the quantity; empty: it is compared.
+  std::string excluded_by = {};
 };
 
 /// Parses one line, `key` left and `text` right of the equals sign. Throws std::invalid_argument

@@ -40,6 +40,13 @@ public:
   /// each with the nearest declared name.
   void refuse_unknown() const;
 
+  /// From now on entries that the changes of the command line make impossible are passed over: the
+  /// file was found valid without these changes.
+  void pass_over_impossible();
+  /// The changes ("--set Section/Key=value") that make a declared entry of the file impossible,
+  /// which is then printed as a comment. Empty if the entry is a mistake, or itself such a change.
+  std::string changes_that_exclude(const std::string &path_of_entry);
+
   /// What the user's file and the command line set, as text.
   const ParameterText &text() const;
 

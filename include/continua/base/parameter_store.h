@@ -45,6 +45,9 @@ struct ParameterStore
   std::vector<Declaration> declarations;          ///< in the order in which they were declared
   std::vector<std::vector<std::string>> sections; ///< those declared, parents before children
   std::vector<std::string> input_files;           ///< besides those of `text`
+  /// Whether entries are passed over which the changes of the command line make impossible.
+  bool passes_over_impossible = false;
+  std::vector<std::vector<std::string>> passed_over; ///< their paths
 
   void declare_section(const std::vector<std::string> &path);
   /// Declares an entry, whose value is then its default. A second declaration replaces the first.

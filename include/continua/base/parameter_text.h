@@ -55,8 +55,10 @@ public:
   static const std::string command_line;
 
   ParameterText() = default;
-  /// No file is read if `path` is empty. Throws InputError; sections and includes that are nested
-  /// deeper than 50 levels, 1000 includes and 40,000 statements are refused, too.
+  /// `overrides`: "Section/Key=value" sets an entry; a path without '=' takes out an entry or a
+  /// section that the file has. No file is read if `path` is empty. Throws InputError; sections and
+  /// includes that are nested deeper than 50 levels, 1000 includes and 40,000 statements are
+  /// refused, too.
   ParameterText(const std::string &path, const std::vector<std::string> &overrides);
 
   /// The section of that path; null if the user has none.
@@ -64,6 +66,9 @@ public:
   const Section &root() const { return top; }
   /// The files that were read, the `.prm` first.
   const std::vector<std::string> &files() const { return files_read; }
+  /// The options of the command line that changed the file: "--set Section/Key=value, --unset
+  /// Section"; empty if none did.
+  const std::string &changes() const { return change_list; }
   /// What a user may want to know: entries that the command line sets several times.
   const std::vector<std::string> &notes() const { return note_list; }
 
@@ -75,10 +80,14 @@ private:
             const std::vector<unsigned int> &inclusions,
             std::vector<std::string> &stack);
   void set_from_command_line(const std::string &override_text);
+  void unset_from_command_line(const std::string &path);
+  /// Gives the entry the setting; a further one of the command line replaces the first.
+  void take(Entry &entry, const std::string &path, const Setting &setting);
 
   Section top;
   std::vector<std::string> files_read;
   std::vector<std::string> note_list;
+  std::string change_list;
   unsigned int n_inclusions = 0;
   unsigned int n_statements = 0; ///< of all files, those of a file once for each include
 };

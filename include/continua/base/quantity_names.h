@@ -2,6 +2,7 @@
 #define continua_base_quantity_names_h
 
 #include <continua/base/expected_value.h>
+#include <continua/base/input_error.h>
 #include <continua/base/parameter_section.h>
 
 #include <set>
@@ -11,6 +12,14 @@
 
 namespace Continua
 {
+/// A value is expected of a quantity that no run of the input states: misspelt, or made impossible
+/// by what the command line changes.
+class ImpossibleQuantity : public InputError
+{
+public:
+  using InputError::InputError;
+};
+
 /**
  * The quantities that a run can state in its summary, known before the run: by them a misspelt name
  * in the section Expected is found before any work is done. Whoever adds a quantity to a Summary
@@ -41,6 +50,11 @@ public:
                      std::vector<std::string> &asked) const;
   /// The same for `expected`, the lines of `section`.
   void refuse_others(const ParameterSection &section, std::vector<ExpectedValue> &expected) const;
+  /// The same for the section Expected of `file`, by ImpossibleQuantity. A line that the command
+  /// line made impossible is marked as not compared instead.
+  void refuse_others(ParameterFile &file,
+                     const ParameterSection &section,
+                     std::vector<ExpectedValue> &expected) const;
 
 private:
   std::set<std::pair<std::string, std::string>> names; ///< probe, name

@@ -77,7 +77,8 @@ public:
    * written; passed). `all_passed` tells whether all held. A value that is not finite never passes.
    *
    * A quantity that is not among the possible ones, where these were set, is a mistake of the
-   * program: one more line says so.
+   * program: one more line says so. A quantity that the command line excludes is not compared: its
+   * line names the changes, and `passed` is null.
    */
   std::vector<std::string> check(const std::vector<ExpectedValue> &expected, bool &all_passed);
 
