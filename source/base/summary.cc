@@ -385,7 +385,8 @@ std::vector<Summary::Check> Summary::checks() const
     result.push_back(
         {check.at("name"), check.at("probe"), check.at("criterion"),
          check.at("value").is_number() ? check.at("value").get<double>() : std::nan(""),
-         check.at("unit"), check.at("passed").is_boolean() && check.at("passed").get<bool>()});
+         check.at("unit"), check.at("passed").is_boolean() && check.at("passed").get<bool>(),
+         check.at("passed").is_boolean()});
   return result;
 }
 

@@ -90,6 +90,7 @@ public:
     double value;          ///< in `unit`; NaN if the run has none
     std::string unit;      ///< as written
     bool passed;
+    bool is_compared = true; ///< false where the command line excludes the quantity
   };
   /// Of the last check(), in the order of the expected values.
   std::vector<Check> checks() const;
