@@ -287,6 +287,8 @@ Case<dim>::Case(ParameterFile &file,
                       {discretisation.is_cell_wise(), analysis.is_modal(), in_time,
                        problem.deformation == Deformation::finite, are_solid},
                       field_names<dim>(problem));
+  n_histories = probes.expected_columns(field_names<dim>(problem)).size();
+  check_histories(*this, root.subsection("Probes"));
   if (analysis.is_transient() && periodic_state.is_on)
     check_compared_probes(*this, root.subsection("Periodic state"));
   set_further_fields(*this, root.subsection("Output"), in_time);

@@ -193,6 +193,11 @@ CostEstimate::CostEstimate(const CostInput &input)
     }
   }
   memory += input.n_ranks * memory_of_program;
+  // The times are one more column, the start is one more row.
+  if (input.n_histories > 0.)
+    history_memory =
+        input.n_ranks * sizeof(double) * (input.n_histories + 1.) * (input.n_steps + 1.);
+  memory += history_memory;
   set_up_time += 0.4 * second;
   const bool is_lean = solver != StepSolver::direct && size.is_matrix_free;
   step_time = 25. * microsecond + (is_plane || is_lean ? 0.25 : 0.5) * microsecond * n_unknowns +

@@ -82,6 +82,7 @@ CostInput cost_input(const Case<dim> &input)
   if (input.analysis.is_transient())
   {
     cost.n_steps = steps_of(input.time);
+    cost.n_histories = input.n_histories;
     // Its start has a matrix of its own.
     cost.n_factors =
         input.time.scheme == Scheme::backward_differencing && !cost.is_nonlinear ? 2 : 1;
@@ -171,6 +172,27 @@ void check_memory(const Case<dim> &input, ParameterSection mesh)
   mesh.refuse(is_refined ? "Refinements" : entry_of_cells(mesh), problem.str(), remedy);
 }
 
+template <int dim>
+void check_histories(const Case<dim> &input, const ParameterSection &probes)
+{
+  if (!input.analysis.has_fields)
+    return;
+  const CostInput cost = cost_input(input);
+  const CostEstimate estimate(cost);
+  const MemoryLimit limit = memory_limit_of(input);
+  if (estimate.memory <= limit.bytes)
+    return;
+  std::ostringstream problem;
+  problem.precision(0);
+  problem << std::fixed << "the histories of " << cost.n_histories << " columns over "
+          << cost.n_steps << " steps need about " << memory_text(estimate.history_memory)
+          << " of the run's " << memory_text(estimate.memory) << ", and it may take "
+          << memory_text(limit.bytes) << " (" << limit.source << ")";
+  probes.refuse("", problem.str(),
+                "Give fewer probes, stations or fields, a longer Time/Time step or an earlier "
+                "Time/End time");
+}
+
 template CostInput cost_input(const Case<2> &);
 template CostInput cost_input(const Case<3> &);
 template SolverOutlook solver_outlook(const Case<2> &);
@@ -179,6 +201,8 @@ template std::vector<std::string> cost_of(const Case<2> &);
 template std::vector<std::string> cost_of(const Case<3> &);
 template MemoryLimit memory_limit_of(const Case<2> &);
 template MemoryLimit memory_limit_of(const Case<3> &);
+template void check_histories(const Case<2> &, const ParameterSection &);
+template void check_histories(const Case<3> &, const ParameterSection &);
 template void check_memory(const Case<2> &, ParameterSection);
 template void check_memory(const Case<3> &, ParameterSection);
 } // namespace Continua

@@ -53,6 +53,17 @@ UNIT_TEST(cost_estimate)
   beam.n_factors = 1;
   check::is_true("one factor takes less", CostEstimate(beam).memory < 0.8 * two_factors);
 
+  // Each rank keeps the times and nine columns of doubles: 2 GB of 2.5e7 steps.
+  CostInput long_run = beam;
+  long_run.n_steps = 2.5e7;
+  const double without_probes = CostEstimate(long_run).memory;
+  long_run.n_histories = 9.;
+  check::relative("histories", CostEstimate(long_run).memory - without_probes, 80. * 25000001.,
+                  1e-9);
+  long_run.n_ranks = 2;
+  check::relative("histories on two ranks", CostEstimate(long_run).history_memory, 160. * 25000001.,
+                  1e-12);
+
   // thesis/chapter-4/beam-3d, refined once, twice by the iterative solver (of 2026-11-26).
   CostInput bar = mesh_of(3, 100., 25., 1);
   compare("bar", bar, 26868., 490.);

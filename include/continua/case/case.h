@@ -117,6 +117,8 @@ struct Case
   std::vector<ExpectedValue> expected;
   /// The lines of Expected that another analysis of the file can have, and this one cannot.
   std::vector<std::string> expected_of_others;
+  /// Columns of the probes, whose values of all steps are kept; known when the probes are checked.
+  unsigned int n_histories = 0;
   QuantityNames quantities; ///< that the analysis can state
   ErrorNorms<dim> error_norms;
   Probes<dim> probes;

@@ -34,6 +34,8 @@ struct CostInput
   /// n_steps.
   bool to_rest = false;
   unsigned int n_ranks = 1;
+  /// Columns of probes, of which each rank keeps the values of all steps.
+  double n_histories = 0.;
 };
 
 /**
@@ -52,6 +54,7 @@ struct CostEstimate
   StepSolver solver = StepSolver::direct;
   double factor_entries = 0.; ///< of one factor; 0 of the iterative solver
   double memory = 0.;         ///< the most that all ranks together hold [bytes]
+  double history_memory = 0.; ///< of it, the histories of probes [bytes]
   double set_up_time = 0.;    ///< mesh, matrices and factors, on one core [s]
   double step_time = 0.;      ///< one solve and what belongs to it, on one core [s]
   double time = 0.;           ///< of the run, on one core [s]

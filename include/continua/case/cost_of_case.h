@@ -29,6 +29,11 @@ std::vector<std::string> cost_of(const Case<dim> &input);
 template <int dim>
 MemoryLimit memory_limit_of(const Case<dim> &input);
 
+/// Throws InputError, as said of the section Probes, if the histories of probes need more memory
+/// than the run may take. After the probes are checked. Collective.
+template <int dim>
+void check_histories(const Case<dim> &input, const ParameterSection &probes);
+
 /// Throws InputError if the case needs more memory than it may take. Collective.
 template <int dim>
 void check_memory(const Case<dim> &input, ParameterSection mesh);
