@@ -63,7 +63,7 @@ void PeriodicState<dim>::find_compared()
     const ProbeColumnName name = run.input.probes.name_of(column);
     is_compared.push_back(std::any_of(parameters().probes.begin(), parameters().probes.end(),
                                       [&name](const std::string &text)
-                                      { return name.is_meant_by(collapse_blanks(text)); }));
+                                      { return name.is_meant_by(text); }));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <continua/base/joined.h>
 #include <continua/base/nearest_name.h>
 #include <continua/base/parameter_text.h>
+#include <continua/base/quoted_name.h>
 
 #include <algorithm>
 #include <charconv>
@@ -40,18 +41,20 @@ bool contains(const Range &range, const double value)
          (range.upper_open ? value < range.upper : value <= range.upper);
 }
 
-/// At the commas outside parentheses; the items without blanks at their ends.
+/// At the commas outside parentheses and quotes; the items without blanks at their ends.
 std::vector<std::string> split(const std::string &text)
 {
   std::vector<std::string> items;
   if (text.empty())
     return items;
   items.emplace_back();
+  const std::vector<bool> quoted = quoted_letters(text);
   int depth = 0;
-  for (const char letter : text)
+  for (std::size_t i = 0; i < text.size(); ++i)
   {
-    depth += letter == '(' ? 1 : letter == ')' ? -1 : 0;
-    if (letter == ',' && depth == 0)
+    const char letter = text[i];
+    depth += quoted[i] ? 0 : letter == '(' ? 1 : letter == ')' ? -1 : 0;
+    if (letter == ',' && depth == 0 && !quoted[i])
       items.emplace_back();
     else
       items.back() += letter;
@@ -253,11 +256,15 @@ EntryType<std::vector<std::string>> word_list_type(const std::vector<std::string
           "Give words separated by commas",
           [](const std::string &text)
           {
-            const std::vector<std::string> items = split(text);
+            std::vector<std::string> items = split(text);
             refuse_empty_items(items);
+            std::transform(items.begin(), items.end(), items.begin(), without_quotes);
             return items;
           },
-          joined};
+          [](const std::vector<std::string> &words) {
+            return list_text(words,
+                             [](const std::string &word) { return quoted_name(word, "#,"); });
+          }};
 }
 
 EntryType<std::string> choice_type(const std::string &value,

@@ -2,6 +2,8 @@
 
 #include <continua/base/joined.h>
 #include <continua/base/nearest_name.h>
+#include <continua/base/parameter_text.h>
+#include <continua/base/quoted_name.h>
 
 #include <algorithm>
 
@@ -20,7 +22,10 @@ unsigned int find_name(const ParameterSection &section,
                        const std::vector<std::string> &names,
                        const std::string &problem)
 {
-  const auto place = std::find(names.begin(), names.end(), name);
+  auto place = std::find(names.begin(), names.end(), name);
+  // Where one name is the whole text of an entry, quotes and blanks are still as written.
+  if (place == names.end())
+    place = std::find(names.begin(), names.end(), without_quotes(collapse_blanks(name)));
   if (place == names.end())
     section.refuse(key, problem + name + "'", choices(name, names));
   return static_cast<unsigned int>(place - names.begin());

@@ -1,4 +1,5 @@
 #include <continua/base/parameter_printer.h>
+#include <continua/base/quoted_name.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -57,18 +58,23 @@ std::string printed_value(const ParameterStore &store,
                           const Names &copies)
 {
   const std::string value = store.value(entry);
-  if (!entry.is_input_file || can_be_a_value(value))
+  if (!entry.is_input_file)
     return value;
-  if (const auto copy = copies.find(value); copy != copies.end())
+  // Other readers of the file know no quotes.
+  const std::string path = without_quotes(value);
+  if (path == value && can_be_a_value(value))
+    return value;
+  if (const auto copy = copies.find(path); copy != copies.end())
     return copy->second;
   const std::string relative =
-      std::filesystem::path(value).lexically_relative(std::filesystem::current_path()).string();
-  if (!can_be_a_value(relative))
+      std::filesystem::path(path).lexically_relative(std::filesystem::current_path()).string();
+  if (quoted_name(relative, "#") == relative && can_be_a_value(relative))
+    return relative;
+  if (!can_be_a_value(value))
     throw InputError(store.given(entry.section, entry.key)->origin(), join_path(entry.path()),
-                     "no parameter file can hold the path '" + value +
-                         "': it has a '#', blanks that would be lost, or no UTF-8",
+                     "no parameter file can hold the path '" + path + "': it is no line of UTF-8",
                      "Rename the folder, or call the program in the folder of the file");
-  return relative;
+  return value;
 }
 
 void print_prm_entries(std::ostream &out,
@@ -79,11 +85,13 @@ void print_prm_entries(std::ostream &out,
 {
   constexpr unsigned int width = 78;
   std::size_t longest_key = 0, longest_value = 0;
+  const auto key_of = [](const ParameterStore::Declaration &entry)
+  { return quoted_name(entry.key, "#="); };
   std::vector<std::string> values;
   for (const ParameterStore::Declaration *const entry : entries)
   {
     values.push_back(printed_value(store, *entry, copies));
-    longest_key = std::max(longest_key, entry->key.size());
+    longest_key = std::max(longest_key, key_of(*entry).size());
     longest_value = std::max(longest_value, values.back().size());
   }
   bool first = true;
@@ -99,8 +107,8 @@ void print_prm_entries(std::ostream &out,
         out << indent << "# " << line << '\n';
     }
     const std::string &value = values[i];
-    out << indent << (stands_as_set(store, *entry) ? "" : "# ") << "set " << entry->key
-        << blanks(longest_key - entry->key.size() + 1) << "= " << value;
+    out << indent << (stands_as_set(store, *entry) ? "" : "# ") << "set " << key_of(*entry)
+        << blanks(longest_key - key_of(*entry).size() + 1) << "= " << value;
     if (value != entry->default_value)
       out << blanks(longest_value - value.size() + 1) << "# default: " << entry->default_value;
     out << '\n';
@@ -138,7 +146,8 @@ void print_prm_section(std::ostream &out,
     child.push_back(name);
     if (!is_printed(store, child))
       continue;
-    out << (first && !entries.empty() ? "\n\n" : "") << indent << "subsection " << name << '\n';
+    out << (first && !entries.empty() ? "\n\n" : "") << indent << "subsection "
+        << quoted_name(name, "#") << '\n';
     first = false;
     print_prm_section(out, store, copies, child);
     out << indent << "end\n\n" << (section.empty() ? "\n" : "");

@@ -5,6 +5,7 @@
 #include <continua/base/parameter_file.h>
 #include <continua/base/parameter_section.h>
 #include <continua/base/parameter_store.h>
+#include <continua/base/quoted_name.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -148,7 +149,8 @@ void ParameterSection::add_input_file(const std::string &key,
                                          ? filesystem::path()
                                          : filesystem::path(naming_file).parent_path();
   const bool is_given = given(key);
-  const bool is_whole = is_given && (directory / store->given(names, key)->value()).is_absolute();
+  const bool is_whole =
+      is_given && (directory / without_quotes(store->given(names, key)->value())).is_absolute();
   // A printed file may stand in another directory, so the handler holds the whole path; messages
   // name the file from the working directory unless the user gives the whole path herself.
   EntryType<std::string> type = text_type(path);
@@ -156,9 +158,10 @@ void ParameterSection::add_input_file(const std::string &key,
   type.remedy = "Check its name; it is relative to the file that names it";
   type.read = [is_given, is_whole](const std::string &value)
   {
+    const std::string file = without_quotes(value);
     return is_given && !is_whole
-               ? filesystem::path(value).lexically_relative(filesystem::current_path()).string()
-               : value;
+               ? filesystem::path(file).lexically_relative(filesystem::current_path()).string()
+               : file;
   };
   type.write = [](const std::string &value) { return filesystem::path(value).filename().string(); };
   declare_and_get(
@@ -167,9 +170,9 @@ void ParameterSection::add_input_file(const std::string &key,
       {
         if (name.empty())
           return name;
-        const filesystem::path named = (directory / name).lexically_normal();
+        const filesystem::path named = (directory / without_quotes(name)).lexically_normal();
         check_input_file(named.string());
-        return filesystem::absolute(named).lexically_normal().string();
+        return quoted_name(filesystem::absolute(named).lexically_normal().string(), "#");
       },
       is_given);
   if (is_given)

@@ -1,10 +1,11 @@
 #include <continua/base/input_file.h>
 #include <continua/base/nearest_name.h>
 #include <continua/base/parameter_text.h>
+#include <continua/base/quoted_name.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
-#include <sstream>
 #include <stdexcept>
 
 namespace Continua
@@ -185,7 +186,7 @@ logical_lines(const std::vector<std::string> &input)
   bool continued = false;
   for (std::size_t i = 0; i < input.size(); ++i)
   {
-    std::string line = collapse_blanks(input[i].substr(0, input[i].find('#')));
+    std::string line = collapse_blanks(input[i].substr(0, find_unquoted(input[i], "#")));
     if (!continued)
       lines.emplace_back(static_cast<unsigned int>(i + 1), "");
     continued = !line.empty() && line.back() == '\\';
@@ -222,16 +223,25 @@ const std::string ParameterText::command_line = "command line (--set)";
 
 std::string collapse_blanks(const std::string &text)
 {
-  std::istringstream stream(text);
-  std::string word, result;
-  while (stream >> word)
-    result += (result.empty() ? "" : " ") + word;
+  const std::vector<bool> quoted = quoted_letters(text);
+  std::string result;
+  bool has_blank = false;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (!quoted[i] && std::isspace(static_cast<unsigned char>(text[i])) != 0)
+      has_blank = true;
+    else
+    {
+      if (has_blank && !result.empty())
+        result += ' ';
+      has_blank = false;
+      result += text[i];
+    }
   return result;
 }
 
 bool can_be_a_value(const std::string &text)
 {
-  return text.find('#') == std::string::npos && collapse_blanks(text) == text &&
+  return find_unquoted(text, "#") == std::string::npos && collapse_blanks(text) == text &&
          (text.empty() || text.back() != '\\') && problem_of_text(text).empty();
 }
 
@@ -239,7 +249,7 @@ std::string join_path(const std::vector<std::string> &names)
 {
   std::string path;
   for (const std::string &name : names)
-    path += (path.empty() ? "" : "/") + name;
+    path += (path.empty() ? "" : "/") + quoted_name(name, "#/=");
   return path;
 }
 
@@ -366,10 +376,10 @@ void ParameterText::read(const std::string &path,
     {
       if (rest.empty())
         throw InputError(here, "", "a subsection has no name", "Write 'subsection NAME'");
-      open.push_back(&open.back()->get_section(rest, here));
+      open.push_back(&open.back()->get_section(without_quotes(rest), here));
       open.back()->openings.push_back({"", here, inclusions});
       opened_at.push_back(here);
-      names.push_back(rest);
+      names.push_back(without_quotes(rest));
       refuse_deep(here, names.size());
     }
     else if (line == "end" || line == "END")
@@ -383,8 +393,8 @@ void ParameterText::read(const std::string &path,
     }
     else if (keyword == "set" || keyword == "SET")
     {
-      const std::size_t equals = rest.find('=');
-      const std::string key = collapse_blanks(rest.substr(0, equals));
+      const std::size_t equals = find_unquoted(rest, "=");
+      const std::string key = without_quotes(collapse_blanks(rest.substr(0, equals)));
       if (equals == std::string::npos || key.empty())
         throw InputError(here, "",
                          shown(line, is_included) +
@@ -399,11 +409,11 @@ void ParameterText::read(const std::string &path,
     {
       const std::string word = "subsection ";
       const bool is_section = rest.compare(0, word.size(), word) == 0;
-      const std::string name = is_section ? rest.substr(word.size()) : rest;
-      if (name.empty() || name == "subsection" || name.find('=') != std::string::npos)
+      const std::string name = without_quotes(is_section ? rest.substr(word.size()) : rest);
+      const bool has_equals = find_unquoted(rest, "=") != std::string::npos;
+      if (name.empty() || name == "subsection" || has_equals)
         throw InputError(here, "",
-                         shown(line, is_included) +
-                             (name.find('=') == std::string::npos ? " has no name" : " has an '='"),
+                         shown(line, is_included) + (has_equals ? " has an '='" : " has no name"),
                          "Write 'unset KEY' or 'unset subsection NAME'");
       const Setting unset{"", here, inclusions, true};
       std::vector<std::string> entry_path = names;
@@ -420,7 +430,8 @@ void ParameterText::read(const std::string &path,
       std::vector<unsigned int> deeper = inclusions;
       deeper.push_back(n_inclusions++);
       const std::filesystem::path directory = std::filesystem::path(path).parent_path();
-      read((directory / rest).lexically_normal().string(), here, *open.back(), deeper, stack);
+      read((directory / without_quotes(rest)).lexically_normal().string(), here, *open.back(),
+           deeper, stack);
     }
     else
       throw InputError(here, "", shown(line, is_included) + " cannot be understood",
@@ -443,9 +454,8 @@ names_of(const std::string &path, const Origin &here, const std::string &remedy)
   if (const std::string problem = problem_of_text(path); !problem.empty())
     throw InputError(here, "", "'" + path + "' " + problem, "Write it in plain UTF-8");
   std::vector<std::string> names;
-  std::istringstream parts(path + "/");
-  for (std::string part; std::getline(parts, part, '/');)
-    names.push_back(collapse_blanks(part));
+  for (const std::string &part : split_unquoted(path, '/'))
+    names.push_back(without_quotes(collapse_blanks(part)));
   if (std::any_of(names.begin(), names.end(), [](const auto &name) { return name.empty(); }))
     throw InputError(here, "", "'" + path + "' has an empty name", remedy);
   refuse_deep(here, names.size());
@@ -476,7 +486,7 @@ void ParameterText::take(Entry &entry, const std::string &path, const Setting &s
 void ParameterText::set_from_command_line(const std::string &override_text)
 {
   const Origin here{command_line, 0};
-  const std::size_t equals = override_text.find('=');
+  const std::size_t equals = find_unquoted(override_text, "=");
   if (equals == std::string::npos)
     throw InputError(here, "", "'" + override_text + "' has no '='",
                      "Write --set \"Section/Key=value\"");
@@ -490,7 +500,7 @@ void ParameterText::set_from_command_line(const std::string &override_text)
     throw InputError(here, join_path(names),
                      "the value '" + value + "' holds a '#' or ends with a backslash",
                      "Leave it out: in a parameter file it would start a comment or continue "
-                     "the line");
+                     "the line. A name with a '#' stands between double quotes");
   Section *section = &top;
   for (std::size_t i = 0; i + 1 < names.size(); ++i)
     section = &section->get_section(names[i], here);

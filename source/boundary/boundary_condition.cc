@@ -3,6 +3,7 @@
 #include <continua/base/joined.h>
 #include <continua/base/parameter_file.h>
 #include <continua/base/parameter_text.h>
+#include <continua/base/quoted_name.h>
 #include <continua/base/required_entry.h>
 
 #include <algorithm>
@@ -400,7 +401,9 @@ unsigned int index_of(const ParameterSection &section,
                       const std::string &name,
                       const std::vector<std::string> &names)
 {
-  const auto place = std::find(names.begin(), names.end(), name);
+  auto place = std::find(names.begin(), names.end(), name);
+  if (place == names.end())
+    place = std::find(names.begin(), names.end(), without_quotes(collapse_blanks(name)));
   if (place == names.end())
     section.refuse(key, "the geometry has no " + what + " called '" + name + "'",
                    "It has: " + joined(names));

@@ -297,8 +297,7 @@ void check_compared_probes(const Case<dim> &input, const ParameterSection &secti
       input.probes.expected_columns(field_names<dim>(input.problem));
   for (const std::string &text : input.periodic_state.probes)
     if (std::none_of(columns.begin(), columns.end(),
-                     [&text](const ProbeColumnName &column)
-                     { return column.is_meant_by(collapse_blanks(text)); }))
+                     [&text](const ProbeColumnName &column) { return column.is_meant_by(text); }))
     {
       std::vector<std::string> labels;
       labels.reserve(columns.size());

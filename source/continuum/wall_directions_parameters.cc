@@ -24,7 +24,7 @@ std::set<unsigned int> read_boundaries(ParameterSection &section,
   section.add(key, names, text);
   std::set<unsigned int> ids;
   for (const std::string &name : names)
-    ids.insert(find_name(section, key, collapse_blanks(name), boundaries));
+    ids.insert(find_name(section, key, name, boundaries));
   return ids;
 }
 

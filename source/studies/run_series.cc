@@ -5,6 +5,7 @@
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
 #include <continua/base/parameter_text.h>
+#include <continua/base/quoted_name.h>
 #include <continua/base/rank_agreement.h>
 #include <continua/base/version.h>
 #include <continua/postprocess/writing_rank.h>
@@ -27,10 +28,10 @@ namespace
 /// The path of an override "Section/Key=value", without blanks that do not count.
 std::string path_of(const std::string &override_text)
 {
-  std::istringstream parts(override_text.substr(0, override_text.find('=')) + "/");
   std::vector<std::string> names;
-  for (std::string part; std::getline(parts, part, '/');)
-    names.push_back(collapse_blanks(part));
+  for (const std::string &part :
+       split_unquoted(override_text.substr(0, find_unquoted(override_text, "=")), '/'))
+    names.push_back(without_quotes(collapse_blanks(part)));
   return join_path(names);
 }
 

@@ -2,4 +2,4 @@
 # that they need. Two projects use the list: the fuzzers of scripts/attack/fuzz, and the suite, which reads the corpus.
 set(continua_readers parameter_text units csv_table gmsh_file archive)
 set(continua_reader_sources base/archive base/atomic_file base/csv_table base/input_error base/input_file base/nearest_name base/parameter_text
-    base/units mesh/gmsh_file)
+    base/quoted_name base/units mesh/gmsh_file)

@@ -17,7 +17,8 @@ namespace Continua
  * with its file and line), then declared by ParameterSection in deal.II's ParameterHandler, which
  * alone holds the values, checked for leftovers, and printed resolved. Syntax as deal.II's
  * ParameterHandler: `subsection NAME`, `set KEY = VALUE`, `end`, `#` comments, a backslash at the
- * end of a line continues it, and `include FILE` relative to the including file. An entry in an
+ * end of a line continues it, and `include FILE` relative to the including file. A name that has
+ * such a letter stands between double quotes (quoted_name.h). An entry in an
  * including file overrides that of the included one wherever it stands; a key set twice in one file
  * is an error.
  */

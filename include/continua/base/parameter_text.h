@@ -92,12 +92,13 @@ private:
   unsigned int n_statements = 0; ///< of all files, those of a file once for each include
 };
 
-/// Without white space at its ends, and with one blank for each run of it inside.
+/// Without white space at its ends, and with one blank for each run of it inside; what stands
+/// between double quotes stays as it is.
 std::string collapse_blanks(const std::string &text);
 /// Whether a file that sets an entry to this text is read to the same text: no '#' begins a comment
 /// in it, no blank would be lost, it is one line of UTF-8.
 bool can_be_a_value(const std::string &text);
-/// "A/B/C".
+/// "A/B/C", with a name between double quotes where it needs them.
 std::string join_path(const std::vector<std::string> &names);
 } // namespace Continua
 
