@@ -294,7 +294,7 @@ ParameterText::ParameterText(const std::string &path, const std::vector<std::str
     read(path, {}, top, {n_inclusions++}, stack);
   for (const std::string &text : overrides)
   {
-    const bool is_set = text.find('=') != std::string::npos;
+    const bool is_set = find_unquoted(text, "=") != std::string::npos;
     change_list +=
         (change_list.empty() ? "" : ", ") + std::string(is_set ? "--set " : "--unset ") + text;
     if (is_set)

@@ -242,7 +242,14 @@ Case<dim>::Case(ParameterFile &file,
   if (in_time && root.has_subsection("Periodic state"))
     periodic_state.read(root.subsection("Periodic state"));
   output.read(root.subsection("Output"));
-  probes.read(root.subsection("Probes"), problem.boundaries, problem.regions, geometry->branches());
+  for (const NamedInterface &named : geometry->interfaces())
+    if (root.subsection("Boundaries").has_subsection(named.name))
+      root.subsection("Boundaries")
+          .subsection(named.name)
+          .refuse("", "'" + named.name + "' lies between regions, where no condition holds",
+                  "Remove the subsection; probes can name it as an Interface");
+  probes.read(root.subsection("Probes"), problem.boundaries, problem.regions, geometry->branches(),
+              geometry->interfaces());
   read_measured_waves(probes, in_time, measured_waves);
   if (!analysis.is_modal())
     error_norms.read(root.subsection("Exact solution"));

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -16,10 +18,74 @@ namespace Continua
 {
 namespace
 {
-/// gmsh's numbers of the element types: those read, and those that are often met instead.
-constexpr unsigned int type_line = 1, type_triangle = 2, type_quadrilateral = 3,
-                       type_tetrahedron = 4, type_hexahedron = 5, type_prism = 6, type_pyramid = 7,
-                       type_point = 15;
+/// The shapes of gmsh's element types, of any order.
+enum class Shape
+{
+  line,
+  triangle,
+  quadrilateral,
+  tetrahedron,
+  hexahedron,
+  prism,
+  pyramid,
+  other
+};
+
+/// Shape and number of nodes of an element type (gmsh reference manual 4.8, section 9.1, and
+/// GmshDefines.h for the higher orders). The corners come first.
+std::pair<Shape, unsigned int> shape_of_type(const unsigned int type)
+{
+  static const std::map<unsigned int, std::pair<Shape, unsigned int>> table = {
+      {1, {Shape::line, 2}},
+      {8, {Shape::line, 3}},
+      {26, {Shape::line, 4}},
+      {27, {Shape::line, 5}},
+      {28, {Shape::line, 6}},
+      {2, {Shape::triangle, 3}},
+      {9, {Shape::triangle, 6}},
+      {21, {Shape::triangle, 10}},
+      {3, {Shape::quadrilateral, 4}},
+      {10, {Shape::quadrilateral, 9}},
+      {16, {Shape::quadrilateral, 8}},
+      {36, {Shape::quadrilateral, 16}},
+      {37, {Shape::quadrilateral, 25}},
+      {38, {Shape::quadrilateral, 36}},
+      {39, {Shape::quadrilateral, 12}},
+      {40, {Shape::quadrilateral, 16}},
+      {4, {Shape::tetrahedron, 4}},
+      {11, {Shape::tetrahedron, 10}},
+      {29, {Shape::tetrahedron, 20}},
+      {5, {Shape::hexahedron, 8}},
+      {12, {Shape::hexahedron, 27}},
+      {17, {Shape::hexahedron, 20}},
+      {92, {Shape::hexahedron, 64}},
+      {93, {Shape::hexahedron, 125}},
+      {6, {Shape::prism, 6}},
+      {13, {Shape::prism, 18}},
+      {18, {Shape::prism, 15}},
+      {7, {Shape::pyramid, 5}},
+      {14, {Shape::pyramid, 14}},
+      {19, {Shape::pyramid, 13}}};
+  const auto found = table.find(type);
+  return found == table.end() ? std::make_pair(Shape::other, 0u) : found->second;
+}
+
+std::string plural(const Shape shape)
+{
+  switch (shape)
+  {
+  case Shape::triangle:
+    return "triangles";
+  case Shape::tetrahedron:
+    return "tetrahedra";
+  case Shape::prism:
+    return "prisms";
+  case Shape::pyramid:
+    return "pyramids";
+  default:
+    return "";
+  }
+}
 
 /// "Surface", with which a physical group is declared in a .geo file.
 std::string entity_name(const unsigned int dimension)
@@ -80,6 +146,32 @@ bool orient(const std::vector<dealii::Point<dim>> &points, std::vector<unsigned 
   return std::all_of(determinants, determinants + n, is_positive);
 }
 
+/// The names of the groups of a dimension: those of the file, then the numbers of those without
+/// one. `place_of_tag[tag]` becomes the place of the name.
+std::vector<std::string> group_names(const GmshFile &file,
+                                     const unsigned int dimension,
+                                     std::map<int, unsigned int> &place_of_tag)
+{
+  std::vector<std::string> names;
+  for (const GmshFile::Group &group : file.groups)
+    if (group.dimension == dimension && !group.name.empty())
+    {
+      place_of_tag[group.tag] = names.size();
+      names.push_back(group.name);
+    }
+  std::set<int> tags;
+  for (const GmshFile::Block &block : file.blocks)
+    if (block.dimension == dimension && !block.elements.empty())
+      tags.insert(block.groups.begin(), block.groups.end());
+  for (const int tag : tags)
+    if (place_of_tag.count(tag) == 0)
+    {
+      place_of_tag[tag] = names.size();
+      names.push_back(std::to_string(tag));
+    }
+  return names;
+}
+
 std::vector<unsigned int> sorted(std::vector<unsigned int> indices)
 {
   std::sort(indices.begin(), indices.end());
@@ -94,22 +186,38 @@ GmshGeometry<dim>::Parameters::read(ParameterSection geometry, ParameterSection,
   Parameters parameters;
   geometry.add_input_file(
       "File", parameters.file,
-      "Mesh of quadrilaterals or hexahedra: a .msh file of gmsh in format 4.1, ASCII, or a .geo "
-      "file, which is meshed for the run. Its named physical groups are the regions (surfaces; in "
-      "three dimensions volumes) and the boundaries (curves; surfaces)");
+      "Mesh of quadrilaterals or hexahedra: a .msh file of gmsh in ASCII, or a .geo file, which is "
+      "meshed for the run. Its physical groups are the regions (surfaces; in three dimensions "
+      "volumes) and the boundaries (curves; surfaces); a group without a name is called by its "
+      "number");
   geometry.require("File");
   const std::string extension = std::filesystem::path(parameters.file).extension().string();
   if (!parameters.file.empty() && extension != ".msh" && extension != ".geo")
     geometry.refuse("File",
                     "'" + parameters.file + "' is called neither .msh nor .geo, the files of gmsh",
-                    "Give a file of gmsh; it makes one of many others (gmsh FILE -save -format "
-                    "msh41 -o FILE.msh)");
+                    "Give a file of gmsh. It makes one of .unv, .bdf, .vtk, .mesh, .med and .cgns "
+                    "(gmsh FILE -save -format msh41 -o FILE.msh); the Python package meshio makes "
+                    "one of .inp, .e and .vtu (meshio convert -o gmsh22 --ascii FILE FILE.msh)");
   geometry.add("Unit length", parameters.unit_length, Dimensions::length,
                "What a coordinate of 1 in the file means: 1 mm if it is drawn in millimetres [m]",
                Range::positive());
   geometry.add("Meshing time limit", parameters.meshing_time_limit, Dimensions::time,
                "The wall time after which gmsh is stopped that meshes a .geo file [s]",
                Range::positive());
+  geometry.add("Ignored groups", parameters.ignored_groups,
+               "Physical groups of the file that are to be no region and no boundary, such as one "
+               "that lies on other ones; empty: none");
+  geometry.add("Ungrouped cells", parameters.ungrouped_cells,
+               "The region of the cells that belong to no physical group; empty: each cell must "
+               "belong to one");
+  geometry.add("Ungrouped faces", parameters.ungrouped_faces,
+               "The boundary of the faces on the outside that belong to no physical group; empty: "
+               "each must belong to one");
+  geometry.add(
+      "Straighten curved elements", parameters.straightens,
+      "Whether of elements of second or higher order the corners are taken, between which "
+      "the cells are straight; the nodes between the corners are left out. Without it such "
+      "elements are refused");
   return parameters;
 }
 
@@ -124,7 +232,8 @@ GmshGeometry<dim>::GmshGeometry(const Parameters &parameters, const bool axisymm
     boundary_names = {"those of " + std::string(dim == 2 ? "curves" : "surfaces")};
     return;
   }
-  const GmshFile file = read_file(parameters.file, dim, parameters.meshing_time_limit);
+  GmshFile file = read_file(parameters.file, dim, parameters.meshing_time_limit);
+  ignore_groups(file);
   check_elements(file);
   set_vertices(file, axisymmetric);
   set_cells(file);
@@ -143,6 +252,12 @@ template <int dim>
 std::vector<std::string> GmshGeometry<dim>::boundaries() const
 {
   return boundary_names;
+}
+
+template <int dim>
+std::vector<NamedInterface> GmshGeometry<dim>::interfaces() const
+{
+  return named_interfaces;
 }
 
 template <int dim>
@@ -172,10 +287,43 @@ void GmshGeometry<dim>::refuse(const unsigned int line,
 }
 
 template <int dim>
-void GmshGeometry<dim>::check_elements(const GmshFile &file) const
+void GmshGeometry<dim>::ignore_groups(GmshFile &file) const
+{
+  for (const std::string &name : parameters.ignored_groups)
+  {
+    bool exists = false;
+    for (const unsigned int dimension : {dim - 1, dim})
+    {
+      std::map<int, unsigned int> place_of_tag;
+      const std::vector<std::string> known = group_names(file, dimension, place_of_tag);
+      for (const auto &[tag, place] : place_of_tag)
+        if (known[place] == name)
+        {
+          exists = true;
+          for (GmshFile::Block &block : file.blocks)
+            if (block.dimension == dimension)
+              block.groups.erase(std::remove(block.groups.begin(), block.groups.end(), tag),
+                                 block.groups.end());
+          file.groups.erase(std::remove_if(file.groups.begin(), file.groups.end(),
+                                           [dimension, &name](const auto &group) {
+                                             return group.dimension == dimension &&
+                                                    group.name == name;
+                                           }),
+                            file.groups.end());
+        }
+    }
+    if (!exists)
+      refuse(0,
+             "the mesh has no physical group '" + name + "' that 'Ignored groups' could leave out",
+             "Correct the name, or remove it from 'Ignored groups'");
+  }
+}
+
+template <int dim>
+void GmshGeometry<dim>::check_elements(GmshFile &file) const
 {
   bool has_cells = false;
-  for (const GmshFile::Block &block : file.blocks)
+  for (GmshFile::Block &block : file.blocks)
   {
     if (block.dimension > dim)
       refuse(block.line, "the mesh is three-dimensional, the Model is not",
@@ -185,31 +333,40 @@ void GmshGeometry<dim>::check_elements(const GmshFile &file) const
     has_cells = has_cells || block.dimension == dim;
     const std::string where =
         " (" + entity_name(block.dimension) + " " + std::to_string(block.entity) + ")";
-    if (block.type == type_triangle || block.type == type_tetrahedron || block.type == type_prism ||
-        block.type == type_pyramid)
+    const auto [shape, n_nodes] = shape_of_type(block.type);
+    if (const std::string unfit = plural(shape); !unfit.empty())
       refuse(block.line,
-             std::string("the mesh has ") +
-                 (block.type == type_triangle      ? "triangles"
-                  : block.type == type_tetrahedron ? "tetrahedra"
-                  : block.type == type_prism       ? "prisms"
-                                                   : "pyramids") +
-                 where + "; Continua needs " + (dim == 2 ? "quadrilaterals" : "hexahedra"),
+             "the mesh has " + unfit + where + "; Continua needs " +
+                 (dim == 2 ? "quadrilaterals" : "hexahedra"),
              std::string("In the .geo file, make the ") +
                  (dim == 2 ? "surfaces Transfinite and 'Mesh.RecombineAll = 1;', or set "
                              "'Mesh.SubdivisionAlgorithm = 1;'"
                            : "surfaces and volumes Transfinite and 'Mesh.RecombineAll = 1;', or "
                              "set 'Mesh.SubdivisionAlgorithm = 2;'"));
-    const unsigned int type = block.dimension == 1   ? type_line
-                              : block.dimension == 2 ? type_quadrilateral
-                                                     : type_hexahedron;
-    const std::size_t n_vertices = std::size_t(1) << block.dimension;
-    if (block.type != type ||
+    const Shape wanted = block.dimension == 1   ? Shape::line
+                         : block.dimension == 2 ? Shape::quadrilateral
+                                                : Shape::hexahedron;
+    // A copy: a lambda cannot capture what a structured binding names.
+    const unsigned int n_in_file = n_nodes;
+    if (shape != wanted ||
         std::any_of(block.elements.begin(), block.elements.end(),
-                    [&](const auto &element) { return element.size() != n_vertices; }))
+                    [n_in_file](const auto &element) { return element.size() != n_in_file; }))
+      refuse(block.line,
+             "the mesh has elements of gmsh's type " + std::to_string(block.type) + where +
+                 ", which Continua does not know",
+             "Write the file with gmsh again, with elements of first order");
+    const std::size_t n_vertices = std::size_t(1) << block.dimension;
+    if (n_nodes == n_vertices)
+      continue;
+    if (!parameters.straightens)
       refuse(block.line,
              "the mesh has elements of gmsh's type " + std::to_string(block.type) + where +
                  ", which are not straight-sided (of first order)",
-             "Set 'Mesh.ElementOrder = 1;' in the .geo file; small cells follow a curved wall");
+             "Set 'Straighten curved elements = true': the cells are straight between the corners, "
+             "and small cells follow a curved wall. With the .geo file: remove "
+             "'Mesh.ElementOrder' or set it to 1");
+    for (std::vector<unsigned int> &element : block.elements)
+      element.resize(n_vertices);
   }
   if (!has_cells)
     refuse(0,
@@ -226,42 +383,38 @@ std::vector<std::string> GmshGeometry<dim>::names(const GmshFile &file,
                                                   const unsigned int dimension,
                                                   std::map<int, unsigned int> &place_of_tag) const
 {
-  std::vector<std::string> names;
+  const std::string kind = "Physical " + entity_name(dimension);
+  std::vector<std::string> names = group_names(file, dimension, place_of_tag);
   for (const GmshFile::Group &group : file.groups)
-    if (group.dimension == dimension)
-    {
-      const std::string kind = "Physical " + entity_name(dimension);
-      if (group.name.empty())
-        refuse(group.line, kind + " " + std::to_string(group.tag) + " has an empty name",
-               "Write " + kind + "(\"NAME\") = {...};");
-      if (std::find(names.begin(), names.end(), group.name) != names.end())
-        refuse(group.line,
-               "two physical groups of " + entity_name(dimension) + "s have the name '" +
-                   group.name + "'",
-               "Name each once, with all its entities");
-      place_of_tag[group.tag] = names.size();
-      names.push_back(group.name);
-    }
+    if (group.dimension == dimension && std::count(names.begin(), names.end(), group.name) > 1)
+      refuse(group.line,
+             "two physical groups of " + entity_name(dimension) + "s have the name '" + group.name +
+                 "', or one the name and one the number",
+             "Name each once, with all its entities");
 
   // Each element must belong to one of them, but not every curve of a mesh is of interest.
+  const bool names_the_rest = dimension == dim && !parameters.ungrouped_cells.empty();
   for (const GmshFile::Block &block : file.blocks)
     if (block.dimension == dimension && !block.elements.empty())
     {
       const std::string where = " (" + entity_name(dimension) + " " + std::to_string(block.entity) +
                                 ", at " + middle(block.elements.front()) + ")";
-      const std::string kind = "Physical " + entity_name(dimension);
-      if (block.groups.empty() && dimension == dim)
+      if (block.groups.empty() && dimension == dim && !names_the_rest)
         refuse(block.line, "a cell belongs to no physical group" + where,
-               "Declare " + kind + "(\"NAME\") = {" + std::to_string(block.entity) + "};");
+               "Declare " + kind + "(\"NAME\") = {" + std::to_string(block.entity) +
+                   "}; in the .geo file, or set 'Ungrouped cells = NAME': the region of all such "
+                   "cells");
       if (block.groups.size() > 1)
+      {
+        std::string list;
+        for (const int tag : block.groups)
+          list += (list.empty() ? "'" : ", '") + names[place_of_tag.at(tag)] + "'";
         refuse(block.line,
-               "an element belongs to " + std::to_string(block.groups.size()) + " physical groups" +
-                   where,
-               "Keep it in one");
-      for (const int tag : block.groups)
-        if (place_of_tag.count(tag) == 0)
-          refuse(block.line, kind + " " + std::to_string(tag) + " has no name" + where,
-                 "Write " + kind + "(\"NAME\") = {...};");
+               "an element belongs to " + std::to_string(block.groups.size()) +
+                   " physical groups, " + list + where,
+               "Keep it in one of them: set 'Ignored groups = ' to the names of the others, or "
+               "take the entity out of them in the .geo file");
+      }
     }
   for (const GmshFile::Group &group : file.groups)
     if (group.dimension == dimension && std::none_of(file.blocks.begin(), file.blocks.end(),
@@ -272,8 +425,24 @@ std::vector<std::string> GmshGeometry<dim>::names(const GmshFile &file,
                                                               block.groups.front() == group.tag;
                                                      }))
       refuse(group.line, "the physical group '" + group.name + "' has no elements",
-             "Give it the entities that are meant, or remove it");
+             "Give it the entities that are meant, remove it, or set 'Ignored groups = " +
+                 group.name + "'");
+  if (names_the_rest && std::any_of(file.blocks.begin(), file.blocks.end(),
+                                    [](const GmshFile::Block &block)
+                                    { return block.dimension == dim && block.groups.empty(); }))
+    names.push_back(name_of_rest("Ungrouped cells", parameters.ungrouped_cells, names));
   return names;
+}
+
+template <int dim>
+std::string GmshGeometry<dim>::name_of_rest(const std::string &entry,
+                                            const std::string &name,
+                                            const std::vector<std::string> &names) const
+{
+  if (std::find(names.begin(), names.end(), name) != names.end())
+    refuse(0, "the name '" + name + "' of '" + entry + "' is that of a physical group",
+           "Give another name");
+  return name;
 }
 
 template <int dim>
@@ -322,65 +491,124 @@ void GmshGeometry<dim>::set_cells(const GmshFile &file)
                  "Look at the mesh with gmsh, and make it better there");
         dealii::CellData<dim> cell;
         cell.vertices.assign(rows.begin(), rows.end());
-        cell.material_id = region_of_tag.at(block.groups.front());
+        // What is in no group has the last name.
+        cell.material_id =
+            block.groups.empty() ? region_names.size() - 1 : region_of_tag.at(block.groups.front());
         cells.push_back(cell);
       }
 }
 
 template <int dim>
-void GmshGeometry<dim>::set_faces(const GmshFile &file)
+typename GmshGeometry<dim>::Faces GmshGeometry<dim>::faces_of_cells() const
 {
-  std::map<int, unsigned int> boundary_of_tag;
-  boundary_names = names(file, dim - 1, boundary_of_tag);
-
-  // How many cells have a face, by its vertices; then whether an outer face has a name.
-  std::map<std::vector<unsigned int>, unsigned int> n_cells_of_face;
-  for (const dealii::CellData<dim> &cell : cells)
+  Faces result;
+  for (unsigned int c = 0; c < cells.size(); ++c)
     for (const unsigned int f : dealii::GeometryInfo<dim>::face_indices())
     {
-      std::vector<unsigned int> face;
+      std::vector<unsigned int> rows;
       for (unsigned int v = 0; v < dealii::GeometryInfo<dim>::vertices_per_face; ++v)
-        face.push_back(cell.vertices[dealii::GeometryInfo<dim>::face_to_cell_vertices(f, v)]);
-      if (++n_cells_of_face[sorted(face)] > 2)
-        refuse(0, "more than two cells share the face at " + middle(face),
+        rows.push_back(cells[c].vertices[dealii::GeometryInfo<dim>::face_to_cell_vertices(f, v)]);
+      Face &face = result[sorted(rows)];
+      face.rows = rows;
+      face.regions.insert(cells[c].material_id);
+      if (++face.n_cells > 2)
+        refuse(0, "more than two cells share the face at " + middle(rows),
                "Remove the cells that are there twice");
     }
+  return result;
+}
 
+template <int dim>
+void GmshGeometry<dim>::add_boundary_face(const std::vector<unsigned int> &rows,
+                                          const unsigned int boundary)
+{
+  dealii::CellData<dim - 1> data;
+  data.vertices.assign(rows.begin(), rows.end());
+  data.boundary_id = boundary;
+  if constexpr (dim == 2)
+    faces.boundary_lines.push_back(data);
+  else
+    faces.boundary_quads.push_back(data);
+}
+
+template <int dim>
+void GmshGeometry<dim>::set_faces(const GmshFile &file)
+{
+  std::map<int, unsigned int> place_of_tag;
+  const std::vector<std::string> groups = names(file, dim - 1, place_of_tag);
+  Faces faces_of_body = faces_of_cells();
+  const auto sides = [](const Face &face)
+  { return std::make_pair(*face.regions.begin(), *face.regions.rbegin()); };
+  std::map<std::pair<unsigned int, unsigned int>, unsigned int> n_faces_between;
+  for (const auto &[vertices_of_face, face] : faces_of_body)
+    if (face.regions.size() == 2)
+      ++n_faces_between[sides(face)];
+
+  // By group: the faces on the outside, and how many there are between each two regions.
+  std::vector<std::vector<std::vector<unsigned int>>> outside(groups.size());
+  std::vector<std::map<std::pair<unsigned int, unsigned int>, unsigned int>> inside(groups.size());
   for (const GmshFile::Block &block : file.blocks)
     if (block.dimension == dim - 1 && !block.groups.empty())
       for (const std::vector<unsigned int> &element : block.elements)
       {
-        const unsigned int boundary = boundary_of_tag.at(block.groups.front());
-        const auto face = n_cells_of_face.find(sorted(element));
-        if (face == n_cells_of_face.end() || face->second != 1)
+        const unsigned int group = place_of_tag.at(block.groups.front());
+        const auto found = faces_of_body.find(sorted(element));
+        const bool is_outside = found != faces_of_body.end() && found->second.n_cells == 1;
+        if (!is_outside && (found == faces_of_body.end() || found->second.regions.size() == 1))
           refuse(block.line,
-                 "the physical group '" + boundary_names[boundary] +
-                     "' is not on the outside (at " + middle(element) + ")",
-                 "Take the " + entity_name(dim - 1) + " " + std::to_string(block.entity) +
-                     " out of the group; the interface between two regions needs no name");
-        n_cells_of_face.erase(face);
-        dealii::CellData<dim - 1> data;
-        data.boundary_id = boundary;
-        if constexpr (dim == 2)
-        {
-          data.vertices.assign(element.begin(), element.end());
-          faces.boundary_lines.push_back(data);
-        }
+                 "the physical group '" + groups[group] +
+                     "' is neither on the outside nor between two regions (at " + middle(element) +
+                     ")",
+                 "Set 'Ignored groups = " + groups[group] + "', or take the " +
+                     entity_name(dim - 1) + " " + std::to_string(block.entity) +
+                     " out of the group in the .geo file");
+        if (is_outside)
+          outside[group].push_back(found->second.rows);
         else
-        {
-          const std::vector<unsigned int> rows = in_rows<2>(element);
-          data.vertices.assign(rows.begin(), rows.end());
-          faces.boundary_quads.push_back(data);
-        }
+          ++inside[group][sides(found->second)];
+        if (!outside[group].empty() && !inside[group].empty())
+          refuse(block.line,
+                 "the physical group '" + groups[group] +
+                     "' is partly on the outside and partly between two regions (here " +
+                     (is_outside ? "on the outside" : "between two regions") + ", at " +
+                     middle(element) + ")",
+                 "Make two groups of it in the .geo file, or set 'Ignored groups = " +
+                     groups[group] + "' and 'Ungrouped faces = NAME'");
+        faces_of_body.erase(found);
       }
-  for (const auto &[face, n_cells] : n_cells_of_face)
-    if (n_cells == 1)
-      refuse(0, "the face at " + middle(face) + " on the outside belongs to no physical group",
+
+  for (std::size_t group = 0; group < groups.size(); ++group)
+    if (!outside[group].empty())
+    {
+      for (const std::vector<unsigned int> &rows : outside[group])
+        add_boundary_face(rows, boundary_names.size());
+      boundary_names.push_back(groups[group]);
+    }
+    else
+    {
+      named_interfaces.push_back({groups[group], {}});
+      for (const auto &[pair, n] : inside[group])
+        named_interfaces.back().sides[pair] = n == n_faces_between.at(pair);
+    }
+
+  bool has_rest = false;
+  for (const auto &[vertices_of_face, face] : faces_of_body)
+  {
+    if (face.n_cells != 1)
+      continue;
+    if (parameters.ungrouped_faces.empty())
+      refuse(0, "the face at " + middle(face.rows) + " on the outside belongs to no physical group",
              "Put it into a Physical " + entity_name(dim - 1) +
-                 ", and if it is not meant to be outside, see that its other side is in a "
+                 " in the .geo file, or set 'Ungrouped faces = NAME': the boundary of all such "
+                 "faces. If it is not meant to be outside, see that its other side is in a "
                  "Physical " +
                  entity_name(dim) + " and shares its " + (dim == 2 ? "curve" : "surface") +
                  " ('Coherence;')");
+    if (!has_rest)
+      boundary_names.push_back(name_of_rest("Ungrouped faces", parameters.ungrouped_faces, groups));
+    has_rest = true;
+    add_boundary_face(face.rows, boundary_names.size() - 1);
+  }
 }
 
 template <int dim>

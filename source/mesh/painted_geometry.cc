@@ -89,6 +89,12 @@ std::vector<std::string> PaintedGeometry<dim>::boundaries() const
 }
 
 template <int dim>
+std::vector<NamedInterface> PaintedGeometry<dim>::interfaces() const
+{
+  return {};
+}
+
+template <int dim>
 void PaintedGeometry<dim>::create(dealii::Triangulation<dim> &triangulation) const
 {
   unpainted->create(triangulation);

@@ -1,6 +1,7 @@
 #include <continua/postprocess/probe_entries.h>
 
 #include <continua/base/input_error.h>
+#include <continua/base/joined.h>
 #include <continua/base/name_choice.h>
 #include <continua/base/parameter_text.h>
 #include <continua/continuum/field_list.h>
@@ -174,7 +175,8 @@ void ProbeEntries<dim>::read_entries()
       "Interface", interface,
       "Instead of a point: the names of two regions that meet. Values are those of the side "
       "of the first region, which has the further fields of a Boundary there; its force is "
-      "that of the first region on the second");
+      "that of the first region on the second. Or the name of an interface, which a mesh of gmsh "
+      "may give: values are then those of the side of Region");
   section.add(
       "Section", position, Dimensions::length,
       "Instead of a point: the plane x = Section through the undeformed body, or its Region "
@@ -230,9 +232,10 @@ void ProbeEntries<dim>::check_entries()
                   [](const std::string &field) { return is_force(collapse_blanks(field)); }))
     section.refuse("Fields", "a force is that on a boundary",
                    "Give Boundary instead of " + word_of(place_words(), place));
+  const bool names_interface = place == Place::interface && interface.size() == 1;
   if (asks_for_forces())
     for (const char *key : {"Value", "Region", "Reference boundary", "Sign changes"})
-      if (section.given(key))
+      if (section.given(key) && !(names_interface && key == std::string("Region")))
         section.refuse(key, "the force is that of the whole body on the whole boundary",
                        "Leave the entry out, and give other fields a probe of their own");
   if ((place == Place::point || place == Place::stations) && section.given("Value"))
@@ -243,7 +246,7 @@ void ProbeEntries<dim>::check_entries()
                        word_of(place_words(), place));
   if (place == Place::stations && section.given("Region"))
     section.refuse("Region", "the region of stations is the fluid", "Set Fluid instead");
-  if (place == Place::interface && section.given("Region"))
+  if (place == Place::interface && !names_interface && section.given("Region"))
     section.refuse("Region", "the side of an interface is that of its first region",
                    "Leave the entry out");
   if (place == Place::volume && section.given("Region"))
@@ -336,12 +339,77 @@ template <int dim>
 ProbeEntries<dim>::ProbeEntries(const ParameterSection &section,
                                 const std::vector<std::string> &known_boundaries,
                                 const std::vector<std::string> &known_regions,
-                                const std::vector<VesselBranch<dim>> &branches)
+                                const std::vector<VesselBranch<dim>> &branches,
+                                const std::vector<NamedInterface> &interfaces)
     : section(section)
 {
   read_entries();
   check_entries();
-  set_requests(known_boundaries, known_regions, branches);
+  set_requests(known_boundaries, known_regions, branches, interfaces);
+}
+
+template <int dim>
+void ProbeEntries<dim>::refuse_interfaces(const std::string &key,
+                                          const std::vector<std::string> &names,
+                                          const std::vector<NamedInterface> &interfaces) const
+{
+  for (const NamedInterface &known : interfaces)
+    if (std::find(names.begin(), names.end(), known.name) != names.end())
+      section.refuse(key, "'" + known.name + "' lies between regions, not on the outside",
+                     "Write 'set Interface = " + known.name +
+                         "', with the region on whose side the fields are taken as Region");
+}
+
+template <int dim>
+void ProbeEntries<dim>::set_interface(const std::vector<std::string> &known_regions,
+                                      const std::vector<NamedInterface> &interfaces)
+{
+  if (interface.size() == 2)
+  {
+    request.region_ids = {find_name(section, "Interface", interface[0], known_regions)};
+    request.neighbour_ids = {find_name(section, "Interface", interface[1], known_regions)};
+    if (request.region_ids == request.neighbour_ids)
+      section.refuse("Interface", "a region has no interface with itself", "Name two regions");
+    return;
+  }
+  if (interface.size() > 2 || interfaces.empty())
+    section.refuse("Interface",
+                   "an interface is that of two regions, here are " +
+                       std::to_string(interface.size()),
+                   "Write for example 'set Interface = fluid, wall'");
+  std::vector<std::string> names;
+  for (const NamedInterface &known : interfaces)
+    names.push_back(known.name);
+  const NamedInterface &named = interfaces[find_name(section, "Interface", interface[0], names,
+                                                     "the mesh has no interface '")];
+  std::set<unsigned int> ids;
+  for (const auto &[pair, is_whole] : named.sides)
+    ids.insert({pair.first, pair.second});
+  std::vector<std::string> regions;
+  for (const unsigned int id : ids)
+    regions.push_back(known_regions[id]);
+  if (region.empty())
+    section.refuse("Interface", "it is not said on which side of '" + named.name + "' to look",
+                   "Set Region to one of: " + joined(regions));
+  const unsigned int id = find_name(section, "Region", region, known_regions);
+  for (const auto &[pair, is_whole] : named.sides)
+  {
+    if (pair.first != id && pair.second != id)
+      continue;
+    const unsigned int other = pair.first == id ? pair.second : pair.first;
+    if (!is_whole)
+      section.refuse("Interface",
+                     "'" + named.name + "' is only a part of what lies between the regions '" +
+                         known_regions[id] + "' and '" + known_regions[other] + "'",
+                     "Give the cells on one side of it a region of their own, or write 'set "
+                     "Interface = " +
+                         known_regions[id] + ", " + known_regions[other] + "' for the whole");
+    request.neighbour_ids.insert(other);
+  }
+  if (request.neighbour_ids.empty())
+    section.refuse("Region",
+                   "the region '" + known_regions[id] + "' is on no side of '" + named.name + "'",
+                   "Set it to one of: " + joined(regions));
 }
 
 template <int dim>
@@ -352,18 +420,18 @@ void ProbeEntries<dim>::set_boundaries(const std::string &key,
 {
   for (const std::string &word : names)
   {
-    const std::string name = collapse_blanks(word);
-    const unsigned int id = find_name(section, key, name, known);
+    const unsigned int id = find_name(section, key, word, known);
     if (!of_place.boundary_ids.insert(id).second)
-      section.refuse(key, "'" + name + "' stands there twice", "Name it once");
-    names_of_boundaries[id] = name;
+      section.refuse(key, "'" + word + "' stands there twice", "Name it once");
+    names_of_boundaries[id] = known[id];
   }
 }
 
 template <int dim>
 void ProbeEntries<dim>::set_requests(const std::vector<std::string> &known_boundaries,
                                      const std::vector<std::string> &known_regions,
-                                     const std::vector<VesselBranch<dim>> &branches)
+                                     const std::vector<VesselBranch<dim>> &branches,
+                                     const std::vector<NamedInterface> &interfaces)
 {
   using Kind = typename ProbeRequest<dim>::Kind;
   const bool mean = value == Value::mean;
@@ -381,22 +449,14 @@ void ProbeEntries<dim>::set_requests(const std::vector<std::string> &known_bound
     break;
   case Place::boundary:
     request.kind = mean ? Kind::boundary_mean : Kind::boundary_integral;
+    refuse_interfaces("Boundary", boundaries, interfaces);
+    refuse_interfaces("Reference boundary", reference_boundaries, interfaces);
     set_boundaries("Boundary", boundaries, known_boundaries, request);
     set_boundaries("Reference boundary", reference_boundaries, known_boundaries, reference);
     break;
   case Place::interface:
     request.kind = mean ? Kind::boundary_mean : Kind::boundary_integral;
-    if (interface.size() != 2)
-      section.refuse("Interface",
-                     "an interface is that of two regions, here are " +
-                         std::to_string(interface.size()),
-                     "Write for example 'set Interface = fluid, wall'");
-    request.region_ids = {
-        find_name(section, "Interface", collapse_blanks(interface[0]), known_regions)};
-    request.neighbour_ids = {
-        find_name(section, "Interface", collapse_blanks(interface[1]), known_regions)};
-    if (request.region_ids == request.neighbour_ids)
-      section.refuse("Interface", "a region has no interface with itself", "Name two regions");
+    set_interface(known_regions, interfaces);
     break;
   case Place::section:
     request.kind = mean ? Kind::section_mean : Kind::section_integral;

@@ -1,6 +1,8 @@
 #include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/base/misfit.h>
+#include <continua/base/parameter_text.h>
+#include <continua/base/quoted_name.h>
 #include <continua/postprocess/probes.h>
 
 #include <continua/postprocess/writing_rank.h>
@@ -43,7 +45,8 @@ template <int dim>
 void Probes<dim>::read(ParameterSection section,
                        const std::vector<std::string> &boundaries,
                        const std::vector<std::string> &regions,
-                       const std::vector<VesselBranch<dim>> &branches)
+                       const std::vector<VesselBranch<dim>> &branches,
+                       const std::vector<NamedInterface> &interfaces)
 {
   for (const std::string &name : section.subsections())
   {
@@ -51,12 +54,15 @@ void Probes<dim>::read(ParameterSection section,
     if (name.find('/') != std::string::npos)
       child.refuse("", "the name of a probe has a '/', which files cannot have in their names",
                    "Call it otherwise");
+    if (collapse_blanks(name) != name && without_quotes(name) == name)
+      child.refuse("", "the name of a probe has blanks at an end, or several together",
+                   "Write it without them");
     if (name.size() > longest_name)
       child.refuse("",
                    "the name of a probe has " + std::to_string(name.size()) +
                        " bytes, and files are named after it, whose names end at 255",
                    "Give it a name of " + std::to_string(longest_name) + " bytes or less");
-    probes.emplace_back(child, boundaries, regions, branches);
+    probes.emplace_back(child, boundaries, regions, branches, interfaces);
     const Stations<dim> &stations = probes.back().stations;
     if (stations.given())
       stations_probes.push_back(

@@ -51,9 +51,59 @@ UNIT_TEST(gmsh_file)
                    .name,
                "around it");
 
+  check::equal("comments before the format, and a group of no dimension",
+               read("$Comments\n$MeshFormat?\n$EndComments\n" +
+                    meshes::with(squares, "0 9 \"a point\"", "-1 1 \"none\""))
+                   .groups[1]
+                   .name,
+               "around it");
+
   refused("empty", "", "0?.*no mesh file");
   refused("another file", "Point(1) = {0, 0, 0};\n", "1: 'Geometry/File'.*-format msh41");
-  refused("version 2", meshes::with(squares, "4.1 0 8", "2.2 0 8"), "2:.*'2.2 0 8'.*-format msh41");
+  const GmshFile second = read(meshes::squares_2);
+  check::absolute("MSH 2: points", second.points.size(), 6., 0.);
+  check::absolute("MSH 2: blocks", second.blocks.size(), 6., 0.);
+  check::is_true("MSH 2: a group without a name", second.blocks[2].groups == std::vector<int>{4} &&
+                                                      second.blocks[2].elements.size() == 4);
+  check::is_true("MSH 2: no group", second.blocks[3].groups.empty());
+  check::is_true("MSH 2: further tags",
+                 second.blocks[4].elements[0] == std::vector<unsigned int>({0, 1, 4, 3}));
+  // gmsh writes the elements of an entity once for each of its groups.
+  const GmshFile twice = read(
+      meshes::with(meshes::with(meshes::squares_2, "$Elements\n9\n", "$Elements\n10\n"),
+                   "9 3 2 8 2 12 13 16 15\n", "9 3 2 8 2 12 13 16 15\n10 3 2 9 2 12 13 16 15\n"));
+  check::is_true("MSH 2: an element in two groups",
+                 twice.blocks.size() == 6 && twice.blocks[5].groups == std::vector<int>({8, 9}) &&
+                     twice.blocks[5].elements.size() == 1);
+  refused("MSH 2: an element twice",
+          meshes::with(meshes::with(meshes::squares_2, "$Elements\n9\n", "$Elements\n10\n"),
+                       "9 3 2 8 2 12 13 16 15\n",
+                       "9 3 2 8 2 12 13 16 15\n10 3 2 8 2 12 13 16 15\n"),
+          "30:.*twice");
+  refused("MSH 2: too short",
+          meshes::with(meshes::squares_2, "8 3 4 7 1 1 2 11 12 15 14", "8 3 4 7"),
+          "28:.*too short");
+  for (const auto &[name, text] :
+       {std::make_pair("MSH 4.0", meshes::square_4), std::make_pair("MSH 1", meshes::square_1)})
+  {
+    const GmshFile old = read(text);
+    check::is_true(name, old.points.size() == 4 && old.points[2][1] == 1. &&
+                             old.blocks.size() == 2 && old.blocks[0].elements.size() == 4 &&
+                             old.blocks[0].groups == std::vector<int>{3} &&
+                             old.blocks[1].groups == std::vector<int>{100} &&
+                             old.blocks[1].entity == 6 &&
+                             old.blocks[1].elements[0] == std::vector<unsigned int>({0, 1, 2, 3}));
+  }
+  // Two partitions: the lines of the points have three coordinates, those of the others six.
+  const GmshFile partitioned = read(
+      meshes::with(meshes::with(squares, "$Nodes",
+                                "$PartitionedEntities\n2\n1\n5 1\n1 1 1 0\n7 0 1 2 1 2 0 0 0 1 9\n"
+                                "7 1 2 1 1 0 0 0 2 0 0 1 -3 0\n7 2 1 1 2 0 0 0 1 1 0 1 7 0\n"
+                                "$EndPartitionedEntities\n$Nodes"),
+                   "2 1 3 1\n9 11 12 15 14", "2 7 3 1\n9 11 12 15 14"));
+  check::is_true("partitioned", partitioned.blocks[5].groups == std::vector<int>{7});
+
+  refused("version 5", meshes::with(squares, "4.1 0 8", "5 0 8"), "2:.*'5 0 8'.*-format msh41");
   refused("binary", meshes::with(squares, "4.1 0 8", "4.1 1 8"), "2:.*binary.*-format msh41");
   refused("no number", meshes::with(squares, "2 1 0\n", "2 l 0\n"), "38:.*'2 l 0'.*numbers");
   refused("too few numbers", meshes::with(squares, "2 1 0\n", "2 1\n"), "38:.*3 numbers");
@@ -76,8 +126,8 @@ UNIT_TEST(gmsh_file)
           "17:.*whole numbers");
   refused("escape in a name", meshes::with(squares, "\"fluid\"", "\"\x1b[2J\""),
           "9:.*control character 0x1b");
-  refused("partitioned",
+  refused("partitioned, and damaged",
           meshes::with(squares, "$Nodes", "$PartitionedEntities\n$EndPartitionedEntities\n$Nodes"),
-          "23:.*partition");
+          "24:.*numbers");
 }
 } // namespace test_of_gmsh_file

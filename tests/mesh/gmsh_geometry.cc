@@ -31,6 +31,18 @@ void refused(const std::string &name,
   check::throws<InputError>(
       name, [&] { make<dim>(text, 1., axisymmetric); }, "^x.msh:.*'Geometry/File'.*" + pattern);
 }
+
+/// With the entries that name what is in no group, or leave groups and curvature out.
+GmshGeometry<2> make_with(const std::string &text,
+                          const std::vector<std::string> &ignored_groups,
+                          const std::string &ungrouped_cells = "",
+                          const std::string &ungrouped_faces = "",
+                          const bool straightens = false)
+{
+  std::ofstream("x.msh") << text;
+  return GmshGeometry<2>(
+      {"x.msh", 1., 600., ignored_groups, ungrouped_cells, ungrouped_faces, straightens}, false);
+}
 } // namespace
 
 UNIT_TEST(gmsh_geometry)
@@ -65,27 +77,72 @@ UNIT_TEST(gmsh_geometry)
              "tetrahedra .Volume 1.*hexahedra.*SubdivisionAlgorithm = 2");
   refused("second order",
           with(squares, "2 1 3 1\n9 11 12 15 14", "2 1 10 1\n9 11 12 15 14 11 12 15 14 11"),
-          "type 10.*ElementOrder = 1");
+          "type 10.*'Straighten curved elements = true'");
   refused("volumes in the plane", meshes::block, "Model");
   refused<3>("no volumes", squares, "no hexahedra.*Physical Volume.*gmsh -3");
   refused("cell without group", with(squares, "1 0 0 0 1 1 0 1 7 0", "1 0 0 0 1 1 0 0 0"),
-          "no physical group .Surface 1, at x = 0.5, y = 0.5.*Physical Surface");
+          "no physical group .Surface 1, at x = 0.5, y = 0.5.*Physical Surface.*Ungrouped cells");
   refused("face without group", with(squares, "3 0 0 0 2 1 0 1 4 0", "3 0 0 0 2 1 0 0 0"),
           "'around it' has no elements");
-  refused("face without element", with(squares, "5 16 15\n6 15 14\n", "5 16 15\n6 16 15\n"),
-          "'around it' is not on the outside");
-  refused("a hole in the boundary", with(with(squares, "1 3 1 4", "1 3 1 3"), "6 15 14\n", ""),
-          "face at x = 0.5, y = 1 on the outside.*Physical Curve");
-  refused("a name inside", with(squares, "4 1 0 0 1 1 0 0 0", "4 1 0 0 1 1 0 1 4 0"),
-          "'around it' is not on the outside .at x = 1, y = 0.5.*Curve 4");
-  refused("unnamed region", with(squares, "2 7 \"fluid\"", "2 6 \"fluid\""),
-          "Physical Surface 7 has no name");
-  refused("unnamed boundary", with(squares, "1 3 \"below\"", "1 2 \"below\""),
-          "Physical Curve 3 has no name");
-  refused("empty name", with(squares, "\"fluid\"", "\"\""), "Physical Surface 7 has an empty name");
+  refused(
+      "face without element", with(squares, "5 16 15\n6 15 14\n", "5 16 15\n6 16 15\n"),
+      "'around it' is neither on the outside nor between two regions.*'Ignored groups = around");
+  const std::string hole = with(with(squares, "1 3 1 4", "1 3 1 3"), "6 15 14\n", "");
+  refused("a hole in the boundary", hole,
+          "face at x = 0.5, y = 1 on the outside.*Physical Curve.*'Ungrouped faces = NAME'");
+  refused("outside and inside", with(squares, "4 1 0 0 1 1 0 0 0", "4 1 0 0 1 1 0 1 4 0"),
+          "'around it' is partly on the outside.*here between two regions, at x = 1, y = 0.5");
   refused("name twice", with(squares, "\"fluid\"", "\"wall\""), "two .* Surfaces .*'wall'");
+  refused("name and number", with(squares, "2 7 \"fluid\"", "2 6 \"7\""),
+          "two .* Surfaces .*'7', or one the name and one the number");
+
+  // A number is a name, in the order of the numbers behind the names.
+  const measures::Measures<2> numbered(
+      make<2>(with(with(squares, "6\n0 9 \"a point\"\n1 3 \"below\"", "5\n0 9 \"a point\""),
+                   "\"fluid\"", "\"\"")));
+  check::relative("number of a region", numbered.region("7"), 1., 1e-12);
+  check::relative("number of a boundary", numbered.boundary("3"), 2., 1e-12);
+  check::is_true("names before numbers",
+                 numbered.region_names == std::vector<std::string>({"wall", "7"}));
+  const measures::Measures<2> of_version_2(make<2>(meshes::squares_2));
+  check::relative("MSH 2: number of a boundary", of_version_2.boundary("4"), 4., 1e-12);
+  check::relative("MSH 2: wall", of_version_2.region("wall"), 1., 1e-12);
+
+  // The curve between the squares in a group of its own.
+  const std::string with_interface = with(with(squares, "6\n0 9 ", "7\n1 5 \"between\"\n0 9 "),
+                                          "4 1 0 0 1 1 0 0 0", "4 1 0 0 1 1 0 1 5 0");
+  const std::vector<NamedInterface> interfaces = make<2>(with_interface).interfaces();
+  check::is_true("an interface with a name",
+                 interfaces.size() == 1 && interfaces[0].name == "between" &&
+                     interfaces[0].sides ==
+                         std::map<std::pair<unsigned int, unsigned int>, bool>{{{0, 1}, true}});
+  check::is_true("it is no boundary", make<2>(with_interface).boundaries() ==
+                                          std::vector<std::string>({"below", "around it"}));
+  check::is_true("ignored", make_with(with_interface, {"between"}).interfaces().empty());
+  check::throws<InputError>(
+      "ignored, and unknown", [&] { make_with(with_interface, {"betwen"}); },
+      "no physical group 'betwen'");
+  const measures::Measures<2> rest(make_with(hole, {}, "", "the rest"));
+  check::relative("faces in no group", rest.boundary("the rest"), 1., 1e-12);
+  const measures::Measures<2> cells(
+      make_with(with(with(squares, "6\n0 9 ", "5\n0 9 "), "2 7 \"fluid\"\n", "").replace(0, 0, ""),
+                {"7"}, "the liquid"));
+  check::relative("cells in no group", cells.region("the liquid"), 1., 1e-12);
+  check::throws<InputError>(
+      "name of the rest taken", [&] { make_with(hole, {}, "", "below"); },
+      "'below'.*physical group");
+  const measures::Measures<2> straight(
+      make_with(with(squares, "2 1 3 1\n9 11 12 15 14", "2 1 10 1\n9 11 12 15 14 11 12 15 14 11"),
+                {}, "", "", true));
+  check::relative("corners of a curved cell", straight.region("fluid"), 1., 1e-12);
   refused("two groups", with(squares, "1 0 0 0 1 1 0 1 7 0", "1 0 0 0 1 1 0 2 7 8 0"),
-          "2 physical groups .Surface 1");
+          "2 physical groups, 'fluid', 'wall' .Surface 1.*'Ignored groups = '");
+  check::relative(
+      "two groups, of which one is ignored",
+      measures::Measures<2>(
+          make_with(with(squares, "2 1 0 0 2 1 0 1 8 0", "2 1 0 0 2 1 0 2 7 8 0"), {"wall"}))
+          .region("fluid"),
+      2., 1e-12);
   refused("twisted cell", with(squares, "9 11 12 15 14", "9 11 12 14 15"), "x = 0.5.*twisted");
   refused("negative radius", with(squares, "1 1 0\n", "1 -1 0\n"), "negative radius.*x = 1, y = -1",
           true);

@@ -73,6 +73,89 @@ $Elements
 $EndElements
 )";
 
+/// The same squares in MSH 2.2, the second counter-clockwise: `fluid`, `wall`, `below`, and group 4
+/// without a name. The edge between the squares is in no group.
+inline const std::string squares_2 = R"($MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+3
+1 3 "below"
+2 7 "fluid"
+2 8 "wall"
+$EndPhysicalNames
+$Nodes
+6
+11 0 0 0
+12 1 0 0
+13 2 0 0
+14 0 1 0
+15 1 1 0
+16 2 1 0
+$EndNodes
+$Elements
+9
+1 1 2 3 1 11 12
+2 1 2 3 2 12 13
+3 1 2 4 3 13 16
+4 1 2 4 3 16 15
+5 1 2 4 3 15 14
+6 1 2 4 3 14 11
+7 1 2 0 4 12 15
+8 3 4 7 1 1 2 11 12 15 14
+9 3 2 8 2 12 13 16 15
+$EndElements
+)";
+
+/// The first of the squares alone in MSH 4.0.
+inline const std::string square_4 = R"($MeshFormat
+4 0 8
+$EndMeshFormat
+$Entities
+1 1 1 0
+1 0 0 0 0 0 0 1 5 0
+2 0 0 0 1 1 0 1 3 0
+6 0 0 0 1 1 0 1 100 0
+$EndEntities
+$Nodes
+2 4
+1 1 0 2
+1 0 0 0
+2 1 0 0
+6 2 0 2
+3 1 1 0
+4 0 1 0
+$EndNodes
+$Elements
+2 5
+2 1 1 4
+1 1 2
+2 2 3
+3 3 4
+4 4 1
+6 2 3 1
+5 1 2 3 4
+$EndElements
+)";
+
+/// The same in the format of before 2005.
+inline const std::string square_1 = R"($NOD
+4
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+$ENDNOD
+$ELM
+5
+1 1 3 2 2 1 2
+2 1 3 2 2 2 3
+3 1 3 2 2 3 4
+4 1 3 2 2 4 1
+5 3 100 6 4 1 2 3 4
+$ENDELM
+)";
+
 /// A cuboid with the edges 1, 2, 3: `block`, with the boundaries `floor` (z = 0) and `rest`.
 inline const std::string block = R"($MeshFormat
 4.1 0 8

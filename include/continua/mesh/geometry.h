@@ -7,6 +7,7 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -15,6 +16,15 @@
 
 namespace Continua
 {
+/// Faces between regions that a mesh gives a name. They need no condition; probes can name them.
+struct NamedInterface
+{
+  std::string name;
+  /// The places of the two regions on its sides, the smaller first, and whether the name has all
+  /// faces between the two.
+  std::map<std::pair<unsigned int, unsigned int>, bool> sides;
+};
+
 /**
  * A named geometry: makes the coarse mesh and publishes what its regions and boundaries are called.
  * A cell's material id is its region's place in `regions()`, a face's boundary id its boundary's
@@ -28,6 +38,8 @@ public:
   virtual ~Geometry() = default;
   virtual std::vector<std::string> regions() const = 0;
   virtual std::vector<std::string> boundaries() const = 0;
+  /// The interfaces of regions that have names.
+  virtual std::vector<NamedInterface> interfaces() const { return {}; }
   virtual void create(dealii::Triangulation<dim> &triangulation) const = 0;
   /// The size of the coarse mesh; nothing is made for it.
   virtual MeshExtent extent() const = 0;

@@ -9,10 +9,11 @@
 namespace Continua
 {
 /**
- * What a mesh file of gmsh in format MSH 4.1, ASCII, holds (gmsh reference manual 4.8, section
- * 9.1): points, elements by geometrical entity, and the physical groups with their names. GridIn of
- * deal.II reads the same file, but drops the names, takes a group's tag from a curve that the group
- * holds with a minus sign as it stands, and does not say which entity it cannot read.
+ * What a mesh file of gmsh in ASCII holds (formats MSH 1, 2, 4.0 and 4.1, gmsh reference manual
+ * 4.8, sections 9.1 and 9.2): points, elements by geometrical entity, and the physical groups with
+ * their names. Partitions are left out: Continua makes its own. GridIn of deal.II reads the same
+ * files, but drops the names, takes a group's tag from a curve that the group holds with a minus
+ * sign as it stands, and does not say which entity it cannot read.
  */
 struct GmshFile
 {

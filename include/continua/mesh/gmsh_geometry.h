@@ -6,17 +6,18 @@
 #include <deal.II/grid/tria_description.h>
 
 #include <map>
+#include <set>
 
 namespace Continua
 {
 struct GmshFile;
 
 /**
- * `gmsh`: a mesh of quadrilaterals or hexahedra from a file of gmsh (.msh in format 4.1, ASCII), or
- * a .geo file, which is meshed by the library of gmsh. The regions are the named physical groups of
- * dimension dim, the boundaries those of dimension dim - 1, in the order of the file. In
- * axisymmetry x is the axial and y >= 0 the radial coordinate. Faces stay straight under
- * refinement.
+ * `gmsh`: a mesh of quadrilaterals or hexahedra from a file of gmsh (.msh, ASCII), or a .geo file,
+ * which is meshed by the library of gmsh. The regions are the physical groups of dimension dim, the
+ * boundaries and the named interfaces those of dimension dim - 1: first those with a name, in the
+ * order of the file, then those whose name is their number, in its order. In axisymmetry x is the
+ * axial and y >= 0 the radial coordinate. Faces stay straight under refinement.
  */
 template <int dim>
 class GmshGeometry : public Geometry<dim>
@@ -27,6 +28,10 @@ public:
     std::string file;
     double unit_length = 1.;          ///< what a coordinate of 1 in the file means [m]
     double meshing_time_limit = 600.; ///< of gmsh with a .geo file, by the wall clock [s]
+    std::vector<std::string> ignored_groups = {}; ///< by name, of regions and boundaries
+    std::string ungrouped_cells = {};             ///< how cells in no group are called; empty: no
+    std::string ungrouped_faces = {};             ///< the same of faces on the outside
+    bool straightens = false; ///< whether the corners of a curved element are taken
 
     /// Throws InputError.
     static Parameters read(ParameterSection geometry, ParameterSection mesh, bool axisymmetric);
@@ -38,6 +43,7 @@ public:
 
   std::vector<std::string> regions() const override;
   std::vector<std::string> boundaries() const override;
+  std::vector<NamedInterface> interfaces() const override;
   void create(dealii::Triangulation<dim> &triangulation) const override;
   MeshExtent extent() const override;
 
@@ -45,13 +51,30 @@ private:
   [[noreturn]] void
   refuse(unsigned int line, const std::string &problem, const std::string &remedy) const;
   /// Throws InputError if an element type or the dimension of the mesh is none for this model.
-  void check_elements(const GmshFile &file) const;
+  /// Leaves the corners of curved elements, if these are to be taken.
+  void check_elements(GmshFile &file) const;
+  /// Takes the groups out that are to be ignored. Throws InputError if there is none of the name.
+  void ignore_groups(GmshFile &file) const;
   /// The names of the groups of a dimension; `place_of_tag[tag]` becomes the place of the name.
   std::vector<std::string> names(const GmshFile &file,
                                  unsigned int dimension,
                                  std::map<int, unsigned int> &place_of_tag) const;
   void set_vertices(const GmshFile &file, bool axisymmetric);
   void set_cells(const GmshFile &file);
+  /// `name` for what is in no group; throws InputError if a group has it.
+  std::string name_of_rest(const std::string &entry,
+                           const std::string &name,
+                           const std::vector<std::string> &names) const;
+  struct Face
+  {
+    std::vector<unsigned int> rows; ///< its vertices in deal.II's order
+    std::set<unsigned int> regions; ///< of its cells
+    unsigned int n_cells = 0;
+  };
+  /// By their vertices in increasing order.
+  using Faces = std::map<std::vector<unsigned int>, Face>;
+  Faces faces_of_cells() const;
+  void add_boundary_face(const std::vector<unsigned int> &rows, unsigned int boundary);
   void set_faces(const GmshFile &file);
   /// "x = 1, y = 2": the middle of some vertices, in the unit of the file.
   std::string middle(const std::vector<unsigned int> &indices) const;
@@ -59,6 +82,7 @@ private:
   const Parameters parameters;
   std::vector<std::string> region_names;
   std::vector<std::string> boundary_names;
+  std::vector<NamedInterface> named_interfaces;
   std::vector<dealii::Point<dim>> vertices; ///< [m]
   std::vector<dealii::CellData<dim>> cells;
   dealii::SubCellData faces;

@@ -23,6 +23,8 @@ public:
 
   std::vector<std::string> regions() const override;
   std::vector<std::string> boundaries() const override;
+  /// None if regions are painted: what the names lay between may be gone.
+  std::vector<NamedInterface> interfaces() const override;
   void create(dealii::Triangulation<dim> &triangulation) const override;
   MeshExtent extent() const override;
   std::vector<VesselBranch<dim>> branches() const override;

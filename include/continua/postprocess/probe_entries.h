@@ -6,6 +6,7 @@
 #include <continua/boundary/boundary_condition.h>
 #include <continua/continuum/continuum_solver.h>
 #include <continua/materials/model.h>
+#include <continua/mesh/geometry.h>
 #include <continua/postprocess/stations.h>
 
 #include <deal.II/grid/tria.h>
@@ -51,11 +52,12 @@ public:
   static const Words<Place> &place_words();
 
   /// Declares and reads the entries; `boundaries` and `regions` are the names by boundary and
-  /// material id, `branches` those of the geometry. Throws InputError.
+  /// material id, `branches` and `interfaces` those of the geometry. Throws InputError.
   ProbeEntries(const ParameterSection &section,
                const std::vector<std::string> &boundaries,
                const std::vector<std::string> &regions,
-               const std::vector<VesselBranch<dim>> &branches);
+               const std::vector<VesselBranch<dim>> &branches,
+               const std::vector<NamedInterface> &interfaces);
 
   /// A number that is recorded: its field, with the unit of the number, and the solver's numbers of
   /// which it is the sum, with their factors.
@@ -117,7 +119,15 @@ private:
   void set_place();
   void set_requests(const std::vector<std::string> &known_boundaries,
                     const std::vector<std::string> &known_regions,
-                    const std::vector<VesselBranch<dim>> &branches);
+                    const std::vector<VesselBranch<dim>> &branches,
+                    const std::vector<NamedInterface> &interfaces);
+  /// The sides of an Interface, which is given by two regions, or by its name and the Region.
+  void set_interface(const std::vector<std::string> &known_regions,
+                     const std::vector<NamedInterface> &interfaces);
+  /// Refuses the name of an interface where boundaries are named.
+  void refuse_interfaces(const std::string &key,
+                         const std::vector<std::string> &names,
+                         const std::vector<NamedInterface> &interfaces) const;
   void set_boundaries(const std::string &key,
                       const std::vector<std::string> &names,
                       const std::vector<std::string> &known,

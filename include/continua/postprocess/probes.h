@@ -70,11 +70,12 @@ public:
   explicit Probes(MPI_Comm communicator);
 
   /// Declares and reads the section; `boundaries` and `regions` are the names by boundary and
-  /// material id, `branches` those of the geometry. Throws InputError.
+  /// material id, `branches` and `interfaces` those of the geometry. Throws InputError.
   void read(ParameterSection section,
             const std::vector<std::string> &boundaries,
             const std::vector<std::string> &regions,
-            const std::vector<VesselBranch<dim>> &branches = {});
+            const std::vector<VesselBranch<dim>> &branches = {},
+            const std::vector<NamedInterface> &interfaces = {});
   /// Refuses, before there is a solver, a field that is not among `fields`, a point that no cell
   /// of the coarse mesh holds (in the region, if one is named), a boundary that the region does not
   /// touch, a section without area and stations outside the tube; `boundary_regions` are the
