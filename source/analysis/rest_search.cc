@@ -150,8 +150,9 @@ void RestSearch<dim>::perform(const bool loads_come, const double time)
         text << " with " << n_corrections << " corrections";
       if (loads_come && rest.load_steps > 1)
         text << "; the loads came in " << n_load_steps << " of them";
-      if (n_halved > 0)
-        text << "; " << n_halved << " steps had no solution and were made anew at half their size";
+      if (n_shortened > 0)
+        text << "; " << n_shortened
+             << " steps had no solution and were made anew at a smaller size";
       run.log.line(text.str());
       return;
     }
@@ -299,8 +300,12 @@ template <int dim>
 StepReport RestSearch<dim>::step_of(const double last_size, double &size)
 {
   // However much the step has grown, it may become a 64th of the last one that had a solution. So
-  // may the part of the loads.
-  const double shortest = std::ldexp(std::min(size, last_size), -most_halvings),
+  // may the part of the loads. The first step has none before it: by default it says nothing of the
+  // flow's own time, which may be any fraction of it.
+  constexpr int most_halvings_of_first = 30;
+  const bool finds_first = n_steps == 0 && load == 1. && run.input.rest.finds_first_step;
+  const double shortest = std::ldexp(std::min(size, last_size),
+                                     finds_first ? -most_halvings_of_first : -most_halvings),
                smallest_part = std::ldexp(1. / run.input.rest.load_steps, -most_halvings);
   for (unsigned int halvings = 0;;)
   {
@@ -346,10 +351,11 @@ StepReport RestSearch<dim>::step_of(const double last_size, double &size)
                  "that of the mesh (Unloaded shape)";
         throw RunError(text.str());
       }
-      run.log.line(text.str() + "; it is made anew at half its size");
-      size *= 0.5;
-      ++halvings;
-      ++n_halved;
+      run.log.line(text.str() + "; it is made anew at " + (finds_first ? "a quarter of" : "half") +
+                   " its size");
+      size *= finds_first ? 0.25 : 0.5;
+      halvings += finds_first ? 2 : 1;
+      ++n_shortened;
     }
   }
 }

@@ -62,9 +62,11 @@ void RestParameters::read(ParameterSection section, const bool is_nonlinear)
 {
   section.add("Time step", time_step, Dimensions::time,
               "First of the steps of backward Euler that lead to rest with convection or finite "
-              "deformation. The state at rest does not depend on it. Linear equations of rest are "
-              "solved without steps.",
+              "deformation. If it is not given, a first step without a solution is made anew at a "
+              "quarter of its size until there is one. The state at rest does not depend on it. "
+              "Linear equations of rest are solved without steps.",
               Range::positive());
+  finds_first_step = !section.given("Time step");
   section.add("Tolerance", tolerance, Dimensions::none,
               "The steps of backward Euler end when the velocity changes in one by less than this "
               "fraction of the largest velocity so far; the change of a step that was halved "

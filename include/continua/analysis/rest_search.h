@@ -47,7 +47,7 @@ private:
   Run<dim> &run;
   const Sink sink;
   const std::string interrupted;
-  unsigned int n_steps = 0, n_load_steps = 0, n_halved = 0;
+  unsigned int n_steps = 0, n_load_steps = 0, n_shortened = 0;
   bool finds_unloaded_shape = false;
   double time_of_loads = 0.;
   double load = 1.;      ///< part of the loads that the last step had [1]

@@ -58,7 +58,8 @@ enum class CaseUse
 /// How a body is brought to rest.
 struct RestParameters
 {
-  double time_step = 1.; ///< [s]
+  double time_step = 1.;        ///< [s]
+  bool finds_first_step = true; ///< nobody has given the time step: the first may be any fraction
   /// Largest change of the velocity in a step over the largest velocity of all steps, and of the
   /// state in a static step over the state.
   double tolerance = 1e-8;
