@@ -152,8 +152,7 @@ std::string WaveReport::places_without_pulse(const std::vector<unsigned int> &us
     std::string places;
     for (std::size_t i = 0; i < used.size(); ++i)
       if (wave.stations[i].missing == reason)
-        places +=
-            (places.empty() ? "" : ", ") + named_value(stations.positions[used[i]], "m");
+        places += (places.empty() ? "" : ", ") + named_value(stations.positions[used[i]], "m");
     if (!places.empty())
       reasons += (reasons.empty() ? "" : "; ") + text + " at " + places;
   }

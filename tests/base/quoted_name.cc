@@ -14,10 +14,9 @@ using namespace Continua;
 namespace
 {
 /// Names as drawing and segmentation programs make them.
-const std::vector<std::string> names = {"wall#1",  "Wand/innen", "a, b",      "a=b",     " wall ",
-                                        "a  b",    "5\" pipe",   "\"in\"",   "\"",      "back\\",
-                                        "(",       "plain",      "a: b",      "wall (1)", "a \"b\" c",
-                                        "#",       "x\ty"};
+const std::vector<std::string> names = {
+    "wall#1", "Wand/innen", "a, b",  "a=b",  " wall ",   "a  b",      "5\" pipe", "\"in\"", "\"",
+    "back\\", "(",          "plain", "a: b", "wall (1)", "a \"b\" c", "#",        "x\ty"};
 
 struct Read
 {
@@ -72,6 +71,7 @@ UNIT_TEST(quoted_name)
   check::equal("a plain name", quoted_name("wall 1", "#,"), "wall 1");
   check::equal("a quote within a word", without_quotes("5\" pipe, 3\" pipe"), "5\" pipe, 3\" pipe");
   check::equal("a quote that nothing closes", without_quotes("a \"b"), "a \"b");
-  check::absolute("a comment with quotes", find_unquoted("set X = 3 # say \"a # b\"", "#"), 10., 0.);
+  check::absolute("a comment with quotes", find_unquoted("set X = 3 # say \"a # b\"", "#"), 10.,
+                  0.);
 }
 } // namespace test_of_quoted_name
