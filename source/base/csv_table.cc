@@ -71,7 +71,7 @@ std::string unit_in_round_brackets(const std::string &cell, std::size_t &open)
 }
 
 /// What stands between quotes, in which a quote is written twice.
-std::string without_quotes(const std::string &cell)
+std::string bare_cell(const std::string &cell)
 {
   if (cell.size() < 2 || cell.front() != '"' || cell.back() != '"')
     return cell;
@@ -104,7 +104,7 @@ std::vector<std::string> split(const std::string &line, const char separator)
       cells.emplace_back();
   }
   for (std::string &cell : cells)
-    cell = without_quotes(trim(cell));
+    cell = bare_cell(trim(cell));
   return cells;
 }
 

@@ -202,7 +202,9 @@ CostEstimate::CostEstimate(const CostInput &input)
   const bool is_lean = solver != StepSolver::direct && size.is_matrix_free;
   step_time = 25. * microsecond + (is_plane || is_lean ? 0.25 : 0.5) * microsecond * n_unknowns +
               solve_time;
-  time = set_up_time + input.n_steps * step_time;
+  theory_time =
+      5e-3 * second * input.n_wave_roots + 50. * microsecond * input.n_wave_segment_solves;
+  time = set_up_time + input.n_steps * step_time + theory_time;
 }
 
 SolverOutlook solver_outlook(const CostInput &input)

@@ -1,4 +1,5 @@
 #include <continua/case/cost_of_case.h>
+#include <continua/case/tube_wave_case.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -42,19 +43,9 @@ unsigned int ranks_on_this_machine(const MPI_Comm communicator)
   return n_ranks;
 }
 
-/// What a run may take on this machine.
+/// But for wave theory.
 template <int dim>
-MemoryLimit limit_of_machine(const Case<dim> &input)
-{
-  MemoryLimit limit = memory_limit();
-  if (input.mesh.memory_limit > 0.)
-    limit = {input.mesh.memory_limit * 1e9, "Mesh/Memory limit"};
-  return limit;
-}
-} // namespace
-
-template <int dim>
-CostInput cost_input(const Case<dim> &input)
+CostInput cost_of_fields(const Case<dim> &input)
 {
   CostInput cost;
   cost.dim = dim;
@@ -95,10 +86,45 @@ CostInput cost_input(const Case<dim> &input)
   return cost;
 }
 
+/// Of the theory that stands beside a run of a tube.
+template <int dim>
+void set_wave_theory(const Case<dim> &input, CostInput &cost)
+{
+  TubeWaveCase wave_case;
+  if (!input.wave_theory.overlay || input.probes.stations().empty() ||
+      !make_tube_wave_case(input, wave_case).empty())
+    return;
+  const TubeWaveTheory::Work work =
+      TubeWaveTheory::work(wave_case.problem, wave_case.inlet, input.time.end_time,
+                           input.wave_theory.spectral_tolerance);
+  cost.n_wave_roots = work.n_roots;
+  cost.n_wave_segment_solves = input.probes.stations().size() * work.n_segment_solves;
+}
+
+/// What a run may take on this machine.
+template <int dim>
+MemoryLimit limit_of_machine(const Case<dim> &input)
+{
+  MemoryLimit limit = memory_limit();
+  if (input.mesh.memory_limit > 0.)
+    limit = {input.mesh.memory_limit * 1e9, "Mesh/Memory limit"};
+  return limit;
+}
+} // namespace
+
+template <int dim>
+CostInput cost_input(const Case<dim> &input)
+{
+  CostInput cost = cost_of_fields(input);
+  if (input.analysis.is_transient())
+    set_wave_theory(input, cost);
+  return cost;
+}
+
 template <int dim>
 SolverOutlook solver_outlook(const Case<dim> &input)
 {
-  CostInput cost = cost_input(input);
+  CostInput cost = cost_of_fields(input);
   cost.memory_limit = Utilities::MPI::min(limit_of_machine(input).bytes, input.communicator);
   return solver_outlook(cost);
 }
@@ -136,7 +162,7 @@ void check_memory(const Case<dim> &input, ParameterSection mesh)
 {
   if (!input.analysis.has_fields)
     return;
-  const CostInput cost = cost_input(input);
+  const CostInput cost = cost_of_fields(input);
   const CostEstimate estimate(cost);
   const MemoryLimit limit = memory_limit_of(input);
   if (estimate.memory <= limit.bytes)
@@ -177,7 +203,7 @@ void check_histories(const Case<dim> &input, const ParameterSection &probes)
 {
   if (!input.analysis.has_fields)
     return;
-  const CostInput cost = cost_input(input);
+  const CostInput cost = cost_of_fields(input);
   const CostEstimate estimate(cost);
   const MemoryLimit limit = memory_limit_of(input);
   if (estimate.memory <= limit.bytes)

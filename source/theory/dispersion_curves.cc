@@ -27,6 +27,11 @@ constexpr double n_in_decay = 3., n_in_decay_supported = 24.;
 /// By how much a root may differ from what is foreseen, relative.
 constexpr double largest_surprise = 0.1, largest_surprise_supported = 0.01;
 
+bool is_supported_along(const TubeSection &section)
+{
+  return section.axial_stiffness > 0. || section.axial_damping > 0.;
+}
+
 /// The same wave at -f.
 WaveMode mirrored(const WaveMode &mode)
 {
@@ -69,29 +74,34 @@ struct DispersionCurves::Splines
 DispersionCurves::DispersionCurves(const TubeSection &section,
                                    const double shift,
                                    const double highest_frequency)
-    : dispersion(section)
+    : DispersionCurves(section, shift, frequencies_of(section, shift, highest_frequency))
 {
-  // Fine where the decay of the transform sets the scale, then a fixed part of the frequency.
-  is_supported = section.axial_stiffness > 0. || section.axial_damping > 0.;
-  const double finest = shift / (2. * PI) / (is_supported ? n_in_decay_supported : n_in_decay);
-  for (double frequency = 0.; frequency < highest_frequency;
-       frequency += std::max(finest, 0.1 * frequency))
-    frequencies.push_back(frequency);
-  while (frequencies.size() <= n_mirrored)
-    frequencies.push_back(frequencies.back() + finest);
-  if (frequencies.back() < highest_frequency)
-    frequencies.push_back(highest_frequency);
-  build(shift);
 }
 
 DispersionCurves::DispersionCurves(const TubeSection &section,
                                    const double shift,
                                    const std::vector<double> &frequencies)
-    : dispersion(section),
-      frequencies(frequencies),
-      is_supported(section.axial_stiffness > 0. || section.axial_damping > 0.)
+    : dispersion(section), frequencies(frequencies), is_supported(is_supported_along(section))
 {
   build(shift);
+}
+
+std::vector<double> DispersionCurves::frequencies_of(const TubeSection &section,
+                                                     const double shift,
+                                                     const double highest_frequency)
+{
+  // Fine where the decay of the transform sets the scale, then a fixed part of the frequency.
+  const double finest =
+      shift / (2. * PI) / (is_supported_along(section) ? n_in_decay_supported : n_in_decay);
+  std::vector<double> frequencies;
+  for (double frequency = 0.; frequency < highest_frequency;
+       frequency += std::max(finest, 0.1 * frequency))
+    frequencies.push_back(frequency);
+  while (frequencies.size() <= n_mirrored)
+    frequencies.push_back(frequencies.empty() ? 0. : frequencies.back() + finest);
+  if (frequencies.back() < highest_frequency)
+    frequencies.push_back(highest_frequency);
+  return frequencies;
 }
 
 void DispersionCurves::build(const double shift)

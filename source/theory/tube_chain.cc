@@ -118,6 +118,27 @@ Matrix far_end_reflection(const TubeWaveProblem &problem,
       forward(i, j) *= -decay(modes[j], segment.length);
   return solve_scaled(backward, forward);
 }
+
+/// Of a cubic through them.
+constexpr unsigned int fewest_nodes = 4;
+
+/// Of runs of segments with the same section.
+std::vector<std::size_t> first_segments(const TubeWaveProblem &problem)
+{
+  const std::vector<TubeSegment> &segments = problem.segments;
+  std::vector<std::size_t> firsts;
+  for (std::size_t s = 0; s < segments.size(); ++s)
+    if (s == 0 || !(segments[s].section == segments[s - 1].section))
+      firsts.push_back(s);
+  return firsts;
+}
+
+/// Whether the waves of some segments are interpolated, where there are so many sections.
+bool is_interpolated(const TubeWaveProblem &problem, const std::size_t n_sections)
+{
+  return problem.level == WaveLevel::exact &&
+         n_sections > std::max(problem.n_computed_sections, fewest_nodes);
+}
 } // namespace
 
 TubeChain::TubeChain(const TubeWaveProblem &problem,
@@ -128,39 +149,40 @@ TubeChain::TubeChain(const TubeWaveProblem &problem,
   compute_sections(last_frequency);
 }
 
+std::vector<std::size_t> TubeChain::computed_segments(const TubeWaveProblem &problem)
+{
+  const std::vector<std::size_t> firsts = first_segments(problem);
+  if (!is_interpolated(problem, firsts.size()))
+    return firsts;
+  // Nodes along the chain.
+  const unsigned int n_nodes = std::max(problem.n_computed_sections, fewest_nodes);
+  std::vector<std::size_t> nodes;
+  for (unsigned int i = 0; i < n_nodes; ++i)
+    nodes.push_back((problem.segments.size() - 1) * i / (n_nodes - 1));
+  return nodes;
+}
+
 void TubeChain::compute_sections(const double last_frequency)
 {
-  const auto add = [this, last_frequency](const TubeSection &section)
-  {
-    if (problem.level == WaveLevel::exact)
-      waves.push_back(std::make_unique<DispersionCurves>(section, shift, last_frequency));
-    else
-      waves.push_back(std::make_unique<ClosedFormWaves>(section, problem.level, shift));
-  };
   const std::vector<TubeSegment> &segments = problem.segments;
-  std::vector<std::size_t> firsts; // of runs of segments with the same section
-  for (std::size_t s = 0; s < segments.size(); ++s)
-    if (s == 0 || !(segments[s].section == segments[s - 1].section))
-      firsts.push_back(s);
+  const std::vector<std::size_t> nodes = computed_segments(problem);
+  for (const std::size_t node : nodes)
+    if (problem.level == WaveLevel::exact)
+      waves.push_back(
+          std::make_unique<DispersionCurves>(segments[node].section, shift, last_frequency));
+    else
+      waves.push_back(
+          std::make_unique<ClosedFormWaves>(segments[node].section, problem.level, shift));
   sections_of.resize(segments.size());
-  const unsigned int n_nodes = problem.n_computed_sections;
-  if (problem.level != WaveLevel::exact || firsts.size() <= std::max(n_nodes, 4u))
+  if (!is_interpolated(problem, first_segments(problem).size()))
   {
-    for (std::size_t i = 0; i < firsts.size(); ++i)
-    {
-      add(segments[firsts[i]].section);
-      for (std::size_t s = firsts[i]; s < (i + 1 < firsts.size() ? firsts[i + 1] : segments.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      for (std::size_t s = nodes[i]; s < (i + 1 < nodes.size() ? nodes[i + 1] : segments.size());
            ++s)
         sections_of[s] = {{i, 1.}};
-    }
     return;
   }
-  // Nodes along the chain, and a cubic through the four nearest ones.
-  std::vector<std::size_t> nodes;
-  for (unsigned int i = 0; i < std::max(n_nodes, 4u); ++i)
-    nodes.push_back((segments.size() - 1) * i / (std::max(n_nodes, 4u) - 1));
-  for (const std::size_t node : nodes)
-    add(segments[node].section);
+  // A cubic through the four nearest nodes.
   for (std::size_t s = 0; s < segments.size(); ++s)
   {
     std::size_t upper = 1;

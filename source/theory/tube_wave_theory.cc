@@ -1,6 +1,7 @@
 #include <continua/theory/tube_wave_theory.h>
 
 #include <continua/signal/fourier_transform.h>
+#include <continua/theory/dispersion_curves.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -18,48 +19,21 @@ using dealii::numbers::PI;
 namespace
 {
 using Complex = std::complex<double>;
-constexpr unsigned int largest_n_samples = 1 << 18;
-} // namespace
+constexpr unsigned int fewest_samples = 1 << 14, largest_n_samples = 1 << 18, fewest_kept = 16;
 
-TubeWaveTheory::TubeWaveTheory(const TubeWaveProblem &problem,
-                               const std::function<double(double)> &inlet,
-                               const double end_time,
-                               const double spectral_tolerance)
-    : period(2. * end_time), shift(std::log(1e6) / period), n_samples(0)
+double window_of(const double end_time)
 {
-  // Sampled ever finer until the upper half of the spectrum is below the tolerance.
-  std::vector<Complex> samples;
-  unsigned int last = 0;
-  for (n_samples = 1 << 14;; n_samples *= 2)
-  {
-    samples = transform_inlet(inlet, end_time);
-    double largest = 0.;
-    for (unsigned int n = 0; n < n_samples / 2; ++n)
-      largest = std::max(largest, std::abs(samples[n]));
-    last = 16;
-    for (unsigned int n = last; n < n_samples / 2; ++n)
-      if (std::abs(samples[n]) > spectral_tolerance * largest)
-        last = n;
-    // An inlet with a jump has a spectrum that ends nowhere: it is then cut where it is.
-    if (last < n_samples / 4 || n_samples >= largest_n_samples)
-      break;
-  }
-  last = std::min(last, n_samples / 4);
-  last = static_cast<unsigned int>(std::min<double>(last, highest_of_walls(problem) * period));
-  last = std::max(last, 16u);
-  last_frequency = last / period;
-  const unsigned int first_faded = static_cast<unsigned int>(0.8 * last);
-  for (unsigned int n = 0; n <= last; ++n)
-  {
-    const double share =
-        n <= first_faded ? 0. : static_cast<double>(n - first_faded) / (last + 1 - first_faded);
-    spectrum.push_back(samples[n] * 0.5 * (1. + std::cos(PI * share)));
-  }
-
-  add_chains(problem, 0);
+  return 2. * end_time;
 }
 
-double TubeWaveTheory::highest_of_walls(const TubeWaveProblem &problem) const
+/// [1/s]
+double shift_of(const double end_time)
+{
+  return std::log(1e6) / window_of(end_time);
+}
+
+/// At most this frequency [Hz], by the walls of a tube and its branches.
+double highest_of_walls(const TubeWaveProblem &problem, const double shift)
 {
   // Well above the ring frequency of its wall a tube carries no pressure wave, and the closed
   // formulas of a membrane end at it.
@@ -75,8 +49,94 @@ double TubeWaveTheory::highest_of_walls(const TubeWaveProblem &problem) const
       highest = std::min(highest, (is_membrane ? 0.5 : 2.) * ring_frequency);
     }
   for (const TubeWaveProblem &branch : problem.branches)
-    highest = std::min(highest, highest_of_walls(branch));
+    highest = std::min(highest, highest_of_walls(branch, shift));
   return highest;
+}
+
+std::vector<Complex> transform_inlet(const std::function<double(double)> &inlet,
+                                     const double end_time,
+                                     const double shift,
+                                     const unsigned int n_samples)
+{
+  // By the trapezoidal rule. What the inlet still says at the end is faded out, since its cut would
+  // be a jump.
+  const double sample_time = window_of(end_time) / n_samples;
+  const double fade = 0.5 * end_time, value_at_end = inlet(end_time);
+  std::vector<double> samples(n_samples, 0.);
+  for (unsigned int j = 0; j < n_samples; ++j)
+  {
+    const double time = j * sample_time, beyond = time - end_time;
+    const double weight = sample_time * std::exp(-shift * time);
+    if (beyond <= 0.)
+      samples[j] = inlet(time) * weight;
+    else if (beyond < fade)
+      samples[j] = value_at_end * 0.5 * (1. + std::cos(PI * beyond / fade)) * weight;
+  }
+  samples[0] *= 0.5;
+  return fourier_transform(samples);
+}
+
+/// The last line of the lower half of a spectrum that is above the tolerance.
+unsigned int last_above(const std::vector<Complex> &spectrum, const double tolerance)
+{
+  const std::size_t half = spectrum.size() / 2;
+  double largest = 0.;
+  for (std::size_t n = 0; n < half; ++n)
+    largest = std::max(largest, std::abs(spectrum[n]));
+  unsigned int last = fewest_kept;
+  for (std::size_t n = last; n < half; ++n)
+    if (std::abs(spectrum[n]) > tolerance * largest)
+      last = n;
+  return last;
+}
+
+/// Of the exact waves of a tube, without its branches, up to a frequency [Hz].
+double n_roots_of(const TubeWaveProblem &problem, const double shift, const double last_frequency)
+{
+  if (problem.level != WaveLevel::exact)
+    return 0.;
+  double n_roots = 0.;
+  for (const std::size_t segment : TubeChain::computed_segments(problem))
+  {
+    const TubeSection &section = problem.segments[segment].section;
+    n_roots += static_cast<double>(ExactDispersion(section).families().size()) *
+               DispersionCurves::frequencies_of(section, shift, last_frequency).size();
+  }
+  return n_roots;
+}
+} // namespace
+
+TubeWaveTheory::TubeWaveTheory(const TubeWaveProblem &problem,
+                               const std::function<double(double)> &inlet,
+                               const double end_time,
+                               const double spectral_tolerance)
+    : period(window_of(end_time)), shift(shift_of(end_time)), n_samples(fewest_samples)
+{
+  // Sampled ever finer until the upper half of the spectrum is below the tolerance.
+  std::vector<Complex> samples;
+  unsigned int last = 0;
+  for (;; n_samples *= 2)
+  {
+    samples = transform_inlet(inlet, end_time, shift, n_samples);
+    last = last_above(samples, spectral_tolerance);
+    // An inlet with a jump has a spectrum that ends nowhere: it is then cut where it is.
+    if (last < n_samples / 4 || n_samples >= largest_n_samples)
+      break;
+  }
+  last = std::min(last, n_samples / 4);
+  last =
+      static_cast<unsigned int>(std::min<double>(last, highest_of_walls(problem, shift) * period));
+  last = std::max(last, fewest_kept);
+  last_frequency = last / period;
+  const unsigned int first_faded = static_cast<unsigned int>(0.8 * last);
+  for (unsigned int n = 0; n <= last; ++n)
+  {
+    const double share =
+        n <= first_faded ? 0. : static_cast<double>(n - first_faded) / (last + 1 - first_faded);
+    spectrum.push_back(samples[n] * 0.5 * (1. + std::cos(PI * share)));
+  }
+
+  add_chains(problem, 0);
 }
 
 void TubeWaveTheory::add_chains(const TubeWaveProblem &problem, const std::size_t before)
@@ -124,26 +184,28 @@ std::vector<TubeChain::Values> TubeWaveTheory::values(const double frequency,
   return result;
 }
 
-std::vector<TubeWaveTheory::Complex>
-TubeWaveTheory::transform_inlet(const std::function<double(double)> &inlet,
-                                const double end_time) const
+TubeWaveTheory::Work TubeWaveTheory::work(const TubeWaveProblem &problem,
+                                          const std::function<double(double)> &inlet,
+                                          const double end_time,
+                                          const double spectral_tolerance)
 {
-  // By the trapezoidal rule. What the inlet still says at the end is faded out, since its cut would
-  // be a jump.
-  const double sample_time = period / n_samples;
-  const double fade = 0.5 * end_time, value_at_end = inlet(end_time);
-  std::vector<double> samples(n_samples, 0.);
-  for (unsigned int j = 0; j < n_samples; ++j)
+  const double shift = shift_of(end_time), window = window_of(end_time);
+  double last =
+      last_above(transform_inlet(inlet, end_time, shift, fewest_samples), spectral_tolerance);
+  // The spectrum goes on beyond what so few samples show.
+  if (last >= fewest_samples / 4)
+    last = largest_n_samples / 4;
+  last = std::max<double>(std::min(last, highest_of_walls(problem, shift) * window), fewest_kept);
+  Work work;
+  const std::function<void(const TubeWaveProblem &)> add = [&](const TubeWaveProblem &tube)
   {
-    const double time = j * sample_time, beyond = time - end_time;
-    const double weight = sample_time * std::exp(-shift * time);
-    if (beyond <= 0.)
-      samples[j] = inlet(time) * weight;
-    else if (beyond < fade)
-      samples[j] = value_at_end * 0.5 * (1. + std::cos(PI * beyond / fade)) * weight;
-  }
-  samples[0] *= 0.5;
-  return fourier_transform(samples);
+    work.n_roots += n_roots_of(tube, shift, last / window);
+    work.n_segment_solves += last * tube.segments.size();
+    for (const TubeWaveProblem &branch : tube.branches)
+      add(branch);
+  };
+  add(problem);
+  return work;
 }
 
 double TubeWaveTheory::wrap_round() const

@@ -251,6 +251,35 @@ void branches(const LongTube &tube, const WaveHistory &whole)
   check::absolute("no reflection where admittances are equal",
                   largest_difference(alone, unreflected.pressure), 0., 0.01);
 }
+
+/// What the time grows with: three waves of a tethered tube, whose frequencies lie first a third of
+/// the shift over 2 pi apart and from ten times that on a tenth of themselves; and one solve of
+/// each segment for each line of the spectrum.
+void work(const LongTube &tube)
+{
+  constexpr double end_time = 1.2, tolerance = 1e-3;
+  const auto inlet = [](const double time) { return 100. * pulse(time, LongTube::duration); };
+  TubeWaveProblem problem;
+  problem.segments = {{1.3, tube.section}, {2.7, tube.section}};
+  problem.outlet = TubeWaveProblem::Outlet::matched;
+  const double last = TubeWaveTheory(problem, inlet, end_time, tolerance).highest_frequency(),
+               finest = std::log(1e6) / (2. * end_time) / (2. * pi) / 3.;
+  const double n_frequencies = 11. + std::log(last / (10. * finest)) / std::log(1.1);
+  const TubeWaveTheory::Work one = TubeWaveTheory::work(problem, inlet, end_time, tolerance);
+  check::absolute("work: roots of one section", one.n_roots, 3. * n_frequencies, 6.);
+  check::relative("work: solves", one.n_segment_solves, 2. * last * 2. * end_time, 0.01);
+  // A branch of another wall adds its own.
+  TubeWaveProblem branch = problem;
+  branch.segments.resize(1);
+  branch.segments[0].section.layers[0].compression = Compression();
+  branch.segments[0].section.layers[0].shear.branches[0].shear_modulus *= 4.;
+  problem.outlet = TubeWaveProblem::Outlet::divided;
+  problem.branches = {branch};
+  const TubeWaveTheory::Work both = TubeWaveTheory::work(problem, inlet, end_time, tolerance);
+  check::absolute("work: roots of two sections", both.n_roots, 6. * n_frequencies, 12.);
+  check::relative("work: solves with a branch", both.n_segment_solves, 3. * last * 2. * end_time,
+                  0.01);
+}
 } // namespace
 
 UNIT_TEST(tube_wave_theory)
@@ -260,5 +289,6 @@ UNIT_TEST(tube_wave_theory)
   joints(tube, whole);
   branches(tube, whole);
   windkessel(tube);
+  work(tube);
 }
 } // namespace test_of_tube_wave_theory

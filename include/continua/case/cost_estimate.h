@@ -36,13 +36,15 @@ struct CostInput
   unsigned int n_ranks = 1;
   /// Columns of probes, of which each rank keeps the values of all steps.
   double n_histories = 0.;
+  /// Of wave theory beside the run: see TubeWaveTheory::Work.
+  double n_wave_roots = 0., n_wave_segment_solves = 0.;
 };
 
 /**
  * How large a run is and what it costs, from formulas that need no mesh: within a factor of two of
  * what was measured on the runs that doc/estimates.md lists, on one core of the machine named
- * there. Wave theory, the fit of absorbing ends, fields that are written, and meshes that adapt are
- * not part of it.
+ * there. The fit of absorbing ends, fields that are written, and meshes that adapt are not part of
+ * it.
  */
 struct CostEstimate
 {
@@ -57,6 +59,7 @@ struct CostEstimate
   double history_memory = 0.; ///< of it, the histories of probes [bytes]
   double set_up_time = 0.;    ///< mesh, matrices and factors, on one core [s]
   double step_time = 0.;      ///< one solve and what belongs to it, on one core [s]
+  double theory_time = 0.;    ///< of wave theory beside the run, on one core [s]
   double time = 0.;           ///< of the run, on one core [s]
 
   /// "48034 unknowns in 4800 cells, 390 MB of memory, 1 min 20 s on one core".

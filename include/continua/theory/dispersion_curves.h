@@ -28,6 +28,10 @@ public:
                    const std::vector<double> &frequencies);
   ~DispersionCurves() override;
 
+  /// The frequencies [Hz] that the first constructor computes.
+  static std::vector<double>
+  frequencies_of(const TubeSection &section, double shift, double highest_frequency);
+
   const std::vector<ExactDispersion::Family> &families() const override
   {
     return dispersion.families();

@@ -29,6 +29,9 @@ public:
   TubeChain(const TubeWaveProblem &problem, double shift, double last_frequency);
   TubeChain(TubeChain &&) = default;
 
+  /// The segments whose waves are computed; those of the others are theirs, or between them.
+  static std::vector<std::size_t> computed_segments(const TubeWaveProblem &problem);
+
   /// What the waves are at one place.
   struct Values
   {

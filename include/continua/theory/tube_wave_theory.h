@@ -43,6 +43,18 @@ public:
                  double end_time,
                  double spectral_tolerance = 1e-5);
 
+  /// What the time of the theory grows with [1].
+  struct Work
+  {
+    double n_roots = 0.;          ///< of the dispersion equations, which are computed
+    double n_segment_solves = 0.; ///< of one call of histories(): segments times frequencies
+  };
+  /// An estimate, in a small part of that time, of a theory made with these arguments.
+  static Work work(const TubeWaveProblem &problem,
+                   const std::function<double(double)> &inlet,
+                   double end_time,
+                   double spectral_tolerance);
+
   /// The histories at the stations z [m] at these times [s]; of the tube of the problem itself (0)
   /// or of a branch, counted from 1, each before those behind it.
   std::vector<WaveHistory> histories(const std::vector<double> &stations,
@@ -70,10 +82,6 @@ private:
   };
   std::vector<Chain> chains; ///< each before its branches
 
-  std::vector<Complex> transform_inlet(const std::function<double(double)> &inlet,
-                                       double end_time) const;
-  /// At most this frequency [Hz], by the walls of a tube and its branches.
-  double highest_of_walls(const TubeWaveProblem &problem) const;
   void add_chains(const TubeWaveProblem &problem, std::size_t before);
   /// The values at the stations of a chain at a frequency [Hz].
   std::vector<TubeChain::Values> values(double frequency,
