@@ -11,9 +11,13 @@ namespace Continua
 {
 std::string choices(const std::string &name, const std::vector<std::string> &candidates)
 {
+  // As a list of names has to be written.
+  std::vector<std::string> written;
+  for (const std::string &candidate : candidates)
+    written.push_back(quoted_name(candidate, "#,"));
   const std::string near = nearest_name(name, candidates);
-  return (near.empty() ? "" : "Did you mean '" + near + "'? ") +
-         "There are: " + (candidates.empty() ? "none" : joined(candidates));
+  return (near.empty() ? "" : "Did you mean '" + quoted_name(near, "#,") + "'? ") +
+         "There are: " + (written.empty() ? "none" : joined(written));
 }
 
 unsigned int find_name(const ParameterSection &section,

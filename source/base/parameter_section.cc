@@ -277,14 +277,17 @@ void ParameterSection::refuse_unknown_members(const std::vector<std::string> &me
   for (const ParameterText::Section &child : section->sections)
     if (std::find(members.begin(), members.end(), child.name) == members.end())
     {
+      // As it can be written in a file and on the command line.
+      const std::string special = "#/=";
       std::string list;
       for (const std::string &member : members)
-        list += (list.empty() ? "'" : ", '") + member + "'";
+        list += (list.empty() ? "'" : ", '") + quoted_name(member, special) + "'";
       const std::string nearest = nearest_name(child.name, members);
-      throw InputError(child.origin, join_path(names) + (names.empty() ? "" : "/") + child.name,
-                       "there is no " + kind + " of this name",
-                       (nearest.empty() ? "" : "Did you mean '" + nearest + "'? ") +
-                           ("There is " + list));
+      throw InputError(
+          child.origin, join_path(names) + (names.empty() ? "" : "/") + child.name,
+          "there is no " + kind + " of this name",
+          (nearest.empty() ? "" : "Did you mean '" + quoted_name(nearest, special) + "'? ") +
+              ("There is " + list));
     }
 }
 

@@ -1,5 +1,6 @@
 #include <continua/base/nearest_name.h>
 #include <continua/base/parameter_store.h>
+#include <continua/base/quoted_name.h>
 
 #include <algorithm>
 
@@ -11,7 +12,7 @@ std::string quoted_list(const std::vector<std::string> &names)
 {
   std::string list;
   for (const std::string &name : names)
-    list += (list.empty() ? "'" : ", '") + name + "'";
+    list += (list.empty() ? "'" : ", '") + quoted_name(name, "#/=") + "'";
   return list;
 }
 } // namespace
@@ -184,7 +185,7 @@ std::string ParameterStore::suggestion(const std::vector<std::string> &path,
   names.insert(names.end(), own_sections.begin(), own_sections.end());
   const std::string nearest = nearest_name(name, names);
   if (!nearest.empty())
-    return "Did you mean '" + nearest + "'?";
+    return "Did you mean '" + quoted_name(nearest, "#/=") + "'?";
 
   // The right name in the wrong place.
   for (const Declaration &declaration : declarations)

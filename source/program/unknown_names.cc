@@ -84,9 +84,11 @@ void find_unknown(const ParameterText::Section &section,
   const auto report = [&](const Origin &origin, const std::string &name, const std::string &what,
                           const std::vector<std::string> &candidates)
   {
-    unknown.emplace_back(
-        path + name,
-        InputError(origin, path + name, "unknown " + what, suggestion(name, candidates)).what());
+    std::string remedy = suggestion(name, candidates);
+    if (origin.file == ParameterText::command_line && nearest_name(name, candidates).empty())
+      remedy += ". A name that has a '/' stands between double quotes";
+    unknown.emplace_back(path + name,
+                         InputError(origin, path + name, "unknown " + what, remedy).what());
   };
   for (const ParameterText::Entry &entry : section.entries)
     if (!known.knows(entry.key))
