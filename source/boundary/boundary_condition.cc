@@ -582,6 +582,15 @@ read_boundary_conditions(ParameterSection section,
     for (const Row &row : table())
       if (condition.type == row.type)
         row.read(child, condition, n_dimensions);
+    add_choice(child, "Mesh", condition.mesh,
+               {{"automatic", MeshCondition::automatic},
+                {"slides", MeshCondition::slides},
+                {"fixed", MeshCondition::fixed}},
+               "What the mesh of a liquid does on the boundary where solids in finite deformation "
+               "move it: slides - along a plane that is normal to an axis; fixed - it stays; "
+               "automatic - it slides on planes where the pressure or the traction is given, on "
+               "rollers and on the axis, and stays on walls, outlets, curved boundaries and where "
+               "a velocity or a total pressure is given.");
     if (condition.outlet && condition.profile && n_dimensions == 2 && !axisymmetric)
       child.refuse("Coupling", "a plane model has no round section with a profile",
                    "Use Coupling = pressure, or Model = axisymmetric or three-dimensional");

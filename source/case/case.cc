@@ -43,12 +43,17 @@ void GeneralParameters::read(ParameterSection root,
   root.add_choice(
       "Convection", convection, {"none", "navier stokes"},
       "Convective terms of the equations: none - linear waves and creeping flow; navier "
-      "stokes - momentum and pressure of the liquids are convected, on a mesh that "
-      "stays, and their density follows the pressure.");
+      "stokes - momentum and pressure of the liquids are convected, and their density follows the "
+      "pressure.");
   add_choice(root, "Deformation", deformation, deformation_words(),
              "How large the deformation of the solids may be: small - linear; finite - the "
-             "equations are those of the deformed body, by the Strain law of each material. All "
-             "regions are solids then.");
+             "equations are those of the deformed body, by the Strain law of each material, and "
+             "the mesh of the liquids moves with the solids.");
+  add_choice(root, "Mesh motion", mesh_motion, mesh_motion_words(),
+             "With finite deformation, how the motion of the solids is extended into the mesh of "
+             "the liquids: hyperelastic - as a body whose energy grows without bound where a cell "
+             "vanishes, linearised in each step; elastic - as a linear elastic body, with one "
+             "factor for the whole run. Both are stiff where cells are small.");
   add_choice(
       root, "Unloaded shape", unloaded_shape, unloaded_shape_words(),
       "With finite deformation, the shape in which the body is free of stress: mesh - that of "
@@ -170,6 +175,7 @@ Case<dim>::Case(ParameterFile &file,
   problem.model = model_of(general.model);
   problem.deformation = general.deformation;
   problem.unloaded_shape = general.unloaded_shape;
+  problem.mesh_motion = general.mesh_motion;
   const bool axisymmetric = problem.model == Model::axisymmetric;
   const bool in_time = analysis.motion == Motion::in_time;
 
@@ -199,6 +205,9 @@ Case<dim>::Case(ParameterFile &file,
         materials.subsection(region).given("Relaxation table"))
       power_laws.note_table(region, materials.subsection(region));
   }
+  problem.mesh_moves = problem.has_regions_of(RegionModel::finite_solid) &&
+                       std::any_of(problem.materials.begin(), problem.materials.end(),
+                                   [](const Material &material) { return !material.is_solid(); });
   if (problem.deformation == Deformation::finite || root.has_subsection("Wall directions"))
     problem.wall_directions.read(root.subsection("Wall directions"), problem.boundaries,
                                  problem.model);
@@ -294,7 +303,7 @@ Case<dim>::Case(ParameterFile &file,
   probes.check(*triangulation, field_names<dim>(problem), pairs);
   probes.check_limits(problem.conditions,
                       {discretisation.is_cell_wise(), analysis.is_modal(), in_time,
-                       problem.deformation == Deformation::finite, are_solid},
+                       problem.deformation == Deformation::finite, are_solid, problem.mesh_moves},
                       field_names<dim>(problem));
   n_histories = probes.expected_columns(field_names<dim>(problem)).size();
   check_histories(*this, root.subsection("Probes"));

@@ -164,19 +164,91 @@ void check_cavity(const Case<dim> &input, const BoundaryCondition &condition, Pa
                   "Remove the entry, or set Slow iteration = new factor");
 }
 
+/// On a mesh that moves.
+void check_boundary_of_liquid(const BoundaryCondition &condition,
+                              const ParameterSection &section,
+                              const std::string &keeps_small)
+{
+  const bool has_flow = condition.normal.flow != nullptr || condition.outlet != nullptr;
+  if (has_flow)
+    section.refuse("Type",
+                   "a flow rate is that through the section of the mesh at rest, which moves with "
+                   "the solids",
+                   "Prescribe a velocity or a pressure, or " + keeps_small);
+  if (condition.is_cavity())
+    section.refuse("Type", "a cavity holds nothing but solids",
+                   "Prescribe a pressure, or " + keeps_small);
+  if (!condition.normal.vector.empty() && condition.normal.kind == BoundaryPart::Kind::traction)
+    section.refuse("Type", "a traction is one per area at rest, which a liquid does not keep",
+                   "Prescribe a pressure");
+  if (condition.mesh == MeshCondition::slides &&
+      (condition.inflow_pressure == InflowPressure::total ||
+       (condition.normal.kind == BoundaryPart::Kind::velocity && !condition.normal.is_fixed())))
+    section.refuse("Mesh",
+                   "the total pressure and the velocity of a boundary are those of a section that "
+                   "keeps its shape",
+                   "Set Mesh = fixed, or leave the entry out");
+}
+
+/// Liquids beside solids in finite deformation, whose mesh moves.
+template <int dim>
+void check_liquids(const Case<dim> &input, ParameterSection root)
+{
+  const Problem &problem = input.problem;
+  if (!problem.has_regions_of(RegionModel::finite_solid))
+    root.refuse("Deformation", "no region is a solid, and liquids have no deformation",
+                "Set Deformation = small");
+  if (!problem.mesh_moves)
+  {
+    if (root.given("Mesh motion"))
+      root.refuse("Mesh motion", "no region is a liquid, whose mesh would move",
+                  "Remove the entry");
+    return;
+  }
+  const std::string keeps_small = "set Deformation = small, where the mesh stays";
+  if (problem.finds_unloaded_shape())
+    root.refuse("Unloaded shape",
+                "the inverse solve for the unloaded shape is for solids alone so far",
+                "Set Unloaded shape = mesh, or leave the liquid out");
+  if (problem.convection.stabilisation == ConvectionStabilisation::supg)
+    root.subsection("Flow").refuse("Convection stabilisation",
+                                   "supg is for a mesh that stays, and the solids move it",
+                                   "Set grad-div or none, or " + keeps_small);
+  if (input.discretisation.taylor_hood.linear_solver.type == LinearSolverType::iterative)
+    root.subsection("Linear solver")
+        .refuse("Type", "the iterative solver is for a mesh that stays, and the solids move it",
+                "Set Type = direct, or " + keeps_small);
+  if (ParameterSection newton = root.subsection("Newton");
+      newton.given("Tangent products") &&
+      problem.newton.tangent_products == TangentProducts::assembled)
+    newton.refuse("Tangent products",
+                  "the integrals of the derivative leave out the motion of the mesh",
+                  "Remove the entry, or set Tangent products = differences");
+  if (input.adaptation.changes_mesh())
+    root.subsection("Adaptivity")
+        .refuse("", "a mesh that moves with the solids does not adapt yet",
+                "Remove the section, use Mesh/Refinements, or " + keeps_small);
+  if (!problem.interior.acceleration.empty() || !problem.interior.body_force.empty())
+    root.subsection("Body force")
+        .refuse("", "the weight of a liquid on a mesh that moves is not known yet",
+                "Remove the section, or " + keeps_small);
+  for (const BoundaryCondition &condition : problem.conditions)
+    if (std::any_of(condition.region_ids.begin(), condition.region_ids.end(),
+                    [&problem](const unsigned int region)
+                    { return !problem.materials[region].is_solid(); }))
+      check_boundary_of_liquid(condition, root.subsection("Boundaries").subsection(condition.name),
+                               keeps_small);
+}
+
 /// Materials that have no place in finite deformation.
 void check_materials(const Problem &problem, const bool is_in_time, ParameterSection root)
 {
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
     const Material &material = problem.materials[region];
-    ParameterSection section = root.subsection("Materials").subsection(problem.regions[region]);
     if (!material.is_solid())
-      section.refuse("Type",
-                     "a liquid needs a mesh that moves with the solid, which Continua does not "
-                     "have yet",
-                     "Leave the liquid out and give its pressure as a boundary condition, or set "
-                     "Deformation = small");
+      continue;
+    ParameterSection section = root.subsection("Materials").subsection(problem.regions[region]);
     if (material.compression.relaxes() ||
         (material.has_power_law() && material.shear.power_law->poissons_ratio))
       section.refuse("Volumetric relaxation",
@@ -234,8 +306,16 @@ void check_deformation(const Case<dim> &input, ParameterSection root)
   const Problem &problem = input.problem;
   for (const unsigned int cavity : problem.cavities())
     check_cavity(input, problem.conditions[cavity], root);
+  for (const BoundaryCondition &condition : problem.conditions)
+    if (ParameterSection section = root.subsection("Boundaries").subsection(condition.name);
+        section.given("Mesh") && !problem.mesh_moves)
+      section.refuse("Mesh", "the mesh moves beside solids in finite deformation alone",
+                     "Remove the entry, or set Deformation = finite");
   if (problem.deformation == Deformation::small)
   {
+    if (root.given("Mesh motion"))
+      root.refuse("Mesh motion", "with small deformation the mesh stays",
+                  "Remove the entry, or set Deformation = finite");
     if (root.sets_in_subsection("Wall directions"))
       root.subsection("Wall directions")
           .refuse("", "fibres and prestretch are for finite deformation",
@@ -265,11 +345,6 @@ void check_deformation(const Case<dim> &input, ParameterSection root)
   if (input.discretisation.is_cell_wise())
     root.refuse("Deformation", "the cell-wise path is for small deformation",
                 "Set Discretisation = taylor hood, or Deformation = small");
-  if (problem.convection.is_on)
-    root.refuse("Convection",
-                "with finite deformation all regions are solids, which are not "
-                "convected",
-                "Set Convection = none");
   if (problem.finds_unloaded_shape())
     check_unloaded_shape(problem, root);
   if (root.sets_in_subsection("Wall directions") &&
@@ -277,6 +352,7 @@ void check_deformation(const Case<dim> &input, ParameterSection root)
     root.subsection("Wall directions")
         .refuse("", "no material has fibres or a prestretch, which alone have directions",
                 "Remove the section, or give a material a Strain law with fibres");
+  check_liquids(input, root);
   check_materials(problem, input.analysis.motion == Motion::in_time, root);
   check_scheme(input, root);
   if (!problem.interior.initial_displacement.empty() && problem.interior.initial_pressure.empty())
@@ -290,7 +366,9 @@ void check_deformation(const Case<dim> &input, ParameterSection root)
                 "Leave it out, give the displacement to which it belongs (p = -K ln J), or set "
                 "Initial state/Type = steady");
   if (ParameterSection output = root.subsection("Output"); output.given("Further fields"))
-    output.refuse("Further fields", "these are fields of liquids, and all regions are solids",
+    output.refuse("Further fields",
+                  "these are fields of liquids by the mesh at rest, which finite deformation does "
+                  "not have",
                   "Leave the entry out");
   if (input.adaptation.changes_mesh() && input.adaptation.uses(Indicator::traction_jump))
     root.subsection("Adaptivity")

@@ -22,10 +22,15 @@ public:
     if (context.operators.reports_change_of_kinetic_energy())
       return 0.5 * density / step.balanced.step.size() *
              (square(region, step.end, context) - square(region, step.start, context));
-    context.operators.multiply_mass(region, context.force, step.balanced.acceleration);
-    context.force *= density;
-    if (context.operators.is_nonlinear_in(region))
-      context.force.add(1., context.nonlinear_forces.inertia);
+    if (context.is_whole(region))
+      context.force.equ(1., context.nonlinear_forces.inertia);
+    else
+    {
+      context.operators.multiply_mass(region, context.force, step.balanced.acceleration);
+      context.force *= density;
+      if (context.operators.is_nonlinear_in(region))
+        context.force.add(1., context.nonlinear_forces.inertia);
+    }
     if (forces != nullptr)
       forces->add(1., context.force);
     return local_product(context.force, step.balanced.velocity);
@@ -56,7 +61,7 @@ public:
                TermContext &context,
                DistributedVector *const forces) const override
   {
-    if (context.problem.deformation == Deformation::finite)
+    if (is_finite(region, context))
       context.force.equ(1., context.nonlinear_forces.strain);
     else if (context.history.mix_balanced(region, step.balanced.step, context.mixture))
       context.operators.set_reported_stress_force(region, step.balanced, context.mixture,
@@ -71,7 +76,7 @@ public:
                           const BalancedStep &step,
                           TermContext &context) const override
   {
-    if (context.problem.deformation == Deformation::finite)
+    if (is_finite(region, context))
       return context.operators.nonlinear_relaxation(region);
     double sum = 0.;
     for (const Branch &branch : context.problem.materials[region].shear.branches)
@@ -87,7 +92,7 @@ public:
   }
   double energy(const unsigned int region, const State &state, TermContext &context) const override
   {
-    if (context.problem.deformation == Deformation::finite)
+    if (is_finite(region, context))
       return context.nonlinear_energy.strain;
     double sum = 0.;
     for (const Branch &branch : context.problem.materials[region].shear.branches)
@@ -98,6 +103,12 @@ public:
       sum += 0.5 * branch.shear_modulus * local_product(context.force, internal);
     }
     return sum;
+  }
+
+private:
+  static bool is_finite(const unsigned int region, const TermContext &context)
+  {
+    return context.problem.region_model(region) == RegionModel::finite_solid;
   }
 };
 
@@ -113,7 +124,7 @@ public:
     const Shear &shear = context.problem.materials[region].shear;
     if (shear.viscosity == 0.)
       return 0.;
-    if (context.problem.deformation == Deformation::finite)
+    if (context.is_whole(region))
       context.force.equ(1., context.nonlinear_forces.viscosity);
     else
     {
@@ -137,11 +148,11 @@ public:
                TermContext &context,
                DistributedVector *const forces) const override
   {
-    const bool is_finite = context.problem.deformation == Deformation::finite;
-    if (forces == nullptr && !is_finite)
+    const bool is_whole = context.is_whole(region);
+    if (forces == nullptr && !is_whole)
       return context.operators.pressure_power(region, step.balanced.velocity,
                                               step.balanced.pressure);
-    if (is_finite)
+    if (is_whole)
       context.force.equ(1., context.nonlinear_forces.compression);
     else
       context.operators.multiply_gradient(region, context.force, step.balanced.pressure);
@@ -185,9 +196,9 @@ public:
   }
 };
 
-/// A kind of forces that are not linear in the velocity.
+/// A kind of forces that liquids with convection have alone.
 template <DistributedVector NonlinearForces::*kind>
-class NonlinearTerm : public EquationTerm
+class FlowTerm : public EquationTerm
 {
 public:
   double power(const unsigned int region,
@@ -195,7 +206,7 @@ public:
                TermContext &context,
                DistributedVector *const forces) const override
   {
-    if (!context.operators.is_nonlinear_in(region))
+    if (context.problem.region_model(region) != RegionModel::flow)
       return 0.;
     if (forces != nullptr)
       forces->add(1., context.nonlinear_forces.*kind);
@@ -266,11 +277,11 @@ std::vector<EquationTermType> equation_terms(const Problem &problem)
   if (problem.convection.is_on)
   {
     terms.push_back({"convective", "energy convected", false, false,
-                     make_term<NonlinearTerm<&NonlinearForces::convection>>});
+                     make_term<FlowTerm<&NonlinearForces::convection>>});
     terms.push_back({"inflow", "energy taken from inflow", false, false,
-                     make_term<NonlinearTerm<&NonlinearForces::inflow>>});
+                     make_term<FlowTerm<&NonlinearForces::inflow>>});
     terms.push_back({"stabilisation", "energy taken by the stabilisation", false, false,
-                     make_term<NonlinearTerm<&NonlinearForces::stabilisation>>});
+                     make_term<FlowTerm<&NonlinearForces::stabilisation>>});
   }
   return terms;
 }

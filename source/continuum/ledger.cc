@@ -39,17 +39,18 @@ void Ledger::reinit()
     of_region.second = operators.velocity_vector();
   for (DistributedVector *vector : {&context.force, &context.mixture, &context.forgotten})
     vector->reinit(forces);
-  if (problem.convection.is_on)
+  if (problem.is_nonlinear())
     for (DistributedVector *vector :
-         {&context.nonlinear_forces.inertia, &context.nonlinear_forces.convection,
-          &context.nonlinear_forces.stabilisation, &context.nonlinear_forces.viscosity,
+         {&context.nonlinear_forces.inertia, &context.nonlinear_forces.viscosity,
+          &context.nonlinear_forces.compression})
+      vector->reinit(forces);
+  if (problem.has_regions_of(RegionModel::flow))
+    for (DistributedVector *vector :
+         {&context.nonlinear_forces.convection, &context.nonlinear_forces.stabilisation,
           &context.nonlinear_forces.inflow})
       vector->reinit(forces);
-  if (problem.deformation == Deformation::finite)
-    for (DistributedVector *vector :
-         {&context.nonlinear_forces.inertia, &context.nonlinear_forces.strain,
-          &context.nonlinear_forces.viscosity, &context.nonlinear_forces.compression})
-      vector->reinit(forces);
+  if (problem.has_regions_of(RegionModel::finite_solid))
+    context.nonlinear_forces.strain.reinit(forces);
   for (DistributedVector *vector : {&context.dilatation, &context.forgotten_rate})
     *vector = operators.pressure_vector();
   forces_are_current = true;

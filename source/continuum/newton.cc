@@ -85,8 +85,11 @@ void Newton::reinit()
     vector->reinit(zero_velocity);
   for (DistributedVector *vector : {&shifted.pressure, &shifted.pressure_rate})
     vector->reinit(mass);
-  if (problem.deformation == Deformation::finite)
+  if (problem.has_regions_of(RegionModel::finite_solid))
     shifted.displacement.reinit(zero_velocity);
+  if (problem.mesh_moves)
+    for (DistributedVector *vector : {&shifted.mesh_displacement, &shifted.mesh_velocity})
+      vector->reinit(zero_velocity);
   has_factor = false;
 }
 
@@ -97,10 +100,11 @@ void Newton::set_rates(const NewtonInput &input, BalancedStep &balanced) const
   const double factor = 1. / input.step.pressure_time;
   balanced.pressure_rate.equ(factor, balanced.pressure);
   balanced.pressure_rate.add(-factor, input.predicted_pressure);
-  if (problem.deformation == Deformation::small)
+  if (!problem.has_regions_of(RegionModel::finite_solid))
     return;
   balanced.displacement.equ(1., input.predicted_displacement);
   balanced.displacement.add(BranchHistory::step_displacement(input.step), balanced.velocity);
+  operators.move_mesh(balanced);
 }
 
 void Newton::subtract_linear_terms(const SystemCoefficients &coefficients,
@@ -123,6 +127,8 @@ void Newton::subtract_linear_terms(const SystemCoefficients &coefficients,
   subtract(mass_work, mass_rows, scales.mass);
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
+    if (!coefficients.has(region))
+      continue;
     operators.multiply_gradient(region, momentum_work, pressure);
     subtract(momentum_work, momentum_rows, scales.momentum);
     const double compressibility = coefficients.compressibility[region];
@@ -169,14 +175,19 @@ void Newton::add_differences(const BalancedStep &balanced,
                              DistributedVector &momentum_rows,
                              DistributedVector &mass_rows)
 {
-  // Velocity and pressure each change by no more than a small part of what they are.
-  const auto share = [](const DistributedVector &change, const DistributedVector &value)
-  {
-    const double size = value.linfty_norm(), of_change = change.linfty_norm();
-    return size > 0. ? of_change / size : of_change > 0. ? 1. : 0.;
+  // Velocity and pressure each change by no more than a small part of what they are. Of a body in
+  // finite deformation the velocity stands for the displacement, too, beside which it may be
+  // nothing.
+  const auto share = [](const double change, const double value) {
+    return value > 0. ? change / value : change > 0. ? 1. : 0.;
   };
+  double velocity = balanced.velocity.linfty_norm();
+  if (problem.has_regions_of(RegionModel::finite_solid))
+    velocity = std::max(velocity, balanced.displacement.linfty_norm() /
+                                      BranchHistory::step_displacement(balanced.step));
   const double largest =
-      std::max(share(of_velocity, balanced.velocity), share(of_pressure, balanced.pressure));
+      std::max(share(of_velocity.linfty_norm(), velocity),
+               share(of_pressure.linfty_norm(), balanced.pressure.linfty_norm()));
   if (largest == 0.)
     return;
   const double distance = difference / largest;
@@ -195,9 +206,10 @@ void Newton::add_differences(const BalancedStep &balanced,
     shift(shifted.pressure, balanced.pressure, 1., of_pressure);
     shift(shifted.pressure_rate, balanced.pressure_rate, 1. / balanced.step.pressure_time,
           of_pressure);
-    if (problem.deformation == Deformation::finite)
+    if (problem.has_regions_of(RegionModel::finite_solid))
       shift(shifted.displacement, balanced.displacement,
             BranchHistory::step_displacement(balanced.step), of_velocity);
+    operators.move_mesh(shifted);
     momentum_work = 0.;
     mass_work = 0.;
     operators.add_nonlinear_terms(shifted, momentum_work, mass_work);
@@ -220,7 +232,7 @@ void Newton::set_derivative_product(const NewtonInput &input,
                         unused);
   momentum_rows *= -1.;
   mass_rows *= -1.;
-  if (problem.newton.tangent_products == TangentProducts::differences)
+  if (takes_differences())
     add_differences(balanced, of_velocity, of_pressure, momentum_rows, mass_rows);
   else
   {
@@ -231,6 +243,11 @@ void Newton::set_derivative_product(const NewtonInput &input,
     mass_rows.add(1., mass_work);
   }
   operators.restrict_residuals(momentum_rows, mass_rows);
+}
+
+bool Newton::takes_differences() const
+{
+  return problem.mesh_moves || problem.newton.tangent_products == TangentProducts::differences;
 }
 
 double Newton::lost_volume(const Step &step) const
@@ -287,6 +304,11 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
   double largest_momentum = 0., largest_mass = 0., previous = 0.;
   double previous_mass = 0.;
   bool takes_krylov = false, momentum_was_round_off = false, correction_is_exact = false;
+  const bool may_take_krylov = outlets.is_empty() && cavities.is_empty() &&
+                               operators.has_derivative_products() &&
+                               problem.newton.slow_iteration == SlowIteration::krylov;
+  // The factor leaves out what the mesh's motion does to the liquid, which is much in a long step.
+  const bool is_exact_at_once = problem.mesh_moves && input.step.is_towards_rest;
   for (unsigned int iteration = 0;; ++iteration)
   {
     set_rates(input, balanced);
@@ -355,13 +377,11 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
     previous_mass = norms.mass;
     momentum_was_round_off = momentum_is_round_off;
     correction_is_exact = operators.solves_with_kept_derivative();
-    const bool can_take_krylov = has_factor && !factor_is_poor && outlets.is_empty() &&
-                                 cavities.is_empty() && operators.has_derivative_products() &&
-                                 problem.newton.slow_iteration == SlowIteration::krylov;
-    if (is_slow && can_take_krylov)
+    const bool can_take_krylov = has_factor && !factor_is_poor && may_take_krylov;
+    if ((is_slow || is_exact_at_once) && can_take_krylov)
     {
       takes_krylov = true;
-      if (problem.newton.tangent_products == TangentProducts::assembled)
+      if (!takes_differences())
         operators.keep_derivative(balanced);
     }
     else if (is_slow || !has_factor)
@@ -382,7 +402,8 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
                           std::to_string(iteration) + " iterations: " + error.what());
       }
       has_factor = correction_is_exact = true;
-      factor_is_poor = takes_krylov = false;
+      factor_is_poor = false;
+      takes_krylov = is_exact_at_once && may_take_krylov;
       outlets.respond(report);
       cavities.respond(report);
     }

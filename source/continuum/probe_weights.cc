@@ -86,7 +86,7 @@ double ProbeWeights::share(const State &state,
       add(1., state.velocity);
       break;
     case Source::displacement:
-      add(1., state.history.displacement());
+      add(1., state.displacement_of_shape());
       break;
     case Source::pressure:
       add(1., state.pressure);

@@ -108,12 +108,19 @@ std::array<double, 6> finite_stress(const Material &material,
   const double ratio = kinematics.volume_ratio() / rest.volume_ratio;
   const PointStrain strain{kinematics.deformation_gradient() * rest.prestretch, ratio, rest.fibres};
   SymmetricTensor<2, 3> stress, of_branches;
-  material.strain_law->set_stress(strain, stress);
-  MetricStress(metric).set_stress(strain, of_branches);
-  stress += of_branches;
-  stress /= ratio;
-  stress +=
-      2. * material.shear.viscosity * deviator(symmetrize(kinematics.gradient(velocity_gradient)));
+  if (material.strain_law != nullptr)
+  {
+    material.strain_law->set_stress(strain, stress);
+    MetricStress(metric).set_stress(strain, of_branches);
+    stress += of_branches;
+    stress /= ratio;
+  }
+  const SymmetricTensor<2, 3> rate = deviator(symmetrize(kinematics.gradient(velocity_gradient)));
+  const Shear &shear = material.shear;
+  stress += 2. *
+            (shear.flow_curve ? shear.flow_curve->viscosity(std::sqrt(2.) * rate.norm())
+                              : shear.viscosity) *
+            rate;
   return components_of(stress - pressure * unit_symmetric_tensor<3>());
 }
 

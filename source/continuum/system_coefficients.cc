@@ -4,29 +4,18 @@
 #include <continua/continuum/branch_history.h>
 #include <continua/continuum/bulk_history.h>
 
-#include <algorithm>
-
 namespace Continua
 {
 bool SystemCoefficients::operator==(const SystemCoefficients &other) const
 {
   return nearly_equal(mass, other.mass) && nearly_equal(stiffness, other.stiffness) &&
-         nearly_equal(compressibility, other.compressibility) &&
+         nearly_equal(compressibility, other.compressibility) && left_out == other.left_out &&
          nearly_equal({support_stiffness, support_damping},
                       {other.support_stiffness, other.support_damping}) &&
          is_of_rest == other.is_of_rest;
 }
 
 void SystemCoefficients::set(const Problem &problem, const Step &step)
-{
-  set_of_small_strains(problem, step);
-  if (problem.deformation == Deformation::small)
-    return;
-  for (std::vector<double> *list : {&stiffness, &compressibility})
-    std::fill(list->begin(), list->end(), 0.);
-}
-
-void SystemCoefficients::set_of_small_strains(const Problem &problem, const Step &step)
 {
   for (std::vector<double> *list : {&mass, &stiffness, &compressibility})
     list->clear();
@@ -43,6 +32,15 @@ void SystemCoefficients::set_of_small_strains(const Problem &problem, const Step
   support_stiffness = has_supports ? BranchHistory::step_displacement(step) : 0.;
   support_damping = has_supports && !step.is_towards_rest ? 1. : 0.;
   is_of_rest = step.is_towards_rest;
+  left_out.clear();
+}
+
+void SystemCoefficients::leave_out(const unsigned int region)
+{
+  for (std::vector<double> *list : {&mass, &stiffness, &compressibility})
+    (*list)[region] = 0.;
+  left_out.resize(mass.size(), false);
+  left_out[region] = true;
 }
 
 void SystemCoefficients::set_steady(const Problem &problem)
@@ -56,6 +54,7 @@ void SystemCoefficients::set_steady(const Problem &problem)
     stiffness.push_back(solid ? material.long_term_shear_modulus() : material.shear.viscosity);
     compressibility.push_back(solid ? material.long_term_inverse_bulk_modulus() : 0.);
   }
+  left_out.clear();
   support_stiffness = solid && problem.has_supports() ? 1. : 0.;
   support_damping = 0.;
   is_of_rest = false;

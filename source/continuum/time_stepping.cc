@@ -136,8 +136,11 @@ void TimeStepping::setup()
   for (DistributedVector *vector :
        {&balanced.pressure, &balanced.pressure_rate, &mass, &pressure_work, &mass_work})
     vector->reinit(zero_pressure);
-  if (problem.deformation == Deformation::finite)
+  if (problem.has_regions_of(RegionModel::finite_solid))
     balanced.displacement.reinit(zero_velocity);
+  if (problem.mesh_moves)
+    for (DistributedVector *vector : {&balanced.mesh_displacement, &balanced.mesh_velocity})
+      vector->reinit(zero_velocity);
   const DistributedVector zero_metric = operators.internal_metric_vector();
   StateSizes sizes(zero_velocity, zero_pressure, zero_metric);
   visit(sizes);
@@ -245,27 +248,42 @@ void TimeStepping::iterate(const Step &step, const bool system_is_new, StepRepor
     further = 0.5;
   else if (!step.is_start && step.a2 != 0.)
     further = step.size() / step.older_distance;
-  // On the way to rest the steps of a solid grow, and its velocity over a longer one would be a
-  // multiple of the last way.
-  const bool starts_at_rest = problem.deformation == Deformation::finite && step.is_towards_rest;
-  balanced.velocity.equ(starts_at_rest ? 0. : 1. + further, velocity);
+  balanced.velocity.equ(1. + further, velocity);
   if (further != 0.)
     balanced.velocity.add(-further, velocity_older);
+  if (step.is_towards_rest)
+    stop_finite_solids(balanced.velocity);
   operators.set_prescribed(balanced.prescribed, balanced.velocity);
   balanced.pressure.equ(1., pressure);
   balanced.cavity_pressures = cavities.pressures();
   balanced.step = step;
-  if (problem.deformation == Deformation::finite)
+  if (problem.has_regions_of(RegionModel::finite_solid))
     history.predict_displacement(step, velocity, mixture);
   newton.solve(
       {step, coefficients, system_is_new, momentum, mass, pressure_work, velocity, mixture},
       balanced, report);
 }
 
+void TimeStepping::stop_finite_solids(DistributedVector &of_velocity) const
+{
+  // On the way to rest the steps of a solid grow, and its velocity over a longer one would be a
+  // multiple of the last way.
+  if (!problem.has_regions_of(RegionModel::finite_solid))
+    return;
+  const std::vector<std::vector<unsigned int>> nodes = operators.velocity_nodes();
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+    if (problem.region_model(region) == RegionModel::finite_solid)
+      for (const unsigned int i : nodes[region])
+        of_velocity.begin()[i] = 0.;
+}
+
 SystemChange TimeStepping::prepare(const Step &step, StepReport &report)
 {
   TimerOutput::Scope scope(log.timer(), "factor");
   coefficients.set(problem, step);
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+    if (is_whole(region))
+      coefficients.leave_out(region);
   const SystemChange change = operators.prepare(coefficients, step.pressure_time);
   if (change != SystemChange::none && !operators.is_nonlinear())
     outlets.respond(report);
@@ -286,10 +304,11 @@ void TimeStepping::set_momentum(const Step &step)
   momentum = 0.;
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
+    if (is_whole(region))
+      continue;
     operators.multiply_mass(region, balanced.velocity, velocity_work);
     momentum.add(problem.materials[region].density, balanced.velocity);
-    if (problem.deformation == Deformation::small &&
-        history.predict(region, step, velocity, mixture))
+    if (history.predict(region, step, velocity, mixture))
     {
       operators.multiply_past_stiffness(region, balanced.velocity, mixture);
       momentum.add(-1., balanced.velocity);
@@ -327,6 +346,8 @@ void TimeStepping::set_mass(const Step &step)
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
     const double compressibility = coefficients.compressibility[region];
+    if (is_whole(region))
+      continue;
     const bool relaxes = bulk_history.has(region);
     if (relaxes)
       bulk_history.predict(region, step, mass_work);

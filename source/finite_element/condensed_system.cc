@@ -104,7 +104,7 @@ public:
                     const Add &add);
   /// The same for B and C.
   template <typename Add>
-  void for_divergence(const Add &add);
+  void for_divergence(const SystemCoefficients &coefficients, const Add &add);
   template <typename Add>
   void for_compression(const std::vector<double> &compressibility, const Add &add);
 
@@ -202,7 +202,7 @@ void CondensedRows<dim>::for_velocity(const SystemCoefficients &coefficients,
 
 template <int dim>
 template <typename Add>
-void CondensedRows<dim>::for_divergence(const Add &add)
+void CondensedRows<dim>::for_divergence(const SystemCoefficients &coefficients, const Add &add)
 {
   for (unsigned int k = 0; k < space.pressure_owned.n_elements(); ++k)
   {
@@ -210,8 +210,8 @@ void CondensedRows<dim>::for_divergence(const Add &add)
     if (space.pressure_hanging.is_constrained(global))
       continue;
     row.clear();
-    for (const RegionOperators &region : operators)
-      take(region.divergence, k, 1.);
+    for (unsigned int region = 0; region < operators.size(); ++region)
+      take(operators[region].divergence, k, coefficients.has(region) ? 1. : 0.);
     condense();
     add(global, condensed);
   }
@@ -379,7 +379,7 @@ void assemble_divergence(const Space<dim> &space,
   const Epetra_Map velocities = map_of(space.velocity_owned, space.communicator);
   const Epetra_Map pressures = map_of(space.pressure_owned, space.communicator);
   Epetra_FECrsMatrix sum(Copy, pressures, 0);
-  CondensedRows<dim>(space, operators, constraints).for_divergence(RowAdder(sum));
+  CondensedRows<dim>(space, operators, constraints).for_divergence({}, RowAdder(sum));
   complete(sum, velocities, pressures, matrix);
 }
 
@@ -450,7 +450,7 @@ SymmetricTriplets condensed_triplets(const Space<dim> &space,
   CondensedRows<dim> rows(space, operators, constraints);
   if (!operators.front().products)
     rows.for_velocity(coefficients, nullptr, nullptr, adder(0, 0, 1.));
-  rows.for_divergence(adder(n_velocity, 0, -1.));
+  rows.for_divergence(coefficients, adder(n_velocity, 0, -1.));
   rows.for_compression(coefficients.compressibility, adder(n_velocity, n_velocity, -1.));
   return result;
 }

@@ -23,13 +23,16 @@ ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space,
     : Base(space,
            problem,
            QGauss<dim>((3 * space.degree() + 2 + (space.is_axisymmetric() ? 1 : 0)) / 2),
-           PhaseShare::liquid),
+           RegionModel::flow),
+      carries(problem.convection.is_on ? 1. : 0.),
       inflow_terms(space, problem),
       streamline_terms(space, problem, quadrature),
+      follower_pressure(space, problem),
       instruction_set(instruction_set)
 {
   const unsigned int n_velocity = dim * cells.n_functions(), n_pressure = cells.n_pressures();
-  for (Vector<double> *vector : {&cell_velocity, &cell_acceleration, &cell_inflow})
+  for (Vector<double> *vector : {&cell_velocity, &cell_acceleration, &cell_inflow,
+                                 &cell_mesh_displacement, &cell_mesh_velocity})
     vector->reinit(n_velocity);
   for (Vector<double> &forces : cell_forces)
     forces.reinit(n_velocity);
@@ -40,7 +43,7 @@ ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space,
   along.resize(cells.n_functions());
   for (std::vector<double> *derivatives : {&traces, &sources})
     derivatives->resize(n_velocity);
-  for (std::vector<double> *derivatives : {&pressure_sources, &pressure_rates, &densities})
+  for (std::vector<double> *derivatives : {&pressure_sources, &densities})
     derivatives->resize(n_pressure);
 }
 
@@ -50,6 +53,12 @@ void ConvectiveTerms<dim>::reinit()
   Base::reinit();
   acceleration.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
   pressure_rate.reinit(space.pressure_owned, space.pressure_relevant, space.communicator);
+  if (!problem.mesh_moves)
+    return;
+  for (DistributedVector *vector : {&mesh_displacement, &mesh_velocity})
+    vector->reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
+  follower_pressure.reinit();
+  moved_points.resize(quadrature.size());
 }
 
 template <int dim>
@@ -60,22 +69,22 @@ void ConvectiveTerms<dim>::make_product()
   input.is_skew = problem.convection.term == ConvectiveTerm::skew;
   input.constant_viscosity = problem.convection.constant_viscosity();
   has_compressible_liquid = false;
-  for (const Material &material : problem.materials)
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
+    const Material &of_region = problem.materials[region];
     typename Product::Liquid liquid;
-    liquid.share = 1. - material.phase();
-    liquid.density = material.density;
-    liquid.volume_law = material.volume_law();
-    liquid.flow_curve = material.shear.flow_curve;
+    liquid.density = of_region.density;
+    liquid.viscosity = of_region.shear.viscosity;
+    liquid.volume_law = of_region.volume_law();
+    liquid.flow_curve = of_region.shear.flow_curve;
     input.liquids.push_back(liquid);
-    if (liquid.share > 0. && liquid.volume_law.inverse_bulk_modulus != 0.)
+    if (Base::are_of(region) && !of_region.is_incompressible())
       has_compressible_liquid = true;
   }
   const unsigned int n_cells = space.triangulation.n_active_cells();
   input.has_cell.resize(n_cells);
   input.viscosity_over_speed.resize(n_cells);
-  if (has_compressible_liquid)
-    input.pressure_places.resize(std::size_t(n_cells) * Product::n_pressures);
+  input.pressure_places.resize(std::size_t(n_cells) * Product::n_pressures);
   some_cells_have_matrices = false;
   for (const Cell &cell : cells.all())
     if (inflow_terms.has_face(cell.pressure_cell))
@@ -86,9 +95,8 @@ void ConvectiveTerms<dim>::make_product()
       input.has_cell[index] = true;
       input.viscosity_over_speed[index] = problem.convection.viscosity_over_speed(
           problem.materials[cell.region].density, cell.size);
-      if (has_compressible_liquid)
-        std::copy(cell.pressure_places.begin(), cell.pressure_places.end(),
-                  input.pressure_places.begin() + std::size_t(index) * Product::n_pressures);
+      std::copy(cell.pressure_places.begin(), cell.pressure_places.end(),
+                input.pressure_places.begin() + std::size_t(index) * Product::n_pressures);
     }
   some_cells_have_matrices =
       Utilities::MPI::max(some_cells_have_matrices ? 1 : 0, space.communicator) > 0;
@@ -142,7 +150,7 @@ void ConvectiveTerms<dim>::add_derivative_product(const DistributedVector &of_ve
 {
   if (product == nullptr || some_cells_have_matrices)
     Base::add_derivative_product(of_velocity, of_pressure, momentum, volume);
-  else if (has_compressible_liquid)
+  else
     space.copy_pressure(of_pressure, pressure_work, pressure);
   if (product == nullptr)
     return;
@@ -150,8 +158,6 @@ void ConvectiveTerms<dim>::add_derivative_product(const DistributedVector &of_ve
   product->multiply(of_product.momentum, of_product.volume, of_product.velocity, pressure.begin());
   for (unsigned int i = 0; i < momentum.locally_owned_size(); ++i)
     momentum.begin()[i] += of_product.momentum.local_element(i);
-  if (!has_compressible_liquid)
-    return;
   for (const Cell &cell : cells.all())
     if (!needs_matrix(cell))
     {
@@ -185,9 +191,8 @@ std::vector<double> ConvectiveTerms<dim>::grad_div_viscosities(const BalancedSte
       integral += cell.points[q].weight * viscosity_over_speed() * here.norm();
       volume += cell.points[q].weight;
     }
-    // The share of the liquid is in the weights of both integrals.
     result[cell.velocity_cell->active_cell_index()] =
-        (1. - material().phase()) * (problem.convection.constant_viscosity() + integral / volume);
+        problem.convection.constant_viscosity() + integral / volume;
   }
   return result;
 }
@@ -199,6 +204,11 @@ void ConvectiveTerms<dim>::take(const BalancedStep &state)
   take(state.velocity, state.pressure);
   space.copy_velocity(state.acceleration, velocity_work, acceleration);
   space.copy_pressure(state.pressure_rate, pressure_work, pressure_rate);
+  if (!problem.mesh_moves)
+    return;
+  space.copy_velocity(state.mesh_displacement, velocity_work, mesh_displacement);
+  space.copy_velocity(state.mesh_velocity, velocity_work, mesh_velocity);
+  follower_pressure.set_cavity_pressures(state.cavity_pressures);
 }
 
 template <int dim>
@@ -209,6 +219,38 @@ void ConvectiveTerms<dim>::visit(const Cell &cell)
   Base::set_entries(cell.velocity_places, acceleration, cell_acceleration);
   Base::set_entries(cell.pressure_places, pressure, cell_pressure);
   Base::set_entries(cell.pressure_places, pressure_rate, cell_pressure_rate);
+  if (!problem.mesh_moves)
+    return;
+  Base::set_entries(cell.velocity_places, mesh_displacement, cell_mesh_displacement);
+  Base::set_entries(cell.velocity_places, mesh_velocity, cell_mesh_velocity);
+  move_points();
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::move_points()
+{
+  const std::size_t n_functions = cells.n_functions();
+  for (unsigned int q = 0; q < moved_points.size(); ++q)
+  {
+    const typename Cell::Point &at_rest = present->points[q];
+    Tensor<2, dim> gradient;
+    double radial = 0.;
+    for (unsigned int c = 0; c < dim; ++c)
+    {
+      const double *const entries = cell_mesh_displacement.begin() + c * n_functions;
+      Tensor<1, dim> slope; // on the reference cell
+      for (unsigned int a = 0; a < n_functions; ++a)
+        slope += entries[a] * cells.gradients(q)[a];
+      gradient[c] = slope * at_rest.inverse_jacobian;
+      gradient[c][c] += 1.;
+      for (unsigned int a = 0; c == 1 && a < n_functions; ++a)
+        radial += entries[a] * cells.values(q)[a];
+    }
+    const double stretch = 1. + radial * at_rest.hoop;
+    moved_points[q].weight = at_rest.weight * determinant(gradient) * stretch;
+    moved_points[q].hoop = at_rest.hoop / stretch;
+    moved_points[q].inverse_jacobian = at_rest.inverse_jacobian * invert(gradient);
+  }
 }
 
 template <int dim>
@@ -220,7 +262,7 @@ double ConvectiveTerms<dim>::viscosity_over_speed() const
 template <int dim>
 typename ConvectiveTerms<dim>::Point ConvectiveTerms<dim>::point(const unsigned int q) const
 {
-  const typename Cell::Point &geometry = present->points[q];
+  const typename Cell::Point &geometry = geometry_at(q);
   const std::size_t n_functions = cells.n_functions();
   const double *const values = cells.values(q), *const pressure_values = cells.pressure_values(q);
   const Tensor<1, dim> *const gradients = cells.gradients(q), *const pressure_gradients =
@@ -243,6 +285,9 @@ typename ConvectiveTerms<dim>::Point ConvectiveTerms<dim>::point(const unsigned 
     point.velocity[c] = of_velocity;
     point.acceleration[c] = of_acceleration;
     point.velocity_gradient[c] = slope * geometry.inverse_jacobian;
+    point.carrier[c] = carries * of_velocity;
+    for (unsigned int a = 0; problem.mesh_moves && a < n_functions; ++a)
+      point.carrier[c] -= cell_mesh_velocity[c * n_functions + a] * values[a];
   }
   point.divergence = trace(point.velocity_gradient) + point.hoop * point.velocity[1];
   Tensor<1, dim> slope;
@@ -253,8 +298,7 @@ typename ConvectiveTerms<dim>::Point ConvectiveTerms<dim>::point(const unsigned 
     slope += cell_pressure[k] * pressure_gradients[k];
   }
   point.pressure_gradient = slope * geometry.inverse_jacobian;
-  if (material().shear.flow_curve)
-    set_strain_rate(point);
+  set_strain_rate(point);
   return point;
 }
 
@@ -276,7 +320,7 @@ void ConvectiveTerms<dim>::set_strain_rate(Point &point) const
 template <int dim>
 void ConvectiveTerms<dim>::set_functions(const unsigned int q)
 {
-  const typename Cell::Point &geometry = present->points[q];
+  const typename Cell::Point &geometry = geometry_at(q);
   const std::size_t n_functions = cells.n_functions();
   functions.values = cells.values(q);
   functions.pressure_values = cells.pressure_values(q);
@@ -302,11 +346,16 @@ double ConvectiveTerms<dim>::shear(const Point &point,
 }
 
 template <int dim>
+double ConvectiveTerms<dim>::viscosity_at(const Point &here) const
+{
+  const Shear &shear = material().shear;
+  return shear.flow_curve ? shear.flow_curve->viscosity(here.shear_rate) : shear.viscosity;
+}
+
+template <int dim>
 typename ConvectiveTerms<dim>::Tested ConvectiveTerms<dim>::viscous(const Point &here) const
 {
-  const FlowCurve &curve = *material().shear.flow_curve;
-  const double factor =
-      2. * here.weight * (curve.viscosity(here.shear_rate) - curve.zero_rate_viscosity);
+  const double factor = 2. * here.weight * viscosity_at(here);
   Tested tested;
   tested.by_gradient = factor * here.strain_rate;
   tested.by_value[1] = factor * here.across * here.hoop;
@@ -317,17 +366,16 @@ template <int dim>
 void ConvectiveTerms<dim>::add_derivative_of_viscosity(const Point &here,
                                                        FullMatrix<double> &matrix) const
 {
-  const FlowCurve &curve = *material().shear.flow_curve;
-  const double excess =
-      2. * here.weight * (curve.viscosity(here.shear_rate) - curve.zero_rate_viscosity);
-  const double slope = 4. * here.weight * curve.slope_over_rate(here.shear_rate);
+  const std::optional<FlowCurve> &curve = material().shear.flow_curve;
+  const double factor = 2. * here.weight * viscosity_at(here),
+               slope = curve ? 4. * here.weight * curve->slope_over_rate(here.shear_rate) : 0.;
   const std::size_t n_functions = cells.n_functions();
   for (unsigned int c = 0; c < dim; ++c)
     for (unsigned int a = 0; a < n_functions; ++a)
     {
       const unsigned int i = c * n_functions + a;
       const Tensor<1, dim> &test = functions.gradients[a];
-      const double sheared = slope * shear(here, c, a);
+      const double sheared = curve ? slope * shear(here, c, a) : 0.;
       for (unsigned int d = 0; d < dim; ++d)
         for (unsigned int b = 0; b < n_functions; ++b)
         {
@@ -337,7 +385,7 @@ void ConvectiveTerms<dim>::add_derivative_of_viscosity(const Point &here,
                         traces[i] * traces[j] / 3.;
           if (c == 1 && d == 1)
             same += here.hoop * here.hoop * functions.values[a] * functions.values[b];
-          matrix(i, j) += excess * same + sheared * shear(here, d, b);
+          matrix(i, j) += factor * same + (curve ? sheared * shear(here, d, b) : 0.);
         }
     }
 }
@@ -354,7 +402,7 @@ void ConvectiveTerms<dim>::add_tested(const Tested &tested,
   {
     const double by_value = tested.by_value[c];
     // By the gradient on the reference cell.
-    const Tensor<1, dim> by_gradient = present->points[q].inverse_jacobian * tested.by_gradient[c];
+    const Tensor<1, dim> by_gradient = geometry_at(q).inverse_jacobian * tested.by_gradient[c];
     double *const of_component = rows.begin() + c * n_functions;
     for (unsigned int a = 0; a < n_functions; ++a)
       of_component[a] += by_value * values[a] + by_gradient * gradients[a];
@@ -366,7 +414,7 @@ double ConvectiveTerms<dim>::integrate(const bool by_kind)
 {
   const Material &liquid = material();
   const VolumeLaw law = liquid.volume_law();
-  const bool is_skew = problem.convection.term == ConvectiveTerm::skew;
+  const bool is_skew = carries > 0. && problem.convection.term == ConvectiveTerm::skew;
   const double constant_gamma = problem.convection.constant_viscosity(),
                gamma_over_speed = viscosity_over_speed();
   if (streamline_terms.are_on())
@@ -381,24 +429,27 @@ double ConvectiveTerms<dim>::integrate(const bool by_kind)
     const Point here = point(q);
     least_stiffening = std::min(least_stiffening, law.stiffening(here.pressure));
     const double density = liquid.density * law.density_ratio(here.pressure);
-    const double compression = law.compressibility(here.pressure) *
-                               (here.pressure_rate + here.velocity * here.pressure_gradient);
-    const double source = compression + here.divergence;
+    const double source = law.compressibility(here.pressure) *
+                              (here.pressure_rate + here.carrier * here.pressure_gradient) +
+                          here.divergence;
     std::array<Tested, n_kinds> tested;
-    tested[inertia].by_value = here.weight * (density - liquid.density) * here.acceleration;
+    tested[inertia].by_value = here.weight * density * here.acceleration;
     tested[convection].by_value =
         here.weight * density *
-        (here.velocity_gradient * here.velocity + (is_skew ? 0.5 * source : 0.) * here.velocity);
+        (here.velocity_gradient * here.carrier + (is_skew ? 0.5 * source : 0.) * here.velocity);
     const double gamma = constant_gamma + gamma_over_speed * here.velocity.norm();
     const double second_pressure = here.weight * gamma * source;
     for (unsigned int c = 0; c < dim; ++c)
+    {
       tested[stabilisation].by_gradient[c][c] = second_pressure;
+      tested[compression].by_gradient[c][c] = -here.weight * here.pressure;
+    }
     tested[stabilisation].by_value[1] = second_pressure * here.hoop;
+    tested[compression].by_value[1] = -here.weight * here.pressure * here.hoop;
     if (streamline_terms.are_on())
       tested[stabilisation].by_gradient +=
           outer_product(streamline_terms.force(here, q, cell_state()), here.velocity);
-    if (liquid.shear.flow_curve)
-      tested[viscosity] = viscous(here);
+    tested[viscosity] = viscous(here);
     if (by_kind)
       for (unsigned int kind = 0; kind < n_kinds; ++kind)
         add_tested(tested[kind], q, cell_forces[kind]);
@@ -412,9 +463,8 @@ double ConvectiveTerms<dim>::integrate(const bool by_kind)
       }
       add_tested(sum, q, cell_forces[0]);
     }
-    const double rate = here.weight * (compression - law.inverse_bulk_modulus * here.pressure_rate);
     for (unsigned int k = 0; k < cells.n_pressures(); ++k)
-      cell_volume[k] += rate * cells.pressure_values(q)[k];
+      cell_volume[k] += here.weight * source * cells.pressure_values(q)[k];
   }
   if (inflow_terms.has_face(present->pressure_cell))
     inflow_terms.add(present->pressure_cell, cell_state(), cell_inflow);
@@ -440,6 +490,12 @@ void ConvectiveTerms<dim>::add(const BalancedStep &state,
     }
     Vector<double> &sum = cell_forces[0];
     sum += cell_inflow;
+    if (follower_pressure.has_face(cell.velocity_cell))
+    {
+      cell_inflow = 0.;
+      follower_pressure.add(cell.velocity_cell, step, cell_mesh_displacement, cell_inflow);
+      sum -= cell_inflow;
+    }
     space.velocity_hanging.distribute_local_to_global(sum, cell.velocity_indices, momentum);
     space.pressure_hanging.distribute_local_to_global(cell_volume, cell.pressure_indices, volume);
   }
@@ -463,11 +519,12 @@ void ConvectiveTerms<dim>::set_forces_of(const unsigned int region,
                                          const BalancedStep &state,
                                          NonlinearForces &forces)
 {
-  const std::array<std::pair<const Vector<double> *, DistributedVector *>, 5> parts = {
+  const std::array<std::pair<const Vector<double> *, DistributedVector *>, 6> parts = {
       {{&cell_forces[inertia], &forces.inertia},
        {&cell_forces[convection], &forces.convection},
        {&cell_forces[stabilisation], &forces.stabilisation},
        {&cell_forces[viscosity], &forces.viscosity},
+       {&cell_forces[compression], &forces.compression},
        {&cell_inflow, &forces.inflow}}};
   for (const auto &part : parts)
     *part.second = 0.;
@@ -486,12 +543,33 @@ void ConvectiveTerms<dim>::set_forces_of(const unsigned int region,
 }
 
 template <int dim>
+void ConvectiveTerms<dim>::add_loads(const BalancedStep &state,
+                                     const std::optional<unsigned int> region,
+                                     DistributedVector &forces)
+{
+  if (!problem.mesh_moves)
+    return;
+  take(state);
+  for (const Cell &cell : cells.all())
+    if ((!region || cell.region == *region) && follower_pressure.has_face(cell.velocity_cell))
+    {
+      visit(cell);
+      cell_inflow = 0.;
+      follower_pressure.add(cell.velocity_cell, step, cell_mesh_displacement, cell_inflow);
+      space.velocity_hanging.distribute_local_to_global(cell_inflow, cell.velocity_indices, forces);
+    }
+  forces.compress(VectorOperation::add);
+}
+
+template <int dim>
 NonlinearEnergy ConvectiveTerms<dim>::energy_of(const unsigned int region, const State &state)
 {
   NonlinearEnergy energy;
   const double density = problem.materials[region].density;
   const VolumeLaw law = problem.materials[region].volume_law();
   take(state.velocity, state.pressure);
+  if (problem.mesh_moves)
+    space.copy_velocity(*state.mesh_displacement, velocity_work, mesh_displacement);
   for (const Cell &cell : cells.all())
     if (cell.region == region)
     {
@@ -512,7 +590,7 @@ void ConvectiveTerms<dim>::integrate_derivative(FullMatrix<double> &matrix)
 {
   const Material &liquid = material();
   const VolumeLaw law = liquid.volume_law();
-  const double skew = problem.convection.term == ConvectiveTerm::skew ? 0.5 : 0.;
+  const double skew = carries > 0. && problem.convection.term == ConvectiveTerm::skew ? 0.5 : 0.;
   const double constant_gamma = problem.convection.constant_viscosity(),
                gamma_over_speed = viscosity_over_speed();
   if (streamline_terms.are_on())
@@ -529,31 +607,31 @@ void ConvectiveTerms<dim>::integrate_derivative(FullMatrix<double> &matrix)
     const double density = liquid.density * law.density_ratio(here.pressure);
     const double compressibility = law.compressibility(here.pressure);
     const double slope = law.compressibility_slope(here.pressure);
-    const double motion = here.pressure_rate + here.velocity * here.pressure_gradient;
+    const double motion = here.pressure_rate + here.carrier * here.pressure_gradient;
     const double source = compressibility * motion + here.divergence;
-    const Tensor<1, dim> inertial = here.acceleration + here.velocity_gradient * here.velocity;
+    const Tensor<1, dim> inertial = here.acceleration + here.velocity_gradient * here.carrier;
     const double speed = here.velocity.norm();
     const double gamma = constant_gamma + gamma_over_speed * speed;
     // Of gamma times the source by the velocity; at rest the speed has no derivative.
     const Tensor<1, dim> gamma_slope =
         speed > 0. ? gamma_over_speed / speed * source * here.velocity : Tensor<1, dim>();
     for (unsigned int b = 0; b < n_functions; ++b)
-      along[b] = here.velocity * functions.gradients[b];
+      along[b] = here.carrier * functions.gradients[b];
     for (unsigned int d = 0; d < dim; ++d)
       for (unsigned int b = 0; b < n_functions; ++b)
         sources[d * n_functions + b] =
-            compressibility * here.pressure_gradient[d] * values[b] + traces[d * n_functions + b];
+            carries * compressibility * here.pressure_gradient[d] * values[b] +
+            traces[d * n_functions + b];
     for (unsigned int l = 0; l < n_pressure; ++l)
     {
       const double shape = functions.pressure_values[l];
       const double moved =
-          rate_by_pressure * shape + here.velocity * functions.pressure_gradients[l];
+          rate_by_pressure * shape + here.carrier * functions.pressure_gradients[l];
       pressure_sources[l] = slope * shape * motion + compressibility * moved;
-      pressure_rates[l] = pressure_sources[l] - law.inverse_bulk_modulus * rate_by_pressure * shape;
       densities[l] = density * compressibility * shape;
     }
     // Of the acceleration and of the velocity that the flow carries along, by that velocity.
-    const double carried = (density - liquid.density) * step.a0 + skew * density * source;
+    const double carried = density * step.a0 + skew * density * source;
     for (unsigned int c = 0; c < dim; ++c)
       for (unsigned int a = 0; a < n_functions; ++a)
       {
@@ -565,7 +643,7 @@ void ConvectiveTerms<dim>::integrate_derivative(FullMatrix<double> &matrix)
         {
           double *const row = &matrix(i, d * n_functions);
           const double *const of_source = &sources[d * n_functions];
-          const double by_value = test * density * here.velocity_gradient[c][d] +
+          const double by_value = carries * test * density * here.velocity_gradient[c][d] +
                                   by_trace * gamma_slope[d] + (c == d ? test * carried : 0.);
           for (unsigned int b = 0; b < n_functions; ++b)
             row[b] += by_value * values[b] + by_source * of_source[b];
@@ -575,29 +653,22 @@ void ConvectiveTerms<dim>::integrate_derivative(FullMatrix<double> &matrix)
         }
         const double by_density = test * (inertial[c] + skew * source * here.velocity[c]);
         for (unsigned int l = 0; l < n_pressure; ++l)
-          matrix(i, n_velocity + l) += by_density * densities[l] + by_source * pressure_sources[l];
+          matrix(i, n_velocity + l) += by_density * densities[l] + by_source * pressure_sources[l] -
+                                       by_trace * functions.pressure_values[l];
       }
     if (streamline_terms.are_on())
       streamline_terms.add_derivative(here, functions, q, cell_state(), matrix);
-    if (liquid.shear.flow_curve)
+    if (liquid.shear.viscosity > 0.)
       add_derivative_of_viscosity(here, matrix);
     for (unsigned int k = 0; k < n_pressure; ++k)
     {
       const double test = -here.weight * functions.pressure_values[k];
       for (unsigned int j = 0; j < n_velocity; ++j)
-        matrix(n_velocity + k, j) += test * (sources[j] - traces[j]);
+        matrix(n_velocity + k, j) += test * sources[j];
       for (unsigned int l = 0; l < n_pressure; ++l)
-        matrix(n_velocity + k, n_velocity + l) += test * pressure_rates[l];
+        matrix(n_velocity + k, n_velocity + l) += test * pressure_sources[l];
     }
   }
-}
-
-template <int dim>
-typename ConvectiveTerms<dim>::PressureEntries
-ConvectiveTerms<dim>::pressure_entries(const Cell &cell) const
-{
-  const bool is_compressible = !problem.materials[cell.region].is_incompressible();
-  return {is_compressible, is_compressible || streamline_terms.are_on()};
 }
 
 template <int dim>

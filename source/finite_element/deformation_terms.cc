@@ -32,7 +32,7 @@ DeformationTerms<dim>::DeformationTerms(const Space<dim> &space,
                                         const Problem &problem,
                                         MetricHistory<dim> *const metrics)
     // As the linear stress, to which the terms come close where the deformation is small.
-    : Base(space, problem, QGauss<dim>(space.n_quadrature_points()), PhaseShare::solid),
+    : Base(space, problem, QGauss<dim>(space.n_quadrature_points()), RegionModel::finite_solid),
       metrics(metrics),
       heat(problem.regions.size(), 0.),
       follower_pressure(space, problem),
@@ -64,8 +64,7 @@ void DeformationTerms<dim>::reinit()
   Base::reinit();
   displacement.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
   pressure_rate.reinit(space.pressure_owned, space.pressure_relevant, space.communicator);
-  if (has_other_rest)
-    acceleration.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
+  acceleration.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
   if (problem.finds_unloaded_shape())
     ghosted_unloaded.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
   follower_pressure.reinit();
@@ -155,10 +154,8 @@ void DeformationTerms<dim>::take(const BalancedStep &state)
   else
     space.copy_velocity(state.displacement, velocity_work, displacement);
   follower_pressure.set_cavity_pressures(state.cavity_pressures);
-  if (!has_other_rest)
-    return;
   space.copy_velocity(state.acceleration, velocity_work, acceleration);
-  if (step.load_factor != prestretch_share)
+  if (has_other_rest && step.load_factor != prestretch_share)
   {
     prestretch_share = step.load_factor;
     set_rest_states();
@@ -171,8 +168,7 @@ void DeformationTerms<dim>::visit(const Cell &cell)
   present = &cell;
   Base::set_entries(cell.velocity_places, velocity, cell_velocity);
   Base::set_entries(cell.velocity_places, displacement, cell_displacement);
-  if (has_other_rest)
-    Base::set_entries(cell.velocity_places, acceleration, cell_acceleration);
+  Base::set_entries(cell.velocity_places, acceleration, cell_acceleration);
   if (step.finds_unloaded_shape)
     Base::set_entries(cell.velocity_places, ghosted_unloaded, cell_unloaded);
   Base::set_entries(cell.pressure_places, pressure, cell_pressure);
@@ -211,13 +207,12 @@ typename DeformationTerms<dim>::Point DeformationTerms<dim>::point(const unsigne
 {
   const double *const pressure_values = cells.pressure_values(q);
   Point point{Kinematics(gradient(cell_displacement, q)),
-              gradient(cell_velocity, q),
               {},
               present->points[q].weight,
               0.,
               0.,
               rest_states.empty() ? 1. : rest_states[present - cells.all().data()][q].volume_ratio};
-  point.velocity_gradient = point.kinematics.gradient(point.reference_velocity_gradient);
+  point.velocity_gradient = point.kinematics.gradient(gradient(cell_velocity, q));
   for (unsigned int k = 0; k < cells.n_pressures(); ++k)
   {
     point.pressure += cell_pressure[k] * pressure_values[k];
@@ -342,25 +337,13 @@ void DeformationTerms<dim>::add_stress(const SymmetricTensor<2, 3> &stress,
 }
 
 template <int dim>
-void DeformationTerms<dim>::add_reference_pressure(const double factor, Vector<double> &rows) const
-{
-  const std::size_t n_functions = cells.n_functions();
-  for (unsigned int c = 0; c < dim; ++c)
-  {
-    double *const of_component = rows.begin() + c * n_functions;
-    for (unsigned int a = 0; a < n_functions; ++a)
-      of_component[a] += factor * (reference_slopes[a][c] + (c == 1 ? reference_hoops[a] : 0.));
-  }
-}
-
-template <int dim>
 void DeformationTerms<dim>::add_inertia(const Point &here,
                                         const unsigned int q,
                                         Vector<double> &rows) const
 {
   const std::size_t n_functions = cells.n_functions();
   const double *const values = cells.values(q);
-  const double mass = here.weight * material().density * (here.rest_ratio - 1.);
+  const double of_mass = mass(here);
   for (unsigned int c = 0; c < dim; ++c)
   {
     const double *const of_component = cell_acceleration.begin() + c * n_functions;
@@ -368,8 +351,22 @@ void DeformationTerms<dim>::add_inertia(const Point &here,
     for (unsigned int a = 0; a < n_functions; ++a)
       of_point += of_component[a] * values[a];
     for (unsigned int a = 0; a < n_functions; ++a)
-      rows[c * n_functions + a] += mass * of_point * values[a];
+      rows[c * n_functions + a] += of_mass * of_point * values[a];
   }
+}
+
+template <int dim>
+void DeformationTerms<dim>::add_derivative_of_inertia(const Point &here,
+                                                      const unsigned int q,
+                                                      FullMatrix<double> &matrix) const
+{
+  const std::size_t n_functions = cells.n_functions();
+  const double *const values = cells.values(q);
+  const double factor = mass(here) * step.a0;
+  for (unsigned int a = 0; a < n_functions; ++a)
+    for (unsigned int f = 0; f < n_functions; ++f)
+      for (unsigned int c = 0; c < dim; ++c)
+        matrix(c * n_functions + a, c * n_functions + f) += factor * values[a] * values[f];
 }
 
 template <int dim>
@@ -425,8 +422,7 @@ double DeformationTerms<dim>::integrate(const bool by_kind)
       if (is_viscous)
         add_stress(viscous_stress(here), here.weight, cell_forces[viscosity]);
       add_stress(of_pressure, here.weight, cell_forces[compression]);
-      if (adds_inertia())
-        add_inertia(here, q, cell_forces[inertia]);
+      add_inertia(here, q, cell_forces[inertia]);
     }
     else
     {
@@ -434,12 +430,9 @@ double DeformationTerms<dim>::integrate(const bool by_kind)
       if (is_viscous)
         stress += viscous_stress(here);
       add_stress(stress, here.weight, cell_forces[0]);
-      add_reference_pressure(here.weight * here.pressure, cell_forces[0]);
-      if (adds_inertia())
-        add_inertia(here, q, cell_forces[0]);
+      add_inertia(here, q, cell_forces[0]);
     }
-    const double row =
-        here.weight * (ratio * volume_row(here) - trace(here.reference_velocity_gradient));
+    const double row = here.weight * ratio * volume_row(here);
     for (unsigned int k = 0; k < cells.n_pressures(); ++k)
       cell_volume[k] += row * cells.pressure_values(q)[k];
   }
@@ -712,24 +705,14 @@ void DeformationTerms<dim>::integrate_derivative(FullMatrix<double> &matrix)
               divergence - b * double_contract<0, 1, 1, 0>(here.velocity_gradient, change);
         else
           row_change += divergence;
-        const double reference_divergence =
-            reference_slopes[f][d] + (d == 1 ? reference_hoops[f] : 0.);
-        const double by_velocity = here.weight * (ratio * row_change - reference_divergence);
+        const double by_velocity = here.weight * ratio * row_change;
         for (unsigned int k = 0; k < n_pressure; ++k)
           matrix(n_velocity + k, j) -= by_velocity * cells.pressure_values(q)[k];
-        const double by_pressure = here.weight * (reference_divergence - ratio * divergence);
+        const double by_pressure = -here.weight * ratio * divergence;
         for (unsigned int k = 0; k < n_pressure; ++k)
           matrix(j, n_velocity + k) += by_pressure * cells.pressure_values(q)[k];
       }
-    if (adds_inertia())
-    {
-      const double mass = here.weight * material().density * (here.rest_ratio - 1.) * step.a0;
-      for (unsigned int a = 0; a < n_functions; ++a)
-        for (unsigned int f = 0; f < n_functions; ++f)
-          for (unsigned int c = 0; c < dim; ++c)
-            matrix(c * n_functions + a, c * n_functions + f) +=
-                mass * cells.values(q)[a] * cells.values(q)[f];
-    }
+    add_derivative_of_inertia(here, q, matrix);
     const double row_by_pressure =
         here.weight * ratio * inverse_bulk_modulus * (step.extrapolate ? rate_by_pressure : 1. / b);
     for (unsigned int k = 0; k < n_pressure; ++k)
@@ -787,11 +770,16 @@ void DeformationTerms<dim>::integrate_unloading_derivative(FullMatrix<double> &m
             law.has_own_mean_stress()
                 ? inverse_bulk_modulus * (mean_derivative * symmetrize(change))
                 : divergence;
-        const double by_velocity = here.weight * (row_change - reference_slopes[f][d] -
-                                                  (d == 1 ? reference_hoops[f] : 0.));
+        const double reference_divergence =
+            reference_slopes[f][d] + (d == 1 ? reference_hoops[f] : 0.);
         for (unsigned int k = 0; k < n_pressure; ++k)
-          matrix(n_velocity + k, j) -= by_velocity * cells.pressure_values(q)[k];
+        {
+          matrix(n_velocity + k, j) -= here.weight * row_change * cells.pressure_values(q)[k];
+          matrix(j, n_velocity + k) -=
+              here.weight * reference_divergence * cells.pressure_values(q)[k];
+        }
       }
+    add_derivative_of_inertia(here, q, matrix);
     const double row_by_pressure = here.weight * inverse_bulk_modulus / b;
     for (unsigned int k = 0; k < n_pressure; ++k)
       for (unsigned int l = 0; l < n_pressure; ++l)

@@ -57,7 +57,7 @@ bool FieldEvaluation<dim>::needs_samples(const ProbeRequest<dim> &request,
   using Quantity = typename FieldDefinition<dim>::Quantity;
   if (request.kind == ProbeRequest<dim>::Kind::sign_change)
     return true;
-  if (problem.deformation == Deformation::finite)
+  if (problem.has_regions_of(RegionModel::finite_solid))
     return field.quantity != Quantity::velocity && field.quantity != Quantity::displacement &&
            field.quantity != Quantity::pressure;
   if (field.quantity == Quantity::stress || field.quantity == Quantity::wall_shear_stress)
@@ -434,7 +434,7 @@ double FieldEvaluation<dim>::error_norm(const State &state,
       vectors.push_back(ghosted_mixture(state, region));
   else if (!is_pressure)
     vectors.push_back(space.ghosted_velocity(field == "velocity" ? state.velocity
-                                                                 : state.history.displacement()));
+                                                                 : state.displacement_of_shape()));
 
   // Well above the degree of the fields, so that the number is the error and not the quadrature's.
   const QGauss<dim> quadrature(space.degree() + 3);

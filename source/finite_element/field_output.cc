@@ -82,7 +82,7 @@ template <int dim>
 std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, DataOut<dim> &data_out)
 {
   velocity = space.ghosted_velocity(state.velocity);
-  displacement = space.ghosted_velocity(state.history.displacement());
+  displacement = space.ghosted_velocity(state.displacement_of_shape());
   if (state.unloaded_displacement != nullptr)
     unloaded_displacement = space.ghosted_velocity(*state.unloaded_displacement);
   if (state.wall_potentials != nullptr)
@@ -139,7 +139,8 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
       hp_pressure_values.reinit(typename DoFHandler<dim>::active_cell_iterator(
           &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs));
       hp_pressure_values.get_present_fe_values().get_function_values(pressure, pressures);
-      if (problem.deformation == Deformation::finite)
+      const bool is_finite = problem.is_deformed(region);
+      if (is_finite)
       {
         if (has_directions(material))
           set_directions(values, directions);
@@ -185,7 +186,7 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
                            : q_criterion<dim>(gradient, hoop, problem.model);
           continue;
         }
-        if (problem.deformation == Deformation::finite)
+        if (is_finite)
         {
           cell_fields[indices[i]] = finite_stresses[q][component - 1];
           continue;

@@ -19,7 +19,7 @@ void SampledState<dim>::reinit()
   velocity = space.ghosted_velocity(velocity_work);
   pressure = space.ghosted_pressure(pressure_work);
   mixtures.assign(problem.regions.size(), velocity);
-  if (problem.deformation == Deformation::finite)
+  if (problem.has_regions_of(RegionModel::finite_solid))
     displacement = velocity;
   if (problem.finds_unloaded_shape())
     unloaded_displacement = velocity;
@@ -41,8 +41,8 @@ void SampledState<dim>::take(const State &state)
     set_mixture(state, region, problem.materials[region], mixture);
     space.copy_velocity(mixture, velocity_work, mixtures[region]);
   }
-  if (problem.deformation == Deformation::finite)
-    space.copy_velocity(state.history.displacement(), velocity_work, displacement);
+  if (problem.has_regions_of(RegionModel::finite_solid))
+    space.copy_velocity(state.displacement_of_shape(), velocity_work, displacement);
   if (state.unloaded_displacement != nullptr)
     space.copy_velocity(*state.unloaded_displacement, velocity_work, unloaded_displacement);
   // They are those of the mesh.
@@ -176,7 +176,7 @@ template <int dim>
 std::array<double, 6> FieldSamples<dim>::stress_at(const SamplePoint &point,
                                                    const SampledState<dim> &state) const
 {
-  if (problem.deformation == Deformation::finite)
+  if (problem.is_deformed(point.region))
   {
     const Material &material = problem.materials[point.region];
     const Tensor<2, dim> of_velocity = gradient(point, state.velocity);
@@ -223,7 +223,7 @@ template <int dim>
 Tensor<1, dim> FieldSamples<dim>::normal_at(const SamplePoint &point,
                                             const SampledState<dim> &state) const
 {
-  if (problem.deformation == Deformation::small)
+  if (!problem.is_deformed(point.region))
     return point.normal;
   Tensor<1, 3> at_rest;
   for (unsigned int c = 0; c < dim; ++c)
@@ -242,7 +242,7 @@ FieldSamples<dim>::velocity_gradient_at(const SamplePoint &point,
 {
   const Tensor<2, dim> by_reference = gradient(point, state.velocity);
   const double of_hoop = hoop(point, state.velocity, by_reference);
-  if (problem.deformation == Deformation::small)
+  if (!problem.is_deformed(point.region))
     return {by_reference, of_hoop};
   const Tensor<2, 3> whole =
       kinematics_at(point, state).gradient(whole_gradient<dim>(by_reference, of_hoop));

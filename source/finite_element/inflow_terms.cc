@@ -27,7 +27,7 @@ InflowTerms<dim>::InflowTerms(const Space<dim> &space, const Problem &problem)
     if (condition.inflow_pressure == InflowPressure::total &&
         condition.normal.kind == BoundaryPart::Kind::traction)
       for (const unsigned int region : condition.region_ids)
-        if (problem.materials[region].phase() < 1.)
+        if (problem.region_model(region) == RegionModel::flow)
           ends.emplace_back(condition.boundary_id, region);
 }
 
@@ -67,8 +67,7 @@ InflowTerms<dim>::point(const Cell &cell, const CellState<dim> &state, const uns
   const Material &material = problem.materials[cell->material_id()];
   const VolumeLaw law = material.volume_law();
   Point point;
-  point.weight =
-      (1. - material.phase()) * values.JxW(q) * space.measure(values.quadrature_point(q));
+  point.weight = values.JxW(q) * space.measure(values.quadrature_point(q));
   point.normal = values.normal_vector(q);
   for (unsigned int c = 0; c < dim; ++c)
     for (unsigned int a = 0; a < state.n_functions(); ++a)

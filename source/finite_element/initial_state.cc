@@ -184,7 +184,7 @@ void set_initial_state(const Space<dim> &space,
   space.set_hanging_pressures_to_zero(pressure);
   // What follows is of a small deformation; in a finite one the closed row of the volume takes the
   // pressure to its displacement.
-  if (problem.deformation == Deformation::finite)
+  if (problem.has_regions_of(RegionModel::finite_solid))
     return;
   warn_of_volume_change(space, problem, operators, velocity, "velocity", log);
   if (data.initial_displacement.empty())

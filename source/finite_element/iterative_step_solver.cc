@@ -866,6 +866,7 @@ KrylovReport IterativeStepSolver<dim>::solve_by_krylov(const SaddlePointSolver::
 
 template <int dim>
 std::string IterativeStepSolver<dim>::describe_failure(const SaddlePointSolver::Blocks &system,
+                                                       const FurtherTerms kind,
                                                        const KrylovReport &report)
 {
   Preconditioner &used = *preconditioner;
@@ -884,8 +885,6 @@ std::string IterativeStepSolver<dim>::describe_failure(const SaddlePointSolver::
       system.divergence.multiply(of_mass, source);
       of_mass *= -1.;
     }
-    if (system.further)
-      system.further(source, no_pressure, target, of_mass);
     of_mass.scale(used.augmentation);
     system.divergence.multiply_transposed(of_velocity, of_mass);
     target.add(-1., of_velocity);
@@ -900,9 +899,7 @@ std::string IterativeStepSolver<dim>::describe_failure(const SaddlePointSolver::
     return convergence_factor(matrix, inverse, velocity_operator().diagonal(), is_of_block);
   };
   BlockFactors factors;
-  factors.further_terms = system.whole     ? FurtherTerms::finite_deformation
-                          : system.further ? FurtherTerms::convection
-                                           : FurtherTerms::none;
+  factors.further_terms = kind;
   factors.residual = report.residual;
   factors.of_all = report.late_factor;
   factors.has_stiff = used.has_stiff;
@@ -936,7 +933,7 @@ unsigned int IterativeStepSolver<dim>::solve(const DistributedVector &momentum,
     text << "the iterative solver has not converged: after " << report.iterations
          << " iterations the residual is " << report.residual
          << " of the largest term of the equations, and Linear solver/Tolerance is "
-         << parameters.tolerance << ". " << describe_failure(system, report);
+         << parameters.tolerance << ". " << describe_failure(system, FurtherTerms::none, report);
     throw RunError(text.str());
   }
   last_velocity.equ(1., velocity);
@@ -945,8 +942,8 @@ unsigned int IterativeStepSolver<dim>::solve(const DistributedVector &momentum,
 }
 
 template <int dim>
-unsigned int IterativeStepSolver<dim>::solve_tangent(const SaddlePointSolver::Product &further,
-                                                     const SaddlePointSolver::Product &whole,
+unsigned int IterativeStepSolver<dim>::solve_tangent(const SaddlePointSolver::Product &whole,
+                                                     const FurtherTerms kind,
                                                      const double tolerance,
                                                      const DistributedVector &momentum,
                                                      const DistributedVector &mass,
@@ -954,7 +951,6 @@ unsigned int IterativeStepSolver<dim>::solve_tangent(const SaddlePointSolver::Pr
                                                      DistributedVector &pressure)
 {
   SaddlePointSolver::Blocks tangent = blocks();
-  tangent.further = further;
   tangent.whole = whole;
   const KrylovReport report =
       solve_by_krylov(tangent, tolerance, true, momentum, mass, velocity, pressure);
@@ -964,7 +960,7 @@ unsigned int IterativeStepSolver<dim>::solve_tangent(const SaddlePointSolver::Pr
     text << "the iterative solver has not converged for a correction of Newton's iteration: after "
          << report.iterations << " iterations the residual is " << report.residual
          << " of that at the start, and Newton/Krylov tolerance is " << tolerance << ". "
-         << describe_failure(tangent, report);
+         << describe_failure(tangent, kind, report);
     throw StepFailure(text.str());
   }
   return report.iterations;

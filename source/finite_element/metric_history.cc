@@ -31,7 +31,7 @@ std::unique_ptr<MetricHistory<dim>> MetricHistory<dim>::make(const Space<dim> &s
                                                              const Problem &problem)
 {
   const bool is_needed =
-      problem.deformation == Deformation::finite &&
+      problem.has_regions_of(RegionModel::finite_solid) &&
       std::any_of(problem.materials.begin(), problem.materials.end(),
                   [](const Material &material) { return material.shear.relaxes(); });
   return std::unique_ptr<MetricHistory>(is_needed ? new MetricHistory(space, problem) : nullptr);

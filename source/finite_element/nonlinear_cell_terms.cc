@@ -29,11 +29,12 @@ template <int dim>
 NonlinearCellTerms<dim>::NonlinearCellTerms(const Space<dim> &space,
                                             const Problem &problem,
                                             const Quadrature<dim> &quadrature,
-                                            const PhaseShare share)
+                                            const RegionModel model)
     : space(space),
       problem(problem),
+      model(model),
       quadrature(quadrature),
-      cells(space, problem, quadrature, share)
+      cells(space, problem, quadrature, model)
 {
   const unsigned int n_velocity = dim * cells.n_functions(), n_pressure = cells.n_pressures();
   for (Vector<double> *vector : {&cell_change, &cell_product})
@@ -90,11 +91,9 @@ void NonlinearCellTerms<dim>::add_derivative(const BalancedStep &state,
     for (unsigned int k = 0; k < cell.pressure_indices.size(); ++k)
       set_masters(space.pressure_hanging, cell.pressure_indices[k], first_pressure,
                   masters[n_velocity + k]);
-    const PressureEntries entries = pressure_entries(cell);
-    const unsigned int n_rows = entries.in_rows ? local.m() : n_velocity;
-    const unsigned int n_columns = entries.in_columns ? local.n() : n_velocity;
-    for (unsigned int i = 0; i < n_rows; ++i)
-      for (unsigned int j = 0; j < n_columns; ++j)
+    const bool has_pressures = couples_pressures(cell);
+    for (unsigned int i = 0; i < local.m(); ++i)
+      for (unsigned int j = 0; j < (i < n_velocity || has_pressures ? local.n() : n_velocity); ++j)
         for (const auto &[row, row_weight] : masters[i])
           for (const auto &[column, column_weight] : masters[j])
           {

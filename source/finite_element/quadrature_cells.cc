@@ -28,8 +28,8 @@ template <int dim>
 QuadratureCells<dim>::QuadratureCells(const Space<dim> &space,
                                       const Problem &problem,
                                       const Quadrature<dim> &quadrature,
-                                      const PhaseShare share)
-    : space(space), problem(problem), quadrature(quadrature), share(share)
+                                      const RegionModel model)
+    : space(space), problem(problem), quadrature(quadrature), model(model)
 {
   const FE_Q<dim> velocity(space.degree()), pressure(space.degree() - 1);
   const auto set =
@@ -61,11 +61,7 @@ void QuadratureCells<dim>::reinit()
   cells.clear();
   for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
   {
-    if (!cell->is_locally_owned())
-      continue;
-    const double phase = problem.materials[cell->material_id()].phase(),
-                 share_of_cell = share == PhaseShare::liquid ? 1. - phase : phase;
-    if (!(share_of_cell > 0.))
+    if (!cell->is_locally_owned() || problem.region_model(cell->material_id()) != model)
       continue;
     cells.emplace_back();
     QuadratureCell<dim> &kept = cells.back();
@@ -92,7 +88,7 @@ void QuadratureCells<dim>::reinit()
     for (unsigned int q = 0; q < quadrature.size(); ++q)
     {
       const Point<dim> &place = geometry.quadrature_point(q);
-      kept.points[q].weight = share_of_cell * geometry.JxW(q) * space.measure(place);
+      kept.points[q].weight = geometry.JxW(q) * space.measure(place);
       kept.points[q].hoop = space.is_axisymmetric() ? 1. / place[1] : 0.;
       kept.points[q].inverse_jacobian = Tensor<2, dim>(geometry.inverse_jacobian(q));
     }

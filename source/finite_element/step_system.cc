@@ -254,6 +254,7 @@ void StepSystem<dim>::solve_packed(const DistributedVector &momentum,
 
 template <int dim>
 void StepSystem<dim>::solve_tangent(const SaddlePointSolver::Product &further,
+                                    const FurtherTerms kind,
                                     const double tolerance,
                                     DistributedVector &momentum,
                                     DistributedVector &mass,
@@ -262,20 +263,14 @@ void StepSystem<dim>::solve_tangent(const SaddlePointSolver::Product &further,
 {
   for (const unsigned int index : pressure_hanging)
     mass.begin()[index] = 0.;
-  if (!nearby)
-  {
-    n_iterations += iterative_solver->solve_tangent(further, nullptr, tolerance, momentum, mass,
-                                                    velocity, pressure);
-    return;
-  }
   const auto whole = [&](const DistributedVector &of_velocity, const DistributedVector &of_pressure,
                          DistributedVector &momentum_rows, DistributedVector &mass_rows)
   {
     multiply_system(of_velocity, of_pressure, momentum_rows, mass_rows);
     further(of_velocity, of_pressure, momentum_rows, mass_rows);
   };
-  n_iterations += iterative_solver->solve_tangent(nullptr, whole, tolerance, momentum, mass,
-                                                  velocity, pressure);
+  n_iterations +=
+      iterative_solver->solve_tangent(whole, kind, tolerance, momentum, mass, velocity, pressure);
 }
 
 template <int dim>
@@ -431,7 +426,7 @@ void StepSystem<dim>::add_velocity_product(const DistributedVector &velocity,
 {
   for (unsigned int region = 0; region < operators.size(); ++region)
   {
-    if (operators[region].products)
+    if (operators[region].products && coefficients.has(region))
     {
       operators[region].products->multiply(region, coefficients.mass[region],
                                            coefficients.stiffness[region], velocity_product,
@@ -466,11 +461,12 @@ void StepSystem<dim>::add_divergence(const double factor,
                                      const DistributedVector &velocity,
                                      DistributedVector &result)
 {
-  for (const RegionOperators &region : operators)
-  {
-    multiply(region.divergence, pressure_product, velocity);
-    result.add(factor, pressure_product);
-  }
+  for (unsigned int region = 0; region < operators.size(); ++region)
+    if (coefficients.has(region))
+    {
+      multiply(operators[region].divergence, pressure_product, velocity);
+      result.add(factor, pressure_product);
+    }
 }
 
 template <int dim>
@@ -478,11 +474,12 @@ void StepSystem<dim>::add_gradient(const double factor,
                                    const DistributedVector &pressure,
                                    DistributedVector &result)
 {
-  for (const RegionOperators &region : operators)
-  {
-    multiply_transposed(region.divergence, velocity_product, pressure);
-    result.add(factor, velocity_product);
-  }
+  for (unsigned int region = 0; region < operators.size(); ++region)
+    if (coefficients.has(region))
+    {
+      multiply_transposed(operators[region].divergence, velocity_product, pressure);
+      result.add(factor, velocity_product);
+    }
 }
 
 template <int dim>

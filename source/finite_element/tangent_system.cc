@@ -27,7 +27,7 @@ void TangentSystem<dim>::reinit()
 template <int dim>
 void TangentSystem<dim>::factorize(const SystemCoefficients &coefficients,
                                    const BalancedStep &state,
-                                   NonlinearCellTerms<dim> &terms)
+                                   const NonlinearTerms<dim> &terms)
 {
   std::vector<int> owned;
   owned.reserve(packed.size());
@@ -48,7 +48,8 @@ void TangentSystem<dim>::factorize(const SystemCoefficients &coefficients,
       matrix.columns.push_back(lower.rows[k]);
       matrix.values.push_back(lower.values[k]);
     }
-  terms.add_derivative(state, constraints.all(), matrix);
+  for (const auto &of_model : terms)
+    of_model->add_derivative(state, constraints.all(), matrix);
   try
   {
     if (!made_factor)

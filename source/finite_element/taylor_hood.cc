@@ -31,19 +31,21 @@ namespace
 constexpr double least_announced_factor = 0.5e9;
 
 template <int dim>
-std::unique_ptr<NonlinearCellTerms<dim>> make_nonlinear_terms(const Space<dim> &space,
-                                                              const Problem &problem,
-                                                              const LinearSolverParameters &solver,
-                                                              MetricHistory<dim> *const metrics)
+NonlinearTerms<dim> make_nonlinear_terms(const Space<dim> &space,
+                                         const Problem &problem,
+                                         const LinearSolverParameters &solver,
+                                         MetricHistory<dim> *const metrics)
 {
-  if (problem.deformation == Deformation::finite)
-    return std::make_unique<DeformationTerms<dim>>(space, problem, metrics);
-  if (problem.convection.is_on)
-    return std::make_unique<ConvectiveTerms<dim>>(space, problem,
-                                                  solver.is_matrix_free(space.degree())
-                                                      ? std::optional(solver.instruction_set)
-                                                      : std::nullopt);
-  return nullptr;
+  NonlinearTerms<dim> terms;
+  if (problem.has_regions_of(RegionModel::finite_solid))
+    terms.push_back(std::make_unique<DeformationTerms<dim>>(space, problem, metrics));
+  if (problem.has_regions_of(RegionModel::flow))
+    terms.push_back(std::make_unique<ConvectiveTerms<dim>>(
+        space, problem,
+        solver.is_matrix_free(space.degree()) && !problem.mesh_moves
+            ? std::optional(solver.instruction_set)
+            : std::nullopt));
+  return terms;
 }
 } // namespace
 
@@ -61,6 +63,7 @@ TaylorHood<dim>::TaylorHood(parallel::TriangulationBase<dim> &triangulation,
       linear_solver(parameters.linear_solver),
       system(space, operators, constraints, parameters.linear_solver, parameters.outlook),
       metrics(MetricHistory<dim>::make(space, problem)),
+      mesh_motion(problem.mesh_moves ? std::make_unique<MeshMotion<dim>>(space, problem) : nullptr),
       terms(make_nonlinear_terms(space, problem, linear_solver, metrics.get())),
       tangent(space, operators, constraints, parameters.linear_solver.direct_solver),
       cavities(space, problem),
@@ -94,8 +97,8 @@ void TaylorHood<dim>::setup()
   // Those of the old mesh go first: two would need twice the memory.
   for (RegionOperators &region : operators)
     region.products = nullptr;
-  if (is_nonlinear())
-    terms->forget_derivative();
+  for (const auto &of_model : terms)
+    of_model->forget_derivative();
   derivative_is_marked = false;
   space.distribute();
   log.memory_use().mark("numbering and constraints");
@@ -128,9 +131,11 @@ void TaylorHood<dim>::setup()
   if (metrics != nullptr)
     metrics->reinit();
   log.memory_use().mark("loads, ends and evaluation");
-  if (is_nonlinear())
+  if (mesh_motion)
+    mesh_motion->reinit();
+  for (const auto &of_model : terms)
   {
-    terms->reinit();
+    of_model->reinit();
     log.memory_use().mark("cells of the terms that are not linear");
   }
   tangent.reinit();
@@ -347,8 +352,10 @@ void TaylorHood<dim>::set_initial_state(DistributedVector &velocity,
                                         DistributedVector &pressure)
 {
   Continua::set_initial_state(space, problem, operators, log, velocity, displacement, pressure);
-  if (is_nonlinear())
-    terms->start_from(displacement);
+  for (const auto &of_model : terms)
+    of_model->start_from(displacement);
+  if (mesh_motion)
+    mesh_motion->start_from(displacement);
 }
 
 template <int dim>
@@ -420,11 +427,30 @@ void TaylorHood<dim>::solve(const DistributedVector &prescribed,
 }
 
 template <int dim>
+void TaylorHood<dim>::move_mesh(BalancedStep &state)
+{
+  if (!mesh_motion)
+    return;
+  mesh_motion->move(state);
+  const MeshQuality quality = mesh_motion->quality(state.mesh_displacement);
+  if (quality.least_volume_ratio > 0.)
+    return;
+  std::ostringstream text;
+  text
+      << "the mesh is turned inside out " << quality.place
+      << ": the ratio of its volume to that at rest is " << quality.least_volume_ratio
+      << " there; a smaller time step, loads that begin smoothly, another Mesh motion or a coarser "
+         "mesh beside the solid help";
+  throw StepFailure(text.str());
+}
+
+template <int dim>
 void TaylorHood<dim>::add_nonlinear_terms(const BalancedStep &state,
                                           DistributedVector &momentum,
                                           DistributedVector &mass)
 {
-  terms->add(state, momentum, mass);
+  for (const auto &of_model : terms)
+    of_model->add(state, momentum, mass);
 }
 
 template <int dim>
@@ -432,27 +458,35 @@ void TaylorHood<dim>::set_nonlinear_forces(const unsigned int region,
                                            const BalancedStep &state,
                                            NonlinearForces &forces)
 {
-  terms->set_forces_of(region, state, forces);
+  terms_of(region).set_forces_of(region, state, forces);
 }
 
 template <int dim>
 bool TaylorHood<dim>::is_nonlinear_in(const unsigned int region) const
 {
-  if (problem.deformation == Deformation::finite)
-    return true;
-  return is_nonlinear() && problem.materials[region].phase() < 1.;
+  return problem.region_model(region) != RegionModel::linear;
+}
+
+template <int dim>
+NonlinearCellTerms<dim> &TaylorHood<dim>::terms_of(const unsigned int region) const
+{
+  const auto found =
+      std::find_if(terms.begin(), terms.end(),
+                   [region](const auto &of_model) { return of_model->are_of(region); });
+  AssertThrow(found != terms.end(), ExcInternalError());
+  return **found;
 }
 
 template <int dim>
 NonlinearEnergy TaylorHood<dim>::nonlinear_energy(const unsigned int region, const State &state)
 {
-  return terms->energy_of(region, state);
+  return terms_of(region).energy_of(region, state);
 }
 
 template <int dim>
 double TaylorHood<dim>::nonlinear_relaxation(const unsigned int region) const
 {
-  return is_nonlinear() ? terms->relaxation_power(region) : 0.;
+  return is_nonlinear_in(region) ? terms_of(region).relaxation_power(region) : 0.;
 }
 
 template <int dim>
@@ -460,8 +494,8 @@ void TaylorHood<dim>::add_load_changes(const BalancedStep &state,
                                        const std::optional<unsigned int> region,
                                        DistributedVector &forces)
 {
-  if (is_nonlinear())
-    terms->add_loads(state, region, forces);
+  for (const auto &of_model : terms)
+    of_model->add_loads(state, region, forces);
 }
 
 template <int dim>
@@ -493,12 +527,14 @@ void TaylorHood<dim>::solve_tangent(DistributedVector &momentum,
         constraints.set_constrained(tangent_change, zero_velocity);
         tangent_momentum = 0.;
         tangent_mass = 0.;
-        terms->add_derivative_product(tangent_change, of_pressure, tangent_momentum, tangent_mass);
+        add_derivative_product(tangent_change, of_pressure, tangent_momentum, tangent_mass);
         restrict_residuals(tangent_momentum, tangent_mass);
         momentum_rows.add(1., tangent_momentum);
         // The symmetric system has the negative of the mass equation.
         mass_rows.add(-1., tangent_mass);
       },
+      problem.has_regions_of(RegionModel::finite_solid) ? FurtherTerms::finite_deformation
+                                                        : FurtherTerms::convection,
       problem.newton.krylov_tolerance, momentum, mass, velocity, pressure);
 }
 
@@ -507,21 +543,16 @@ bool TaylorHood<dim>::linearise(const BalancedStep &state)
 {
   if (has_iterative_tangent())
   {
-    if (problem.deformation == Deformation::finite)
-    {
-      // The linear terms have no stress there.
-      SystemCoefficients of_small_strains;
-      of_small_strains.set_of_small_strains(problem, state.step);
-      system.prepare_nearby(of_small_strains);
-    }
-    else
-      system.prepare(system.present_coefficients());
+    // Of small strains without convection.
+    SystemCoefficients linear;
+    linear.set(problem, state.step);
+    system.prepare_nearby(linear);
     report_linear_solver();
     keep_derivative(state);
     return system.has_new_factor();
   }
   const bool is_first = tangent.factor() == nullptr;
-  tangent.factorize(system.present_coefficients(), state, *terms);
+  tangent.factorize(system.present_coefficients(), state, terms);
   log.memory_use().mark("factor");
   if (is_first)
     log.detail("Linear solver: direct, of the tangent, as " + system.choice().reason + "; " +
@@ -533,10 +564,13 @@ template <int dim>
 void TaylorHood<dim>::keep_derivative(const BalancedStep &state)
 {
   // A factor's result is the same on every processor, and so is that of its slow iterations.
-  terms->keep_derivative(state, has_iterative_tangent() ? KeptDerivative::without_matrix
-                                                        : KeptDerivative::matrices);
-  if (has_iterative_tangent())
-    system.precondition_grad_div(terms->grad_div_viscosities(state));
+  for (const auto &of_model : terms)
+  {
+    of_model->keep_derivative(state, has_iterative_tangent() ? KeptDerivative::without_matrix
+                                                             : KeptDerivative::matrices);
+    if (has_iterative_tangent())
+      system.precondition_grad_div(of_model->grad_div_viscosities(state));
+  }
   if (!derivative_is_marked)
     log.memory_use().mark("derivative for products");
   derivative_is_marked = true;
@@ -548,7 +582,8 @@ void TaylorHood<dim>::add_derivative_product(const DistributedVector &velocity,
                                              DistributedVector &momentum,
                                              DistributedVector &mass)
 {
-  terms->add_derivative_product(velocity, pressure, momentum, mass);
+  for (const auto &of_model : terms)
+    of_model->add_derivative_product(velocity, pressure, momentum, mass);
 }
 
 template <int dim>
@@ -564,9 +599,14 @@ ResidualScales TaylorHood<dim>::residual_scales(const DistributedVector &velocit
 {
   // B U of a motion without change of volume and B^T p of a uniform pressure are nothing but
   // round-off of their terms.
-  const typename NonlinearCellTerms<dim>::Sizes of_terms = terms->sizes_of_terms();
-  return {gradient_norm * std::max(pressure.linfty_norm(), of_terms.stress),
-          divergence_norm * std::max(velocity.linfty_norm(), of_terms.velocity)};
+  typename NonlinearCellTerms<dim>::Sizes sizes{pressure.linfty_norm(), velocity.linfty_norm()};
+  for (const auto &of_model : terms)
+  {
+    const typename NonlinearCellTerms<dim>::Sizes of_terms = of_model->sizes_of_terms();
+    sizes.stress = std::max(sizes.stress, of_terms.stress);
+    sizes.velocity = std::max(sizes.velocity, of_terms.velocity);
+  }
+  return {gradient_norm * sizes.stress, divergence_norm * sizes.velocity};
 }
 
 template <int dim>
@@ -619,8 +659,7 @@ void TaylorHood<dim>::finish_transfer(const StateVectors &vectors)
   mesh_transfer.finish(vectors.velocities, vectors.pressures);
   if (metrics != nullptr)
     metrics->finish_transfer(vectors.internal_metrics);
-  if (is_nonlinear())
-    terms->take_own_state();
+  finish_load();
 }
 
 template <int dim>
@@ -628,33 +667,44 @@ void TaylorHood<dim>::visit(StateVisitor &visitor)
 {
   if (metrics != nullptr)
     metrics->visit(visitor);
-  if (is_nonlinear())
-    terms->visit_state(visitor);
+  for (const auto &of_model : terms)
+    of_model->visit_state(visitor);
+  if (mesh_motion)
+    mesh_motion->visit(visitor);
 }
 
 template <int dim>
 void TaylorHood<dim>::finish_load()
 {
-  if (is_nonlinear())
-    terms->take_own_state();
+  for (const auto &of_model : terms)
+    of_model->take_own_state();
+  if (mesh_motion)
+    mesh_motion->take_state();
 }
 
 template <int dim>
 const DistributedVector *TaylorHood<dim>::wall_potentials() const
 {
-  return is_nonlinear() ? terms->wall_potentials() : nullptr;
+  for (const auto &of_model : terms)
+    if (of_model->wall_potentials() != nullptr)
+      return of_model->wall_potentials();
+  return nullptr;
 }
 
 template <int dim>
 const DistributedVector *TaylorHood<dim>::unloaded_displacement() const
 {
-  return is_nonlinear() ? terms->unloaded_displacement() : nullptr;
+  for (const auto &of_model : terms)
+    if (of_model->unloaded_displacement() != nullptr)
+      return of_model->unloaded_displacement();
+  return nullptr;
 }
 
 template <int dim>
 void TaylorHood<dim>::set_unloaded_displacement(const DistributedVector &displacement)
 {
-  terms->set_unloaded_displacement(displacement);
+  for (const auto &of_model : terms)
+    of_model->set_unloaded_displacement(displacement);
 }
 
 template <int dim>
@@ -662,13 +712,17 @@ void TaylorHood<dim>::begin_step(const Step &step)
 {
   if (metrics != nullptr)
     metrics->predict(step);
+  if (mesh_motion)
+    mesh_motion->begin_step(step);
 }
 
 template <int dim>
 void TaylorHood<dim>::finish_step(const BalancedStep &balanced, const State &state)
 {
-  if (is_nonlinear())
-    terms->finish_step(balanced, state);
+  for (const auto &of_model : terms)
+    of_model->finish_step(balanced, state);
+  if (mesh_motion)
+    mesh_motion->finish_step(balanced);
 }
 
 template <int dim>
@@ -719,7 +773,7 @@ void TaylorHood<dim>::indicators(const IndicatorRequest &request,
   else
     kelly_indicators_of_velocity(
         space,
-        request.field == IndicatorField::velocity ? state.velocity : state.history.displacement(),
+        request.field == IndicatorField::velocity ? state.velocity : state.displacement_of_shape(),
         per_cell);
 }
 

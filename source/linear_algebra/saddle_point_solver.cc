@@ -38,8 +38,6 @@ void SaddlePointSolver::multiply_blocks(const Blocks &blocks,
   blocks.divergence.multiply(mass, velocity);
   multiply(blocks.compression, pressure_work, pressure);
   mass.sadd(-1., -1., pressure_work);
-  if (blocks.further)
-    blocks.further(velocity, pressure, momentum, mass);
 }
 
 void SaddlePointSolver::balance()

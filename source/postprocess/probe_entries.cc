@@ -583,6 +583,8 @@ void ProbeEntries<dim>::check_limits(const std::vector<BoundaryCondition> &condi
                                      const ProbeLimits &limits,
                                      const std::vector<FieldComponent> &known_fields) const
 {
+  if (limits.mesh_moves)
+    check_moving_mesh(known_fields);
   if (place == Place::stations)
     return;
   if (limits.is_cell_wise && n_sign_changes > 0)
@@ -637,6 +639,30 @@ void ProbeEntries<dim>::check_limits(const std::vector<BoundaryCondition> &condi
                      "nothing holds the boundary '" + name +
                          "': the force there is the load that is given",
                      "Name boundaries with a prescribed velocity, such as 'fixed'");
+  }
+}
+
+template <int dim>
+void ProbeEntries<dim>::check_moving_mesh(const std::vector<FieldComponent> &known_fields) const
+{
+  if (place == Place::point)
+    return;
+  const std::string keeps_small = ", or set Deformation = small, where the mesh stays";
+  const std::string &entry = word_of(place_words(), place);
+  if (place == Place::stations || place == Place::section)
+    section.refuse(entry, "the sections of a mesh that moves with the solids cannot be cut yet",
+                   "Give a Point" + keeps_small);
+  for (const FieldComponent &field : components(known_fields))
+  {
+    const auto is_named = [&field](const std::string &name)
+    { return field.name.compare(0, name.size(), name) == 0; };
+    // A mean of the displacement is one over material points.
+    if (!is_named("force ") && !is_named("displacement "))
+      section.refuse("Fields",
+                     "'" + field.name +
+                         "' would be an integral over the mesh at rest, and the mesh moves with "
+                         "the solids",
+                     "Ask for force or displacement there, give a Point" + keeps_small);
   }
 }
 

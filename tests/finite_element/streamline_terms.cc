@@ -55,7 +55,7 @@ double power(const Space<dim> &space,
       space, [&](const Point<dim> &x, unsigned int) { return pressure(x); });
   state.pressure_rate = space.pressure_vector();
   const DistributedVector zero = space.velocity_vector();
-  NonlinearForces forces{zero, zero, zero, zero, zero, {}, {}};
+  NonlinearForces forces{zero, zero, zero, zero, zero, {}, zero};
   terms.set_forces_of(0, state, forces);
   return forces.stabilisation * small_problem::interpolated<dim>(space, test);
 }

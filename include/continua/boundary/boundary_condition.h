@@ -75,6 +75,14 @@ enum class InflowPressure
   total            ///< p + rho/2 U^2
 };
 
+/// What a mesh that moves does on a boundary of a liquid.
+enum class MeshCondition
+{
+  automatic, ///< by the rule of BoundaryCondition::mesh_slides()
+  slides,    ///< along a plane normal to an axis
+  fixed
+};
+
 /// What holds on one boundary (of one region, or of all that touch it).
 struct BoundaryCondition
 {
@@ -99,6 +107,20 @@ struct BoundaryCondition
   /// Of a cavity: the volume that it encloses over that in the mesh at rest [1], of time alone.
   Waveform volume_ratio = Waveform(1.);
 
+  MeshCondition mesh = MeshCondition::automatic;
+
+  /// Whether a mesh that moves may slide along the boundary where it is plane. By itself where no
+  /// value depends on the place and no section has to keep its shape: not at walls, prescribed
+  /// velocities, outlets, cavities, and ends with the total pressure.
+  bool mesh_slides() const
+  {
+    if (mesh != MeshCondition::automatic)
+      return mesh == MeshCondition::slides;
+    return !is_wall() && outlet == nullptr && !is_cavity() &&
+           inflow_pressure == InflowPressure::static_pressure &&
+           (normal.kind == BoundaryPart::Kind::traction || normal.is_fixed()) &&
+           (tangential.kind == BoundaryPart::Kind::traction || tangential.is_fixed());
+  }
   /// Whether the velocity is prescribed in full, and 0 along the normal.
   bool is_wall() const
   {

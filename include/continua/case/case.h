@@ -40,6 +40,7 @@ struct GeneralParameters
   std::string convection = "none";
   Deformation deformation = Deformation::small;
   UnloadedShape unloaded_shape = UnloadedShape::mesh;
+  MeshMotionKind mesh_motion = MeshMotionKind::hyperelastic;
 
   /// `analyses`: name and description of those that exist. Throws InputError.
   void read(ParameterSection root,

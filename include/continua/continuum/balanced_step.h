@@ -17,7 +17,9 @@ struct BalancedStep
   DistributedVector acceleration; ///< dU/dt as the scheme has it [m/s^2]
   DistributedVector
       pressure_rate; ///< dp/dt as the scheme has it, of steps that are not linear [Pa/s]
-  DistributedVector displacement;       ///< with Deformation::finite, else empty [m]
+  DistributedVector displacement;       ///< with solids in finite deformation, else empty [m]
+  DistributedVector mesh_displacement;  ///< of a mesh that moves, else empty [m]
+  DistributedVector mesh_velocity;      ///< likewise [m/s]
   std::vector<double> cavity_pressures; ///< by cavity [Pa]
   DistributedVector prescribed;         ///< prescribed velocities where there are any, else 0 [m/s]
 };

@@ -26,6 +26,12 @@ struct TermContext
   /// Of the region at hand: forces of a step that is over, energies of a state.
   NonlinearForces nonlinear_forces = {};
   NonlinearEnergy nonlinear_energy = {};
+
+  /// Whether the forces of a region are the nonlinear ones alone, without products with matrices.
+  bool is_whole(const unsigned int region) const
+  {
+    return operators.has_whole_terms() && operators.is_nonlinear_in(region);
+  }
 };
 
 /// A step that is over: what it has balanced, and the velocities at its ends [m/s].

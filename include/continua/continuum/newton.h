@@ -106,6 +106,9 @@ private:
                               const DistributedVector &of_pressure,
                               DistributedVector &momentum_rows,
                               DistributedVector &mass_rows);
+  /// Whether products with the tangent are differences of the terms that are not linear: on a mesh
+  /// that moves nothing else has its motion in it.
+  bool takes_differences() const;
   /// The part of the terms that are not linear, by differences.
   void add_differences(const BalancedStep &balanced,
                        const DistributedVector &of_velocity,

@@ -5,18 +5,19 @@
 
 namespace Continua
 {
-/// Forces of the terms that are not linear, by kind [N].
+/// Forces of the terms that are not linear, by kind [N]. Where the terms are corrections (see
+/// Operators::has_whole_terms()), the inertia is that of a density that is not that of the
+/// material, the viscosity that of a viscosity that is not that at rest, and there is no
+/// compression.
 struct NonlinearForces
 {
-  DistributedVector inertia;       ///< of a density that is not that of the material, or of a
-                                   ///< prestretch that changes the volume at rest
+  DistributedVector inertia;
   DistributedVector convection;    ///< with the skew form's part
   DistributedVector stabilisation; ///< of grad-div and supg
-  DistributedVector viscosity;     ///< of a viscosity that is not that at rest; in finite
-                                   ///< deformation of the whole viscosity
-  DistributedVector inflow;        ///< at open ends that have the total pressure
-  DistributedVector strain;        ///< in finite deformation: of the law's stress
-  DistributedVector compression;   ///< in finite deformation: of the pressure
+  DistributedVector viscosity;
+  DistributedVector inflow;      ///< at open ends that have the total pressure
+  DistributedVector strain;      ///< in finite deformation: of the law's stress
+  DistributedVector compression; ///< of the pressure
 };
 
 /// Energies of a region whose density and compressibility follow the pressure, or in finite

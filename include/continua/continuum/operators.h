@@ -157,6 +157,14 @@ public:
   /// Whether the problem has such terms: Newton's iteration makes the steps then, and prepare() and
   /// solve() are those of the tangent.
   virtual bool is_nonlinear() const { return false; }
+  /// Whether these are all terms of their regions but for supports and loads, so that the products
+  /// above are not those of such a region in a step. Else they are corrections of these products.
+  virtual bool has_whole_terms() const { return false; }
+  /// Sets the displacement and the velocity of a mesh that moves from the displacement of the
+  /// solids at that level. Collective. Throws StepFailure where the mesh is turned inside out.
+  virtual void move_mesh(BalancedStep &) {}
+  /// At the present time [m]; null where the mesh stays.
+  virtual const DistributedVector *mesh_displacement() const { return nullptr; }
   /// Adds the terms at the level of the step to the rows of momentum [N] and of volume [m^3/s].
   virtual void add_nonlinear_terms(const BalancedStep &, DistributedVector &, DistributedVector &)
   {

@@ -4,6 +4,8 @@
 #include <continua/boundary/boundary_condition.h>
 #include <continua/boundary/outlet.h>
 #include <continua/continuum/convection.h>
+#include <continua/continuum/mesh_motion_kind.h>
+#include <continua/continuum/region_model.h>
 #include <continua/continuum/wall_directions_parameters.h>
 #include <continua/materials/deformation.h>
 #include <continua/materials/material.h>
@@ -77,13 +79,39 @@ struct Problem
   Convection convection;
   Deformation deformation = Deformation::small;
   UnloadedShape unloaded_shape = UnloadedShape::mesh;
+  /// Whether the mesh of the liquids follows the solids, and how.
+  bool mesh_moves = false;
+  MeshMotionKind mesh_motion = MeshMotionKind::hyperelastic;
   WallDirectionsParameters wall_directions;
   NewtonParameters newton;
   FurtherFields further_fields;
   WallShearWindow wall_shear_window;
 
+  /// Which equations a region has.
+  RegionModel region_model(const unsigned int region) const
+  {
+    if (materials[region].is_solid())
+      return deformation == Deformation::finite ? RegionModel::finite_solid : RegionModel::linear;
+    return convection.is_on || mesh_moves ? RegionModel::flow : RegionModel::linear;
+  }
+  /// Whether the equations of a region are those of its present shape.
+  bool is_deformed(const unsigned int region) const
+  {
+    const RegionModel of_region = region_model(region);
+    return of_region == RegionModel::finite_solid || (of_region == RegionModel::flow && mesh_moves);
+  }
+  bool has_regions_of(const RegionModel model_of_region) const
+  {
+    for (unsigned int region = 0; region < materials.size(); ++region)
+      if (region_model(region) == model_of_region)
+        return true;
+    return false;
+  }
   /// Whether Newton's iteration makes the steps.
-  bool is_nonlinear() const { return convection.is_on || deformation == Deformation::finite; }
+  bool is_nonlinear() const
+  {
+    return has_regions_of(RegionModel::flow) || has_regions_of(RegionModel::finite_solid);
+  }
   /// Whether the mesh has the shape under the loads of the start, of which the unloaded one is
   /// found.
   bool finds_unloaded_shape() const { return unloaded_shape == UnloadedShape::inverse_solve; }

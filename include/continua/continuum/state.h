@@ -24,6 +24,14 @@ struct State
   /// From the mesh to the shape without stress [m]; null where that is the mesh's.
   const DistributedVector *unloaded_displacement = nullptr;
   const std::vector<CavityState> *cavities = nullptr; ///< null where there are none
+  /// Of a mesh that moves, in the solids that of matter [m]; null where the mesh stays.
+  const DistributedVector *mesh_displacement = nullptr;
+
+  /// By which the body has its present shape [m].
+  const DistributedVector &displacement_of_shape() const
+  {
+    return mesh_displacement != nullptr ? *mesh_displacement : history.displacement();
+  }
 };
 
 /// Sets `mixture` to w = eta U + sum_k mu_k D_k of a region's material [Pa m], of whose gradient

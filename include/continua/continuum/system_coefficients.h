@@ -16,6 +16,9 @@ struct SystemCoefficients
   std::vector<double> compressibility; ///< 1/(K b) [1/(Pa s)]
   /// Of the supports, with which they multiply a velocity: b of D = D_plus + b U [s], and 1.
   double support_stiffness = 0., support_damping = 0.;
+  /// Regions whose terms are not linear: of them the system has nothing but the supports, not even
+  /// B. Empty: there is none.
+  std::vector<bool> left_out = {};
   /// Of equations of rest, whose coefficients are so far apart that a direct solve needs a step of
   /// refinement.
   bool is_of_rest = false;
@@ -23,12 +26,10 @@ struct SystemCoefficients
   /// But for round-off: time steps of one size are not equal to the last bit.
   bool operator==(const SystemCoefficients &other) const;
 
-  /// Takes those of a step. In finite deformation stress and compression are no part of the linear
-  /// system; supports are.
+  /// Takes those of a step with small strains and without convection.
   void set(const Problem &problem, const Step &step);
-  /// Takes those of the same body with small strains, which is the same where the deformation is
-  /// small.
-  void set_of_small_strains(const Problem &problem, const Step &step);
+  void leave_out(unsigned int region);
+  bool has(const unsigned int region) const { return left_out.empty() || !left_out[region]; }
   /// Takes those of a body at rest that is all solid (displacement for velocity, mu for alpha, 1/K
   /// for compressibility) or of a steady flow, where dp/dt = 0 and compressibility has no part.
   void set_steady(const Problem &problem);

@@ -125,7 +125,8 @@ private:
                  wall_shear.is_on() ? &wall_shear : nullptr,
                  operators.wall_potentials(),
                  operators.unloaded_displacement(),
-                 &cavities.states()};
+                 &cavities.states(),
+                 operators.mesh_displacement()};
   }
   /// Of the velocity nodes of this rank: whether a solid has them.
   std::vector<bool> nodes_of_solids() const;
@@ -136,6 +137,14 @@ private:
   void balance(const Step &step, StepReport &report);
   /// The same by Newton's iteration, of the right-hand sides that are set.
   void iterate(const Step &step, bool system_is_new, StepReport &report);
+  /// Whether the linear system and the right-hand sides have nothing of a region but its supports
+  /// and loads.
+  bool is_whole(const unsigned int region) const
+  {
+    return operators.has_whole_terms() && operators.is_nonlinear_in(region);
+  }
+  /// Sets the first guess of the velocity [m/s] of solids in finite deformation to zero.
+  void stop_finite_solids(DistributedVector &of_velocity) const;
   /// The parts of a step: its system, its right-hand sides, and the state at its end.
   SystemChange prepare(const Step &step, StepReport &report);
   void set_momentum(const Step &step);

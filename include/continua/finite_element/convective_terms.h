@@ -6,6 +6,7 @@
 #include <continua/continuum/nonlinear_terms.h>
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/flow_point.h>
+#include <continua/finite_element/follower_pressure.h>
 #include <continua/finite_element/inflow_terms.h>
 #include <continua/finite_element/matrix_free_convection.h>
 #include <continua/finite_element/nonlinear_cell_terms.h>
@@ -25,20 +26,21 @@
 namespace Continua
 {
 /**
- * What convection and a density that follows the pressure add to the equations beside the linear
- * terms, times 1 - phase, which is 0 in solids: for test functions v and q
+ * The liquids with convection: for test functions v and q
  *
- *   int v . ( (rho - rho0) dU/dt + rho (U . grad) U ) + 1/2 rho m U . v + gamma m div v
- *   int q ( (c - 1/K) dp/dt + c U . grad p ),         m = c (dp/dt + U . grad p) + div U
+ *   int v . ( rho dU/dt + rho (U . grad) U + 1/2 rho m U )
+ *     + int ( 2 eta dev sym grad U - p I + gamma m I ) : grad v
+ *   int q m,                                          m = c (dp/dt + U . grad p) + div U
  *
- *   + int 2 (eta(g) - eta_0) dev sym grad U : grad v
+ * with rho(p), c(p) of the VolumeLaw, eta of the material or of its FlowCurve, gamma of Convection,
+ * InflowTerms at open ends, and StreamlineTerms where they are on; the term with 1/2 rho m is that
+ * of the skew form, gamma that of grad-div. Temam (1968) has the skew form of an incompressible
+ * liquid; with m in the place of div U it holds for any law of the density: the power of inertia
+ * and convection is d/dt int rho/2 U^2 + the flux of rho/2 U^2 through the boundary.
  *
- * with rho(p), c(p) of the VolumeLaw, eta(g) of the FlowCurve, gamma of Convection, InflowTerms at
- * open ends, and StreamlineTerms where they are on; the
- * term with 1/2 rho m is that of the skew form, gamma that of grad-div. Temam (1968) has the skew
- * form of an incompressible liquid; with m in the place of div U it holds for any law of the
- * density: the power of the convective terms is d/dt int rho/2 U^2 + the flux of rho/2 U^2 through
- * the boundary, less that of rho0.
+ * On a mesh that moves all of this is by the present place X + d, with dU/dt and dp/dt at the nodes
+ * of the mesh and U - W in the place of the U that carries, or -W without convection; the
+ * derivative is that with d and W held. Pressures of boundaries follow (FollowerPressure).
  */
 template <int dim>
 class ConvectiveTerms : public NonlinearCellTerms<dim>
@@ -64,6 +66,9 @@ public:
                        KeptDerivative form = KeptDerivative::matrices) override;
   std::vector<double> grad_div_viscosities(const BalancedStep &state) override;
   void forget_derivative() override;
+  void add_loads(const BalancedStep &state,
+                 std::optional<unsigned int> region,
+                 DistributedVector &forces) override;
   void add_derivative_product(const DistributedVector &of_velocity,
                               const DistributedVector &of_pressure,
                               DistributedVector &momentum,
@@ -82,7 +87,6 @@ private:
   using Base::velocity;
   using Base::velocity_work;
   using typename Base::Cell;
-  using typename Base::PressureEntries;
   using Point = FlowPoint<dim>;
 
   /// What tests the rows of momentum at a point: the values and the gradients of test functions.
@@ -98,22 +102,29 @@ private:
     convection,
     stabilisation,
     viscosity,
+    compression,
     n_kinds
   };
 
+  /// Of the velocity in that which carries: 1, or 0 without convection.
+  const double carries;
   InflowTerms<dim> inflow_terms;
   StreamlineTerms<dim> streamline_terms;
   // Of the state, with ghost entries.
   DistributedVector acceleration, pressure_rate;
+  DistributedVector mesh_displacement, mesh_velocity; ///< empty where the mesh stays
+  FollowerPressure<dim> follower_pressure;            ///< likewise without faces
   // Of the present cell; velocities component by component.
   const Cell *present = nullptr;
   dealii::Vector<double> cell_velocity, cell_acceleration, cell_pressure, cell_pressure_rate;
-  dealii::Vector<double> cell_volume, cell_inflow;
+  dealii::Vector<double> cell_volume, cell_inflow, cell_mesh_displacement, cell_mesh_velocity;
+  /// The geometry of the present cell, on a mesh that moves.
+  std::vector<typename Cell::Point> moved_points;
   std::array<dealii::Vector<double>, n_kinds> cell_forces;
   /// At a point of the present cell.
   FlowFunctions<dim> functions;
   // Derivatives by the unknowns at a point: of the divergence, of the source m, along the flow.
-  std::vector<double> traces, sources, along, pressure_sources, pressure_rates, densities;
+  std::vector<double> traces, sources, along, pressure_sources, densities;
 
   using Product = MatrixFreeConvection<dim>;
   /// Work space of products without a matrix.
@@ -130,8 +141,10 @@ private:
 
   void take(const BalancedStep &state) override;
   void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix) override;
-  /// Pressures of a liquid that is incompressible enter by SUPG alone.
-  PressureEntries pressure_entries(const Cell &cell) const override;
+  bool couples_pressures(const Cell &cell) const override
+  {
+    return !problem.materials[cell.region].is_incompressible();
+  }
   bool needs_matrix(const Cell &cell) const override
   {
     return product == nullptr || inflow_terms.has_face(cell.pressure_cell);
@@ -139,6 +152,11 @@ private:
   void make_product();
   /// Makes the state's entries those of the cell.
   void visit(const Cell &cell);
+  void move_points();
+  const typename Cell::Point &geometry_at(const unsigned int q) const
+  {
+    return problem.mesh_moves ? moved_points[q] : present->points[q];
+  }
   const Material &material() const { return problem.materials[present->region]; }
   CellState<dim> cell_state() const { return {cell_velocity, cell_pressure}; }
   Point point(unsigned int q) const;
@@ -148,7 +166,9 @@ private:
   void set_functions(unsigned int q);
   /// The strain rate times the gradient of a velocity's shape function.
   double shear(const Point &point, unsigned int component, unsigned int function) const;
-  /// What tests the terms of a flow curve.
+  /// At the shear rate of the point [Pa s].
+  double viscosity_at(const Point &point) const;
+  /// What tests the viscous stress.
   Tested viscous(const Point &point) const;
   void add_derivative_of_viscosity(const Point &point, dealii::FullMatrix<double> &matrix) const;
   /// Adds rows of momentum.

@@ -18,11 +18,10 @@
 namespace Continua
 {
 /**
- * The solids in finite deformation: what the equations of a step have in the place of the linear
- * stress and compression. For test functions v and q, on the reference mesh with gradients by the
- * present place,
+ * The solids in finite deformation. For test functions v and q, on the reference mesh with
+ * gradients by the present place,
  *
- *   int ( tau(F) + J 2 eta dev sym grad U - J p I ) : grad v dV
+ *   int rho0 v . dU/dt dV + int ( tau(F) + J 2 eta dev sym grad U - J p I ) : grad v dV
  *   int q (1/b) ( ln J + p/K ) J dV
  *
  * with F = I + Grad D, D = D_plus + b U, J = det F and tau the law's deviatoric Kirchhoff stress.
@@ -30,12 +29,10 @@ namespace Continua
  * ) J dV, which keeps the energy; the closed one keeps the volume. A law with a mean stress s of
  * its own has (p + s(F))/K in the place of ln J + p/K. Branches that relax add to tau the stress of
  * a metric that the step knows beforehand (MetricHistory). With a prestretch F0 the laws have the
- * elastic deformation F F0^-1, and the volume at rest is det F0 dV; loads that come in steps bring
- * it in the same share. Where the unloaded shape X + D0 is another than the mesh, F0 is 1 + Grad
- * D0. A step that finds this shape has F = 1 and D0 = -D.
- *
- * The linear equations keep the inertia, -int p Div v dV and int q Div U dV (by the reference
- * place), which are therefore taken off here.
+ * elastic deformation F F0^-1, and the volume at rest, with the mass, is det F0 dV; loads that come
+ * in steps bring it in the same share. Where the unloaded shape X + D0 is another than the mesh, F0
+ * is 1 + Grad D0. A step that finds this shape has F = 1 and D0 = -D, and the mass of the mesh's
+ * volume.
  */
 template <int dim>
 class DeformationTerms : public NonlinearCellTerms<dim>
@@ -86,15 +83,13 @@ private:
   using Base::velocity;
   using Base::velocity_work;
   using typename Base::Cell;
-  using typename Base::PressureEntries;
   using typename Base::Sizes;
 
   /// The state at a quadrature point.
   struct Point
   {
     Kinematics kinematics;
-    dealii::Tensor<2, 3> reference_velocity_gradient; ///< Grad U [1/s]
-    dealii::Tensor<2, 3> velocity_gradient;           ///< grad U [1/s]
+    dealii::Tensor<2, 3> velocity_gradient; ///< grad U [1/s]
     double weight, pressure, pressure_rate;
     double rest_ratio; ///< RestState::volume_ratio [1]
   };
@@ -137,7 +132,7 @@ private:
 
   void take(const BalancedStep &state) override;
   void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix) override;
-  PressureEntries pressure_entries(const Cell &) const override { return {true, true}; }
+  bool couples_pressures(const Cell &) const override { return true; }
   void set_rest_states();
   void visit(const Cell &cell);
   const Material &material() const { return problem.materials[present->region]; }
@@ -158,20 +153,23 @@ private:
   template <typename Visit>
   void visit_relaxing_points(const DistributedVector &of_displacement, const Visit &visit_point);
   dealii::SymmetricTensor<2, 3> viscous_stress(const Point &point) const;
-  /// Adds rows of momentum: of a stress per reference volume [Pa], and of a pressure of the linear
-  /// equations.
+  /// Adds rows of momentum: of a stress per reference volume [Pa].
   void add_stress(const dealii::SymmetricTensor<2, 3> &stress,
                   double weight,
                   dealii::Vector<double> &rows) const;
-  void add_reference_pressure(double factor, dealii::Vector<double> &rows) const;
   /// Sets the rows of the present cell without its loads: cell_volume, and cell_forces by kind, or
-  /// their sum in the first one, less what the linear equations have of the pressure. The least
-  /// volume ratio.
+  /// their sum in the first one. The least volume ratio.
   double integrate(bool by_kind);
-  /// A step that finds the unloaded shape ends at rest, whatever the mass on the way there.
-  bool adds_inertia() const { return has_other_rest && !step.finds_unloaded_shape; }
-  /// Adds the inertia of what the mass at rest is more than that of the mesh's volume.
+  /// Of a point [kg]. A step that finds the unloaded shape ends at rest, whatever the mass on the
+  /// way there.
+  double mass(const Point &point) const
+  {
+    return point.weight * material().density * (step.finds_unloaded_shape ? 1. : point.rest_ratio);
+  }
   void add_inertia(const Point &point, unsigned int q, dealii::Vector<double> &rows) const;
+  void add_derivative_of_inertia(const Point &point,
+                                 unsigned int q,
+                                 dealii::FullMatrix<double> &matrix) const;
   /// The left side of the row of volume at a point [1/s].
   double volume_row(const Point &point) const;
   void integrate_derivative(dealii::FullMatrix<double> &matrix);

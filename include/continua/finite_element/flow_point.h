@@ -11,9 +11,10 @@ namespace Continua
 template <int dim>
 struct FlowPoint
 {
-  double weight = 0.; ///< of the point in an integral over the body, times 1 - phase
+  double weight = 0.; ///< of the point in an integral over the body
   double pressure = 0., pressure_rate = 0., divergence = 0.;
   dealii::Tensor<1, dim> velocity, acceleration, pressure_gradient;
+  dealii::Tensor<1, dim> carrier;           ///< the velocity that carries, by the mesh [m/s]
   dealii::Tensor<2, dim> velocity_gradient; ///< [c][d]: of component c along d
   dealii::Tensor<2, dim> strain_rate;       ///< deviatoric, in the plane or in space
   double across = 0., hoop = 0.;            ///< of it, across the plane; 1/r in axisymmetry

@@ -10,6 +10,7 @@
 #include <continua/finite_element/region_divergence.h>
 #include <continua/finite_element/region_operators.h>
 #include <continua/finite_element/space.h>
+#include <continua/finite_element/stalled_block.h>
 #include <continua/linear_algebra/matrix_operator.h>
 #include <continua/linear_algebra/saddle_point_solver.h>
 
@@ -78,12 +79,11 @@ public:
   /// `viscosities`: the mean gamma in each cell, by active_cell_index() [Pa s]; empty: nothing is
   /// done. Not before prepare(). Collective.
   void precondition_grad_div(const std::vector<double> &viscosities);
-  /// The same for a tangent, with a part beside the linear terms, or a whole product in their place
-  /// (see SaddlePointSolver::Blocks; the other one is empty): from zero, until the residual is
-  /// below `tolerance` times that at the start. Throws StepFailure if that takes too many
-  /// iterations.
-  unsigned int solve_tangent(const SaddlePointSolver::Product &further,
-                             const SaddlePointSolver::Product &whole,
+  /// The same for a tangent, whose product is given (see SaddlePointSolver::Blocks): from zero,
+  /// until the residual is below `tolerance` times that at the start. `kind`: for the message.
+  /// Throws StepFailure if that takes too many iterations.
+  unsigned int solve_tangent(const SaddlePointSolver::Product &whole,
+                             FurtherTerms kind,
                              double tolerance,
                              const DistributedVector &momentum,
                              const DistributedVector &mass,
@@ -189,7 +189,9 @@ private:
   /// Measures each block of the preconditioner alone, with the velocities' block of the matrix that
   /// was to be solved, names the one that stalls, and says what to do. Takes as long as 40
   /// iterations.
-  std::string describe_failure(const SaddlePointSolver::Blocks &system, const KrylovReport &report);
+  std::string describe_failure(const SaddlePointSolver::Blocks &system,
+                               FurtherTerms kind,
+                               const KrylovReport &report);
   /// Of a solve that has converged: whether the preconditioner is worn.
   void record_use(unsigned int iterations);
   /// Which regions are stiff, by the rule above; also finds the velocities of each region.

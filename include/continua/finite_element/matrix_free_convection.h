@@ -31,8 +31,8 @@ public:
   /// The liquid of a region.
   struct Liquid
   {
-    double share = 0.;   ///< 1 - phase [1]; 0: the region is left out
-    double density = 0.; ///< at the reference pressure [kg/m^3]
+    double density = 0.;   ///< at the reference pressure [kg/m^3]
+    double viscosity = 0.; ///< where there is no flow curve [Pa s]
     VolumeLaw volume_law;
     std::optional<FlowCurve> flow_curve;
   };
@@ -55,15 +55,15 @@ public:
     // By active_cell_index():
     std::vector<bool> has_cell;               ///< whether an owned cell counts
     std::vector<double> viscosity_over_speed; ///< of grad-div [Pa s^2/m]
-    /// The places of a cell's pressures in the arrays of pressures, n_pressures for each cell;
-    /// empty if no liquid is compressible, whose pressures have no part in the derivative.
+    /// The places of a cell's pressures in the arrays of pressures, n_pressures for each cell.
     std::vector<int> pressure_places;
   };
   /// The state at which the derivative is taken, and how it follows the unknowns.
   struct State
   {
     Vector velocity, acceleration;               ///< [m/s], [m/s^2]
-    std::vector<double> pressure, pressure_rate; ///< with ghost entries [Pa], [Pa/s]
+    std::vector<double> pressure, pressure_rate; ///< with ghost entries [Pa], [Pa/s]; these and
+                                                 ///< the acceleration of compressible liquids alone
     double acceleration_by_velocity = 0.;        ///< [1/s]
     double pressure_rate_by_pressure = 0.;       ///< [1/s]
   };
@@ -77,8 +77,7 @@ public:
   virtual void set(const State *state) = 0;
   /// Sets the rows of momentum [N], hanging nodes condensed, and those of volume [m^3/s] of each
   /// cell, n_pressures by active_cell_index(), from changes of velocity [m/s] and pressure [Pa]
-  /// (with ghost entries). Without compressible liquids pressures and volume are not used.
-  /// Collective.
+  /// (with ghost entries). Collective.
   virtual void multiply(Vector &momentum,
                         std::vector<double> &volume,
                         const Vector &velocity,

@@ -58,7 +58,8 @@ private:
   {
     std::array<unsigned int, width> cells; ///< active_cell_index(), or no_cell
     std::array<const Liquid *, width> liquids;
-    Lanes share, density, inverse_bulk_modulus, viscosity_over_speed;
+    Lanes share; ///< 1, of lanes without a cell 0
+    Lanes density, viscosity, viscosity_over_speed;
     bool is_liquid = false, is_compressible = false, has_flow_curve = false;
   };
 
@@ -96,7 +97,7 @@ private:
   /// The values of a cell's pressures.
   void read(const Batch &batch, const double *entries, PressureCell &cell) const;
   Tested differentiate(const Batch &batch, const Point &point) const;
-  /// Adds the terms of a flow curve.
+  /// Adds the viscous stress.
   void add_viscous(const Batch &batch, const Point &point, Tested &tested) const;
 };
 
@@ -147,9 +148,9 @@ void MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::make_batches(cons
       const Liquid &liquid = liquids[cell->material_id()];
       batch.cells[lane] = index;
       batch.liquids[lane] = &liquid;
-      batch.share[lane] = liquid.share;
+      batch.share[lane] = 1.;
       batch.density[lane] = liquid.density;
-      batch.inverse_bulk_modulus[lane] = liquid.volume_law.inverse_bulk_modulus;
+      batch.viscosity[lane] = liquid.viscosity;
       batch.viscosity_over_speed[lane] = input.viscosity_over_speed[index];
       batch.is_liquid = true;
       if (liquid.volume_law.inverse_bulk_modulus != 0.)
@@ -197,25 +198,29 @@ void MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::add_viscous(const
   const Lanes across = dim == 2 ? point.hoop * point.velocity[1] - mean : Lanes(0.),
               across_change =
                   dim == 2 ? point.hoop * point.velocity_change[1] - mean_change : Lanes(0.);
-  Lanes norm_square = across * across, product = across * across_change;
-  for (unsigned int c = 0; c < dim; ++c)
-    for (unsigned int d = 0; d < dim; ++d)
-    {
-      norm_square += rate[c][d] * rate[c][d];
-      product += rate[c][d] * change[c][d];
-    }
-  const Lanes shear_rate = std::sqrt(2. * norm_square);
-  Lanes excess = 0., slope = 0.;
-  for (unsigned int lane = 0; lane < width; ++lane)
-    if (batch.liquids[lane] != nullptr && batch.liquids[lane]->flow_curve)
-    {
-      const FlowCurve &curve = *batch.liquids[lane]->flow_curve;
-      excess[lane] = 2. * (curve.viscosity(shear_rate[lane]) - curve.zero_rate_viscosity);
-      slope[lane] = 4. * curve.slope_over_rate(shear_rate[lane]);
-    }
-  const Lanes along = slope * product;
-  tested.by_gradient += excess * change + along * rate;
-  tested.by_value[1] += point.hoop * (excess * across_change + along * across);
+  Lanes factor = 2. * batch.viscosity, along = 0.;
+  if (batch.has_flow_curve)
+  {
+    Lanes norm_square = across * across, product = across * across_change;
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        norm_square += rate[c][d] * rate[c][d];
+        product += rate[c][d] * change[c][d];
+      }
+    const Lanes shear_rate = std::sqrt(2. * norm_square);
+    Lanes slope = 0.;
+    for (unsigned int lane = 0; lane < width; ++lane)
+      if (batch.liquids[lane] != nullptr && batch.liquids[lane]->flow_curve)
+      {
+        const FlowCurve &curve = *batch.liquids[lane]->flow_curve;
+        factor[lane] = 2. * curve.viscosity(shear_rate[lane]);
+        slope[lane] = 4. * curve.slope_over_rate(shear_rate[lane]);
+      }
+    along = slope * product;
+  }
+  tested.by_gradient += factor * change + along * rate;
+  tested.by_value[1] += point.hoop * (factor * across_change + along * across);
 }
 
 template <int dim, std::size_t width, bool is_axisymmetric>
@@ -246,27 +251,24 @@ MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::differentiate(const Ba
 
   Tested tested;
   const Lanes skew_source = skew * source;
-  tested.by_value =
-      density * (point.gradient * change + point.gradient_change * velocity) +
-      ((density - batch.density) * state->acceleration_by_velocity + density * skew_source) *
-          change +
-      density_change * (point.acceleration + point.gradient * velocity) +
-      (density_change * skew_source + density * skew * source_change) * velocity;
+  tested.by_value = density * (point.gradient * change + point.gradient_change * velocity) +
+                    (density * state->acceleration_by_velocity + density * skew_source) * change +
+                    density_change * (point.acceleration + point.gradient * velocity) +
+                    (density_change * skew_source + density * skew * source_change) * velocity;
   // At rest the speed has no derivative.
   const Lanes speed = velocity.norm();
   const Lanes along_flow = dealii::compare_and_apply_mask<dealii::SIMDComparison::greater_than>(
       speed, Lanes(0.),
       velocity * change / std::max(speed, Lanes(std::numeric_limits<double>::min())), Lanes(0.));
-  const Lanes second_pressure =
+  // With the pressure, and grad-div.
+  const Lanes mean_stress =
       (constant_viscosity + batch.viscosity_over_speed * speed) * source_change +
-      batch.viscosity_over_speed * source * along_flow;
+      batch.viscosity_over_speed * source * along_flow - point.pressure_change;
   for (unsigned int c = 0; c < dim; ++c)
-    tested.by_gradient[c][c] = second_pressure;
-  tested.by_value[1] += point.hoop * second_pressure;
-  if (batch.has_flow_curve)
-    add_viscous(batch, point, tested);
-  tested.of_volume =
-      source_change - divergence_change - batch.inverse_bulk_modulus * pressure_rate_change;
+    tested.by_gradient[c][c] = mean_stress;
+  tested.by_value[1] += point.hoop * mean_stress;
+  add_viscous(batch, point, tested);
+  tested.of_volume = source_change;
   return tested;
 }
 
@@ -296,19 +298,19 @@ void MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::multiply(
             cell->reinit(number);
           of_state.gather_evaluate(state->velocity, both);
           of_change.gather_evaluate(source, both);
+          pressure_of_change.reinit(number);
+          read(batch, pressure, pressure_of_change);
+          pressure_of_change.evaluate(batch.is_compressible ? both : values);
           // Only changes of the density multiply the acceleration.
           if (batch.is_compressible)
           {
             of_acceleration.gather_evaluate(state->acceleration, values);
-            for (PressureCell *const cell :
-                 {&pressure_of_state, &rate_of_state, &pressure_of_change})
+            for (PressureCell *const cell : {&pressure_of_state, &rate_of_state})
               cell->reinit(number);
             read(batch, state->pressure.data(), pressure_of_state);
             read(batch, state->pressure_rate.data(), rate_of_state);
-            read(batch, pressure, pressure_of_change);
             pressure_of_state.evaluate(both);
             rate_of_state.evaluate(values);
-            pressure_of_change.evaluate(both);
           }
           for (unsigned int q = 0; q < of_change.n_q_points; ++q)
           {
@@ -325,24 +327,21 @@ void MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::multiply(
             point.gradient = of_state.get_gradient(q);
             point.velocity_change = of_change.get_value(q);
             point.gradient_change = of_change.get_gradient(q);
+            point.pressure_change = pressure_of_change.get_value(q);
             if (batch.is_compressible)
             {
               point.acceleration = of_acceleration.get_value(q);
               point.pressure = pressure_of_state.get_value(q);
               point.pressure_gradient = pressure_of_state.get_gradient(q);
               point.pressure_rate = rate_of_state.get_value(q);
-              point.pressure_change = pressure_of_change.get_value(q);
               point.pressure_gradient_change = pressure_of_change.get_gradient(q);
             }
             const Tested tested = differentiate(batch, point);
             of_change.submit_value(factor * tested.by_value, q);
             of_change.submit_gradient(factor * tested.by_gradient, q);
-            if (batch.is_compressible)
-              pressure_of_change.submit_value(factor * tested.of_volume, q);
+            pressure_of_change.submit_value(factor * tested.of_volume, q);
           }
           of_change.integrate_scatter(both, target);
-          if (!batch.is_compressible)
-            continue;
           pressure_of_change.integrate(values);
           for (unsigned int lane = 0; lane < width; ++lane)
             if (batch.cells[lane] != no_cell)

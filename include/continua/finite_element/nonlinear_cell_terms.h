@@ -13,6 +13,7 @@
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -26,10 +27,10 @@ enum class KeptDerivative
 };
 
 /**
- * What the equations of a step have beside their linear terms, as integrals over cells and faces of
- * the reference mesh: rows of momentum N_u(U, p) [N] and of volume N_p(U, p) [m^3/s], and their
- * derivative. The part that does not depend on what is integrated: the sums over the cells, the
- * derivative as one matrix, and as one matrix a cell for products.
+ * All terms of the regions of one RegionModel that is not linear, but for loads and supports, as
+ * integrals over cells and faces: rows of momentum N_u(U, p) [N] and of volume N_p(U, p) [m^3/s],
+ * and their derivative. The part that does not depend on what is integrated: the sums over the
+ * cells, the derivative as one matrix, and as one matrix a cell for products.
  */
 template <int dim>
 class NonlinearCellTerms
@@ -39,8 +40,11 @@ public:
   NonlinearCellTerms(const Space<dim> &space,
                      const Problem &problem,
                      const dealii::Quadrature<dim> &quadrature,
-                     PhaseShare share);
+                     RegionModel model);
   virtual ~NonlinearCellTerms() = default;
+
+  /// Whether they are those of a region.
+  bool are_of(const unsigned int region) const { return problem.region_model(region) == model; }
 
   /// The mesh has changed.
   virtual void reinit();
@@ -106,15 +110,9 @@ public:
 protected:
   using Cell = QuadratureCell<dim>;
 
-  /// Whether the derivative has entries in the rows, and in the columns, of a cell's pressures: the
-  /// same for any state, so that an analysis of the matrix can be kept.
-  struct PressureEntries
-  {
-    bool in_rows, in_columns;
-  };
-
   const Space<dim> &space;
   const Problem &problem;
+  const RegionModel model;
   const dealii::Quadrature<dim> quadrature;
   QuadratureCells<dim> cells;
   Step step; ///< of the state that was taken
@@ -126,7 +124,9 @@ protected:
   /// The derivative of the rows of a cell at the state that was taken, velocities first, rows of
   /// volume times -1.
   virtual void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix) = 0;
-  virtual PressureEntries pressure_entries(const Cell &cell) const = 0;
+  /// Whether the derivative of a cell's rows of volume by its pressures is another than zero: the
+  /// same for any state, so that an analysis of the matrix can be kept.
+  virtual bool couples_pressures(const Cell &cell) const = 0;
   /// Whether products with the derivative need the matrix of that cell.
   virtual bool needs_matrix(const Cell & /*cell*/) const { return true; }
 
@@ -142,6 +142,10 @@ private:
   std::vector<dealii::FullMatrix<double>> cell_derivatives;
   dealii::Vector<double> cell_change, cell_product, cell_momentum, cell_volume;
 };
+
+/// One of them for each model of a region that the problem has and that is not linear.
+template <int dim>
+using NonlinearTerms = std::vector<std::unique_ptr<NonlinearCellTerms<dim>>>;
 } // namespace Continua
 
 #endif

@@ -21,7 +21,7 @@ struct QuadratureCell
   /// The geometry at a quadrature point.
   struct Point
   {
-    double weight = 0.; ///< in an integral over the body, times the share of the cell
+    double weight = 0.; ///< in an integral over the body
     double hoop = 0.;   ///< 1/r in axisymmetry, else 0 [1/m]
     /// [d][e]: the derivative of the coordinate d of the reference cell by the place along e [1/m].
     dealii::Tensor<2, dim> inverse_jacobian;
@@ -37,16 +37,9 @@ struct QuadratureCell
   std::vector<Point> points;
 };
 
-/// The part of the continuum that an integral is over: its cells count with their share.
-enum class PhaseShare
-{
-  liquid, ///< 1 - phase
-  solid   ///< the phase
-};
-
 /**
- * The owned cells of the liquids or of the solids, with all that integrals over them need besides
- * the state: made once for a mesh. Shape functions are kept for the reference cell alone; a
+ * The owned cells of the regions of one model, with all that integrals over them need besides the
+ * state: made once for a mesh. Shape functions are kept for the reference cell alone; a
  * gradient there times the inverse of the Jacobian is that in the body.
  */
 template <int dim>
@@ -57,7 +50,7 @@ public:
   QuadratureCells(const Space<dim> &space,
                   const Problem &problem,
                   const dealii::Quadrature<dim> &quadrature,
-                  PhaseShare share);
+                  RegionModel model);
 
   /// The mesh has changed.
   void reinit();
@@ -82,7 +75,7 @@ private:
   const Space<dim> &space;
   const Problem &problem;
   const dealii::Quadrature<dim> quadrature;
-  const PhaseShare share;
+  const RegionModel model;
   // [point][function]
   dealii::Table<2, double> shapes, pressure_shapes;
   dealii::Table<2, dealii::Tensor<1, dim>> slopes, pressure_slopes;

@@ -83,9 +83,11 @@ public:
   {
     iterative_solver->precondition_grad_div(viscosities);
   }
-  /// Of the iterative solver alone, with what the tangent has beside the linear terms: see
-  /// IterativeStepSolver.
+  /// Of the iterative solver alone. `further` adds what the tangent has beside the linear terms to
+  /// the rows of momentum and to minus those of volume; the preconditioner is that of
+  /// prepare_nearby().
   void solve_tangent(const SaddlePointSolver::Product &further,
+                     FurtherTerms kind,
                      double tolerance,
                      DistributedVector &momentum,
                      DistributedVector &mass,

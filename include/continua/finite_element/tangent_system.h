@@ -33,7 +33,7 @@ public:
   /// Factors the tangent at the state. Throws RunError.
   void factorize(const SystemCoefficients &coefficients,
                  const BalancedStep &state,
-                 NonlinearCellTerms<dim> &terms);
+                 const NonlinearTerms<dim> &terms);
   /// The next factor is made as the first one.
   void forget_analysis();
   /// Solves for free dofs; constrained and hanging entries of the result are 0. The right-hand

@@ -9,6 +9,7 @@
 #include <continua/finite_element/field_evaluation.h>
 #include <continua/finite_element/field_output.h>
 #include <continua/finite_element/loads.h>
+#include <continua/finite_element/mesh_motion.h>
 #include <continua/finite_element/mesh_transfer.h>
 #include <continua/finite_element/metric_history.h>
 #include <continua/finite_element/nonlinear_cell_terms.h>
@@ -108,7 +109,7 @@ public:
              DistributedVector &velocity,
              DistributedVector &pressure,
              StepReport &report) override;
-  bool is_nonlinear() const override { return terms != nullptr; }
+  bool is_nonlinear() const override { return !terms.empty(); }
   void add_nonlinear_terms(const BalancedStep &state,
                            DistributedVector &momentum,
                            DistributedVector &mass) override;
@@ -116,6 +117,12 @@ public:
                             const BalancedStep &state,
                             NonlinearForces &forces) override;
   bool is_nonlinear_in(unsigned int region) const override;
+  bool has_whole_terms() const override { return true; }
+  void move_mesh(BalancedStep &state) override;
+  const DistributedVector *mesh_displacement() const override
+  {
+    return mesh_motion ? &mesh_motion->displacement() : nullptr;
+  }
   NonlinearEnergy nonlinear_energy(unsigned int region, const State &state) override;
   double nonlinear_relaxation(unsigned int region) const override;
   void add_load_changes(const BalancedStep &state,
@@ -205,8 +212,9 @@ private:
   const LinearSolverParameters linear_solver;
   StepSystem<dim> system;
   std::unique_ptr<MetricHistory<dim>> metrics; ///< null where nothing relaxes in finite deformation
-  std::unique_ptr<NonlinearCellTerms<dim>> terms; ///< null where the equations are linear
-  bool derivative_is_marked = false;              ///< in MemoryUse, on this mesh
+  std::unique_ptr<MeshMotion<dim>> mesh_motion; ///< null where the mesh stays
+  NonlinearTerms<dim> terms;                    ///< of the regions that are not linear
+  bool derivative_is_marked = false;            ///< in MemoryUse, on this mesh
   TangentSystem<dim> tangent; ///< in the system's place where there are such terms
   CavityVolumes<dim> cavities;
   MeshTransfer<dim> mesh_transfer;
@@ -222,6 +230,8 @@ private:
 
   /// Whether mass and stiffness are products without a matrix on this mesh.
   bool has_products_without_matrix() const;
+  /// Those of a region that is not linear.
+  NonlinearCellTerms<dim> &terms_of(unsigned int region) const;
   /// Whether the steps of Newton's iteration have the iterative solver on this mesh.
   bool has_iterative_tangent() const;
   void solve_tangent(DistributedVector &momentum,

@@ -31,19 +31,17 @@ namespace Continua
 class SaddlePointSolver
 {
 public:
-  /// Adds a part of the matrix times velocity and pressure to the rows of both equations, or sets
-  /// these to the product of the whole.
+  /// Sets the rows of both equations to the product of the matrix.
   using Product = BlockKrylov::Product;
 
-  /// A, B and C; what the matrix has beside them, which may be unsymmetric; empty is nothing. Or,
-  /// in the place of all of these, the product of a matrix nearby: the blocks are then those of the
-  /// preconditioner alone.
+  /// A, B and C. With `whole`, the product of another matrix, which may be unsymmetric: the blocks
+  /// are then those of the preconditioner alone.
   struct Blocks
   {
     const VelocityOperator &velocity;
     const DivergenceOperator &divergence;
     const dealii::TrilinosWrappers::SparseMatrix &compression;
-    Product further = nullptr, whole = nullptr;
+    Product whole = nullptr;
   };
 
   explicit SaddlePointSolver(unsigned int restart_length);

@@ -28,6 +28,8 @@ struct ProbeLimits
   bool is_in_time = true;          ///< else no mean over time
   bool is_finite = false;          ///< deformation, in which the volume is no linear function
   std::vector<bool> is_solid = {}; ///< by material id: a mean is that of liquids on their walls
+  bool mesh_moves =
+      false; ///< of liquids, so that integrals over the mesh at rest are none of theirs
 };
 
 /**
@@ -137,6 +139,8 @@ private:
   /// The fields by component.
   std::vector<FieldComponent> components(const std::vector<FieldComponent> &fields) const;
   bool asks_for_forces() const;
+  /// Of a mesh that moves: refuses what is not looked at in its present shape.
+  void check_moving_mesh(const std::vector<FieldComponent> &known_fields) const;
   /// Refuses a cavity's pressure or volume where the boundary encloses none.
   void check_cavities(const std::vector<BoundaryCondition> &conditions,
                       const std::vector<FieldComponent> &known_fields) const;

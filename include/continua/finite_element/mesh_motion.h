@@ -1,0 +1,107 @@
+#ifndef continua_finite_element_mesh_motion_h
+#define continua_finite_element_mesh_motion_h
+
+#include <continua/continuum/balanced_step.h>
+#include <continua/continuum/kinematics.h>
+#include <continua/continuum/problem.h>
+#include <continua/continuum/state_visitor.h>
+#include <continua/finite_element/quadrature_cells.h>
+#include <continua/finite_element/space.h>
+#include <continua/linear_algebra/symmetric_factor.h>
+
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/// How much a mesh that moves is deformed.
+struct MeshQuality
+{
+  double least_volume_ratio = 1.; ///< J of the mesh at Gauss points and vertices of the liquids [1]
+  std::string place;              ///< of the worst cell: "in the region 'liquid' near (0.1, 0.2) m"
+};
+
+/**
+ * The motion of the mesh of the liquids, whose places are X + d: d is the displacement D of the
+ * solids at their nodes, and is extended into the liquids by the equilibrium of a body that fills
+ * them. With k = 1/(volume of the cell), on the mesh at rest,
+ *
+ *   elastic:       int k ( 2 eps(d) : eps(z) + 2 div d div z ) dV = 0
+ *   hyperelastic:  the energy int k (tr C - 2 ln J)/2 dV is least; a step takes one Newton step of
+ *                  it, linearised where the step starts, its residual included, so that d is linear
+ *                  in D within the step
+ *
+ * so that small cells, which lie at the solids, keep their shape (Stein, Tezduyar, Benney 2003 have
+ * the stiffening by the volume). The mesh velocity W follows from d by the very formula by which
+ * the step has D from U: D = D_plus + b U.
+ */
+template <int dim>
+class MeshMotion
+{
+public:
+  /// Both must outlive it.
+  MeshMotion(const Space<dim> &space, const Problem &problem);
+
+  /// The mesh at rest has changed. Collective. Throws RunError.
+  void reinit();
+  /// A step begins from the present state. Collective. Throws RunError.
+  void begin_step(const Step &step);
+  /// Sets the displacement [m] and the velocity [m/s] of the mesh at the level that a step
+  /// balances, from the displacement of the solids there. Collective.
+  void move(BalancedStep &state);
+  /// A step has ended. Collective.
+  void finish_step(const BalancedStep &balanced);
+  /// Takes the present displacement of the solids for the start [m]. Collective.
+  void start_from(const DistributedVector &displacement);
+  /// Hands over the part of the state.
+  void visit(StateVisitor &visitor);
+  /// That part was read from a checkpoint or carried over to another mesh. Collective.
+  void take_state();
+
+  /// At the present time [m].
+  const DistributedVector &displacement() const { return present; }
+  /// Of a displacement of the mesh [m]. Collective.
+  MeshQuality quality(const DistributedVector &mesh_displacement);
+
+private:
+  using Cell = QuadratureCell<dim>;
+
+  const Space<dim> &space;
+  const Problem &problem;
+  const MeshMotionKind kind;
+  QuadratureCells<dim> cells;
+  /// The vertices of the reference cell, as a quadrature.
+  QuadratureCells<dim> corners;
+  dealii::AffineConstraints<double> constraints; ///< of the mesh, homogeneous
+  std::vector<bool> is_of_solid;                 ///< whether an owned entry of d is that of D
+  std::unique_ptr<SymmetricFactor> factor;
+  DistributedVector present, older; ///< d [m]
+  DistributedVector predicted;      ///< of the present step [m]
+  DistributedVector known, ghosted, right_side, work;
+  std::vector<double> packed;
+  std::vector<int> owned;
+  bool is_linearised = false;
+  /// The operator of each cell at the start of the step, and work space.
+  std::vector<dealii::FullMatrix<double>> matrices;
+  dealii::Vector<double> cell_displacement, cell_rows;
+
+  void set_constraints();
+  /// Makes the operator at the present displacement, its factor, and the residual there.
+  void linearise();
+  /// Sets the matrix and the residual of a cell at a displacement.
+  void set_operator(const Cell &cell, dealii::FullMatrix<double> &matrix) const;
+  /// Sets d to that at the start of the step and what follows of the change of D.
+  void extend(const DistributedVector &solid_displacement, DistributedVector &mesh_displacement);
+  dealii::Tensor<2, 3> gradient(const QuadratureCells<dim> &points,
+                                const Cell &cell,
+                                const dealii::Vector<double> &entries,
+                                unsigned int q) const;
+};
+} // namespace Continua
+
+#endif

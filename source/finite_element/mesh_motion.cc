@@ -1,0 +1,432 @@
+#include <continua/finite_element/mesh_motion.h>
+
+#include <continua/base/input_error.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+namespace Continua
+{
+using namespace dealii;
+
+namespace
+{
+/// Of a normal: a plane face normal to an axis.
+constexpr double largest_tilt = 1e-10;
+
+/// The axis to which all faces of a condition on liquids are normal, or -1; collective.
+template <int dim>
+int axis_of_plane(const Space<dim> &space,
+                  const Problem &problem,
+                  const BoundaryCondition &condition)
+{
+  FEFaceValues<dim> values(space.mapping, space.velocity_element, QGauss<dim - 1>(2),
+                           update_normal_vectors);
+  double tilts[dim] = {};
+  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+    if (cell->is_locally_owned() && cell->at_boundary() &&
+        problem.region_model(cell->material_id()) == RegionModel::flow &&
+        condition.region_ids.count(cell->material_id()) > 0)
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == condition.boundary_id)
+        {
+          values.reinit(cell, f);
+          for (const unsigned int q : values.quadrature_point_indices())
+            for (unsigned int c = 0; c < dim; ++c)
+              tilts[c] = std::max(tilts[c], 1. - std::abs(values.normal_vector(q)[c]));
+        }
+  for (unsigned int c = 0; c < dim; ++c)
+    if (Utilities::MPI::max(tilts[c], space.communicator) < largest_tilt)
+      return static_cast<int>(c);
+  return -1;
+}
+} // namespace
+
+template <int dim>
+MeshMotion<dim>::MeshMotion(const Space<dim> &space, const Problem &problem)
+    : space(space),
+      problem(problem),
+      kind(problem.mesh_motion),
+      cells(space, problem, QGauss<dim>(space.n_quadrature_points()), RegionModel::flow),
+      corners(space, problem, QTrapezoid<dim>(), RegionModel::flow)
+{
+  for (Vector<double> *vector : {&cell_displacement, &cell_rows})
+    vector->reinit(dim * cells.n_functions());
+}
+
+template <int dim>
+void MeshMotion<dim>::set_constraints()
+{
+  // Marks of the components of d that are given by D, and of those that a boundary holds.
+  DistributedVector of_solids = space.velocity_vector(), of_boundaries = of_solids;
+  std::vector<types::global_dof_index> indices(space.velocity_element.n_dofs_per_cell()), marked;
+  const auto mark = [&](DistributedVector &marks)
+  { marks.add(marked, std::vector<double>(marked.size(), 1.)); };
+  std::vector<int> axes;
+  for (const BoundaryCondition &condition : problem.conditions)
+    axes.push_back(axis_of_plane(space, problem, condition));
+  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+  {
+    if (!cell->is_locally_owned())
+      continue;
+    cell->get_dof_indices(indices);
+    if (problem.region_model(cell->material_id()) != RegionModel::flow)
+    {
+      marked = indices;
+      mark(of_solids);
+      continue;
+    }
+    for (const unsigned int f : cell->face_indices())
+      for (unsigned int k = 0; k < problem.conditions.size() && cell->face(f)->at_boundary(); ++k)
+      {
+        const BoundaryCondition &condition = problem.conditions[k];
+        if (cell->face(f)->boundary_id() != condition.boundary_id ||
+            condition.region_ids.count(cell->material_id()) == 0)
+          continue;
+        const bool is_axis = condition.type == BoundaryType::axis,
+                   slides = is_axis || (condition.mesh_slides() && axes[k] >= 0);
+        const unsigned int across = is_axis ? 1 : axes[k];
+        marked.clear();
+        for (unsigned int i = 0; i < indices.size(); ++i)
+          if (space.velocity_element.has_support_on_face(i, f) &&
+              (!slides || space.velocity_element.system_to_component_index(i).first == across))
+            marked.push_back(indices[i]);
+        mark(of_boundaries);
+      }
+  }
+  of_solids.compress(VectorOperation::add);
+  of_boundaries.compress(VectorOperation::add);
+  is_of_solid.resize(of_solids.locally_owned_size());
+  for (unsigned int i = 0; i < is_of_solid.size(); ++i)
+    is_of_solid[i] = of_solids.begin()[i] > 0.;
+
+  constraints.reinit(space.velocity_relevant);
+  DoFTools::make_hanging_node_constraints(space.velocity_dofs, constraints);
+  of_boundaries.add(1., of_solids);
+  DistributedVector relevant(space.velocity_owned, space.velocity_relevant, space.communicator);
+  relevant = of_boundaries;
+  for (const auto index : space.velocity_relevant)
+    if (relevant(index) > 0. && !constraints.is_constrained(index))
+      constraints.add_line(index);
+  constraints.close();
+}
+
+template <int dim>
+void MeshMotion<dim>::reinit()
+{
+  cells.reinit();
+  corners.reinit();
+  set_constraints();
+  for (DistributedVector *vector : {&present, &older, &predicted, &known, &right_side, &work})
+    *vector = space.velocity_vector();
+  ghosted = space.ghosted_velocity(work);
+  packed.resize(space.velocity_owned.n_elements());
+  owned.clear();
+  for (const auto index : space.velocity_owned)
+    owned.push_back(index);
+  factor = nullptr;
+  is_linearised = false;
+  if (kind == MeshMotionKind::elastic)
+    linearise();
+}
+
+template <int dim>
+Tensor<2, 3> MeshMotion<dim>::gradient(const QuadratureCells<dim> &points,
+                                       const Cell &cell,
+                                       const Vector<double> &entries,
+                                       const unsigned int q) const
+{
+  const typename Cell::Point &geometry = cell.points[q];
+  const std::size_t n_functions = points.n_functions();
+  Tensor<2, dim> result;
+  double radial = 0.;
+  for (unsigned int c = 0; c < dim; ++c)
+  {
+    Tensor<1, dim> slope; // on the reference cell
+    for (unsigned int a = 0; a < n_functions; ++a)
+    {
+      slope += entries[c * n_functions + a] * points.gradients(q)[a];
+      if (c == 1)
+        radial += entries[c * n_functions + a] * points.values(q)[a];
+    }
+    result[c] = slope * geometry.inverse_jacobian;
+  }
+  // On the axis the hoop strain is the radial one.
+  return whole_gradient<dim>(result,
+                             std::isfinite(geometry.hoop) ? radial * geometry.hoop : result[1][1]);
+}
+
+template <int dim>
+void MeshMotion<dim>::set_operator(const Cell &cell, FullMatrix<double> &matrix) const
+{
+  const std::size_t n_functions = cells.n_functions();
+  double volume = 0.;
+  for (const typename Cell::Point &point : cell.points)
+    volume += point.weight;
+  matrix.reinit(dim * n_functions, dim * n_functions);
+  std::vector<Tensor<1, 3>> slopes(n_functions);
+  std::vector<double> hoops(n_functions);
+  for (unsigned int q = 0; q < cells.n_points(); ++q)
+  {
+    const typename Cell::Point &geometry = cell.points[q];
+    for (unsigned int a = 0; a < n_functions; ++a)
+    {
+      const Tensor<1, dim> slope = cells.gradients(q)[a] * geometry.inverse_jacobian;
+      for (unsigned int d = 0; d < dim; ++d)
+        slopes[a][d] = slope[d];
+      hoops[a] = geometry.hoop * cells.values(q)[a];
+    }
+    const Tensor<2, 3> inverse = Kinematics(gradient(cells, cell, cell_displacement, q)).inverse();
+    for (unsigned int d = 0; d < dim; ++d)
+      for (unsigned int b = 0; b < n_functions; ++b)
+      {
+        Tensor<2, 3> change;
+        change[d] = slopes[b];
+        if (d == 1)
+          change[2][2] += hoops[b];
+        Tensor<2, 3> stress = change;
+        if (kind == MeshMotionKind::elastic)
+        {
+          stress += transpose(change);
+          for (unsigned int e = 0; e < 3; ++e)
+            stress[e][e] += 2. * trace(change);
+        }
+        else
+          stress += transpose(inverse * change * inverse);
+        stress *= geometry.weight / volume;
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int a = 0; a < n_functions; ++a)
+            matrix(c * n_functions + a, d * n_functions + b) +=
+                stress[c] * slopes[a] + (c == 1 ? stress[2][2] * hoops[a] : 0.);
+      }
+  }
+}
+
+template <int dim>
+void MeshMotion<dim>::linearise()
+{
+  space.copy_velocity(present, work, ghosted);
+  right_side = 0.;
+  matrices.resize(cells.all().size());
+  SymmetricTriplets triplets;
+  triplets.n = static_cast<int>(space.velocity_dofs.n_dofs());
+  for (const auto index : space.velocity_owned)
+    if (constraints.is_constrained(index))
+    {
+      triplets.rows.push_back(index);
+      triplets.columns.push_back(index);
+      triplets.values.push_back(1.);
+    }
+  std::vector<std::vector<std::pair<int, double>>> masters(cell_displacement.size());
+  const std::size_t n_functions = cells.n_functions();
+  for (std::size_t k = 0; k < matrices.size(); ++k)
+  {
+    const Cell &cell = cells.all()[k];
+    for (unsigned int i = 0; i < cell_displacement.size(); ++i)
+      cell_displacement[i] = ghosted.begin()[cell.velocity_places[i]];
+    set_operator(cell, matrices[k]);
+    for (unsigned int i = 0; i < masters.size(); ++i)
+    {
+      const types::global_dof_index index = cell.velocity_indices[i];
+      masters[i].clear();
+      if (!constraints.is_constrained(index))
+        masters[i].emplace_back(index, 1.);
+      else
+        for (const auto &entry : *constraints.get_constraint_entries(index))
+          masters[i].emplace_back(entry.first, entry.second);
+    }
+    for (unsigned int i = 0; i < masters.size(); ++i)
+      for (unsigned int j = 0; j < masters.size(); ++j)
+        for (const auto &[row, row_weight] : masters[i])
+          for (const auto &[column, column_weight] : masters[j])
+            if (row >= column)
+            {
+              triplets.rows.push_back(row);
+              triplets.columns.push_back(column);
+              triplets.values.push_back(row_weight * column_weight * matrices[k](i, j));
+            }
+    if (kind == MeshMotionKind::elastic)
+      continue;
+    // The residual, P = F - F^-T.
+    double volume = 0.;
+    for (const typename Cell::Point &point : cell.points)
+      volume += point.weight;
+    cell_rows = 0.;
+    for (unsigned int q = 0; q < cells.n_points(); ++q)
+    {
+      const typename Cell::Point &geometry = cell.points[q];
+      const Kinematics motion(gradient(cells, cell, cell_displacement, q));
+      const Tensor<2, 3> stress = (geometry.weight / volume) *
+                                  (motion.deformation_gradient() - transpose(motion.inverse()));
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int a = 0; a < n_functions; ++a)
+        {
+          const Tensor<1, dim> slope = cells.gradients(q)[a] * geometry.inverse_jacobian;
+          double sum = c == 1 ? stress[2][2] * geometry.hoop * cells.values(q)[a] : 0.;
+          for (unsigned int d = 0; d < dim; ++d)
+            sum += stress[c][d] * slope[d];
+          cell_rows[c * n_functions + a] -= sum;
+        }
+    }
+    space.velocity_hanging.distribute_local_to_global(cell_rows, cell.velocity_indices, right_side);
+  }
+  right_side.compress(VectorOperation::add);
+  if (factor == nullptr)
+    factor = make_symmetric_factor(DirectSolver::automatic, true, triplets.values.size(),
+                                   space.communicator);
+  factor->factorize(std::move(triplets), owned);
+  is_linearised = true;
+}
+
+template <int dim>
+void MeshMotion<dim>::begin_step(const Step &step)
+{
+  const BranchCoefficients c = step.branch(std::numeric_limits<double>::infinity());
+  Assert(c.velocity_old == 0., ExcInternalError());
+  predicted.equ(c.old, present);
+  if (c.older != 0.)
+    predicted.add(c.older, older);
+  if (kind == MeshMotionKind::hyperelastic && !is_linearised)
+    linearise();
+}
+
+template <int dim>
+void MeshMotion<dim>::extend(const DistributedVector &solid_displacement,
+                             DistributedVector &mesh_displacement)
+{
+  // The elastic extension is linear from the mesh at rest on.
+  const bool from_rest = kind == MeshMotionKind::elastic;
+  for (unsigned int i = 0; i < is_of_solid.size(); ++i)
+    known.begin()[i] =
+        is_of_solid[i] ? solid_displacement.begin()[i] - (from_rest ? 0. : present.begin()[i]) : 0.;
+  space.copy_velocity(known, work, ghosted);
+  DistributedVector &rows = mesh_displacement;
+  rows.equ(1., right_side);
+  for (std::size_t k = 0; k < matrices.size(); ++k)
+  {
+    const Cell &cell = cells.all()[k];
+    bool is_known = false;
+    for (unsigned int i = 0; i < cell_displacement.size(); ++i)
+    {
+      cell_displacement[i] = ghosted.begin()[cell.velocity_places[i]];
+      is_known = is_known || cell_displacement[i] != 0.;
+    }
+    if (!is_known)
+      continue;
+    matrices[k].vmult(cell_rows, cell_displacement);
+    cell_rows *= -1.;
+    space.velocity_hanging.distribute_local_to_global(cell_rows, cell.velocity_indices, rows);
+  }
+  rows.compress(VectorOperation::add);
+  for (std::size_t i = 0; i < packed.size(); ++i)
+    packed[i] = constraints.is_constrained(owned[i]) ? 0. : rows.begin()[i];
+  factor->solve(packed);
+  for (std::size_t i = 0; i < packed.size(); ++i)
+    mesh_displacement.begin()[i] =
+        (from_rest ? 0. : present.begin()[i]) + known.begin()[i] + packed[i];
+  space.set_hanging_velocities_to_zero(mesh_displacement);
+}
+
+template <int dim>
+void MeshMotion<dim>::move(BalancedStep &state)
+{
+  extend(state.displacement, state.mesh_displacement);
+  const double factor_of_velocity =
+      1. / state.step.branch(std::numeric_limits<double>::infinity()).velocity;
+  state.mesh_velocity.equ(factor_of_velocity, state.mesh_displacement);
+  state.mesh_velocity.add(-factor_of_velocity, predicted);
+}
+
+template <int dim>
+void MeshMotion<dim>::finish_step(const BalancedStep &balanced)
+{
+  older.swap(present);
+  present.equ(1., balanced.mesh_displacement);
+  if (balanced.step.extrapolate)
+  {
+    present *= 2.;
+    present.add(-1., older);
+  }
+  is_linearised = is_linearised && kind == MeshMotionKind::elastic;
+}
+
+template <int dim>
+void MeshMotion<dim>::start_from(const DistributedVector &displacement)
+{
+  if (!is_linearised)
+    linearise();
+  extend(displacement, work);
+  present.equ(1., work);
+  older.equ(1., present);
+  take_state();
+}
+
+template <int dim>
+void MeshMotion<dim>::visit(StateVisitor &visitor)
+{
+  visitor.levels("mesh displacement", StateKind::velocity, present, older);
+}
+
+template <int dim>
+void MeshMotion<dim>::take_state()
+{
+  is_linearised = is_linearised && kind == MeshMotionKind::elastic;
+}
+
+template <int dim>
+MeshQuality MeshMotion<dim>::quality(const DistributedVector &mesh_displacement)
+{
+  space.copy_velocity(mesh_displacement, work, ghosted);
+  double least = std::numeric_limits<double>::max();
+  const Cell *worst = nullptr;
+  for (std::size_t k = 0; k < cells.all().size(); ++k)
+  {
+    const Cell &cell = cells.all()[k];
+    for (unsigned int i = 0; i < cell_displacement.size(); ++i)
+      cell_displacement[i] = ghosted.begin()[cell.velocity_places[i]];
+    const auto take = [&](const QuadratureCells<dim> &points, const Cell &of_points)
+    {
+      for (unsigned int q = 0; q < points.n_points(); ++q)
+      {
+        const double ratio =
+            Kinematics(gradient(points, of_points, cell_displacement, q)).volume_ratio();
+        // What is no number fails the comparison.
+        if (!(ratio >= least))
+        {
+          least = ratio;
+          worst = &cell;
+        }
+      }
+    };
+    take(cells, cell);
+    take(corners, corners.all()[k]);
+  }
+  const auto over_ranks = Utilities::MPI::min_max_avg(
+      std::isnan(least) ? -std::numeric_limits<double>::max() : least, space.communicator);
+  MeshQuality quality;
+  quality.least_volume_ratio = over_ranks.min;
+  std::ostringstream text;
+  text.precision(4);
+  if (worst != nullptr)
+  {
+    text << "in the region '" << problem.regions[worst->region] << "' near (";
+    for (unsigned int c = 0; c < dim; ++c)
+      text << (c == 0 ? "" : ", ") << worst->velocity_cell->center()[c];
+    text << ") m";
+  }
+  quality.place = Utilities::MPI::broadcast(space.communicator, text.str(), over_ranks.min_index);
+  return quality;
+}
+
+template class MeshMotion<2>;
+template class MeshMotion<3>;
+} // namespace Continua
