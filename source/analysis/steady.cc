@@ -32,6 +32,7 @@ void Steady<dim>::name_quantities(const Case<dim> &input, QuantityNames &names)
   Run<dim>::name_quantities(input, names);
   LoopRecord<dim>::name_quantities(names);
   FlowReport<dim>::name_quantities(input, names);
+  RangeReport<dim>::name_quantities(input, names);
 }
 
 template <int dim>
@@ -99,6 +100,8 @@ void Steady<dim>::perform()
   if (n_steps > 0)
     run.summary.set("matrices factored", static_cast<double>(n_factors));
   flow.finish();
+  range.take(time);
+  range.finish();
   run.finish(n_steps, time);
 }
 

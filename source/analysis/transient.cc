@@ -30,6 +30,7 @@ Transient<dim>::Transient(Run<dim> &run)
       time_control(run.input.time),
       records(make_records(run.input, run.directory.path())),
       flow(run),
+      range(run),
       beats(run),
       checkpoint(run.input.communicator, run.directory, run.file),
       probe_schedule(run.input.output.probe_schedule(run.input.time.end_time)),
@@ -70,6 +71,7 @@ void Transient<dim>::name_quantities(const Case<dim> &input, QuantityNames &name
   if (input.problem.deformation == Deformation::small)
     names.add("weak divergence at the end");
   FlowReport<dim>::name_quantities(input, names);
+  RangeReport<dim>::name_quantities(input, names);
   PeriodicState<dim>::name_quantities(input, names);
   if (input.problem.is_nonlinear())
     names.add("steps halved");
@@ -96,11 +98,15 @@ void Transient<dim>::perform()
   else
     start();
   report_preflight();
+  if (!run.command_line.restart)
+    range.take(0.);
   while (!at_end())
     step();
   run.log.end_progress();
   if (run.input.output.checkpoint_at_end)
     write_checkpoint();
+  // After the checkpoint: a run that goes on from it need not have looked at this state.
+  range.take(time_control.time());
   for (const ScheduledRecord<dim> &entry : records)
     entry.record->finish({*run.solver, time_control, run.summary, run.log});
   LinearWaveTheory<dim>(run).compare();
@@ -110,6 +116,7 @@ void Transient<dim>::perform()
   if (run.input.problem.deformation == Deformation::small)
     run.summary.add({"weak divergence at the end", run.solver->divergence(), "1/s", ""});
   flow.finish();
+  range.finish();
   beats.finish();
   if (run.input.problem.is_nonlinear())
     run.summary.add({"steps halved", static_cast<double>(n_halved), "1", ""});
@@ -248,6 +255,7 @@ void Transient<dim>::report_preflight()
       tube_speed = input.length / report.value("transit time");
   }
   flow.start(input.frequency, tube_speed);
+  range.set_tube_speed(tube_speed);
 }
 
 template <int dim>
@@ -298,6 +306,7 @@ void Transient<dim>::restart()
         n_restarts = archive.integer("restarts") + 1;
         n_halved = archive.integer("steps halved");
         flow.load(archive);
+        range.load(archive);
         earlier_wall_time = archive.value("wall time");
         std::istringstream lines(archive.text("warnings"));
         for (std::string line; std::getline(lines, line);)
@@ -516,6 +525,8 @@ void Transient<dim>::step()
   if (step_is_divided)
     time_control.set_last_size(last_part.size());
   last_size = size;
+  if (time_control.n_steps() % RangeReport<dim>::every_n_steps == 0)
+    range.take(time);
   if (adaptation_is_due() && !at_end())
     adapt();
   save_or_stop();
@@ -619,6 +630,7 @@ void Transient<dim>::write_checkpoint()
         archive.add("restarts", n_restarts);
         archive.add("steps halved", n_halved);
         flow.save(archive);
+        range.save(archive);
         beats.save(archive, time_control.time());
         archive.add("wall time", earlier_wall_time + run.log.wall_times().at("total"));
         std::string warnings;

@@ -2,6 +2,12 @@
 
 #include <continua/continuum/field_list.h>
 
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace Continua
 {
 template <int dim>
@@ -12,6 +18,20 @@ DiscreteContinuum<dim>::DiscreteContinuum(std::unique_ptr<Discretisation<dim>> d
       discretisation(std::move(discretisation)),
       stepping(problem, *this->discretisation, log)
 {
+}
+
+template <int dim>
+void DiscreteContinuum<dim>::initialise()
+{
+  velocities_of_liquids.reset();
+  stepping.initialise();
+}
+
+template <int dim>
+void DiscreteContinuum<dim>::transfer()
+{
+  velocities_of_liquids.reset();
+  stepping.transfer();
 }
 
 template <int dim>
@@ -51,6 +71,35 @@ template <int dim>
 double DiscreteContinuum<dim>::divergence()
 {
   return discretisation->divergence(stepping.present_velocity());
+}
+
+template <int dim>
+MotionExtremes DiscreteContinuum<dim>::motion_extremes()
+{
+  MotionExtremes extremes;
+  discretisation->take_motion(stepping.state(), extremes);
+  if (!velocities_of_liquids)
+  {
+    velocities_of_liquids.emplace();
+    const std::vector<std::vector<unsigned int>> nodes = discretisation->velocity_nodes();
+    for (unsigned int region = 0; region < nodes.size(); ++region)
+      if (!problem.materials[region].is_solid())
+        velocities_of_liquids->insert(velocities_of_liquids->end(), nodes[region].begin(),
+                                      nodes[region].end());
+  }
+  const double *const velocity = stepping.present_velocity().begin();
+  for (const unsigned int i : *velocities_of_liquids)
+    extremes.liquid_speed = std::max(extremes.liquid_speed, std::abs(velocity[i]));
+  std::array<double, 4> largest = {
+      {extremes.strain, extremes.rotation, extremes.wall_displacement, extremes.liquid_speed}};
+  const int error =
+      MPI_Allreduce(MPI_IN_PLACE, largest.data(), 4, MPI_DOUBLE, MPI_MAX, problem.communicator);
+  AssertThrowMPI(error);
+  extremes.strain = largest[0];
+  extremes.rotation = largest[1];
+  extremes.wall_displacement = largest[2];
+  extremes.liquid_speed = largest[3];
+  return extremes;
 }
 
 template <int dim>

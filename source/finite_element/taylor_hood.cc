@@ -70,6 +70,7 @@ TaylorHood<dim>::TaylorHood(parallel::TriangulationBase<dim> &triangulation,
       mesh_transfer(space),
       evaluation(space, problem, metrics.get()),
       wall_shear(space, problem),
+      motion(space, problem),
       output(space, problem, evaluation, wall_shear, metrics.get())
 {
   system.announce = [&log](const double n_unknowns, const double bytes)
@@ -142,6 +143,7 @@ void TaylorHood<dim>::setup()
   cavities.reinit();
   evaluation.rebuild();
   wall_shear.reinit();
+  motion.forget();
   for (DistributedVector *vector : {&zero_velocity, &velocity_work})
     *vector = space.velocity_vector();
   pressure_work = space.pressure_vector();

@@ -1,5 +1,6 @@
 #include <continua/finite_element/wall_shear_stress.h>
 
+#include <continua/continuum/motion_extremes.h>
 #include <continua/mesh/cells_in_tree_order.h>
 
 #include <deal.II/base/quadrature.h>
@@ -27,13 +28,7 @@ bool WallShearStress<dim>::is_wall(const Cell &cell, const unsigned int face) co
     return false;
   if (!cell->at_boundary(face))
     return problem.materials[cell->neighbor(face)->material_id()].is_solid();
-  const unsigned int boundary = cell->face(face)->boundary_id();
-  return std::any_of(problem.conditions.begin(), problem.conditions.end(),
-                     [&](const BoundaryCondition &condition)
-                     {
-                       return condition.boundary_id == boundary &&
-                              condition.region_ids.count(region) > 0 && condition.is_wall();
-                     });
+  return Continua::is_wall(problem, cell->face(face)->boundary_id(), region);
 }
 
 template <int dim>

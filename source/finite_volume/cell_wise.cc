@@ -82,6 +82,7 @@ CellWise<dim>::CellWise(parallel::TriangulationBase<dim> &triangulation,
       loaded_faces(space, problem, conditions, operators, closure, this->parameters),
       displacement_step(system, load_list),
       evaluation(space, problem),
+      motion(space, problem, evaluation.reconstruction()),
       output(space, problem, evaluation),
       cell_transfer(space, conditions, problem.conditions, evaluation.reconstruction()),
       excess_velocity(system, evaluation.reconstruction()),
@@ -113,6 +114,7 @@ void CellWise<dim>::setup()
     smallest_distance = std::min(smallest_distance, surface.distance * surface.normal);
   smallest_distance = Utilities::MPI::min(smallest_distance, space.communicator);
   evaluation.build();
+  motion.forget();
   excess_velocity.reinit();
   if (!is_nonlinear())
     return;

@@ -1,5 +1,6 @@
 #include <continua/studies/chosen_quantities.h>
 
+#include <continua/analysis/range_report.h>
 #include <continua/base/input_error.h>
 #include <continua/base/nearest_name.h>
 
@@ -36,6 +37,8 @@ bool is_of_the_computation(const std::string &name)
       "residual", "error",     "misfit",      "divergence", "difference", "change",
       "changes",  "residuals", "iterations",  "unknowns",   "branches",   "steps",
       "step",     "cells",     "theoretical", "measured",   "corrections"};
+  if (is_of_the_range(name))
+    return true;
   std::istringstream stream(name);
   for (std::string word; stream >> word;)
     if (std::find(words.begin(), words.end(), word) != words.end())

@@ -2,6 +2,7 @@
 #define continua_analysis_steady_h
 
 #include <continua/analysis/flow_report.h>
+#include <continua/analysis/range_report.h>
 #include <continua/analysis/run.h>
 #include <continua/postprocess/loop_record.h>
 
@@ -16,7 +17,7 @@ template <int dim>
 class Steady
 {
 public:
-  explicit Steady(Run<dim> &run) : run(run), flow(run) {}
+  explicit Steady(Run<dim> &run) : run(run), flow(run), range(run) {}
   void perform();
 
   /// A state at rest needs something that holds the body, and has no use for what moves it. Throws
@@ -29,6 +30,7 @@ private:
   unsigned int n_steps = 0, n_factors = 0;
   LoopRecord<dim> loop;
   FlowReport<dim> flow;
+  RangeReport<dim> range;
 
   /// `loads_come`: the state is that before any load.
   void solve(bool loads_come);

@@ -4,6 +4,7 @@
 #include <continua/analysis/checkpoint.h>
 #include <continua/analysis/flow_report.h>
 #include <continua/analysis/periodic_state.h>
+#include <continua/analysis/range_report.h>
 #include <continua/analysis/record_table.h>
 #include <continua/analysis/run.h>
 #include <continua/time_integration/time_control.h>
@@ -31,6 +32,7 @@ private:
   TimeControl time_control;
   std::vector<ScheduledRecord<dim>> records;
   FlowReport<dim> flow;
+  RangeReport<dim> range;
   PeriodicState<dim> beats;
   Checkpoint checkpoint;
   Schedule probe_schedule, checkpoint_schedule;
@@ -55,9 +57,9 @@ private:
   void adapt_before_start();
   /// Which boundaries begin with a value that a body at rest meets as a jump.
   void report_initial_jumps();
-  /// What linear theory says of a run with fluid and solid, and the numbers of a flow.
   /// Says the periods of tables, and warns of what they leave open.
   void report_tables();
+  /// What linear theory says of a run with fluid and solid, and the numbers of a flow.
   void report_preflight();
   void restart();
   void step();

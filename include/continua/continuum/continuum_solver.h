@@ -2,6 +2,7 @@
 #define continua_continuum_continuum_solver_h
 
 #include <continua/base/archive.h>
+#include <continua/continuum/motion_extremes.h>
 #include <continua/continuum/power_balance.h>
 #include <continua/continuum/vibration_operator.h>
 #include <continua/mesh/indicator_field.h>
@@ -229,6 +230,9 @@ public:
   /// Largest |div U| weakly (|B U| over M_p, [1/s]): what an incompressible material must keep at
   /// round-off.
   virtual double divergence() = 0;
+
+  /// How far the present state is from rest; the same on every rank.
+  virtual MotionExtremes motion_extremes() = 0;
 
   /// The shape of the cells, for drawing: straight unless the discretisation has another.
   virtual const dealii::Mapping<dim> &mapping() const

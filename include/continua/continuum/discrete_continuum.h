@@ -8,6 +8,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ public:
                     const Problem &problem,
                     Log &log);
 
-  void initialise() override { stepping.initialise(); }
+  void initialise() override;
   void stop_solids() override { stepping.stop_solids(); }
   void start_from_present_state() override { stepping.start_from_present_state(); }
   void begin_unloaded_shape() override { stepping.begin_unloaded_shape(); }
@@ -52,11 +53,12 @@ public:
   }
   Energy energy() override { return stepping.energy(); }
   double divergence() override;
+  MotionExtremes motion_extremes() override;
   const dealii::Mapping<dim> &mapping() const override { return discretisation->mapping(); }
   std::map<std::string, std::string> add_output(dealii::DataOut<dim> &data_out) override;
   void indicators(const IndicatorRequest &request, dealii::Vector<float> &per_cell) override;
   void prepare_refinement() override { stepping.prepare_refinement(); }
-  void transfer() override { stepping.transfer(); }
+  void transfer() override;
   void save(ArchiveWriter &archive) const override { stepping.save(archive); }
   void load(const ArchiveReader &archive) override { stepping.load(archive); }
   double
@@ -67,6 +69,8 @@ private:
   const Problem &problem;
   std::unique_ptr<Discretisation<dim>> discretisation;
   TimeStepping stepping;
+  /// Local indices of the velocities of liquids on the present mesh, once they are asked for.
+  std::optional<std::vector<unsigned int>> velocities_of_liquids;
 };
 } // namespace Continua
 

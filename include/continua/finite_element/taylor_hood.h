@@ -14,6 +14,7 @@
 #include <continua/finite_element/metric_history.h>
 #include <continua/finite_element/nonlinear_cell_terms.h>
 #include <continua/finite_element/region_operators.h>
+#include <continua/finite_element/solid_motion.h>
 #include <continua/finite_element/space.h>
 #include <continua/finite_element/step_system.h>
 #include <continua/finite_element/tangent_system.h>
@@ -188,6 +189,10 @@ public:
 
   const dealii::Mapping<dim> &mapping() const override { return space.mapping; }
   FieldProbes<dim> &probes() override { return evaluation; }
+  void take_motion(const State &state, MotionExtremes &extremes) override
+  {
+    motion.take(state, extremes);
+  }
   std::map<std::string, std::string> add_output(const State &state,
                                                 dealii::DataOut<dim> &data_out) override;
   void indicators(const IndicatorRequest &request,
@@ -220,6 +225,7 @@ private:
   MeshTransfer<dim> mesh_transfer;
   FieldEvaluation<dim> evaluation;
   WallShearStress<dim> wall_shear;
+  SolidMotion<dim> motion;
   FieldOutput<dim> output;
   std::string linear_solver_reported;
   DistributedVector zero_velocity, velocity_work, pressure_work;

@@ -7,6 +7,7 @@
 #include <continua/finite_volume/cell_convection.h>
 #include <continua/finite_volume/cell_evaluation.h>
 #include <continua/finite_volume/cell_loads.h>
+#include <continua/finite_volume/cell_motion.h>
 #include <continua/finite_volume/cell_output.h>
 #include <continua/finite_volume/cell_system.h>
 #include <continua/finite_volume/cell_transfer.h>
@@ -182,6 +183,10 @@ public:
   bool reports_change_of_kinetic_energy() const override;
 
   FieldProbes<dim> &probes() override { return evaluation; }
+  void take_motion(const State &state, MotionExtremes &extremes) override
+  {
+    motion.take(state, extremes);
+  }
   std::map<std::string, std::string> add_output(const State &state,
                                                 dealii::DataOut<dim> &data_out) override;
   void indicators(const IndicatorRequest &request,
@@ -216,6 +221,7 @@ private:
   LoadedFaces<dim> loaded_faces;
   DisplacementStep<dim> displacement_step; ///< of the displacement form
   CellEvaluation<dim> evaluation;
+  CellMotion<dim> motion;
   CellOutput<dim> output;
   CellTransfer<dim> cell_transfer;
   ExcessVelocity<dim> excess_velocity;
