@@ -159,14 +159,18 @@ void ModeSearch<dim>::complete(std::vector<Eigenpair> &found, const unsigned int
   };
   vibration.set_shift(shift);
   std::size_t n_found = n_inside();
-  while (n_found < n_counted)
+  // A mode beyond the interval may converge before one that is missing. Then the next search leaves
+  // that mode out, too, and asks for more.
+  for (std::size_t n_surplus = 0; n_found < n_counted && n_surplus <= largest_surplus;)
   {
-    std::vector<Eigenpair> further = seek(n_counted - n_found, found);
+    std::vector<Eigenpair> further = seek(n_counted - n_found + n_surplus, found);
+    if (further.empty())
+      break;
     std::move(further.begin(), further.end(), std::back_inserter(found));
     sort_by_distance(found);
     const std::size_t n_now = n_inside();
     if (n_now == n_found)
-      break;
+      n_surplus = 2 * n_surplus + 1;
     n_found = n_now;
   }
   std::ostringstream interval;

@@ -38,6 +38,9 @@ public:
   /// Modes whose lambda differ by less, relative to the distance from the shift, have one
   /// frequency.
   static constexpr double equal_values = 1e-9;
+  /// The search gives up where it finds none that is missing among so many modes more than are
+  /// missing.
+  static constexpr std::size_t largest_surplus = 31;
 
   ModeSearch(VibrationOperator<dim> &vibration,
              const std::vector<RigidMotion<dim>> &motions,
