@@ -169,7 +169,9 @@ void check_boundary_of_liquid(const BoundaryCondition &condition,
                               const ParameterSection &section,
                               const std::string &keeps_small)
 {
-  const bool has_flow = condition.normal.flow != nullptr || condition.outlet != nullptr;
+  const bool has_flow =
+      condition.type == BoundaryType::flow_rate || condition.type == BoundaryType::resistance ||
+      condition.type == BoundaryType::windkessel || condition.type == BoundaryType::absorbing;
   if (has_flow)
     section.refuse("Type",
                    "a flow rate is that through the section of the mesh at rest, which moves with "
