@@ -612,7 +612,7 @@ read_boundary_conditions(ParameterSection section,
       section.refuse_missing(
           "the boundary '" + boundaries[pair.first] + "' has no condition" +
               (regions.size() > 1 ? " in the region '" + regions[pair.second] + "'" : ""),
-          "Add 'subsection " + boundaries[pair.first] +
+          "Add 'subsection " + quoted_name(boundaries[pair.first], "#") +
               "' with a Type (such as free) to Boundaries");
   return conditions;
 }

@@ -2,6 +2,7 @@
 #include <continua/case/case_checks.h>
 #include <continua/case/cost_of_case.h>
 
+#include <continua/base/quoted_name.h>
 #include <continua/boundary/flow_rates.h>
 #include <continua/boundary/outlets.h>
 #include <continua/case/periodic_loads.h>
@@ -193,7 +194,8 @@ Case<dim>::Case(ParameterFile &file,
       // A misspelt name is the likelier reason.
       materials.refuse_unknown_members(problem.regions, "region");
       materials.refuse_missing("the region '" + region + "' has no material",
-                               "Add 'subsection " + region + "' with a Type to Materials");
+                               "Add 'subsection " + quoted_name(region, "#") +
+                                   "' with a Type to Materials");
     }
     problem.materials.push_back(read_material(materials.subsection(region), problem.model));
     if (problem.deformation == Deformation::finite)

@@ -127,10 +127,10 @@ Version read_format(Reader &reader)
   const bool is_2 = is(2.) || is(2.1) || is(2.2);
   if (!is_2 && !is(4.) && !is(4.1))
     reader.refuse("the mesh has the format '" + reader.line() + "', not MSH 1, 2, 4.0 or 4.1",
-                  "Write it anew with gmsh 4: gmsh FILE -save -format msh41 -o NEW.msh");
+                  "Write it anew with gmsh 4: gmsh FILE -save -save_all -format msh41 -o NEW.msh");
   if (values[1] != 0.)
     reader.refuse("the mesh is written in binary, not in ASCII",
-                  "Write it anew: gmsh FILE -save -format msh41 -setnumber Mesh.Binary 0 "
+                  "Write it anew: gmsh FILE -save -save_all -format msh41 -setnumber Mesh.Binary 0 "
                   "-o NEW.msh");
   return is_2 ? Version::v2 : is(4.) ? Version::v40 : Version::v41;
 }

@@ -1,4 +1,5 @@
 #include <continua/base/input_file.h>
+#include <continua/base/quoted_name.h>
 #include <continua/mesh/gmsh_file.h>
 #include <continua/mesh/gmsh_geometry.h>
 #include <continua/mesh/gmsh_mesher.h>
@@ -193,11 +194,12 @@ GmshGeometry<dim>::Parameters::read(ParameterSection geometry, ParameterSection,
   geometry.require("File");
   const std::string extension = std::filesystem::path(parameters.file).extension().string();
   if (!parameters.file.empty() && extension != ".msh" && extension != ".geo")
-    geometry.refuse("File",
-                    "'" + parameters.file + "' is called neither .msh nor .geo, the files of gmsh",
-                    "Give a file of gmsh. It makes one of .unv, .bdf, .vtk, .mesh, .med and .cgns "
-                    "(gmsh FILE -save -format msh41 -o FILE.msh); the Python package meshio makes "
-                    "one of .inp, .e and .vtu (meshio convert -o gmsh22 --ascii FILE FILE.msh)");
+    geometry.refuse(
+        "File", "'" + parameters.file + "' is called neither .msh nor .geo, the files of gmsh",
+        "Give a file of gmsh. It makes one of .unv, .bdf, .vtk, .mesh, .med and .cgns "
+        "(gmsh FILE -save -save_all -format msh41 -o FILE.msh); the Python package "
+        "meshio makes one of Abaqus' .inp, .e, .vtu and .vtk of the version 5 (meshio "
+        "convert -o gmsh22 --ascii FILE FILE.msh, of UCD's .inp and .ucd with -i avsucd)");
   geometry.add("Unit length", parameters.unit_length, Dimensions::length,
                "What a coordinate of 1 in the file means: 1 mm if it is drawn in millimetres [m]",
                Range::positive());
@@ -233,6 +235,8 @@ GmshGeometry<dim>::GmshGeometry(const Parameters &parameters, const bool axisymm
     return;
   }
   GmshFile file = read_file(parameters.file, dim, parameters.meshing_time_limit);
+  if (std::filesystem::path(parameters.file).extension() == ".geo")
+    leave_ungrouped_out(file);
   ignore_groups(file);
   check_elements(file);
   set_vertices(file, axisymmetric);
@@ -284,6 +288,37 @@ void GmshGeometry<dim>::refuse(const unsigned int line,
   // A .geo file has other lines than the mesh that is made from it.
   const bool is_mesh = std::filesystem::path(parameters.file).extension() == ".msh";
   throw InputError({parameters.file, is_mesh ? line : 0}, "Geometry/File", problem, remedy);
+}
+
+template <int dim>
+void GmshGeometry<dim>::leave_ungrouped_out(GmshFile &file)
+{
+  if (file.groups.empty() && std::all_of(file.blocks.begin(), file.blocks.end(),
+                                         [](const auto &block) { return block.groups.empty(); }))
+    return;
+  const bool keeps_cells = !parameters.ungrouped_cells.empty();
+  const auto stays = [keeps_cells](const GmshFile::Block &block)
+  { return !block.groups.empty() || (block.dimension == dim && keeps_cells); };
+  const auto rest = std::stable_partition(file.blocks.begin(), file.blocks.end(), stays);
+  for (auto block = rest; block != file.blocks.end(); ++block)
+    if (block->dimension == dim)
+      for (const std::vector<unsigned int> &element : block->elements)
+        for (const unsigned int vertex : element)
+          left_out[vertex].push_back(sorted(element));
+  file.blocks.erase(rest, file.blocks.end());
+}
+
+template <int dim>
+bool GmshGeometry<dim>::is_beside_left_out(const std::vector<unsigned int> &vertices_of_face) const
+{
+  const auto found = left_out.find(vertices_of_face.front());
+  return found != left_out.end() &&
+         std::any_of(found->second.begin(), found->second.end(),
+                     [&vertices_of_face](const auto &cell)
+                     {
+                       return std::includes(cell.begin(), cell.end(), vertices_of_face.begin(),
+                                            vertices_of_face.end());
+                     });
 }
 
 template <int dim>
@@ -406,14 +441,20 @@ std::vector<std::string> GmshGeometry<dim>::names(const GmshFile &file,
                    "cells");
       if (block.groups.size() > 1)
       {
-        std::string list;
+        std::string list, others;
         for (const int tag : block.groups)
-          list += (list.empty() ? "'" : ", '") + names[place_of_tag.at(tag)] + "'";
+        {
+          const std::string &name = names[place_of_tag.at(tag)];
+          if (!list.empty())
+            others += (others.empty() ? "" : ", ") + quoted_name(name, "#,");
+          list += (list.empty() ? "'" : ", '") + name + "'";
+        }
         refuse(block.line,
                "an element belongs to " + std::to_string(block.groups.size()) +
                    " physical groups, " + list + where,
-               "Keep it in one of them: set 'Ignored groups = ' to the names of the others, or "
-               "take the entity out of them in the .geo file");
+               "Keep it in one of them: set 'Ignored groups = " + others +
+                   "' (or the others, as is meant), or take the entity out of them in the .geo "
+                   "file");
       }
     }
   for (const GmshFile::Group &group : file.groups)
@@ -426,7 +467,7 @@ std::vector<std::string> GmshGeometry<dim>::names(const GmshFile &file,
                                                      }))
       refuse(group.line, "the physical group '" + group.name + "' has no elements",
              "Give it the entities that are meant, remove it, or set 'Ignored groups = " +
-                 group.name + "'");
+                 quoted_name(group.name, "#,") + "'");
   if (names_the_rest && std::any_of(file.blocks.begin(), file.blocks.end(),
                                     [](const GmshFile::Block &block)
                                     { return block.dimension == dim && block.groups.empty(); }))
@@ -559,7 +600,7 @@ void GmshGeometry<dim>::set_faces(const GmshFile &file)
                  "the physical group '" + groups[group] +
                      "' is neither on the outside nor between two regions (at " + middle(element) +
                      ")",
-                 "Set 'Ignored groups = " + groups[group] + "', or take the " +
+                 "Set 'Ignored groups = " + quoted_name(groups[group], "#,") + "', or take the " +
                      entity_name(dim - 1) + " " + std::to_string(block.entity) +
                      " out of the group in the .geo file");
         if (is_outside)
@@ -573,7 +614,7 @@ void GmshGeometry<dim>::set_faces(const GmshFile &file)
                      (is_outside ? "on the outside" : "between two regions") + ", at " +
                      middle(element) + ")",
                  "Make two groups of it in the .geo file, or set 'Ignored groups = " +
-                     groups[group] + "' and 'Ungrouped faces = NAME'");
+                     quoted_name(groups[group], "#,") + "' and 'Ungrouped faces = NAME'");
         faces_of_body.erase(found);
       }
 
@@ -596,6 +637,16 @@ void GmshGeometry<dim>::set_faces(const GmshFile &file)
   {
     if (face.n_cells != 1)
       continue;
+    if (is_beside_left_out(vertices_of_face))
+      refuse(0,
+             "the face at " + middle(face.rows) + " lies between the region '" +
+                 region_names[*face.regions.begin()] +
+                 "' and a cell in no physical group, which is left out",
+             "Set 'Ungrouped cells = NAME': the region of all such cells, or put the cell into a "
+             "Physical " +
+                 entity_name(dim) +
+                 ". If it is meant to be left out, put the face into a Physical " +
+                 entity_name(dim - 1));
     if (parameters.ungrouped_faces.empty())
       refuse(0, "the face at " + middle(face.rows) + " on the outside belongs to no physical group",
              "Put it into a Physical " + entity_name(dim - 1) +

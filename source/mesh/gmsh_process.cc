@@ -192,6 +192,7 @@ int run_gmsh_process(int, const char *const *argv)
         {
           gmsh::option::setNumber("Mesh.MshFileVersion", 4.1);
           gmsh::option::setNumber("Mesh.Binary", 0);
+          gmsh::option::setNumber("Mesh.SaveAll", 1);
           // Under another name first: a mesh that is there is whole.
           const std::string part = mesh_file + ".part.msh";
           gmsh::write(part);

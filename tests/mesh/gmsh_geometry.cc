@@ -87,6 +87,10 @@ UNIT_TEST(gmsh_geometry)
   refused(
       "face without element", with(squares, "5 16 15\n6 15 14\n", "5 16 15\n6 16 15\n"),
       "'around it' is neither on the outside nor between two regions.*'Ignored groups = around");
+  refused("name with a comma",
+          with(with(squares, "\"around it\"", "\"around, it\""), "5 16 15\n6 15 14\n",
+               "5 16 15\n6 16 15\n"),
+          "'Ignored groups = \"around, it\"'");
   const std::string hole = with(with(squares, "1 3 1 4", "1 3 1 3"), "6 15 14\n", "");
   refused("a hole in the boundary", hole,
           "face at x = 0.5, y = 1 on the outside.*Physical Curve.*'Ungrouped faces = NAME'");
@@ -136,7 +140,7 @@ UNIT_TEST(gmsh_geometry)
                 {}, "", "", true));
   check::relative("corners of a curved cell", straight.region("fluid"), 1., 1e-12);
   refused("two groups", with(squares, "1 0 0 0 1 1 0 1 7 0", "1 0 0 0 1 1 0 2 7 8 0"),
-          "2 physical groups, 'fluid', 'wall' .Surface 1.*'Ignored groups = '");
+          "2 physical groups, 'fluid', 'wall' .Surface 1.*'Ignored groups = wall'");
   check::relative(
       "two groups, of which one is ignored",
       measures::Measures<2>(

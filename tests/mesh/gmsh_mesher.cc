@@ -31,6 +31,15 @@ UNIT_TEST(gmsh_mesher)
            "Transfinite Surface{1}; Recombine Surface{1};\n"
            "Physical Surface(\"ring\") = {1}; Physical Curve(\"inside\") = {4};\n"
            "Physical Curve(\"rest\") = {1, 2, 3};\n";
+    // Three squares in a row, the last in no group; in the second file their border is in one.
+    const std::string row =
+        "SetFactory(\"OpenCASCADE\");\n"
+        "For i In {1 : 3}\n  Rectangle(i) = {i, 0, 0, 1, 1};\nEndFor\nCoherence;\n"
+        "Transfinite Curve{:} = 2; Transfinite Surface{:}; Mesh.RecombineAll = 1;\n"
+        "Physical Surface(\"a\") = {1}; Physical Surface(\"b\") = {2};\n";
+    std::ofstream("row.geo") << row;
+    std::ofstream("two.geo") << row << "Physical Curve(\"end\") = Curve In BoundingBox"
+                             << "{2.9, -1, -1, 3.1, 2, 1};\n";
     std::ofstream("wrong.geo") << "Point(1) = {0, 0, 0};\nLine(1 = {1, 2};\n";
     std::ofstream("coarse.geo") << "Point(1) = {0, 0, 0};\n";
     std::ofstream("command.geo") << "Point(1) = {0, 0, 0};\nSystemCall \"touch made\";\n";
@@ -46,6 +55,20 @@ UNIT_TEST(gmsh_mesher)
 
   const GmshFile file = GmshFile::read(mesh_with_gmsh("ring.geo", 2), "ring.geo");
   const measures::Measures<2> ring(GmshGeometry<2>({"ring.geo", 1.}, false));
+  using Ignored = std::vector<std::string>;
+  const measures::Measures<2> rest(
+      GmshGeometry<2>({"row.geo", 1., 600., Ignored(), "rest", "outside"}, false));
+  const measures::Measures<2> two(
+      GmshGeometry<2>({"two.geo", 1., 600., Ignored(), "", "outside"}, false));
+  std::string left_out;
+  try
+  {
+    GmshGeometry<2>({"row.geo", 1., 600., Ignored(), "", "outside"}, false);
+  }
+  catch (const InputError &error)
+  {
+    left_out = error.what();
+  }
   std::string why;
   try
   {
@@ -87,6 +110,14 @@ UNIT_TEST(gmsh_mesher)
   // The chords of an arc of angle a = pi/80 are shorter by a^2/24.
   check::relative("inside", ring.boundary("inside"), dealii::numbers::PI / 2, 1e-4);
   check::relative("area", ring.region("ring"), 0.75 * dealii::numbers::PI, 3e-4);
+  check::relative("cells in no group", rest.region("rest"), 1., 1e-12);
+  check::relative("faces in no group", rest.boundary("outside"), 8., 1e-12);
+  check::relative("what is left out", two.boundary("end"), 1., 1e-12);
+  check::relative("faces of the rest", two.boundary("outside"), 5., 1e-12);
+  check::is_true("what is left out by mistake",
+                 left_out.find("the face at x = 3, y = 0.5 lies between the region 'b' and a cell "
+                               "in no physical group") != std::string::npos &&
+                     left_out.find("'Ungrouped cells = NAME'") != std::string::npos);
   check::is_true("a command", command.find("command.geo:2: 'Geometry/File'") == 0);
   check::is_true("nothing was executed", !was_made);
   check::is_true("time limit", endless.find("did not end within 1 s") != std::string::npos);

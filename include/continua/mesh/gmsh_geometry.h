@@ -53,6 +53,11 @@ private:
   /// Throws InputError if an element type or the dimension of the mesh is none for this model.
   /// Leaves the corners of curved elements, if these are to be taken.
   void check_elements(GmshFile &file) const;
+  /// As gmsh writes a mesh of a geometry: where there are physical groups, what is in none is left
+  /// out, but for cells that are to be a region.
+  void leave_ungrouped_out(GmshFile &file);
+  /// Whether a face, by its vertices in increasing order, is one of a cell that is left out.
+  bool is_beside_left_out(const std::vector<unsigned int> &vertices_of_face) const;
   /// Takes the groups out that are to be ignored. Throws InputError if there is none of the name.
   void ignore_groups(GmshFile &file) const;
   /// The names of the groups of a dimension; `place_of_tag[tag]` becomes the place of the name.
@@ -86,6 +91,8 @@ private:
   std::vector<dealii::Point<dim>> vertices; ///< [m]
   std::vector<dealii::CellData<dim>> cells;
   dealii::SubCellData faces;
+  /// Of each vertex: the cells that are left out, by their vertices in increasing order.
+  std::map<unsigned int, std::vector<std::vector<unsigned int>>> left_out;
 };
 } // namespace Continua
 

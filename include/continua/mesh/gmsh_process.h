@@ -17,9 +17,10 @@ struct GmshTask
 
 /**
  * Meshes a file in a process of its own, so that gmsh can neither end this one nor take its memory,
- * and returns the text of the mesh file (MSH 4.1, ASCII). Throws std::runtime_error with the reason
- * if the process ends in any other way than with a whole mesh: an error, with gmsh's last lines, a
- * signal, the end of its time, an exit in the middle. A mesh that is not whole is never returned.
+ * and returns the text of the mesh file (MSH 4.1, ASCII), with what is in no physical group. Throws
+ * std::runtime_error with the reason if the process ends in any other way than with a whole mesh:
+ * an error, with gmsh's last lines, a signal, the end of its time, an exit in the middle. A mesh
+ * that is not whole is never returned.
  *
  * The process is this program, started anew with the hidden first argument gmsh_process_argument
  * and without the variables by which a launcher of MPI finds its processes; it never initialises
