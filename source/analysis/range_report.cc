@@ -131,8 +131,8 @@ void RangeReport<dim>::finish()
              is_in_time = run.input.analysis.is_transient();
   std::map<std::string, double> values;
   std::vector<std::string> passed;
-  const auto add =
-      [&](const char *const name, const Largest &largest, const std::string &unit, double scale = 1.)
+  const auto add = [&](const char *const name, const Largest &largest, const std::string &unit,
+                       double scale = 1.)
   {
     run.summary.add({name, scale * largest.value, unit, ""});
     values[std::string(name) + " [" + unit + "]"] = scale * largest.value;

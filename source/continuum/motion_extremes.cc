@@ -30,7 +30,8 @@ double length_of_vector(const Tensor<2, 3> &gradient)
   double square = 0.;
   for (unsigned int i = 0; i < 3; ++i)
   {
-    const double difference = gradient[(i + 2) % 3][(i + 1) % 3] - gradient[(i + 1) % 3][(i + 2) % 3];
+    const double difference =
+        gradient[(i + 2) % 3][(i + 1) % 3] - gradient[(i + 1) % 3][(i + 2) % 3];
     square += 0.25 * difference * difference;
   }
   return std::sqrt(square);
@@ -92,8 +93,8 @@ void LiquidSizes::set(MotionExtremes &extremes) const
   extremes.wall_area = area_of_solids;
 }
 
-template void take_point_of_solid(
-    const Tensor<2, 2> &, double, const Problem &, unsigned int, MotionExtremes &);
-template void take_point_of_solid(
-    const Tensor<2, 3> &, double, const Problem &, unsigned int, MotionExtremes &);
+template void
+take_point_of_solid(const Tensor<2, 2> &, double, const Problem &, unsigned int, MotionExtremes &);
+template void
+take_point_of_solid(const Tensor<2, 3> &, double, const Problem &, unsigned int, MotionExtremes &);
 } // namespace Continua

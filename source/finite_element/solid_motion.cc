@@ -46,8 +46,7 @@ void SolidMotion<dim>::find_nodes()
       continue;
     for (const unsigned int f : cell->face_indices())
     {
-      if (cell->at_boundary(f) ||
-          problem.materials[cell->neighbor(f)->material_id()].is_solid())
+      if (cell->at_boundary(f) || problem.materials[cell->neighbor(f)->material_id()].is_solid())
         continue;
       values.reinit(cell);
       cell->get_dof_indices(indices);
@@ -73,8 +72,8 @@ void SolidMotion<dim>::find_nodes()
 }
 
 template <int dim>
-bool SolidMotion<dim>::is_wall_of_liquid(
-    const typename DoFHandler<dim>::active_cell_iterator &cell, const unsigned int face) const
+bool SolidMotion<dim>::is_wall_of_liquid(const typename DoFHandler<dim>::active_cell_iterator &cell,
+                                         const unsigned int face) const
 {
   if (!cell->at_boundary(face))
     return problem.materials[cell->neighbor(face)->material_id()].is_solid();

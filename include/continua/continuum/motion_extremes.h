@@ -40,7 +40,7 @@ bool is_wall(const Problem &problem, unsigned int boundary, unsigned int region)
 struct LiquidSizes
 {
   double volume = 0.;
-  double area = 0.;          ///< of all walls
+  double area = 0.;           ///< of all walls
   double area_of_solids = 0.; ///< of those walls that are solids
 
   /// Of all ranks, from their parts. Collective.
