@@ -29,7 +29,18 @@ QuadratureCells<dim>::QuadratureCells(const Space<dim> &space,
                                       const Problem &problem,
                                       const Quadrature<dim> &quadrature,
                                       const RegionModel model)
-    : space(space), problem(problem), quadrature(quadrature), model(model)
+    : QuadratureCells(space,
+                      quadrature,
+                      [&problem, model](const unsigned int region)
+                      { return problem.region_model(region) == model; })
+{
+}
+
+template <int dim>
+QuadratureCells<dim>::QuadratureCells(const Space<dim> &space,
+                                      const Quadrature<dim> &quadrature,
+                                      const std::function<bool(unsigned int)> &takes)
+    : space(space), quadrature(quadrature), takes(takes)
 {
   const FE_Q<dim> velocity(space.degree()), pressure(space.degree() - 1);
   const auto set =
@@ -61,7 +72,7 @@ void QuadratureCells<dim>::reinit()
   cells.clear();
   for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
   {
-    if (!cell->is_locally_owned() || problem.region_model(cell->material_id()) != model)
+    if (!cell->is_locally_owned() || !takes(cell->material_id()))
       continue;
     cells.emplace_back();
     QuadratureCell<dim> &kept = cells.back();

@@ -15,7 +15,9 @@ template <int dim>
 SolidMotion<dim>::SolidMotion(const Space<dim> &space, const Problem &problem)
     : space(space),
       problem(problem),
-      cells(space, problem, QGauss<dim>(space.degree()), PhaseShare::solid)
+      cells(space,
+            QGauss<dim>(space.degree()),
+            [&problem](const unsigned int region) { return problem.materials[region].is_solid(); })
 {
 }
 

@@ -10,6 +10,7 @@
 #include <deal.II/base/types.h>
 #include <deal.II/dofs/dof_handler.h>
 
+#include <functional>
 #include <vector>
 
 namespace Continua
@@ -38,19 +39,23 @@ struct QuadratureCell
 };
 
 /**
- * The owned cells of the regions of one model, with all that integrals over them need besides the
- * state: made once for a mesh. Shape functions are kept for the reference cell alone; a
- * gradient there times the inverse of the Jacobian is that in the body.
+ * The owned cells of some regions, such as those of one model, with all that integrals over them
+ * need besides the state: made once for a mesh. Shape functions are kept for the reference cell
+ * alone; a gradient there times the inverse of the Jacobian is that in the body.
  */
 template <int dim>
 class QuadratureCells
 {
 public:
-  /// The first two must outlive it.
+  /// Space and problem must outlive it.
   QuadratureCells(const Space<dim> &space,
                   const Problem &problem,
                   const dealii::Quadrature<dim> &quadrature,
                   RegionModel model);
+  /// Of the regions of which `takes` is true, by their material ids.
+  QuadratureCells(const Space<dim> &space,
+                  const dealii::Quadrature<dim> &quadrature,
+                  const std::function<bool(unsigned int region)> &takes);
 
   /// The mesh has changed.
   void reinit();
@@ -73,9 +78,8 @@ public:
 
 private:
   const Space<dim> &space;
-  const Problem &problem;
   const dealii::Quadrature<dim> quadrature;
-  const RegionModel model;
+  const std::function<bool(unsigned int)> takes;
   // [point][function]
   dealii::Table<2, double> shapes, pressure_shapes;
   dealii::Table<2, dealii::Tensor<1, dim>> slopes, pressure_slopes;
