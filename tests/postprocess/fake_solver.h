@@ -70,6 +70,7 @@ public:
   Continua::PowerBalance power_balance(bool) override { return balance; }
   Continua::Energy energy() override { return present_energy; }
   double divergence() override { return 0.; }
+  Continua::MotionExtremes motion_extremes() override { return {}; }
 
   std::map<std::string, std::string> add_output(dealii::DataOut<dim> &data_out) override
   {
