@@ -201,12 +201,15 @@ void read_entities(Reader &reader, const Version version, GroupsOfEntities &grou
     }
 }
 
-/// The pieces of entities that a partition has made; the elements are on them.
-void read_partitioned_entities(Reader &reader, const Version version, GroupsOfEntities &groups)
+/// The pieces of entities that a partition has made; the elements are on them. Returns the tags of
+/// the ghost entities, whose elements belong to another partition's file.
+std::set<int>
+read_partitioned_entities(Reader &reader, const Version version, GroupsOfEntities &groups)
 {
+  std::set<int> ghosts;
   reader.numbers(1); // number of partitions
   for (int i = 0, n = reader.whole_number(reader.numbers(1)[0]); i < n; ++i)
-    reader.numbers(2); // a ghost entity and its partition
+    ghosts.insert(reader.whole_number(reader.numbers(2)[0], negative)); // TAG PARTITION
   const std::vector<double> n_entities = reader.numbers(4);
   for (unsigned int dimension = 0; dimension < 4; ++dimension)
     for (int i = 0, n = reader.whole_number(n_entities[dimension]); i < n; ++i)
@@ -221,6 +224,7 @@ void read_partitioned_entities(Reader &reader, const Version version, GroupsOfEn
       if (values[1] == dimension)
         groups[{dimension, reader.whole_number(values[0], negative)}] = tags;
     }
+  return ghosts;
 }
 
 /// The place of each point by its tag.
@@ -291,6 +295,7 @@ std::vector<unsigned int> read_vertices(const Reader &reader,
 std::vector<GmshFile::Block> read_blocks(Reader &reader,
                                          const Version version,
                                          const GroupsOfEntities &groups,
+                                         const std::set<int> &ghosts,
                                          const Places &places)
 {
   std::vector<GmshFile::Block> blocks;
@@ -311,7 +316,9 @@ std::vector<GmshFile::Block> read_blocks(Reader &reader,
     for (int j = 0; j < n_elements; ++j)
       // TAG, TAGS OF THE VERTICES
       block.elements.push_back(read_vertices(reader, reader.numbers(2), 1, places));
-    blocks.push_back(block);
+    // The tag of a ghost entity may be that of a declared entity of another dimension.
+    if (entity != groups.end() || ghosts.count(block.entity) == 0)
+      blocks.push_back(block);
   }
   return blocks;
 }
@@ -398,6 +405,7 @@ GmshFile GmshFile::read(const std::string &text, const std::string &name)
   const bool has_entities = version == Version::v40 || version == Version::v41;
   GmshFile file;
   GroupsOfEntities entities;
+  std::set<int> ghosts;
   Places places;
   bool has_elements = false;
   // Of version 1 the first section is open already.
@@ -409,12 +417,12 @@ GmshFile GmshFile::read(const std::string &text, const std::string &name)
     else if (section == "$Entities" && has_entities)
       read_entities(reader, version, entities);
     else if (section == "$PartitionedEntities" && has_entities)
-      read_partitioned_entities(reader, version, entities);
+      ghosts = read_partitioned_entities(reader, version, entities);
     else if (section == "$Nodes" || section == "$NOD")
       places = read_points(reader, version, file.points);
     else if (section == "$Elements" || section == "$ELM")
     {
-      file.blocks = has_entities ? read_blocks(reader, version, entities, places)
+      file.blocks = has_entities ? read_blocks(reader, version, entities, ghosts, places)
                                  : read_lines_of_elements(reader, version, places);
       has_elements = true;
     }

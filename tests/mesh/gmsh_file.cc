@@ -95,13 +95,17 @@ UNIT_TEST(gmsh_file)
                              old.blocks[1].elements[0] == std::vector<unsigned int>({0, 1, 2, 3}));
   }
   // Two partitions: the lines of the points have three coordinates, those of the others six.
-  const GmshFile partitioned = read(
+  const std::string pieces =
       meshes::with(meshes::with(squares, "$Nodes",
                                 "$PartitionedEntities\n2\n1\n5 1\n1 1 1 0\n7 0 1 2 1 2 0 0 0 1 9\n"
                                 "7 1 2 1 1 0 0 0 2 0 0 1 -3 0\n7 2 1 1 2 0 0 0 1 1 0 1 7 0\n"
                                 "$EndPartitionedEntities\n$Nodes"),
-                   "2 1 3 1\n9 11 12 15 14", "2 7 3 1\n9 11 12 15 14"));
+                   "2 1 3 1\n9 11 12 15 14", "2 7 3 1\n9 11 12 15 14");
+  const GmshFile partitioned = read(pieces);
   check::is_true("partitioned", partitioned.blocks[5].groups == std::vector<int>{7});
+  // The second square belongs to another partition: the entity 5 is a ghost.
+  const GmshFile with_ghost = read(meshes::with(pieces, "2 2 3 1\n", "2 5 3 1\n"));
+  check::is_true("ghost cells", partitioned.blocks.size() == 7 && with_ghost.blocks.size() == 6);
 
   refused("version 5", meshes::with(squares, "4.1 0 8", "5 0 8"),
           "2:.*'5 0 8'.*-save -save_all -format msh41");
