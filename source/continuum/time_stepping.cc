@@ -281,10 +281,15 @@ SystemChange TimeStepping::prepare(const Step &step, StepReport &report)
 {
   TimerOutput::Scope scope(log.timer(), "factor");
   coefficients.set(problem, step);
+  // Regions that are left out change with the step, too, and the tangent with them.
+  const bool is_other = !(coefficients == whole_coefficients);
+  whole_coefficients = coefficients;
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
     if (is_whole(region))
       coefficients.leave_out(region);
-  const SystemChange change = operators.prepare(coefficients, step.pressure_time);
+  SystemChange change = operators.prepare(coefficients, step.pressure_time);
+  if (change == SystemChange::none && is_other && operators.is_nonlinear())
+    change = SystemChange::coefficients;
   if (change != SystemChange::none && !operators.is_nonlinear())
     outlets.respond(report);
   if (change == SystemChange::factor)

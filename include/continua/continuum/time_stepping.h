@@ -109,7 +109,8 @@ private:
   /// Relaxation times whose exponential update the log has told of.
   std::set<double> exponential_branches_reported;
   // Work space of the step.
-  SystemCoefficients coefficients;
+  /// Of the step before, and what of them linear products have.
+  SystemCoefficients whole_coefficients, coefficients;
   DistributedVector momentum, mass, velocity_work, mixture, pressure_work, mass_work;
 
   KeptState kept;
