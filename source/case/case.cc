@@ -207,7 +207,7 @@ Case<dim>::Case(ParameterFile &file,
         materials.subsection(region).given("Relaxation table"))
       power_laws.note_table(region, materials.subsection(region));
   }
-  problem.mesh_moves = problem.has_regions_of(RegionModel::finite_solid) &&
+  problem.mesh_moves = analysis.has_fields && problem.has_regions_of(RegionModel::finite_solid) &&
                        std::any_of(problem.materials.begin(), problem.materials.end(),
                                    [](const Material &material) { return !material.is_solid(); });
   if (problem.deformation == Deformation::finite || root.has_subsection("Wall directions"))
