@@ -147,6 +147,15 @@ Newton::Norms Newton::set_residuals(const NewtonInput &input, const BalancedStep
   mass.equ(1., input.mass);
   subtract_linear_terms(input.coefficients, balanced.velocity, balanced.pressure, momentum, mass,
                         largest);
+  // The inertia of a short step is a small difference of large terms, also within whole terms.
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+    if (!input.coefficients.has(region))
+    {
+      operators.multiply_mass(region, momentum_work, balanced.velocity);
+      largest.momentum =
+          std::max(largest.momentum,
+                   input.step.a0 * problem.materials[region].density * momentum_work.linfty_norm());
+    }
   momentum_work = 0.;
   mass_work = 0.;
   operators.add_flux_correction(balanced.pressure, mass_work);
