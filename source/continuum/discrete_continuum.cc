@@ -5,8 +5,8 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <vector>
 
 namespace Continua
 {
@@ -90,11 +90,9 @@ MotionExtremes DiscreteContinuum<dim>::motion_extremes()
   const double *const velocity = stepping.present_velocity().begin();
   for (const unsigned int i : *velocities_of_liquids)
     extremes.liquid_speed = std::max(extremes.liquid_speed, std::abs(velocity[i]));
-  std::array<double, 4> largest = {
-      {extremes.strain, extremes.rotation, extremes.wall_displacement, extremes.liquid_speed}};
-  const int error =
-      MPI_Allreduce(MPI_IN_PLACE, largest.data(), 4, MPI_DOUBLE, MPI_MAX, problem.communicator);
-  AssertThrowMPI(error);
+  std::vector<double> largest = {extremes.strain, extremes.rotation, extremes.wall_displacement,
+                                 extremes.liquid_speed};
+  dealii::Utilities::MPI::max(largest, problem.communicator, largest);
   extremes.strain = largest[0];
   extremes.rotation = largest[1];
   extremes.wall_displacement = largest[2];

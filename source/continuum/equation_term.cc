@@ -196,7 +196,7 @@ public:
   }
 };
 
-/// A kind of forces that liquids with convection have alone.
+/// A kind of forces that regions of flow have alone.
 template <DistributedVector NonlinearForces::*kind>
 class FlowTerm : public EquationTerm
 {
@@ -274,7 +274,8 @@ std::vector<EquationTermType> equation_terms(const Problem &problem)
     terms.push_back({"support damping", "energy damped by the support", false, false,
                      make_term<SupportDampingTerm>});
   }
-  if (problem.convection.is_on)
+  // On a mesh that moves the flow past it carries energy, also without convection.
+  if (problem.has_regions_of(RegionModel::flow))
   {
     terms.push_back({"convective", "energy convected", false, false,
                      make_term<FlowTerm<&NonlinearForces::convection>>});

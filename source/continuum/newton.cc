@@ -105,6 +105,7 @@ void Newton::set_rates(const NewtonInput &input, BalancedStep &balanced) const
   balanced.displacement.equ(1., input.predicted_displacement);
   balanced.displacement.add(BranchHistory::step_displacement(input.step), balanced.velocity);
   operators.move_mesh(balanced);
+  operators.check_mesh(balanced);
 }
 
 void Newton::subtract_linear_terms(const SystemCoefficients &coefficients,

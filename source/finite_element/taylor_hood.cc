@@ -431,9 +431,15 @@ void TaylorHood<dim>::solve(const DistributedVector &prescribed,
 template <int dim>
 void TaylorHood<dim>::move_mesh(BalancedStep &state)
 {
+  if (mesh_motion)
+    mesh_motion->move(state);
+}
+
+template <int dim>
+void TaylorHood<dim>::check_mesh(const BalancedStep &state)
+{
   if (!mesh_motion)
     return;
-  mesh_motion->move(state);
   const MeshQuality quality = mesh_motion->quality(state.mesh_displacement);
   if (quality.least_volume_ratio > 0.)
     return;

@@ -161,8 +161,10 @@ public:
   /// above are not those of such a region in a step. Else they are corrections of these products.
   virtual bool has_whole_terms() const { return false; }
   /// Sets the displacement and the velocity of a mesh that moves from the displacement of the
-  /// solids at that level. Collective. Throws StepFailure where the mesh is turned inside out.
+  /// solids at that level. Collective.
   virtual void move_mesh(BalancedStep &) {}
+  /// Throws StepFailure where that displacement turns the mesh inside out. Collective.
+  virtual void check_mesh(const BalancedStep &) {}
   /// At the present time [m]; null where the mesh stays.
   virtual const DistributedVector *mesh_displacement() const { return nullptr; }
   /// Adds the terms at the level of the step to the rows of momentum [N] and of volume [m^3/s].

@@ -120,6 +120,7 @@ public:
   bool is_nonlinear_in(unsigned int region) const override;
   bool has_whole_terms() const override { return true; }
   void move_mesh(BalancedStep &state) override;
+  void check_mesh(const BalancedStep &state) override;
   const DistributedVector *mesh_displacement() const override
   {
     return mesh_motion ? &mesh_motion->displacement() : nullptr;
