@@ -13,6 +13,7 @@
 #include <continua/program/analyses.h>
 #include <continua/program/documentation.h>
 #include <continua/program/examples.h>
+#include <continua/program/parameter_catalogue.h>
 #include <continua/program/parameter_templates.h>
 #include <continua/program/unknown_names.h>
 
@@ -282,6 +283,8 @@ int serve(const std::string &socket_file)
   constexpr double idle_time = 60.;
   try
   {
+    // Every refusal looks at it, and its making takes longer than a refusal.
+    parameter_catalogue();
     CommandServer(socket_file, run_command_line).serve(idle_time);
     return status_done;
   }

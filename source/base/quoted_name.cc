@@ -63,6 +63,9 @@ std::vector<std::string> split_unquoted(const std::string &text, const char lett
 
 std::string without_quotes(const std::string &text)
 {
+  // Nearly every name.
+  if (text.find('"') == std::string::npos)
+    return text;
   const std::vector<bool> quoted = quoted_letters(text);
   std::string result;
   bool is_inside = false;
@@ -82,8 +85,8 @@ std::string without_quotes(const std::string &text)
 std::string quoted_name(const std::string &name, const std::string &special)
 {
   const bool stands_as_it_is = !name.empty() && name.find_first_of(special) == std::string::npos &&
-                               name.back() != '\\' && collapse_blanks(name) == name &&
-                               without_quotes(name) == name;
+                               name.back() != '\\' && without_quotes(name) == name &&
+                               collapse_blanks(name) == name;
   if (stands_as_it_is)
     return name;
   std::string text = "\"";

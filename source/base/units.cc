@@ -345,7 +345,7 @@ double parse_quantity(const std::string &text, const Dimension &dimension)
 
 std::string usual_units(const Dimension &dimension)
 {
-  const std::vector<std::string> units{
+  static const std::vector<std::string> units{
       "m",       "cm",      "mm",   "um",       "m^2",       "cm^2",      "mm^2",       "s",
       "ms",      "min",     "h",    "Hz",       "kHz",       "m/s",       "cm/s",       "mm/s",
       "m/s^2",   "mm/s^2",  "kg",   "g",        "kg/m^3",    "g/cm^3",    "Pa",         "kPa",
@@ -354,15 +354,19 @@ std::string usual_units(const Dimension &dimension)
       "N",       "kN",      "N/m",  "mN/m",     "N/m^3",     "kN/m^3",    "W",          "mW",
       "J",       "mJ",      "%",    "Pa s/m^3", "MPa s/m^3", "mmHg s/ml", "dyn s/cm^5", "m^3/Pa",
       "mm^3/Pa", "ml/mmHg", "Pa/m", "kPa/m",    "MPa/m",     "kPa s/m"};
+  // Every entry with a unit asks.
+  static const std::vector<Dimension> dimensions = []
+  {
+    std::vector<Dimension> of_units(units.size());
+    for (std::size_t i = 0; i < units.size(); ++i)
+      unit_factor(units[i], of_units[i]);
+    return of_units;
+  }();
   const std::string si = dimension.unit();
   std::string text = si == "1" ? "" : si;
-  for (const std::string &unit : units)
-  {
-    Dimension found;
-    unit_factor(unit, found);
-    if (found == dimension && unit != si)
-      text += (text.empty() ? "" : ", ") + unit;
-  }
+  for (std::size_t i = 0; i < units.size(); ++i)
+    if (dimensions[i] == dimension && units[i] != si)
+      text += (text.empty() ? "" : ", ") + units[i];
   return text;
 }
 

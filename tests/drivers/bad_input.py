@@ -74,7 +74,7 @@ def check_place(text, patterns, no_line):
         raise driver.TestFailure("no '# expect:' asks for the file and the line (NAME\\.prm:LINE: ); where there is "
                                  "none, '# no line: REASON' says why")
     for found in PLACE.finditer(text):
-        key = (found["key"] or "").split("/")[-1]
+        key = (found["key"] or "").split("/")[-1].strip('"')
         if not found["file"].endswith(".prm") or not key:
             continue
         with open(found["file"], encoding="utf-8") as stream:
