@@ -79,6 +79,11 @@ void ParameterFile::refuse_unknown() const
   throw InputError({}, "", text, "");
 }
 
+bool ParameterFile::has_undeclared() const
+{
+  return !store->unknown().empty();
+}
+
 void ParameterFile::pass_over_impossible()
 {
   store->passes_over_impossible = true;

@@ -106,6 +106,9 @@ void find_unknown(const ParameterText::Section &section,
 
 void refuse_unknown_names(const ParameterFile &file, const InputError &error)
 {
+  // The catalogue takes longer than all else.
+  if (!file.has_undeclared())
+    return;
   UnknownNames unknown;
   find_unknown(file.text().root(), known_names(), "", unknown);
   const std::string said = error.what();

@@ -40,6 +40,8 @@ public:
   /// Throws one InputError for all entries and sections that were set but not declared, one a line,
   /// each with the nearest declared name.
   void refuse_unknown() const;
+  /// Whether there is any.
+  bool has_undeclared() const;
 
   /// From now on entries that the changes of the command line make impossible are passed over: the
   /// file was found valid without these changes.
