@@ -2,12 +2,8 @@
 #define continua_finite_element_cavity_volumes_h
 
 #include <continua/continuum/problem.h>
-#include <continua/finite_element/deformed_face_point.h>
+#include <continua/finite_element/deformed_faces.h>
 #include <continua/finite_element/space.h>
-
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/base/types.h>
-#include <deal.II/lac/vector.h>
 
 #include <vector>
 
@@ -44,24 +40,13 @@ public:
                  DistributedVector &force);
 
 private:
-  struct Face
-  {
-    unsigned int cavity;
-    std::vector<dealii::types::global_dof_index> indices; ///< of the cell, component by component
-    std::vector<DeformedFacePoint<dim>> points;
-  };
-
   const Space<dim> &space;
   const Problem &problem;
-  const dealii::QGauss<dim - 1> quadrature; ///< as that of FollowerPressure
-  std::vector<Face> faces;
-  DistributedVector displacement_work, ghosted;
-  dealii::Vector<double> of_cell;
+  DeformedFaces<dim> faces;
 
-  void take(const DistributedVector &displacement);
-  void set_displacement_of(const Face &face);
   /// The vector at a point whose flux out of a closed surface is its volume [m].
-  dealii::Tensor<1, 3> flux_vector(const DeformedFacePoint<dim> &point) const;
+  dealii::Tensor<1, 3> flux_vector(const DeformedFacePoint<dim> &point,
+                                   const dealii::Vector<double> &displacement) const;
   /// Its derivative by the coordinate along a direction.
   double flux_factor(unsigned int direction) const;
 };

@@ -1,0 +1,56 @@
+#ifndef continua_finite_element_deformed_faces_h
+#define continua_finite_element_deformed_faces_h
+
+#include <continua/continuum/problem.h>
+#include <continua/finite_element/deformed_face_point.h>
+#include <continua/finite_element/space.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/types.h>
+#include <deal.II/lac/vector.h>
+
+#include <vector>
+
+namespace Continua
+{
+/// The faces of some boundary conditions, with their places under a displacement of the mesh.
+template <int dim>
+class DeformedFaces
+{
+public:
+  struct Face
+  {
+    unsigned int number;                                  ///< of its condition, in the list
+    std::vector<dealii::types::global_dof_index> indices; ///< of the cell, component by component
+    std::vector<DeformedFacePoint<dim>> points;
+  };
+
+  /// `conditions`: of the problem, by number. `space` and `problem` must outlive it.
+  DeformedFaces(const Space<dim> &space,
+                const Problem &problem,
+                std::vector<unsigned int> conditions);
+
+  /// The mesh has changed.
+  void reinit();
+  /// Takes a displacement [m]. Collective.
+  void take(const DistributedVector &displacement);
+  /// This rank's faces, in an order that does not depend on the ranks.
+  const std::vector<Face> &all() const { return faces; }
+  /// That displacement, of the cell of a face [m].
+  const dealii::Vector<double> &displacement_of(const Face &face);
+  /// Sets int v . n da over the faces of a condition (its place in the list) at that displacement,
+  /// with the hanging nodes condensed [m^2]. Collective.
+  void set_flow(unsigned int number, DistributedVector &flow);
+
+private:
+  const Space<dim> &space;
+  const Problem &problem;
+  const std::vector<unsigned int> conditions;
+  const dealii::QGauss<dim - 1> quadrature; ///< as that of FollowerPressure
+  std::vector<Face> faces;
+  DistributedVector displacement_work, ghosted;
+  dealii::Vector<double> of_cell;
+};
+} // namespace Continua
+
+#endif
