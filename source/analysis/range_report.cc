@@ -21,6 +21,7 @@ const char *const speed_name = "largest speed of the liquid";
 const char *const over_wave_name = "largest speed over wave speed";
 const char *const strength_name = "largest shock strength";
 const char *const load_name = "largest change of the stream's load";
+const char *const ratio_name = "least volume ratio of the mesh";
 
 struct LiquidLimits
 {
@@ -55,8 +56,9 @@ bool has_material(const Problem &problem, const bool solid)
 
 bool is_of_the_range(const std::string &name)
 {
-  const auto names = {strain_name, rotation_name,  displacement_name, over_radius_name,
-                      speed_name,  over_wave_name, strength_name,     load_name};
+  const auto names = {strain_name,      rotation_name, displacement_name,
+                      over_radius_name, speed_name,    over_wave_name,
+                      strength_name,    load_name,     ratio_name};
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -87,11 +89,14 @@ void RangeReport<dim>::take(const double time)
   strain.take(extremes.strain, time);
   rotation.take(extremes.rotation, time);
   speed.take(extremes.liquid_speed, time);
+  compression_of_mesh.take(1. - extremes.mesh_volume_ratio, extremes.mesh_volume_time);
   wall_displacement.take(extremes.wall_displacement, time);
   if (extremes.liquid_radius > 0.)
     displacement_over_radius.take(extremes.wall_displacement / extremes.liquid_radius, time);
   if (has_solids && has_liquids && run.input.problem.convection.is_on)
     change_of_load.take(present_change_of_load(extremes), time);
+  // A run that fails has them, too.
+  state_values();
 }
 
 template <int dim>
@@ -124,73 +129,81 @@ double RangeReport<dim>::wave_speed() const
 }
 
 template <int dim>
+template <typename Add>
+void RangeReport<dim>::for_all(const Add &add) const
+{
+  const bool has_convection = run.input.problem.convection.is_on;
+  if (has_solids)
+  {
+    add(strain_name, strain.value, strain.time, "1");
+    add(rotation_name, rotation.value, rotation.time, "rad");
+  }
+  if (run.input.problem.mesh_moves)
+    add(ratio_name, 1. - compression_of_mesh.value, compression_of_mesh.time, "1");
+  if (has_solids && has_liquids)
+  {
+    add(displacement_name, wall_displacement.value, wall_displacement.time, "m");
+    add(over_radius_name, displacement_over_radius.value, displacement_over_radius.time, "1");
+    if (has_convection)
+      add(load_name, change_of_load.value, change_of_load.time, "1");
+  }
+  if (!has_liquids)
+    return;
+  add(speed_name, speed.value, speed.time, "m/s");
+  if (const double wave = wave_speed(); wave > 0.)
+    add(over_wave_name, speed.value / wave, speed.time, "1");
+  if (const double steepening = LiquidLimits(run.input.problem).steepening;
+      has_convection && run.input.analysis.is_transient() && steepening > 0.)
+    add(strength_name, steepening * speed.value, speed.time, "1");
+}
+
+template <int dim>
+void RangeReport<dim>::state_values()
+{
+  std::map<std::string, double> values;
+  for_all(
+      [&](const std::string &name, const double value, const double time, const std::string &unit)
+      {
+        values[name + " [" + unit + "]"] = value;
+        if (run.input.analysis.is_transient())
+          values["time of the " + name + " [s]"] = time;
+      });
+  run.summary.set("largest values", values);
+}
+
+template <int dim>
 void RangeReport<dim>::finish()
 {
+  std::map<std::string, double> found;
+  for_all(
+      [&](const std::string &name, const double value, double, const std::string &unit)
+      {
+        run.summary.add({name, value, unit, ""});
+        found[name] = value;
+      });
   const bool is_small = run.input.problem.deformation == Deformation::small,
-             has_convection = run.input.problem.convection.is_on,
-             is_in_time = run.input.analysis.is_transient();
-  std::map<std::string, double> values;
+             has_convection = run.input.problem.convection.is_on;
   std::vector<std::string> passed;
-  const auto add = [&](const char *const name, const Largest &largest, const std::string &unit,
-                       double scale = 1.)
+  const auto compare =
+      [&](const bool counts, const char *const name, const double bound, const std::string &what)
   {
-    run.summary.add({name, scale * largest.value, unit, ""});
-    values[std::string(name) + " [" + unit + "]"] = scale * largest.value;
-    if (is_in_time)
-      values["time of the " + std::string(name) + " [s]"] = largest.time;
-  };
-  const auto compare = [&](const double value, const double bound, const std::string &what)
-  {
-    if (!(value > bound))
+    // What is not stated is 0.
+    if (!counts || !(found[name] > bound))
       return;
     std::ostringstream text;
     text.precision(2);
-    text << what << ' ' << value << " (bound " << bound << ')';
+    text << what << ' ' << found[name] << " (bound " << bound << ')';
     passed.push_back(text.str());
   };
-  if (has_solids)
-  {
-    add(strain_name, strain, "1");
-    add(rotation_name, rotation, "rad");
-  }
-  if (has_solids && is_small)
-  {
-    compare(strain.value, largest_strain, "strain");
-    compare(rotation.value, largest_rotation, "rotation in rad");
-  }
-  if (has_solids && has_liquids)
-  {
-    add(displacement_name, wall_displacement, "m");
-    add(over_radius_name, displacement_over_radius, "1");
-    // With finite deformation the mesh moves with the walls.
-    if (is_small)
-      compare(displacement_over_radius.value, largest_displacement_over_radius,
-              "wall displacement over radius");
-    if (has_convection)
-    {
-      add(load_name, change_of_load, "1");
-      if (is_small)
-        compare(change_of_load.value, largest_change_of_load, "change of the stream's load");
-    }
-  }
-  if (has_liquids)
-  {
-    add(speed_name, speed, "m/s");
-    if (const double wave = wave_speed(); wave > 0.)
-    {
-      add(over_wave_name, speed, "1", 1. / wave);
-      if (!has_convection)
-        compare(speed.value / wave, largest_speed_over_wave_speed,
-                "speed of the liquid over the wave speed");
-    }
-    const double steepening = LiquidLimits(run.input.problem).steepening;
-    if (has_convection && is_in_time && steepening > 0.)
-    {
-      add(strength_name, speed, "1", steepening);
-      compare(steepening * speed.value, largest_shock_strength, "strength of a shock");
-    }
-  }
-  run.summary.set("largest values", values);
+  compare(is_small, strain_name, largest_strain, "strain");
+  compare(is_small, rotation_name, largest_rotation, "rotation in rad");
+  // With finite deformation the mesh moves with the walls.
+  compare(is_small, over_radius_name, largest_displacement_over_radius,
+          "wall displacement over radius");
+  compare(is_small, load_name, largest_change_of_load, "change of the stream's load");
+  compare(!has_convection, over_wave_name, largest_speed_over_wave_speed,
+          "speed of the liquid over the wave speed");
+  compare(true, strength_name, largest_shock_strength, "strength of a shock");
   if (passed.empty())
     return;
   std::string text = "the run leaves the range of its equations: ";
@@ -207,6 +220,8 @@ void RangeReport<dim>::name_quantities(const Case<dim> &input, QuantityNames &na
   if (has_solids)
     for (const char *const name : {strain_name, rotation_name})
       names.add(name);
+  if (input.problem.mesh_moves)
+    names.add(ratio_name);
   if (has_solids && has_liquids)
     for (const char *const name : {displacement_name, over_radius_name})
       names.add(name);

@@ -64,11 +64,18 @@ private:
   Run<dim> &run;
   bool has_solids = false, has_liquids = false;
   double tube_speed = 0.; ///< [m/s]
-  Largest strain, rotation, wall_displacement, displacement_over_radius, speed, change_of_load;
+  Largest strain, rotation, wall_displacement, displacement_over_radius, speed, change_of_load,
+      compression_of_mesh;
   /// In the order of the archive.
-  const std::array<Largest *, 6> all = {
-      {&strain, &rotation, &wall_displacement, &displacement_over_radius, &speed, &change_of_load}};
+  const std::array<Largest *, 7> all = {{&strain, &rotation, &wall_displacement,
+                                         &displacement_over_radius, &speed, &change_of_load,
+                                         &compression_of_mesh}};
 
+  /// Calls add(name, value, time [s], unit) for all that the run states.
+  template <typename Add>
+  void for_all(const Add &add) const;
+  /// Sets them in the summary, as far as they are known.
+  void state_values();
   /// The wave to which the speed of the liquid compares [m/s]; 0 if there is none, or none whose
   /// speed is known.
   double wave_speed() const;

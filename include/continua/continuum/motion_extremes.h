@@ -20,6 +20,8 @@ struct MotionExtremes
   /// Twice the volume of the liquids at rest over the area of their walls: the radius of a tube,
   /// the height of a channel between two walls [m]. 0 without liquids or walls.
   double liquid_radius = 0.;
+  double mesh_volume_ratio = 1.; ///< the least J of a mesh that moves, of all steps until now [1]
+  double mesh_volume_time = 0.;  ///< at which the mesh had it [s]
 };
 
 /// Takes a point of a solid into the extremes, by the gradient of its displacement and in
