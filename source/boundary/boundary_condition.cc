@@ -532,6 +532,18 @@ std::set<std::string> boundaries_held_across(const ParameterFile &file)
   return names;
 }
 
+bool some_mesh_follows(const ParameterFile &file)
+{
+  const ParameterText::Section *const section = file.text().find({"Boundaries"});
+  return section != nullptr && std::any_of(section->sections.begin(), section->sections.end(),
+                                           [](const ParameterText::Section &child)
+                                           {
+                                             const ParameterText::Entry *const entry =
+                                                 child.entry("Mesh");
+                                             return entry != nullptr && entry->value() == "follows";
+                                           });
+}
+
 std::vector<BoundaryCondition>
 read_boundary_conditions(ParameterSection section,
                          const std::vector<std::string> &boundaries,
@@ -585,12 +597,36 @@ read_boundary_conditions(ParameterSection section,
     add_choice(child, "Mesh", condition.mesh,
                {{"automatic", MeshCondition::automatic},
                 {"slides", MeshCondition::slides},
-                {"fixed", MeshCondition::fixed}},
-               "What the mesh of a liquid does on the boundary where solids in finite deformation "
-               "move it: slides - along a plane that is normal to an axis; fixed - it stays; "
+                {"fixed", MeshCondition::fixed},
+                {"follows", MeshCondition::follows}},
+               "What the mesh of a liquid does on the boundary with Deformation = finite: "
+               "slides - along a plane that is normal to an axis; fixed - it stays; follows - it "
+               "moves with the velocity that is prescribed, or with 'Mesh velocity'; "
                "automatic - it slides on planes where the pressure or the traction is given, on "
-               "rollers and on the axis, and stays on walls, outlets, curved boundaries and where "
-               "a velocity or a total pressure is given.");
+               "outlets, on rollers and on the axis, and stays on walls, curved boundaries and "
+               "where a velocity is given.");
+    condition.mesh_velocity = Waveform::read_vector(
+        child, "Mesh velocity", n_dimensions, Dimensions::velocity,
+        "Of Mesh = follows: Cartesian components of the velocity of the mesh, where the liquid "
+        "passes it; by itself the mesh has the velocity of the liquid. A formula has the place "
+        "in the mesh at rest.",
+        false, "Mesh");
+    // Zeros that are given hold the mesh.
+    const bool has_mesh_velocity =
+        child.given("Mesh velocity") ||
+        std::any_of(condition.mesh_velocity.begin(), condition.mesh_velocity.end(),
+                    [](const Waveform &component) { return !component.is_zero(); });
+    if (!has_mesh_velocity)
+      condition.mesh_velocity.clear();
+    else if (condition.mesh != MeshCondition::follows)
+      child.refuse(child.given("Mesh velocity") ? "Mesh velocity" : "Mesh waveform",
+                   "the mesh of the boundary does not follow",
+                   "Set Mesh = follows, or leave the entry out");
+    if (condition.mesh == MeshCondition::follows && condition.mesh_velocity.empty() &&
+        (condition.normal.kind != BoundaryPart::Kind::velocity ||
+         condition.tangential.kind != BoundaryPart::Kind::velocity))
+      child.refuse("Mesh", "no velocity is prescribed here that the mesh would follow",
+                   "Set Type = velocity, give a Mesh velocity, or set Mesh = slides or fixed");
     if (condition.outlet && condition.profile && n_dimensions == 2 && !axisymmetric)
       child.refuse("Coupling", "a plane model has no round section with a profile",
                    "Use Coupling = pressure, or Model = axisymmetric or three-dimensional");

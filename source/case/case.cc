@@ -46,10 +46,11 @@ void GeneralParameters::read(ParameterSection root,
       "Convective terms of the equations: none - linear waves and creeping flow; navier "
       "stokes - momentum and pressure of the liquids are convected, and their density follows the "
       "pressure.");
-  add_choice(root, "Deformation", deformation, deformation_words(),
-             "How large the deformation of the solids may be: small - linear; finite - the "
-             "equations are those of the deformed body, by the Strain law of each material, and "
-             "the mesh of the liquids moves with the solids.");
+  add_choice(
+      root, "Deformation", deformation, deformation_words(),
+      "How large the deformation of the solids may be: small - linear; finite - the "
+      "equations are those of the deformed body, by the Strain law of each material, and "
+      "the mesh of the liquids moves with the solids, and with boundaries of Mesh = follows.");
   add_choice(root, "Mesh motion", mesh_motion, mesh_motion_words(),
              "With finite deformation, how the motion of the solids is extended into the mesh of "
              "the liquids: hyperelastic - as a body whose energy grows without bound where a cell "
@@ -207,9 +208,11 @@ Case<dim>::Case(ParameterFile &file,
         materials.subsection(region).given("Relaxation table"))
       power_laws.note_table(region, materials.subsection(region));
   }
-  problem.mesh_moves = analysis.has_fields && problem.has_regions_of(RegionModel::finite_solid) &&
-                       std::any_of(problem.materials.begin(), problem.materials.end(),
-                                   [](const Material &material) { return !material.is_solid(); });
+  problem.mesh_moves =
+      analysis.has_fields && problem.deformation == Deformation::finite &&
+      (problem.has_regions_of(RegionModel::finite_solid) || some_mesh_follows(file)) &&
+      std::any_of(problem.materials.begin(), problem.materials.end(),
+                  [](const Material &material) { return !material.is_solid(); });
   if (problem.deformation == Deformation::finite || root.has_subsection("Wall directions"))
     problem.wall_directions.read(root.subsection("Wall directions"), problem.boundaries,
                                  problem.model);

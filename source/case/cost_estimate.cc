@@ -190,6 +190,9 @@ CostEstimate::CostEstimate(const CostInput &input)
     {
       const NewtonCounts &counts = input.to_rest ? counts_to_rest : counts_of_step;
       solve_time = counts.corrections * solve_time + counts.new_factors * factor_time;
+      // The integrals over the present mesh, its own factor, and more factors of the tangent.
+      if (input.mesh_moves)
+        solve_time += 1.5 * counts.corrections * microsecond * n_unknowns + 0.4 * factor_time;
     }
   }
   memory += input.n_ranks * memory_of_program;

@@ -164,19 +164,41 @@ void check_cavity(const Case<dim> &input, const BoundaryCondition &condition, Pa
                   "Remove the entry, or set Slow iteration = new factor");
 }
 
+/// Where the mesh follows a motion that is prescribed.
+template <int dim>
+void check_prescribed_motion(const Case<dim> &input,
+                             const BoundaryCondition &condition,
+                             const ParameterSection &section,
+                             ParameterSection root)
+{
+  if (condition.mesh != MeshCondition::follows)
+    return;
+  if (std::all_of(condition.region_ids.begin(), condition.region_ids.end(),
+                  [&input](const unsigned int region)
+                  { return input.problem.materials[region].is_solid(); }))
+    section.refuse("Mesh", "no liquid is at the boundary, and solids move with their own velocity",
+                   "Remove the entry");
+  if (condition.type == BoundaryType::axis)
+    section.refuse("Mesh", "a mesh that leaves the axis would open a hole there",
+                   "Remove the entry: on the axis the mesh slides along it");
+  const std::string remedy = "Set Mesh = fixed, or make the run transient from rest or from a "
+                             "state that is given";
+  if (input.analysis.motion != Motion::in_time)
+    section.refuse("Mesh", "a mesh that follows a velocity is never at rest", remedy);
+  if (input.problem.interior.starts_at_rest_under_loads)
+    root.subsection("Initial state")
+        .refuse("Type", "a mesh that follows a velocity is never at rest", remedy);
+}
+
 /// On a mesh that moves.
 void check_boundary_of_liquid(const BoundaryCondition &condition,
                               const ParameterSection &section,
                               const std::string &keeps_small)
 {
-  const bool has_flow =
-      condition.type == BoundaryType::flow_rate || condition.type == BoundaryType::resistance ||
-      condition.type == BoundaryType::windkessel || condition.type == BoundaryType::absorbing;
-  if (has_flow)
-    section.refuse("Type",
-                   "a flow rate is that through the section of the mesh at rest, which moves with "
-                   "the solids",
-                   "Prescribe a velocity or a pressure, or " + keeps_small);
+  if (condition.outlet != nullptr && condition.profile)
+    section.refuse("Coupling",
+                   "the distribution of the velocity is that over the section at rest, which moves",
+                   "Set Coupling = pressure, or " + keeps_small);
   if (condition.is_cavity())
     section.refuse("Type", "a cavity holds nothing but solids",
                    "Prescribe a pressure, or " + keeps_small);
@@ -184,11 +206,8 @@ void check_boundary_of_liquid(const BoundaryCondition &condition,
     section.refuse("Type", "a traction is one per area at rest, which a liquid does not keep",
                    "Prescribe a pressure");
   if (condition.mesh == MeshCondition::slides &&
-      (condition.inflow_pressure == InflowPressure::total ||
-       (condition.normal.kind == BoundaryPart::Kind::velocity && !condition.normal.is_fixed())))
-    section.refuse("Mesh",
-                   "the total pressure and the velocity of a boundary are those of a section that "
-                   "keeps its shape",
+      condition.normal.kind == BoundaryPart::Kind::velocity && !condition.normal.is_fixed())
+    section.refuse("Mesh", "the velocity of a boundary is that of a section that keeps its shape",
                    "Set Mesh = fixed, or leave the entry out");
 }
 
@@ -197,9 +216,10 @@ template <int dim>
 void check_liquids(const Case<dim> &input, ParameterSection root)
 {
   const Problem &problem = input.problem;
-  if (!problem.has_regions_of(RegionModel::finite_solid))
-    root.refuse("Deformation", "no region is a solid, and liquids have no deformation",
-                "Set Deformation = small");
+  if (!problem.has_deformed_regions())
+    root.refuse("Deformation",
+                "no region is a solid, and the mesh of the liquids follows no boundary",
+                "Set Deformation = small, or Mesh = follows for a boundary that moves");
   if (!problem.mesh_moves)
   {
     if (root.given("Mesh motion"))
@@ -213,12 +233,11 @@ void check_liquids(const Case<dim> &input, ParameterSection root)
                 "the inverse solve for the unloaded shape is for solids alone so far",
                 "Set Unloaded shape = mesh, or leave the liquid out");
   if (problem.convection.stabilisation == ConvectionStabilisation::supg)
-    root.subsection("Flow").refuse("Convection stabilisation",
-                                   "supg is for a mesh that stays, and the solids move it",
+    root.subsection("Flow").refuse("Convection stabilisation", "supg is for a mesh that stays",
                                    "Set grad-div or none, or " + keeps_small);
   if (input.discretisation.taylor_hood.linear_solver.type == LinearSolverType::iterative)
     root.subsection("Linear solver")
-        .refuse("Type", "the iterative solver is for a mesh that stays, and the solids move it",
+        .refuse("Type", "the iterative solver is for a mesh that stays",
                 "Set Type = direct, or " + keeps_small);
   if (ParameterSection newton = root.subsection("Newton");
       newton.given("Tangent products") &&
@@ -226,14 +245,18 @@ void check_liquids(const Case<dim> &input, ParameterSection root)
     newton.refuse("Tangent products",
                   "the integrals of the derivative leave out the motion of the mesh",
                   "Remove the entry, or set Tangent products = differences");
-  if (input.adaptation.changes_mesh())
-    root.subsection("Adaptivity")
-        .refuse("", "a mesh that moves with the solids does not adapt yet",
-                "Remove the section, use Mesh/Refinements, or " + keeps_small);
-  if (!problem.interior.acceleration.empty() || !problem.interior.body_force.empty())
-    root.subsection("Body force")
-        .refuse("", "the weight of a liquid on a mesh that moves is not known yet",
-                "Remove the section, or " + keeps_small);
+  ParameterSection body_force = root.subsection("Body force");
+  if (!problem.interior.body_force.empty())
+    body_force.refuse(
+        "Force density",
+        "a force by volume is one by the volume at rest, which a liquid does not keep",
+        "Give an Acceleration, or " + keeps_small);
+  for (const Waveform &component : problem.interior.acceleration)
+    if (component.depends_on_space())
+      body_force.refuse(
+          "Acceleration",
+          "the place of a liquid on a mesh that moves is not that of the mesh at rest",
+          "Give a function of time alone, or " + keeps_small);
   for (const BoundaryCondition &condition : problem.conditions)
     if (std::any_of(condition.region_ids.begin(), condition.region_ids.end(),
                     [&problem](const unsigned int region)
@@ -309,10 +332,16 @@ void check_deformation(const Case<dim> &input, ParameterSection root)
   for (const unsigned int cavity : problem.cavities())
     check_cavity(input, problem.conditions[cavity], root);
   for (const BoundaryCondition &condition : problem.conditions)
+    check_prescribed_motion(input, condition,
+                            root.subsection("Boundaries").subsection(condition.name), root);
+  for (const BoundaryCondition &condition : problem.conditions)
     if (ParameterSection section = root.subsection("Boundaries").subsection(condition.name);
         section.given("Mesh") && !problem.mesh_moves)
-      section.refuse("Mesh", "the mesh moves beside solids in finite deformation alone",
-                     "Remove the entry, or set Deformation = finite");
+      section.refuse("Mesh",
+                     problem.deformation == Deformation::finite
+                         ? "no region is a liquid, whose mesh would move"
+                         : "with small deformation the mesh stays",
+                     "Remove the entry, or set Deformation = finite for a mesh that moves");
   if (problem.deformation == Deformation::small)
   {
     if (root.given("Mesh motion"))

@@ -68,6 +68,7 @@ unsigned int FieldProbes<dim>::add(const ProbeRequest<dim> &request)
       probe.field.axis = {request.point, request.normal / request.normal.norm()};
     probe.is_sampled = needs_samples(request, probe.field);
   }
+  probe.follows_mesh = !probe.is_sampled && follows_mesh(request, probe.field);
   probes.push_back(probe);
   try
   {
@@ -84,6 +85,7 @@ unsigned int FieldProbes<dim>::add(const ProbeRequest<dim> &request)
 template <int dim>
 void FieldProbes<dim>::rebuild()
 {
+  forget_mesh();
   for (unsigned int number = 0; number < probes.size(); ++number)
     build(number);
 }
@@ -112,6 +114,7 @@ template <int dim>
 void FieldProbes<dim>::build(const unsigned int number)
 {
   Probe &probe = probes[number];
+  probe_being_built = number;
   Collector weights = collector();
   if (probe.is_sampled)
     begin_samples(number);
@@ -180,12 +183,14 @@ template <int dim>
 void FieldProbes<dim>::evaluate(
     const State &state,
     const std::function<const DistributedVector &(std::optional<unsigned int>)> &forces,
-    std::vector<double> &values) const
+    std::vector<double> &values)
 {
-  const bool some_are_sampled = std::any_of(probes.begin(), probes.end(),
-                                            [](const Probe &probe) { return probe.is_sampled; });
-  if (some_are_sampled)
+  if (std::any_of(probes.begin(), probes.end(),
+                  [](const Probe &probe) { return probe.is_sampled || probe.follows_mesh; }))
     take_state(state);
+  for (unsigned int number = 0; number < probes.size(); ++number)
+    if (probes[number].follows_mesh)
+      build(number);
   const bool is_first = Utilities::MPI::this_mpi_process(problem.communicator) == 0;
   sums.clear();
   for (unsigned int number = 0; number < probes.size(); ++number)

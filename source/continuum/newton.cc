@@ -100,10 +100,11 @@ void Newton::set_rates(const NewtonInput &input, BalancedStep &balanced) const
   const double factor = 1. / input.step.pressure_time;
   balanced.pressure_rate.equ(factor, balanced.pressure);
   balanced.pressure_rate.add(-factor, input.predicted_pressure);
-  if (!problem.has_regions_of(RegionModel::finite_solid))
-    return;
-  balanced.displacement.equ(1., input.predicted_displacement);
-  balanced.displacement.add(BranchHistory::step_displacement(input.step), balanced.velocity);
+  if (problem.has_regions_of(RegionModel::finite_solid))
+  {
+    balanced.displacement.equ(1., input.predicted_displacement);
+    balanced.displacement.add(BranchHistory::step_displacement(input.step), balanced.velocity);
+  }
   operators.move_mesh(balanced);
   operators.check_mesh(balanced);
 }
@@ -170,8 +171,12 @@ Newton::Norms Newton::set_residuals(const NewtonInput &input, const BalancedStep
   const ResidualScales scales = operators.residual_scales(balanced.velocity, balanced.pressure);
   norms.momentum_round_off = round_off * std::max(largest.momentum, scales.momentum);
   norms.mass_round_off = round_off * std::max(largest.mass, scales.mass);
+  // On a mesh that stays each solve has the ports' forces anew.
+  if (problem.mesh_moves)
+    outlets.add_forces(1., momentum);
   momentum_work.equ(1., momentum);
-  outlets.add_forces(1., momentum_work);
+  if (!problem.mesh_moves)
+    outlets.add_forces(1., momentum_work);
   mass_work.equ(1., mass);
   operators.restrict_residuals(momentum_work, mass_work);
   norms.momentum = largest_of(momentum_work);
@@ -193,8 +198,12 @@ void Newton::add_differences(const BalancedStep &balanced,
   };
   double velocity = balanced.velocity.linfty_norm();
   if (problem.has_regions_of(RegionModel::finite_solid))
-    velocity = std::max(velocity, balanced.displacement.linfty_norm() /
-                                      BranchHistory::step_displacement(balanced.step));
+  {
+    const DistributedVector &of_body =
+        problem.mesh_moves ? balanced.mesh_displacement : balanced.displacement;
+    velocity =
+        std::max(velocity, of_body.linfty_norm() / BranchHistory::step_displacement(balanced.step));
+  }
   const double largest =
       std::max(share(of_velocity.linfty_norm(), velocity),
                share(of_pressure.linfty_norm(), balanced.pressure.linfty_norm()));
@@ -223,9 +232,16 @@ void Newton::add_differences(const BalancedStep &balanced,
     momentum_work = 0.;
     mass_work = 0.;
     operators.add_nonlinear_terms(shifted, momentum_work, mass_work);
+    if (problem.mesh_moves)
+    {
+      outlets.measure(shifted);
+      outlets.add_forces(-1., momentum_work);
+    }
     momentum_rows.add(0.5 * sign / distance, momentum_work);
     mass_rows.add(0.5 * sign / distance, mass_work);
   }
+  if (problem.mesh_moves)
+    outlets.measure(balanced);
 }
 
 void Newton::set_derivative_product(const NewtonInput &input,
@@ -290,6 +306,8 @@ bool Newton::correct_by_krylov(const NewtonInput &input,
     momentum_rows *= momentum_size;
     mass_rows *= mass_size;
     operators.solve(zero_velocity, momentum_rows, mass_rows, velocity, pressure, report);
+    if (problem.mesh_moves)
+      outlets.complete_change(velocity, pressure);
   };
   const unsigned int most = problem.newton.most_krylov_iterations;
   const unsigned int n_iterations =
@@ -314,7 +332,7 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
   double largest_momentum = 0., largest_mass = 0., previous = 0.;
   double previous_mass = 0.;
   bool takes_krylov = false, momentum_was_round_off = false, correction_is_exact = false;
-  const bool may_take_krylov = outlets.is_empty() && cavities.is_empty() &&
+  const bool may_take_krylov = (outlets.is_empty() || problem.mesh_moves) && cavities.is_empty() &&
                                operators.has_derivative_products() &&
                                problem.newton.slow_iteration == SlowIteration::krylov;
   // The factor leaves out what the mesh's motion does to the liquid, which is much in a long step.
@@ -323,6 +341,8 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
   {
     set_rates(input, balanced);
     cavities.measure(balanced);
+    if (problem.mesh_moves)
+      outlets.measure(balanced);
     const Norms norms = set_residuals(input, balanced);
     largest_momentum = std::max(largest_momentum, norms.momentum);
     largest_mass = std::max(largest_mass, norms.mass);
@@ -346,8 +366,9 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
     const bool is_solved = norms.momentum <= accepted_momentum &&
                            (norms.mass <= accepted_mass || volume_is_round_off) &&
                            of_cavities <= std::max(tolerance, round_off);
-    // The outlets' pressures and flow rates of the step come with its first solve.
-    if (is_solved && (iteration > 0 || outlets.is_empty()))
+    // On a mesh that stays the outlets' pressures and flow rates of the step come with its first
+    // solve.
+    if (is_solved && (iteration > 0 || outlets.is_empty() || problem.mesh_moves))
       break;
     // NaN fails the comparison.
     const bool is_finite =
@@ -433,11 +454,16 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
       outlets.add_pressure_responses(-1., velocity_change, pressure_change);
     }
     else
+    {
       operators.solve(zero_velocity, momentum, mass, velocity_change, pressure_change, report);
+      if (problem.mesh_moves)
+        outlets.complete_change(velocity_change, pressure_change);
+    }
     cavities.couple(input.step, velocity_change, pressure_change, balanced.cavity_pressures);
     balanced.velocity.add(1., velocity_change);
     balanced.pressure.add(1., pressure_change);
-    outlets.couple(input.step, input.velocity_old, balanced.velocity, balanced.pressure);
+    if (!problem.mesh_moves)
+      outlets.couple(input.step, input.velocity_old, balanced.velocity, balanced.pressure);
   }
   outlets.finish_step(input.step);
   balanced.acceleration.equ(1., past_acceleration);

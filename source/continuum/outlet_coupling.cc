@@ -54,6 +54,9 @@ void OutletCoupling::build()
       const DistributedVector flow = operators.flow_of_velocities(c);
       port.flow = sparse(flow);
       port.holds_flow = problem.conditions[c].normal.flow != nullptr;
+      // The waves that an absorbing end lets pass are those of matter, also of the wall's.
+      port.moves_with_mesh =
+          problem.mesh_moves && problem.conditions[c].type != BoundaryType::absorbing;
       if (port.holds_flow)
       {
         // A flow of 1 is wanted, out of the body.
@@ -74,7 +77,12 @@ void OutletCoupling::build()
   sums.resize(2 * ports.size());
   pressures.resize(n);
   flow_rates.resize(n);
+  flow_rates_of_mesh.assign(n, 0.);
+  if (problem.mesh_moves)
+    section = operators.velocity_vector();
   inputs_are_current = false;
+  if (problem.mesh_moves)
+    take_sections(*operators.mesh_displacement());
 }
 
 double OutletCoupling::output(const Port &port,
@@ -220,14 +228,88 @@ void OutletCoupling::couple(const Step &step,
   add_responses(velocity, pressure);
 }
 
+void OutletCoupling::take_sections(const DistributedVector &mesh_displacement)
+{
+  for (Port &port : ports)
+  {
+    operators.set_flow_of_velocities(port.condition, mesh_displacement, section);
+    port.flow = sparse(section);
+  }
+}
+
+std::vector<double> OutletCoupling::present_flow_rates(const DistributedVector &velocity) const
+{
+  const DistributedVector *const of_mesh = operators.mesh_velocity();
+  std::vector<double> flows;
+  for (const Port &port : ports)
+    flows.push_back(product(port.flow, velocity) -
+                    (port.moves_with_mesh ? product(port.flow, *of_mesh) : 0.));
+  Utilities::MPI::sum(flows, problem.communicator, flows);
+  return flows;
+}
+
+void OutletCoupling::measure(const BalancedStep &iterate)
+{
+  if (is_empty())
+    return;
+  take_sections(iterate.mesh_displacement);
+  const unsigned int n = ports.size();
+  std::vector<double> numbers;
+  for (const Port &port : ports)
+  {
+    numbers.push_back(product(port.flow, iterate.velocity));
+    numbers.push_back(port.moves_with_mesh ? product(port.flow, iterate.mesh_velocity) : 0.);
+    for (const Port &column : ports)
+      numbers.push_back(product(port.flow, column.velocity_response));
+  }
+  Utilities::MPI::sum(numbers, problem.communicator, numbers);
+  auto number = numbers.begin();
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    const double of_matter = *number++;
+    flow_rates_of_mesh[i] = *number++;
+    flow_rates[i] = of_matter - flow_rates_of_mesh[i];
+    for (unsigned int j = 0; j < n; ++j)
+      responses(i, j) = *number++;
+  }
+  take_models(true);
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    pressures[i] = predicted[i];
+    for (unsigned int j = 0; j < n; ++j)
+      pressures[i] += impedances(i, j) * flow_rates[j];
+  }
+}
+
+void OutletCoupling::complete_change(DistributedVector &velocity_change,
+                                     DistributedVector &pressure_change)
+{
+  if (is_empty())
+    return;
+  const unsigned int n = ports.size();
+  for (unsigned int i = 0; i < n; ++i)
+    sums[i] = product(ports[i].flow, velocity_change);
+  Utilities::MPI::sum(sums, problem.communicator, sums);
+  for (unsigned int i = 0; i < n; ++i)
+    outputs[i] = sums[i];
+  // A new factor has new responses.
+  take_models(false);
+  impedances.vmult(rhs, outputs);
+  inputs_of_rhs.vmult(inputs, rhs);
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    velocity_change.add(inputs[i], ports[i].velocity_response);
+    pressure_change.add(inputs[i], ports[i].pressure_response);
+  }
+}
+
 void OutletCoupling::predict(const Step &step, const DistributedVector &velocity_old)
 {
   if (is_empty())
     return;
-  std::vector<double> flows;
-  for (const Port &port : ports)
-    flows.push_back(product(port.flow, velocity_old));
-  Utilities::MPI::sum(flows, problem.communicator, flows);
+  if (problem.mesh_moves)
+    take_sections(*operators.mesh_displacement());
+  const std::vector<double> flows = present_flow_rates(velocity_old);
   for (unsigned int o = 0; o < models.size(); ++o)
   {
     OutletModel &model = models[o];
@@ -293,7 +375,7 @@ void OutletCoupling::power(std::vector<OutletPower> &of_outlets) const
 {
   of_outlets.assign(problem.outlets.size(), OutletPower());
   for (unsigned int i = 0; i < ports.size(); ++i)
-    of_outlets[ports[i].outlet].leaving += pressures[i] * flow_rates[i];
+    of_outlets[ports[i].outlet].leaving += pressures[i] * (flow_rates[i] + flow_rates_of_mesh[i]);
   for (unsigned int o = 0; o < models.size(); ++o)
     of_outlets[o].stored = models[o].stored_power();
 }
@@ -309,10 +391,8 @@ double OutletCoupling::energy() const
 std::vector<double> OutletCoupling::present_pressures(const double time,
                                                       const DistributedVector &velocity) const
 {
-  std::vector<double> of_conditions(problem.conditions.size(), 0.), flows;
-  for (const Port &port : ports)
-    flows.push_back(product(port.flow, velocity));
-  Utilities::MPI::sum(flows, problem.communicator, flows);
+  std::vector<double> of_conditions(problem.conditions.size(), 0.);
+  const std::vector<double> flows = present_flow_rates(velocity);
   for (unsigned int o = 0; o < models.size(); ++o)
   {
     const std::vector<double> of_ports = models[o].present_pressures(time, &flows[first_port[o]]);

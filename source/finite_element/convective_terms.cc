@@ -490,10 +490,9 @@ void ConvectiveTerms<dim>::add(const BalancedStep &state,
     }
     Vector<double> &sum = cell_forces[0];
     sum += cell_inflow;
-    if (follower_pressure.has_face(cell.velocity_cell))
+    if (has_load_changes(cell))
     {
-      cell_inflow = 0.;
-      follower_pressure.add(cell.velocity_cell, step, cell_mesh_displacement, cell_inflow);
+      set_load_changes(cell);
       sum -= cell_inflow;
     }
     space.velocity_hanging.distribute_local_to_global(sum, cell.velocity_indices, momentum);
@@ -543,6 +542,36 @@ void ConvectiveTerms<dim>::set_forces_of(const unsigned int region,
 }
 
 template <int dim>
+bool ConvectiveTerms<dim>::has_load_changes(const Cell &cell) const
+{
+  return problem.mesh_moves &&
+         (!problem.interior.acceleration.empty() || follower_pressure.has_face(cell.velocity_cell));
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::set_load_changes(const Cell &cell)
+{
+  cell_inflow = 0.;
+  if (follower_pressure.has_face(cell.velocity_cell))
+    follower_pressure.add(cell.velocity_cell, step, cell_mesh_displacement, cell_inflow);
+  const double origin[3] = {0., 0., 0.};
+  const std::size_t n_functions = cells.n_functions();
+  for (unsigned int c = 0; c < problem.interior.acceleration.size(); ++c)
+  {
+    const double weight = step.load_factor * material().density *
+                          problem.interior.acceleration[c](origin, step.balance_time);
+    if (weight == 0.)
+      continue;
+    for (unsigned int q = 0; q < cells.n_points(); ++q)
+    {
+      const double of_point = weight * (moved_points[q].weight - cell.points[q].weight);
+      for (unsigned int a = 0; a < n_functions; ++a)
+        cell_inflow[c * n_functions + a] += of_point * cells.values(q)[a];
+    }
+  }
+}
+
+template <int dim>
 void ConvectiveTerms<dim>::add_loads(const BalancedStep &state,
                                      const std::optional<unsigned int> region,
                                      DistributedVector &forces)
@@ -551,11 +580,10 @@ void ConvectiveTerms<dim>::add_loads(const BalancedStep &state,
     return;
   take(state);
   for (const Cell &cell : cells.all())
-    if ((!region || cell.region == *region) && follower_pressure.has_face(cell.velocity_cell))
+    if ((!region || cell.region == *region) && has_load_changes(cell))
     {
       visit(cell);
-      cell_inflow = 0.;
-      follower_pressure.add(cell.velocity_cell, step, cell_mesh_displacement, cell_inflow);
+      set_load_changes(cell);
       space.velocity_hanging.distribute_local_to_global(cell_inflow, cell.velocity_indices, forces);
     }
   forces.compress(VectorOperation::add);

@@ -1,10 +1,9 @@
 #include <continua/base/collective.h>
+#include <continua/continuum/kinematics.h>
 #include <continua/finite_element/field_evaluation.h>
-#include <continua/finite_element/section_flow.h>
 
 #include <continua/mesh/cell_point.h>
 #include <continua/mesh/cells_in_tree_order.h>
-#include <continua/mesh/plane_section.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/mpi.templates.h>
@@ -57,7 +56,7 @@ bool FieldEvaluation<dim>::needs_samples(const ProbeRequest<dim> &request,
   using Quantity = typename FieldDefinition<dim>::Quantity;
   if (request.kind == ProbeRequest<dim>::Kind::sign_change)
     return true;
-  if (problem.has_regions_of(RegionModel::finite_solid))
+  if (problem.has_deformed_regions())
     return field.quantity != Quantity::velocity && field.quantity != Quantity::displacement &&
            field.quantity != Quantity::pressure;
   if (field.quantity == Quantity::stress || field.quantity == Quantity::wall_shear_stress)
@@ -70,6 +69,88 @@ bool FieldEvaluation<dim>::needs_samples(const ProbeRequest<dim> &request,
   }
   return field.quantity == Quantity::q_criterion || field.is_average() ||
          field.quantity == Quantity::wall_shear_stress_magnitude;
+}
+
+template <int dim>
+bool FieldEvaluation<dim>::follows_mesh(const ProbeRequest<dim> &request,
+                                        const FieldDefinition<dim> &field) const
+{
+  using Kind = typename ProbeRequest<dim>::Kind;
+  using Quantity = typename FieldDefinition<dim>::Quantity;
+  if (!problem.mesh_moves)
+    return false;
+  switch (request.kind)
+  {
+  case Kind::section_flow:
+    return true;
+  case Kind::boundary_mean:
+  case Kind::boundary_integral:
+  case Kind::section_mean:
+  case Kind::section_integral:
+  case Kind::volume_mean:
+  case Kind::volume_integral:
+    // The mean of a displacement is one over matter.
+    return field.quantity == Quantity::velocity || field.quantity == Quantity::pressure;
+  default:
+    return false;
+  }
+}
+
+template <int dim>
+void FieldEvaluation<dim>::forget_mesh()
+{
+  mesh_displacement = DistributedVector();
+  parts_of_probes.clear();
+  flows_of_probes.clear();
+}
+
+template <int dim>
+void FieldEvaluation<dim>::take_state(const State &state)
+{
+  if (!samples_of_probes.empty())
+    sampled_state.take(state);
+  if (state.mesh_displacement != nullptr)
+    mesh_displacement = space.ghosted_velocity(*state.mesh_displacement);
+}
+
+template <int dim>
+void FieldEvaluation<dim>::stretch(const ProbeRequest<dim> &request,
+                                   const FieldDefinition<dim> &field,
+                                   const CellIterator &cell,
+                                   const FEValuesBase<dim> &values,
+                                   const std::vector<Tensor<1, dim>> &normals,
+                                   std::vector<double> &weights) const
+{
+  if (mesh_displacement.size() == 0 || !follows_mesh(request, field))
+    return;
+  std::vector<types::global_dof_index> indices(space.velocity_element.n_dofs_per_cell());
+  typename DoFHandler<dim>::active_cell_iterator(&space.triangulation, cell->level(), cell->index(),
+                                                 &space.velocity_dofs)
+      ->get_dof_indices(indices);
+  for (unsigned int q = 0; q < weights.size(); ++q)
+  {
+    Tensor<2, dim> gradient;
+    double radial = 0.;
+    for (unsigned int i = 0; i < indices.size(); ++i)
+    {
+      const unsigned int c = space.velocity_element.system_to_component_index(i).first;
+      const double entry = mesh_displacement(indices[i]);
+      gradient[c] += entry * values.shape_grad(i, q);
+      if (c == 1)
+        radial += entry * values.shape_value(i, q);
+    }
+    const double hoop = space.is_axisymmetric() ? radial / values.quadrature_point(q)[1] : 0.;
+    const Kinematics motion(whole_gradient<dim>(gradient, hoop));
+    if (normals.empty())
+      weights[q] *= motion.volume_ratio();
+    else
+    {
+      Tensor<1, 3> area;
+      for (unsigned int c = 0; c < dim; ++c)
+        area[c] = normals[q][c];
+      weights[q] *= motion.area(area).norm();
+    }
+  }
 }
 
 template <int dim>
@@ -99,11 +180,9 @@ bool FieldEvaluation<dim>::has_face(const ProbeRequest<dim> &request,
                                     const CellIterator &cell,
                                     const unsigned int face) const
 {
-  if (request.neighbour_ids.empty())
-    return cell->face(face)->at_boundary() &&
-           request.boundary_ids.count(cell->face(face)->boundary_id()) > 0;
-  return !cell->face(face)->at_boundary() &&
-         request.neighbour_ids.count(cell->neighbor(face)->material_id()) > 0;
+  return cell->face(face)->at_boundary()
+             ? request.boundary_ids.count(cell->face(face)->boundary_id()) > 0
+             : request.neighbour_ids.count(cell->neighbor(face)->material_id()) > 0;
 }
 
 template <int dim>
@@ -169,11 +248,14 @@ double FieldEvaluation<dim>::add_boundary(const ProbeRequest<dim> &request,
               typename DoFHandler<dim>::active_cell_iterator(&space.triangulation, cell->level(),
                                                              cell->index(), &space.pressure_dofs),
               f);
+          std::vector<double> weights;
+          for (const unsigned int q : values.quadrature_point_indices())
+            weights.push_back(values.JxW(q) * space.measure(values.quadrature_point(q)));
+          stretch(request, field, cell, values, values.get_normal_vectors(), weights);
           for (const unsigned int q : values.quadrature_point_indices())
           {
-            const double weight = values.JxW(q) * space.measure(values.quadrature_point(q));
-            area += weight;
-            add_value(field, cell, values, pressure_values.get_present_fe_values(), q, weight,
+            area += weights[q];
+            add_value(field, cell, values, pressure_values.get_present_fe_values(), q, weights[q],
                       collector, values.normal_vector(q));
           }
         }
@@ -185,21 +267,39 @@ double FieldEvaluation<dim>::add_section(const ProbeRequest<dim> &request,
                                          const FieldDefinition<dim> &field,
                                          Collector &collector) const
 {
-  // One more Gauss point than on cells, since the integrand is not a polynomial in the plane.
-  const PlaneSection<dim> section(
-      space.mapping, space.triangulation, PlaneSection<dim>::Cells::active, request.region_ids,
-      request.point, request.normal, space.n_quadrature_points() + 1, request.axis.get());
-  const auto parts =
-      request.kind == ProbeRequest<dim>::Kind::rim_mean ? section.outer_rim() : section.parts();
+  using Parts = std::vector<typename PlaneSection<dim>::Part>;
+  const auto cut = [&]() -> Parts
+  {
+    // One more Gauss point than on cells, since the integrand is not a polynomial in the plane.
+    const PlaneSection<dim> section(
+        space.mapping, space.triangulation, PlaneSection<dim>::Cells::active, request.region_ids,
+        request.point, request.normal, space.n_quadrature_points() + 1, request.axis.get());
+    return request.kind == ProbeRequest<dim>::Kind::rim_mean ? section.outer_rim()
+                                                             : section.parts();
+  };
+  Parts of_mesh_at_rest;
+  const bool moves = follows_mesh(request, field);
+  if (!moves)
+    of_mesh_at_rest = cut();
+  else if (parts_of_probes.count(this->present_probe()) == 0)
+    parts_of_probes[this->present_probe()] = cut();
+  const Parts &parts = moves ? parts_of_probes[this->present_probe()] : of_mesh_at_rest;
   double area = 0.;
   for (const auto &part : parts)
   {
     std::vector<double> weights = part.quadrature.get_weights();
     for (unsigned int q = 0; q < weights.size(); ++q)
-    {
       weights[q] *= space.measure(part.points[q]);
-      area += weights[q];
+    if (moves)
+    {
+      FEValues<dim> values(space.mapping, space.velocity_element, part.quadrature,
+                           update_values | update_gradients | update_quadrature_points);
+      values.reinit(part.cell);
+      const std::vector<Tensor<1, dim>> normals(weights.size(),
+                                                request.normal / request.normal.norm());
+      stretch(request, field, part.cell, values, normals, weights);
     }
+    area = std::accumulate(weights.begin(), weights.end(), area);
     add_values(field, part.cell, part.quadrature, weights, collector);
   }
   return Utilities::MPI::sum(area, space.communicator);
@@ -223,11 +323,14 @@ double FieldEvaluation<dim>::add_volume(const ProbeRequest<dim> &request,
       values.reinit(cell);
       pressure_values.reinit(typename DoFHandler<dim>::active_cell_iterator(
           &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs));
+      std::vector<double> weights;
+      for (const unsigned int q : values.quadrature_point_indices())
+        weights.push_back(values.JxW(q) * space.measure(values.quadrature_point(q)));
+      stretch(request, field, cell, values, {}, weights);
       for (const unsigned int q : values.quadrature_point_indices())
       {
-        const double weight = values.JxW(q) * space.measure(values.quadrature_point(q));
-        volume += weight;
-        add_value(field, cell, values, pressure_values.get_present_fe_values(), q, weight,
+        volume += weights[q];
+        add_value(field, cell, values, pressure_values.get_present_fe_values(), q, weights[q],
                   collector);
       }
     }
@@ -301,9 +404,20 @@ double FieldEvaluation<dim>::add_force(const ProbeRequest<dim> &request, Collect
 template <int dim>
 double FieldEvaluation<dim>::add_flow(const ProbeRequest<dim> &request, Collector &collector) const
 {
-  const SectionFlow<dim> flow(space, request.region_ids, request.point, request.normal,
-                              request.axis);
-  return flow.add_weights(collector.weights(Source::velocity)) ? 1. : 0.;
+  const auto make = [&]
+  {
+    return std::make_unique<SectionFlow<dim>>(space, request.region_ids, request.point,
+                                              request.normal, request.axis);
+  };
+  DistributedVector &weights = collector.weights(Source::velocity);
+  if (!problem.mesh_moves)
+    return make()->add_weights(weights) ? 1. : 0.;
+  std::unique_ptr<SectionFlow<dim>> &flow = flows_of_probes[this->present_probe()];
+  if (flow == nullptr)
+    flow = make();
+  return flow->add_weights(weights, mesh_displacement.size() > 0 ? &mesh_displacement : nullptr)
+             ? 1.
+             : 0.;
 }
 
 template <int dim>

@@ -19,7 +19,7 @@ void SampledState<dim>::reinit()
   velocity = space.ghosted_velocity(velocity_work);
   pressure = space.ghosted_pressure(pressure_work);
   mixtures.assign(problem.regions.size(), velocity);
-  if (problem.has_regions_of(RegionModel::finite_solid))
+  if (problem.has_deformed_regions())
     displacement = velocity;
   if (problem.finds_unloaded_shape())
     unloaded_displacement = velocity;
@@ -41,7 +41,7 @@ void SampledState<dim>::take(const State &state)
     set_mixture(state, region, problem.materials[region], mixture);
     space.copy_velocity(mixture, velocity_work, mixtures[region]);
   }
-  if (problem.has_regions_of(RegionModel::finite_solid))
+  if (problem.has_deformed_regions())
     space.copy_velocity(state.displacement_of_shape(), velocity_work, displacement);
   if (state.unloaded_displacement != nullptr)
     space.copy_velocity(*state.unloaded_displacement, velocity_work, unloaded_displacement);

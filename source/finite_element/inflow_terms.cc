@@ -1,3 +1,4 @@
+#include <continua/continuum/kinematics.h>
 #include <continua/finite_element/inflow_terms.h>
 
 #include <algorithm>
@@ -17,14 +18,15 @@ InflowTerms<dim>::InflowTerms(const Space<dim> &space, const Problem &problem)
       values(space.mapping,
              scalar_element,
              quadrature,
-             update_values | update_quadrature_points | update_normal_vectors | update_JxW_values),
+             update_values | update_gradients | update_quadrature_points | update_normal_vectors |
+                 update_JxW_values),
       hp_pressure_values(space.mappings,
                          space.pressure_elements,
                          hp::QCollection<dim - 1>(quadrature),
                          update_values)
 {
   for (const BoundaryCondition &condition : problem.conditions)
-    if (condition.inflow_pressure == InflowPressure::total &&
+    if (problem.convection.is_on && condition.inflow_pressure == InflowPressure::total &&
         condition.normal.kind == BoundaryPart::Kind::traction)
       for (const unsigned int region : condition.region_ids)
         if (problem.region_model(region) == RegionModel::flow)
@@ -77,8 +79,36 @@ InflowTerms<dim>::point(const Cell &cell, const CellState<dim> &state, const uns
     pressure += state.pressure[k] * pressure_values->shape_value(k, q);
   point.density = material.density * law.density_ratio(pressure);
   point.density_slope = point.density * law.compressibility(pressure);
-  point.inflow = std::min(point.velocity * point.normal, 0.);
+  double through = point.velocity * point.normal;
+  if (state.mesh_displacement != nullptr)
+    through = move(point, state, q);
+  point.inflow = std::min(through, 0.);
   return point;
+}
+
+template <int dim>
+double InflowTerms<dim>::move(Point &point, const CellState<dim> &state, const unsigned int q) const
+{
+  Tensor<2, dim> gradient;
+  Tensor<1, dim> displacement, velocity;
+  for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int a = 0; a < state.n_functions(); ++a)
+    {
+      const double entry = (*state.mesh_displacement)[state.place(c, a)];
+      gradient[c] += entry * values.shape_grad(a, q);
+      displacement[c] += entry * values.shape_value(a, q);
+      velocity[c] += (*state.mesh_velocity)[state.place(c, a)] * values.shape_value(a, q);
+    }
+  const double hoop =
+      space.is_axisymmetric() ? displacement[1] / values.quadrature_point(q)[1] : 0.;
+  Tensor<1, 3> area;
+  for (unsigned int c = 0; c < dim; ++c)
+    area[c] = point.weight * point.normal[c];
+  area = Kinematics(whole_gradient<dim>(gradient, hoop)).area(area);
+  point.weight = area.norm();
+  for (unsigned int c = 0; c < dim; ++c)
+    point.normal[c] = area[c] / point.weight;
+  return (point.velocity - velocity) * point.normal;
 }
 
 template <int dim>

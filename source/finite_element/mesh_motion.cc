@@ -1,16 +1,21 @@
 #include <continua/finite_element/mesh_motion.h>
 
+#include <continua/base/collective.h>
 #include <continua/base/input_error.h>
+#include <continua/mesh/coordinates.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <utility>
 
@@ -92,6 +97,16 @@ void MeshMotion<dim>::set_constraints()
         if (cell->face(f)->boundary_id() != condition.boundary_id ||
             condition.region_ids.count(cell->material_id()) == 0)
           continue;
+        // They are held at the place to which they have gone.
+        if (condition.mesh == MeshCondition::follows)
+        {
+          marked.clear();
+          for (unsigned int i = 0; i < indices.size(); ++i)
+            if (space.velocity_element.has_support_on_face(i, f))
+              marked.push_back(indices[i]);
+          mark(of_boundaries);
+          continue;
+        }
         const bool is_axis = condition.type == BoundaryType::axis,
                    slides = is_axis || (condition.mesh_slides() && axes[k] >= 0);
         const unsigned int across = is_axis ? 1 : axes[k];
@@ -121,12 +136,63 @@ void MeshMotion<dim>::set_constraints()
 }
 
 template <int dim>
+void MeshMotion<dim>::find_followers()
+{
+  followers.clear();
+  // The support points of the face are its quadrature points.
+  const FE_Q<dim> scalar_element(space.degree());
+  FEFaceValues<dim> values(space.mapping, scalar_element,
+                           Quadrature<dim - 1>(scalar_element.get_unit_face_support_points()),
+                           update_quadrature_points);
+  std::vector<types::global_dof_index> indices(space.velocity_element.n_dofs_per_face());
+  std::map<unsigned int, Follower> found;
+  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+  {
+    if (cell->is_artificial() || problem.region_model(cell->material_id()) != RegionModel::flow)
+      continue;
+    for (const unsigned int f : cell->face_indices())
+      for (unsigned int k = 0; k < problem.conditions.size() && cell->face(f)->at_boundary(); ++k)
+      {
+        const BoundaryCondition &condition = problem.conditions[k];
+        if (condition.mesh != MeshCondition::follows ||
+            cell->face(f)->boundary_id() != condition.boundary_id ||
+            condition.region_ids.count(cell->material_id()) == 0)
+          continue;
+        values.reinit(static_cast<typename Triangulation<dim>::active_cell_iterator>(cell), f);
+        cell->face(f)->get_dof_indices(indices, cell->active_fe_index());
+        for (unsigned int i = 0; i < indices.size(); ++i)
+        {
+          if (!space.velocity_owned.is_element(indices[i]) ||
+              space.velocity_hanging.is_constrained(indices[i]))
+            continue;
+          const unsigned int index = space.velocity_owned.index_within_set(indices[i]);
+          const auto [component, node] =
+              space.velocity_element.face_system_to_component_index(i, f);
+          // A node of the axis stays on it.
+          if (space.is_axisymmetric() && component == 1 && values.quadrature_point(node)[1] == 0.)
+            continue;
+          // Where two meet the first of the file holds, as of velocities.
+          const auto earlier = found.find(index);
+          if (!is_of_solid[index] && (earlier == found.end() || earlier->second.condition > k))
+            found[index] = {index, k, component, coordinates(values.quadrature_point(node))};
+        }
+      }
+  }
+  for (const auto &[index, follower] : found)
+    followers.push_back(follower);
+  followed.assign(followers.size(), 0.);
+}
+
+template <int dim>
 void MeshMotion<dim>::reinit()
 {
   cells.reinit();
   corners.reinit();
   set_constraints();
-  for (DistributedVector *vector : {&present, &older, &predicted, &known, &right_side, &work})
+  find_followers();
+  set_stiffness();
+  for (DistributedVector *vector :
+       {&present, &older, &present_velocity, &predicted, &known, &right_side, &work})
     *vector = space.velocity_vector();
   ghosted = space.ghosted_velocity(work);
   packed.resize(space.velocity_owned.n_elements());
@@ -166,12 +232,66 @@ Tensor<2, 3> MeshMotion<dim>::gradient(const QuadratureCells<dim> &points,
 }
 
 template <int dim>
-void MeshMotion<dim>::set_operator(const Cell &cell, FullMatrix<double> &matrix) const
+void MeshMotion<dim>::set_stiffness()
+{
+  // The nodes of the faces that move, on all ranks.
+  const FE_Q<dim> scalar_element(space.degree());
+  FEFaceValues<dim> values(space.mapping, scalar_element,
+                           Quadrature<dim - 1>(scalar_element.get_unit_face_support_points()),
+                           update_quadrature_points);
+  const auto moves = [this](const auto &cell, const unsigned int f)
+  {
+    if (!cell->at_boundary(f))
+      return problem.region_model(cell->neighbor(f)->material_id()) != RegionModel::flow;
+    return std::any_of(problem.conditions.begin(), problem.conditions.end(),
+                       [&](const BoundaryCondition &condition)
+                       {
+                         return condition.mesh == MeshCondition::follows &&
+                                condition.boundary_id == cell->face(f)->boundary_id() &&
+                                condition.region_ids.count(cell->material_id()) > 0;
+                       });
+  };
+  std::vector<double> coordinates_of_nodes;
+  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+    if (cell->is_locally_owned() && problem.region_model(cell->material_id()) == RegionModel::flow)
+      for (const unsigned int f : cell->face_indices())
+        if (moves(cell, f))
+        {
+          values.reinit(static_cast<typename Triangulation<dim>::active_cell_iterator>(cell), f);
+          for (const Point<dim> &point : values.get_quadrature_points())
+            for (unsigned int c = 0; c < dim; ++c)
+              coordinates_of_nodes.push_back(point[c]);
+        }
+  std::vector<Point<dim>> nodes;
+  for (const std::vector<double> &of_rank : all_gather(space.communicator, coordinates_of_nodes))
+    for (std::size_t i = 0; i < of_rank.size(); i += dim)
+    {
+      nodes.emplace_back();
+      std::copy(of_rank.begin() + i, of_rank.begin() + i + dim, &nodes.back()[0]);
+    }
+  const auto tree = pack_rtree(nodes);
+  stiffness.clear();
+  for (const Cell &cell : cells.all())
+  {
+    double volume = 0.;
+    for (const typename Cell::Point &point : cell.points)
+      volume += point.weight;
+    const Point<dim> centre = cell.velocity_cell->center();
+    double distance = nodes.empty() ? 1. : std::numeric_limits<double>::max();
+    for (const Point<dim> &node :
+         tree | boost::geometry::index::adaptors::queried(
+                    boost::geometry::index::nearest(centre, nodes.empty() ? 0 : 1)))
+      distance = centre.distance(node);
+    stiffness.push_back(1. / (volume * distance));
+  }
+}
+
+template <int dim>
+void MeshMotion<dim>::set_operator(const Cell &cell,
+                                   const double cell_stiffness,
+                                   FullMatrix<double> &matrix) const
 {
   const std::size_t n_functions = cells.n_functions();
-  double volume = 0.;
-  for (const typename Cell::Point &point : cell.points)
-    volume += point.weight;
   matrix.reinit(dim * n_functions, dim * n_functions);
   std::vector<Tensor<1, 3>> slopes(n_functions);
   std::vector<double> hoops(n_functions);
@@ -202,7 +322,7 @@ void MeshMotion<dim>::set_operator(const Cell &cell, FullMatrix<double> &matrix)
         }
         else
           stress += transpose(inverse * change * inverse);
-        stress *= geometry.weight / volume;
+        stress *= geometry.weight * cell_stiffness;
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int a = 0; a < n_functions; ++a)
             matrix(c * n_functions + a, d * n_functions + b) +=
@@ -233,7 +353,7 @@ void MeshMotion<dim>::linearise()
     const Cell &cell = cells.all()[k];
     for (unsigned int i = 0; i < cell_displacement.size(); ++i)
       cell_displacement[i] = ghosted.begin()[cell.velocity_places[i]];
-    set_operator(cell, matrices[k]);
+    set_operator(cell, stiffness[k], matrices[k]);
     for (unsigned int i = 0; i < masters.size(); ++i)
     {
       const types::global_dof_index index = cell.velocity_indices[i];
@@ -257,15 +377,12 @@ void MeshMotion<dim>::linearise()
     if (kind == MeshMotionKind::elastic)
       continue;
     // The residual, P = F - F^-T.
-    double volume = 0.;
-    for (const typename Cell::Point &point : cell.points)
-      volume += point.weight;
     cell_rows = 0.;
     for (unsigned int q = 0; q < cells.n_points(); ++q)
     {
       const typename Cell::Point &geometry = cell.points[q];
       const Kinematics motion(gradient(cells, cell, cell_displacement, q));
-      const Tensor<2, 3> stress = (geometry.weight / volume) *
+      const Tensor<2, 3> stress = (geometry.weight * stiffness[k]) *
                                   (motion.deformation_gradient() - transpose(motion.inverse()));
       for (unsigned int c = 0; c < dim; ++c)
         for (unsigned int a = 0; a < n_functions; ++a)
@@ -308,6 +425,11 @@ void MeshMotion<dim>::extend(const DistributedVector &solid_displacement,
   for (unsigned int i = 0; i < is_of_solid.size(); ++i)
     known.begin()[i] =
         is_of_solid[i] ? solid_displacement.begin()[i] - (from_rest ? 0. : present.begin()[i]) : 0.;
+  for (std::size_t k = 0; k < followers.size(); ++k)
+  {
+    const unsigned int i = followers[k].index;
+    known.begin()[i] = followed[k] - (from_rest ? 0. : present.begin()[i]);
+  }
   space.copy_velocity(known, work, ghosted);
   DistributedVector &rows = mesh_displacement;
   rows.equ(1., right_side);
@@ -339,9 +461,19 @@ void MeshMotion<dim>::extend(const DistributedVector &solid_displacement,
 template <int dim>
 void MeshMotion<dim>::move(BalancedStep &state)
 {
+  const double way_by_velocity =
+      state.step.branch(std::numeric_limits<double>::infinity()).velocity;
+  for (std::size_t k = 0; k < followers.size(); ++k)
+  {
+    const Follower &follower = followers[k];
+    const std::vector<Waveform> &given = problem.conditions[follower.condition].mesh_velocity;
+    const double velocity =
+        given.empty() ? state.velocity.begin()[follower.index]
+                      : given[follower.component](follower.place.data(), state.step.balance_time);
+    followed[k] = predicted.begin()[follower.index] + way_by_velocity * velocity;
+  }
   extend(state.displacement, state.mesh_displacement);
-  const double factor_of_velocity =
-      1. / state.step.branch(std::numeric_limits<double>::infinity()).velocity;
+  const double factor_of_velocity = 1. / way_by_velocity;
   state.mesh_velocity.equ(factor_of_velocity, state.mesh_displacement);
   state.mesh_velocity.add(-factor_of_velocity, predicted);
 }
@@ -355,8 +487,22 @@ void MeshMotion<dim>::finish_step(const BalancedStep &balanced)
   {
     present *= 2.;
     present.add(-1., older);
+    present_velocity.sadd(-1., 2., balanced.mesh_velocity);
   }
+  else
+    present_velocity.equ(1., balanced.mesh_velocity);
   is_linearised = is_linearised && kind == MeshMotionKind::elastic;
+  // Of the last iterate, which was accepted, and of what lies beyond it.
+  const auto take = [&](const MeshQuality &of_step, const double time)
+  {
+    if (!(of_step.least_volume_ratio < worst_of_steps.least_volume_ratio))
+      return;
+    worst_of_steps = of_step;
+    worst_of_steps.time = time;
+  };
+  take(last, balanced.step.balance_time);
+  if (balanced.step.extrapolate)
+    take(quality(present), balanced.step.time);
 }
 
 template <int dim>
@@ -364,16 +510,38 @@ void MeshMotion<dim>::start_from(const DistributedVector &displacement)
 {
   if (!is_linearised)
     linearise();
+  for (std::size_t k = 0; k < followers.size(); ++k)
+    followed[k] = present.begin()[followers[k].index];
   extend(displacement, work);
   present.equ(1., work);
   older.equ(1., present);
+  present_velocity = 0.;
   take_state();
+}
+
+template <int dim>
+void MeshMotion<dim>::start_moving(const DistributedVector &velocity)
+{
+  present_velocity = 0.;
+  for (unsigned int i = 0; i < is_of_solid.size(); ++i)
+    if (is_of_solid[i])
+      present_velocity.begin()[i] = velocity.begin()[i];
+  for (const Follower &follower : followers)
+  {
+    const std::vector<Waveform> &given = problem.conditions[follower.condition].mesh_velocity;
+    present_velocity.begin()[follower.index] =
+        given.empty() ? velocity.begin()[follower.index]
+                      : given[follower.component](follower.place.data(), 0.);
+  }
 }
 
 template <int dim>
 void MeshMotion<dim>::visit(StateVisitor &visitor)
 {
   visitor.levels("mesh displacement", StateKind::velocity, present, older);
+  visitor.vector("mesh velocity", StateKind::velocity, present_velocity);
+  visitor.value("least volume ratio of the mesh", worst_of_steps.least_volume_ratio);
+  visitor.value("time of the least volume ratio of the mesh", worst_of_steps.time);
 }
 
 template <int dim>
@@ -424,6 +592,7 @@ MeshQuality MeshMotion<dim>::quality(const DistributedVector &mesh_displacement)
     text << ") m";
   }
   quality.place = Utilities::MPI::broadcast(space.communicator, text.str(), over_ranks.min_index);
+  last = quality;
   return quality;
 }
 

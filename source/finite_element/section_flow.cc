@@ -1,3 +1,4 @@
+#include <continua/continuum/kinematics.h>
 #include <continua/finite_element/section_flow.h>
 #include <continua/mesh/cells_in_tree_order.h>
 
@@ -160,11 +161,13 @@ template <int dim>
 template <typename Add>
 void SectionFlow<dim>::for_cells(const Ramps &ramps,
                                  const std::vector<DistributedVector> &nodal_values,
+                                 const bool with_gradients,
                                  const Add &add) const
 {
   const QGauss<dim> quadrature(space.n_quadrature_points());
   FEValues<dim> velocity(space.mapping, space.velocity_element, quadrature,
-                         update_values | update_quadrature_points | update_JxW_values);
+                         update_values | update_quadrature_points | update_JxW_values |
+                             (with_gradients ? update_gradients : update_default));
   hp::FEValues<dim> pressure(space.mappings, space.pressure_elements,
                              hp::QCollection<dim>(quadrature), update_gradients);
   std::vector<std::vector<Tensor<1, dim>>> gradients(
@@ -192,7 +195,7 @@ SectionFlow<dim>::factors(const Ramps &ramps,
   const unsigned int n = ramps.centres.size();
   // The mean area over the fall of each ramp, and a line through these areas.
   std::vector<double> own_areas(n), areas(n);
-  for_cells(ramps, nodal_values,
+  for_cells(ramps, nodal_values, false,
             [&](const auto &, const FEValues<dim> &values, const auto &gradients)
             {
               for (const unsigned int q : values.quadrature_point_indices())
@@ -215,7 +218,7 @@ SectionFlow<dim>::factors(const Ramps &ramps,
   // The means of the powers of the distance, and with them the conditions on the factors.
   const std::size_t n_moments = static_cast<std::size_t>(n) * n;
   std::vector<double> own_moments(n_moments), moments(n_moments);
-  for_cells(ramps, nodal_values,
+  for_cells(ramps, nodal_values, false,
             [&](const auto &, const FEValues<dim> &values, const auto &gradients)
             {
               for (const unsigned int q : values.quadrature_point_indices())
@@ -250,12 +253,8 @@ SectionFlow<dim>::factors(const Ramps &ramps,
 }
 
 template <int dim>
-bool SectionFlow<dim>::add_weights(DistributedVector &weights) const
+void SectionFlow<dim>::set_function(const Ramps &places)
 {
-  const Ramps places = ramps();
-  if (places.centres.empty())
-    return false;
-
   const unsigned int n_ramps = places.centres.size();
   std::vector<DistributedVector> owned_values(n_ramps, space.pressure_vector());
   std::vector<types::global_dof_index> indices;
@@ -287,25 +286,60 @@ bool SectionFlow<dim>::add_weights(DistributedVector &weights) const
     values.compress(VectorOperation::insert);
     nodal_values.push_back(space.ghosted_pressure(values));
   }
-
   const std::vector<double> factor = factors(places, nodal_values);
-  indices.resize(space.velocity_element.n_dofs_per_cell());
-  for_cells(places, nodal_values,
+  DistributedVector sum = space.pressure_vector();
+  for (unsigned int ramp = 0; ramp < n_ramps; ++ramp)
+    sum.add(factor[ramp], owned_values[ramp]);
+  function = space.ghosted_pressure(sum);
+}
+
+template <int dim>
+bool SectionFlow<dim>::add_weights(DistributedVector &weights,
+                                   const DistributedVector *const mesh_displacement)
+{
+  const Ramps places = ramps();
+  if (places.centres.empty())
+    return false;
+  if (function.size() == 0)
+    set_function(places);
+
+  std::vector<types::global_dof_index> indices(space.velocity_element.n_dofs_per_cell());
+  for_cells(places, {function}, mesh_displacement != nullptr,
             [&](const auto &cell, const FEValues<dim> &values, const auto &gradients)
             {
               cell->get_dof_indices(indices);
+              std::vector<Tensor<1, dim>> slopes = gradients.front();
+              for (const unsigned int q : values.quadrature_point_indices())
+              {
+                slopes[q] *= values.JxW(q) * space.measure(values.quadrature_point(q));
+                if (mesh_displacement == nullptr)
+                  continue;
+                // grad q dv = J F^-T Grad q dV.
+                Tensor<2, dim> gradient;
+                double radial = 0.;
+                for (unsigned int i = 0; i < indices.size(); ++i)
+                {
+                  const unsigned int c = space.velocity_element.system_to_component_index(i).first;
+                  const double entry = (*mesh_displacement)(indices[i]);
+                  gradient[c] += entry * values.shape_grad(i, q);
+                  if (c == 1)
+                    radial += entry * values.shape_value(i, q);
+                }
+                const double hoop =
+                    space.is_axisymmetric() ? radial / values.quadrature_point(q)[1] : 0.;
+                Tensor<1, 3> slope;
+                for (unsigned int c = 0; c < dim; ++c)
+                  slope[c] = slopes[q][c];
+                slope = Kinematics(whole_gradient<dim>(gradient, hoop)).area(slope);
+                for (unsigned int c = 0; c < dim; ++c)
+                  slopes[q][c] = slope[c];
+              }
               for (unsigned int i = 0; i < indices.size(); ++i)
               {
                 const unsigned int c = space.velocity_element.system_to_component_index(i).first;
                 double weight = 0.;
                 for (const unsigned int q : values.quadrature_point_indices())
-                {
-                  double slope = 0.;
-                  for (unsigned int ramp = 0; ramp < factor.size(); ++ramp)
-                    slope += factor[ramp] * gradients[ramp][q][c];
-                  weight -= slope * values.shape_value(i, q) * values.JxW(q) *
-                            space.measure(values.quadrature_point(q));
-                }
+                  weight -= slopes[q][c] * values.shape_value(i, q);
                 if (weight != 0.)
                   space.velocity_hanging.distribute_local_to_global(indices[i], weight, weights);
               }

@@ -29,6 +29,8 @@ namespace
 {
 /// A factor of this size takes some ten seconds [bytes].
 constexpr double least_announced_factor = 0.5e9;
+/// Of the mesh: below it cells are flat.
+constexpr double least_good_volume_ratio = 0.2;
 
 template <int dim>
 NonlinearTerms<dim> make_nonlinear_terms(const Space<dim> &space,
@@ -47,6 +49,16 @@ NonlinearTerms<dim> make_nonlinear_terms(const Space<dim> &space,
             : std::nullopt));
   return terms;
 }
+
+/// The conditions of the ports of outlets whose faces move.
+std::vector<unsigned int> moving_ports(const Problem &problem)
+{
+  std::vector<unsigned int> conditions;
+  for (const Outlet &outlet : problem.outlets)
+    if (problem.mesh_moves)
+      conditions.insert(conditions.end(), outlet.conditions.begin(), outlet.conditions.end());
+  return conditions;
+}
 } // namespace
 
 template <int dim>
@@ -64,6 +76,8 @@ TaylorHood<dim>::TaylorHood(parallel::TriangulationBase<dim> &triangulation,
       system(space, operators, constraints, parameters.linear_solver, parameters.outlook),
       metrics(MetricHistory<dim>::make(space, problem)),
       mesh_motion(problem.mesh_moves ? std::make_unique<MeshMotion<dim>>(space, problem) : nullptr),
+      ports(moving_ports(problem)),
+      port_faces(space, problem, ports),
       terms(make_nonlinear_terms(space, problem, linear_solver, metrics.get())),
       tangent(space, operators, constraints, parameters.linear_solver.direct_solver),
       cavities(space, problem),
@@ -134,6 +148,7 @@ void TaylorHood<dim>::setup()
   log.memory_use().mark("loads, ends and evaluation");
   if (mesh_motion)
     mesh_motion->reinit();
+  port_faces.reinit();
   for (const auto &of_model : terms)
   {
     of_model->reinit();
@@ -444,11 +459,11 @@ void TaylorHood<dim>::check_mesh(const BalancedStep &state)
   if (quality.least_volume_ratio > 0.)
     return;
   std::ostringstream text;
-  text
-      << "the mesh is turned inside out " << quality.place
-      << ": the ratio of its volume to that at rest is " << quality.least_volume_ratio
-      << " there; a smaller time step, loads that begin smoothly, another Mesh motion or a coarser "
-         "mesh beside the solid help";
+  text << "the mesh is turned inside out " << quality.place
+       << ": the ratio of its volume to that at rest is " << quality.least_volume_ratio
+       << " there; a smaller time step, loads that begin smoothly, Mesh = slides on a plane "
+          "boundary "
+          "along which it moves, another Mesh motion or a coarser mesh beside what moves help";
   throw StepFailure(text.str());
 }
 
@@ -631,6 +646,15 @@ DistributedVector TaylorHood<dim>::flow_of_velocities(const unsigned int conditi
 }
 
 template <int dim>
+void TaylorHood<dim>::set_flow_of_velocities(const unsigned int condition,
+                                             const DistributedVector &mesh_displacement,
+                                             DistributedVector &flow)
+{
+  port_faces.take(mesh_displacement);
+  port_faces.set_flow(std::find(ports.begin(), ports.end(), condition) - ports.begin(), flow);
+}
+
+template <int dim>
 DistributedVector TaylorHood<dim>::flow_profile(const unsigned int condition) const
 {
   DistributedVector profile = space.velocity_vector();
@@ -716,12 +740,22 @@ void TaylorHood<dim>::set_unloaded_displacement(const DistributedVector &displac
 }
 
 template <int dim>
+void TaylorHood<dim>::start_from(const State &state)
+{
+  if (mesh_motion)
+    mesh_motion->start_moving(state.velocity);
+}
+
+template <int dim>
 void TaylorHood<dim>::begin_step(const Step &step)
 {
   if (metrics != nullptr)
     metrics->predict(step);
   if (mesh_motion)
+  {
+    TimerOutput::Scope scope(log.timer(), "mesh motion");
     mesh_motion->begin_step(step);
+  }
 }
 
 template <int dim>
@@ -729,8 +763,19 @@ void TaylorHood<dim>::finish_step(const BalancedStep &balanced, const State &sta
 {
   for (const auto &of_model : terms)
     of_model->finish_step(balanced, state);
-  if (mesh_motion)
-    mesh_motion->finish_step(balanced);
+  if (!mesh_motion)
+    return;
+  mesh_motion->finish_step(balanced);
+  const MeshQuality &worst = mesh_motion->worst();
+  if (worst.least_volume_ratio >= least_good_volume_ratio || mesh_warning_was_given)
+    return;
+  mesh_warning_was_given = true;
+  std::ostringstream text;
+  text << "at t = " << balanced.step.time << " s the mesh is compressed " << worst.place
+       << (worst.place.empty() ? "to " : " to ") << worst.least_volume_ratio
+       << " of its volume at rest; below " << least_good_volume_ratio
+       << " results there lose digits, and at 0 the run ends";
+  log.warning(text.str());
 }
 
 template <int dim>

@@ -213,11 +213,9 @@ double CellEvaluation<dim>::add_force(const ProbeRequest<dim> &request, Collecto
       if (!volume.is_owned || !this->counts(request, volume.material_id))
         continue;
       const bool is_asked_for =
-          request.neighbour_ids.empty()
-              ? surface.at_boundary() && request.boundary_ids.count(surface.boundary_id) > 0
-              : !surface.at_boundary() &&
-                    request.neighbour_ids.count(
-                        space.mesh.cells()[surface.cell(1 - side)].material_id) > 0;
+          surface.at_boundary() ? request.boundary_ids.count(surface.boundary_id) > 0
+                                : request.neighbour_ids.count(
+                                      space.mesh.cells()[surface.cell(1 - side)].material_id) > 0;
       // On the axis, which has no area, the balance counts with another weight.
       if (!is_asked_for || surface.area == 0.)
         continue;

@@ -175,7 +175,9 @@ void ProbeEntries<dim>::read_entries()
       "Interface", interface,
       "Instead of a point: the names of two regions that meet. Values are those of the side "
       "of the first region, which has the further fields of a Boundary there; its force is "
-      "that of the first region on the second. Or the name of an interface, which a mesh of gmsh "
+      "that of the first region on the second, and with a Boundary beside it that on both, such as "
+      "of a flow on a cylinder and the beam behind it. Or the name of an interface, which a mesh "
+      "of gmsh "
       "may give: values are then those of the side of Region");
   section.add(
       "Section", position, Dimensions::length,
@@ -227,6 +229,11 @@ void ProbeEntries<dim>::check_entries()
                    "Give " + std::to_string(dim) + " of them, separated by commas");
   check_reference();
   check_sign_changes();
+  if (place == Place::interface && !boundaries.empty() &&
+      !std::all_of(fields.begin(), fields.end(),
+                   [](const std::string &field) { return is_force(collapse_blanks(field)); }))
+    section.refuse("Boundary", "beside an Interface a Boundary counts for the force alone",
+                   "Give other fields a probe of their own");
   if (!is_on_wall() &&
       std::any_of(fields.begin(), fields.end(),
                   [](const std::string &field) { return is_force(collapse_blanks(field)); }))
@@ -269,7 +276,8 @@ void ProbeEntries<dim>::set_place()
   std::vector<Place> places;
   if (!point.empty())
     places.push_back(Place::point);
-  if (!boundaries.empty())
+  // Beside an interface boundaries count for the force, see check_entries().
+  if (!boundaries.empty() && interface.empty())
     places.push_back(Place::boundary);
   if (!interface.empty())
     places.push_back(Place::interface);
@@ -457,6 +465,8 @@ void ProbeEntries<dim>::set_requests(const std::vector<std::string> &known_bound
   case Place::interface:
     request.kind = mean ? Kind::boundary_mean : Kind::boundary_integral;
     set_interface(known_regions, interfaces);
+    refuse_interfaces("Boundary", boundaries, interfaces);
+    set_boundaries("Boundary", boundaries, known_boundaries, request);
     break;
   case Place::section:
     request.kind = mean ? Kind::section_mean : Kind::section_integral;
@@ -616,13 +626,18 @@ void ProbeEntries<dim>::check_limits(const std::vector<BoundaryCondition> &condi
   if (limits.is_modal)
     section.refuse("Fields", "there is no field 'force': a shape of vibration has no step",
                    "Leave it out, or integrate the stress over the Boundary");
-  if (place == Place::interface)
-    return;
+  // Of boundaries beside an interface only what holds its first region counts.
+  const std::set<unsigned int> of_regions =
+      place == Place::interface ? request.region_ids : std::set<unsigned int>();
   for (const auto &[id, name] : names_of_boundaries)
   {
     bool is_held = false, is_supported = false;
     for (const BoundaryCondition &condition : conditions)
     {
+      if (!of_regions.empty() && std::none_of(of_regions.begin(), of_regions.end(),
+                                              [&condition](const unsigned int region)
+                                              { return condition.region_ids.count(region) > 0; }))
+        continue;
       is_held = is_held || (condition.boundary_id == id &&
                             (condition.normal.kind == BoundaryPart::Kind::velocity ||
                              condition.tangential.kind == BoundaryPart::Kind::velocity));
@@ -648,21 +663,25 @@ void ProbeEntries<dim>::check_moving_mesh(const std::vector<FieldComponent> &kno
   if (place == Place::point)
     return;
   const std::string keeps_small = ", or set Deformation = small, where the mesh stays";
-  const std::string &entry = word_of(place_words(), place);
-  if (place == Place::stations || place == Place::section)
-    section.refuse(entry, "the sections of a mesh that moves with the solids cannot be cut yet",
-                   "Give a Point" + keeps_small);
+  if (place == Place::stations)
+  {
+    for (const char *const name : {"velocity integral", "pressure gradient", "wall shear stress"})
+      if (std::count(stations.fields().begin(), stations.fields().end(), name) > 0)
+        section.refuse("Fields",
+                       "'" + std::string(name) + "' would be that of the mesh at rest, which moves",
+                       "Ask for pressure, flow rate or wall distension there" + keeps_small);
+    return;
+  }
   for (const FieldComponent &field : components(known_fields))
   {
     const auto is_named = [&field](const std::string &name)
     { return field.name.compare(0, name.size(), name) == 0; };
-    // A mean of the displacement is one over material points.
-    if (!is_named("force ") && !is_named("displacement "))
-      section.refuse("Fields",
-                     "'" + field.name +
-                         "' would be an integral over the mesh at rest, and the mesh moves with "
-                         "the solids",
-                     "Ask for force or displacement there, give a Point" + keeps_small);
+    // A mean of the displacement is one over matter.
+    if (!is_named("force ") && !is_named("displacement ") && !is_named("velocity ") &&
+        field.name != "pressure")
+      section.refuse(
+          "Fields", "'" + field.name + "' would be an integral over the mesh at rest, which moves",
+          "Ask for force, displacement, velocity or pressure there, give a Point" + keeps_small);
   }
 }
 
@@ -743,8 +762,14 @@ void ProbeEntries<dim>::check_boundaries(
                        return pair.first == boundary_id &&
                               (region_ids.empty() || region_ids.count(pair.second) > 0);
                      }))
+    {
+      if (place == Place::interface)
+        section.refuse("Boundary",
+                       "the boundary '" + name + "' has no face of the interface's first region",
+                       "Name a boundary of that region, or leave the entry out");
       section.refuse("Region", "the boundary '" + name + "' has no face in this region",
                      "Name a region that touches the boundary, or none");
+    }
 }
 
 template <int dim>
@@ -805,7 +830,10 @@ void ProbeEntries<dim>::check(
   if (place == Place::boundary)
     check_boundaries(boundary_regions);
   else if (place == Place::interface)
+  {
     check_interface(coarse_mesh);
+    check_boundaries(boundary_regions);
+  }
   else if (place == Place::section)
   {
     check_section("Section", request, coarse_mesh);

@@ -80,7 +80,8 @@ enum class MeshCondition
 {
   automatic, ///< by the rule of BoundaryCondition::mesh_slides()
   slides,    ///< along a plane normal to an axis
-  fixed
+  fixed,
+  follows ///< the velocity that is prescribed there, or one of its own
 };
 
 /// What holds on one boundary (of one region, or of all that touch it).
@@ -108,16 +109,17 @@ struct BoundaryCondition
   Waveform volume_ratio = Waveform(1.);
 
   MeshCondition mesh = MeshCondition::automatic;
+  /// Of a mesh that follows: Cartesian components, by the place at rest [m/s]; empty: that of the
+  /// liquid.
+  std::vector<Waveform> mesh_velocity;
 
   /// Whether a mesh that moves may slide along the boundary where it is plane. By itself where no
-  /// value depends on the place and no section has to keep its shape: not at walls, prescribed
-  /// velocities, outlets, cavities, and ends with the total pressure.
+  /// section has to keep its shape: not at walls, prescribed velocities, and cavities.
   bool mesh_slides() const
   {
     if (mesh != MeshCondition::automatic)
       return mesh == MeshCondition::slides;
-    return !is_wall() && outlet == nullptr && !is_cavity() &&
-           inflow_pressure == InflowPressure::static_pressure &&
+    return !is_wall() && !is_cavity() &&
            (normal.kind == BoundaryPart::Kind::traction || normal.is_fixed()) &&
            (tangential.kind == BoundaryPart::Kind::traction || tangential.is_fixed());
   }
@@ -147,6 +149,10 @@ const Words<BoundaryType> &boundary_type_words();
  * before the conditions can be read. Declares and refuses nothing.
  */
 std::set<std::string> boundaries_held_across(const ParameterFile &file);
+
+/// Whether the mesh of some boundary follows a prescribed motion (Mesh = follows). Declares and
+/// refuses nothing.
+bool some_mesh_follows(const ParameterFile &file);
 
 /**
  * Reads the section Boundaries: one child for each boundary, named after it; or a child of any name

@@ -24,6 +24,7 @@ struct CostInput
   bool is_nonlinear = false;    ///< the matrix is unsymmetric, and steps are iterated
   bool has_tangents = false;    ///< nonlinear, not cell-wise
   bool is_finite = false;       ///< finite deformation
+  bool mesh_moves = false;      ///< of liquids
   bool has_supg = false;        ///< convection, with this stabilisation
   bool is_of_vibrations = false;
   LinearSolverParameters linear_solver;

@@ -76,7 +76,8 @@ struct ProbeRequest
   std::shared_ptr<const VesselAxis<dim>> axis;
   std::set<unsigned int> boundary_ids; ///< for boundaries
   /// For an interface in the place of a boundary: the regions on its other side. The values and the
-  /// force are those of the side of `region_ids`, and the normal points out of them.
+  /// force are those of the side of `region_ids`, and the normal points out of them. A force may be
+  /// that on both together, an interface and boundaries of these regions.
   std::set<unsigned int> neighbour_ids;
   unsigned int component = 0; ///< of a force, and of the coordinate of a change of sign
   /// Of a change of sign: which one in the order of the coordinate, from 0, and between which

@@ -17,7 +17,8 @@ namespace Continua
 /**
  * The probes of a discretisation. Most are linear in the state: such a one is set up once on a
  * mesh, by what the discretisation says of its fields at points, and read by a short sum. Others
- * have samples: the discretisation keeps their points, and evaluates the field there each time.
+ * have samples: the discretisation keeps their points, and evaluates the field there each time. On
+ * a mesh that moves the weights of areas and volumes are made anew for each state.
  */
 template <int dim>
 class FieldProbes
@@ -39,7 +40,7 @@ public:
   void evaluate(
       const State &state,
       const std::function<const DistributedVector &(std::optional<unsigned int> region)> &forces,
-      std::vector<double> &values) const;
+      std::vector<double> &values);
 
 protected:
   using Collector = ProbeWeights::Collector;
@@ -62,6 +63,8 @@ protected:
   }
   /// Whether the request counts that region's side.
   static bool counts(const ProbeRequest<dim> &request, unsigned int region);
+  /// The number of the probe that is set up.
+  unsigned int present_probe() const { return probe_being_built; }
 
 private:
   struct Probe
@@ -69,11 +72,13 @@ private:
     ProbeRequest<dim> request;
     FieldDefinition<dim> field;
     ProbeWeights weights;
-    bool is_sampled = false;
+    bool is_sampled = false, follows_mesh = false;
     double factor = 1.; ///< of the sum over the samples
     unsigned int cavity = 0;
   };
 
+  /// The mesh is another one.
+  virtual void forget_mesh() {}
   virtual Collector collector() const = 0;
   /// Each adds the values of the field at points times their weights; returns what the weights add
   /// up to over all ranks, 0 if there is no point.
@@ -98,6 +103,12 @@ private:
   /// The flow rate; 0 if the plane misses the regions.
   virtual double add_flow(const ProbeRequest<dim> &request, Collector &collector) const = 0;
 
+  /// Whether the weights belong to the present place of a mesh that moves.
+  virtual bool follows_mesh(const ProbeRequest<dim> &, const FieldDefinition<dim> &) const
+  {
+    return false;
+  }
+
   // Samples; for discretisations that have them.
   /// Whether the number is no linear function of the state.
   virtual bool needs_samples(const ProbeRequest<dim> &, const FieldDefinition<dim> &) const
@@ -108,7 +119,7 @@ private:
   virtual void begin_samples(unsigned int /*probe*/) {}
   virtual void end_samples() {}
   /// A new state is to be sampled. Collective.
-  virtual void take_state(const State &) const {}
+  virtual void take_state(const State &) {}
   /// This rank's samples of a probe in that state.
   virtual void sample(unsigned int /*probe*/, std::vector<Sample> & /*samples*/) const {}
 
@@ -122,8 +133,9 @@ private:
 
   const std::vector<FieldDefinition<dim>> definitions;
   std::vector<Probe> probes;
-  mutable std::vector<double> sums; ///< work space
-  mutable std::vector<Sample> samples;
+  unsigned int probe_being_built = 0;
+  std::vector<double> sums; ///< work space
+  std::vector<Sample> samples;
 };
 } // namespace Continua
 

@@ -167,6 +167,7 @@ public:
   virtual void check_mesh(const BalancedStep &) {}
   /// At the present time [m]; null where the mesh stays.
   virtual const DistributedVector *mesh_displacement() const { return nullptr; }
+  virtual const DistributedVector *mesh_velocity() const { return nullptr; } ///< likewise [m/s]
   /// Adds the terms at the level of the step to the rows of momentum [N] and of volume [m^3/s].
   virtual void add_nonlinear_terms(const BalancedStep &, DistributedVector &, DistributedVector &)
   {
@@ -251,6 +252,12 @@ public:
   /// int v . n over the faces of a boundary condition: the flow rate out of the body that each
   /// velocity stands for [m^2].
   virtual DistributedVector flow_of_velocities(unsigned int condition) const;
+  /// The same over the present faces of an outlet's port, at a displacement of a mesh that moves.
+  virtual void set_flow_of_velocities(unsigned int /*condition*/,
+                                      const DistributedVector & /*mesh_displacement*/,
+                                      DistributedVector &)
+  {
+  }
   /// The velocity along x of the flow profile of a condition, of any size.
   virtual DistributedVector flow_profile(unsigned int condition) const;
   /// result += A U and result += B U of the present system, whatever is prescribed.

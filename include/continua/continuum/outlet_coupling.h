@@ -1,6 +1,7 @@
 #ifndef continua_continuum_outlet_coupling_h
 #define continua_continuum_outlet_coupling_h
 
+#include <continua/continuum/balanced_step.h>
 #include <continua/continuum/operators.h>
 #include <continua/continuum/outlet_model.h>
 #include <continua/continuum/power_balance.h>
@@ -30,6 +31,11 @@ namespace Continua
  *
  * with I_p, I_Q ones at the ports of either kind. H and the responses belong to the factor of the
  * step's matrix and are made when that is; a step adds one sum over the ranks and no solve.
+ *
+ * On a mesh that moves q belongs to the present section and Q = q . (U - W), with the velocity W of
+ * the mesh, but for absorbing ends, whose theory is linear: Q = q . U. There the pressures are a
+ * part of the residual, p = p_plus + Z Q at each iterate, and a change at constant pressures is
+ * completed by the responses to (I - Z H)^-1 Z (q . dU).
  */
 class OutletCoupling
 {
@@ -54,6 +60,12 @@ public:
   /// Sets the ports' pressures to those that the flow rates at the step's start cause in it: what
   /// an iteration starts from.
   void predict(const Step &step, const DistributedVector &velocity_old);
+  /// Of a mesh that moves: takes the ports' sections, flow rates and pressures at an iterate of a
+  /// step. Collective.
+  void measure(const BalancedStep &iterate);
+  /// Of a mesh that moves: completes the change of an iterate at constant pressures of the ports to
+  /// the one with the pressures that its flow rates cause, with the sections of the last measure().
+  void complete_change(DistributedVector &velocity_change, DistributedVector &pressure_change);
   /// Completes a step's solution without outlets to the one with them, all at the balanced level.
   /// `velocity_old` at its start.
   void couple(const Step &step,
@@ -108,8 +120,9 @@ private:
     unsigned int outlet;
     unsigned int condition;
     bool holds_flow;
-    Sparse flow;     ///< q [m^2]
-    Sparse velocity; ///< phi [1/m^2]; of a port that holds the flow rate
+    bool moves_with_mesh; ///< its flow rate is that past a mesh that moves
+    Sparse flow;          ///< q [m^2], of a mesh that moves at the last iterate
+    Sparse velocity;      ///< phi [1/m^2]; of a port that holds the flow rate
     Sparse momentum_of_velocity, mass_of_velocity; ///< A phi and B phi
     DistributedVector velocity_response, pressure_response;
     double force = 0.; ///< phi . f of this rank
@@ -125,12 +138,18 @@ private:
   dealii::FullMatrix<double> inputs_of_rhs; ///< inverse of the matrix above
   bool inputs_are_current = false;
   std::vector<double> pressures, flow_rates; ///< by port, at the balanced level [Pa], [m^3/s]
+  std::vector<double> flow_rates_of_mesh;    ///< q . W, which is no part of them [m^3/s]
   // Work space of the step.
   std::vector<double> sums;
+  DistributedVector section;
   dealii::Vector<double> outputs, rhs, inputs, predicted;
 
   static Sparse sparse(const DistributedVector &vector);
   static double product(const Sparse &sparse, const DistributedVector &vector);
+  /// Takes the ports' sections at a displacement of the mesh.
+  void take_sections(const DistributedVector &mesh_displacement);
+  /// The flow rates of a velocity through the sections at the present time, by port.
+  std::vector<double> present_flow_rates(const DistributedVector &velocity) const;
   /// This rank's part of what a port gives back.
   double output(const Port &port,
                 const DistributedVector &velocity,

@@ -79,7 +79,7 @@ struct Problem
   Convection convection;
   Deformation deformation = Deformation::small;
   UnloadedShape unloaded_shape = UnloadedShape::mesh;
-  /// Whether the mesh of the liquids follows the solids, and how.
+  /// Whether the mesh of the liquids follows solids in finite deformation or boundaries, and how.
   bool mesh_moves = false;
   MeshMotionKind mesh_motion = MeshMotionKind::hyperelastic;
   WallDirectionsParameters wall_directions;
@@ -106,6 +106,11 @@ struct Problem
       if (region_model(region) == model_of_region)
         return true;
     return false;
+  }
+  /// Whether the present shape of some region counts.
+  bool has_deformed_regions() const
+  {
+    return mesh_moves || has_regions_of(RegionModel::finite_solid);
   }
   /// Whether Newton's iteration makes the steps.
   bool is_nonlinear() const

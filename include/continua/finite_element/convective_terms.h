@@ -158,7 +158,15 @@ private:
     return problem.mesh_moves ? moved_points[q] : present->points[q];
   }
   const Material &material() const { return problem.materials[present->region]; }
-  CellState<dim> cell_state() const { return {cell_velocity, cell_pressure}; }
+  CellState<dim> cell_state() const
+  {
+    return {cell_velocity, cell_pressure, problem.mesh_moves ? &cell_mesh_displacement : nullptr,
+            problem.mesh_moves ? &cell_mesh_velocity : nullptr};
+  }
+  /// Whether the loads on a cell change as its mesh moves: pressures on faces, and the weight.
+  bool has_load_changes(const Cell &cell) const;
+  /// Sets cell_inflow to these loads less those of the mesh at rest; the cell is the present one.
+  void set_load_changes(const Cell &cell);
   Point point(unsigned int q) const;
   /// Adds the strain rate to the point.
   void set_strain_rate(Point &point) const;

@@ -6,11 +6,14 @@
 #include <continua/continuum/state.h>
 #include <continua/continuum/stress_and_strain.h>
 #include <continua/finite_element/field_samples.h>
+#include <continua/finite_element/section_flow.h>
 #include <continua/finite_element/space.h>
+#include <continua/mesh/plane_section.h>
 
 #include <deal.II/fe/fe_values.h>
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -61,8 +64,20 @@ private:
                      const FieldDefinition<dim> &field) const override;
   void begin_samples(unsigned int probe) override;
   void end_samples() override { samples_to_fill = nullptr; }
-  void take_state(const State &state) const override { sampled_state.take(state); }
+  bool follows_mesh(const ProbeRequest<dim> &request,
+                    const FieldDefinition<dim> &field) const override;
+  void take_state(const State &state) override;
   void sample(unsigned int probe, std::vector<Sample> &samples) const override;
+  /// Forgets what belongs to the mesh before.
+  void forget_mesh() override;
+  /// Multiplies weights at quadrature points of a cell by dv/dV, or with normals by |n da|/dA,
+  /// where the probe follows the mesh.
+  void stretch(const ProbeRequest<dim> &request,
+               const FieldDefinition<dim> &field,
+               const CellIterator &cell,
+               const dealii::FEValuesBase<dim> &values,
+               const std::vector<dealii::Tensor<1, dim>> &normals,
+               std::vector<double> &weights) const;
   /// Whether the face of the cell is one of the boundaries or of the interface.
   bool
   has_face(const ProbeRequest<dim> &request, const CellIterator &cell, unsigned int face) const;
@@ -94,6 +109,11 @@ private:
   const Space<dim> &space;
   const MetricHistory<dim> *metrics;
   mutable SampledState<dim> sampled_state;
+  /// Of a mesh that moves, with ghosts; empty before a state is taken [m].
+  DistributedVector mesh_displacement;
+  /// What sections are at rest, by probe: on a mesh that moves they are asked for again and again.
+  mutable std::map<unsigned int, std::vector<typename PlaneSection<dim>::Part>> parts_of_probes;
+  mutable std::map<unsigned int, std::unique_ptr<SectionFlow<dim>>> flows_of_probes;
   std::map<unsigned int, Samples> samples_of_probes;
   FieldSamples<dim> *samples_to_fill = nullptr; ///< while a probe with samples is set up
 };

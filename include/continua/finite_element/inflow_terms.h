@@ -20,6 +20,9 @@ struct CellState
 {
   const dealii::Vector<double> &velocity; ///< component by component [m/s]
   const dealii::Vector<double> &pressure; ///< [Pa]
+  // Of a mesh that moves, else null.
+  const dealii::Vector<double> *mesh_displacement = nullptr; ///< component by component [m]
+  const dealii::Vector<double> *mesh_velocity = nullptr;     ///< likewise [m/s]
 
   /// Scalar functions of a component.
   unsigned int n_functions() const { return velocity.size() / dim; }
@@ -40,7 +43,7 @@ struct CellState
  * it takes the kinetic energy that the inflow would carry into the body, so that the energy of the
  * body is bounded (Bazilevs, Gohean, Hughes, Moser and Zhang, Comput. Methods Appl. Mech. Engrg.
  * 198 (2009) 3534; Bertoglio and Caiazzo, Comput. Mech. 54 (2014) 711). It is 0 where liquid flows
- * out.
+ * out. On a mesh that moves the end is the present one, and U - W flows through it.
  */
 template <int dim>
 class InflowTerms
@@ -84,6 +87,8 @@ private:
   bool is_end(const Cell &cell, unsigned int face) const;
   void visit(const Cell &pressure_cell, unsigned int face);
   Point point(const Cell &cell, const CellState<dim> &state, unsigned int q) const;
+  /// Makes weight and normal those of the present place; returns (U - W) . n there [m/s].
+  double move(Point &point, const CellState<dim> &state, unsigned int q) const;
 };
 } // namespace Continua
 

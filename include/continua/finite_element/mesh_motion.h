@@ -13,6 +13,7 @@
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,22 +24,26 @@ namespace Continua
 struct MeshQuality
 {
   double least_volume_ratio = 1.; ///< J of the mesh at Gauss points and vertices of the liquids [1]
+  double time = 0.;               ///< at which the mesh had it [s]
   std::string place;              ///< of the worst cell: "in the region 'liquid' near (0.1, 0.2) m"
 };
 
 /**
  * The motion of the mesh of the liquids, whose places are X + d: d is the displacement D of the
  * solids at their nodes, and is extended into the liquids by the equilibrium of a body that fills
- * them. With k = 1/(volume of the cell), on the mesh at rest,
+ * them. With k = 1/(volume of the cell times its distance from what moves), on the mesh at rest,
  *
  *   elastic:       int k ( 2 eps(d) : eps(z) + 2 div d div z ) dV = 0
  *   hyperelastic:  the energy int k (tr C - 2 ln J)/2 dV is least; a step takes one Newton step of
  *                  it, linearised where the step starts, its residual included, so that d is linear
  *                  in D within the step
  *
- * so that small cells, which lie at the solids, keep their shape (Stein, Tezduyar, Benney 2003 have
- * the stiffening by the volume). The mesh velocity W follows from d by the very formula by which
- * the step has D from U: D = D_plus + b U.
+ * so that small cells and those at the solids keep their shape (Stein, Tezduyar, Benney 2003 have
+ * the stiffening by the volume, Jasak and Tukovic 2007 that by the distance). By the volume alone
+ * equal cells at the tip of a beam are turned inside out where the tip moves by four of them. The
+ * mesh velocity W follows from d by the very formula by which the step has D from U: D = D_plus + b
+ * U. On boundaries whose mesh follows a velocity it is the other way round: d has there the D_plus
+ * of its own past and W is what is given.
  */
 template <int dim>
 class MeshMotion
@@ -58,6 +63,9 @@ public:
   void finish_step(const BalancedStep &balanced);
   /// Takes the present displacement of the solids for the start [m]. Collective.
   void start_from(const DistributedVector &displacement);
+  /// The run begins with this velocity of the liquids and solids [m/s], which the mesh has where it
+  /// follows them; between them it is at rest.
+  void start_moving(const DistributedVector &velocity);
   /// Hands over the part of the state.
   void visit(StateVisitor &visitor);
   /// That part was read from a checkpoint or carried over to another mesh. Collective.
@@ -65,8 +73,11 @@ public:
 
   /// At the present time [m].
   const DistributedVector &displacement() const { return present; }
+  const DistributedVector &velocity() const { return present_velocity; } ///< likewise [m/s]
   /// Of a displacement of the mesh [m]. Collective.
   MeshQuality quality(const DistributedVector &mesh_displacement);
+  /// The worst of all steps that have ended; the place is known since the run began or went on.
+  const MeshQuality &worst() const { return worst_of_steps; }
 
 private:
   using Cell = QuadratureCell<dim>;
@@ -79,22 +90,39 @@ private:
   QuadratureCells<dim> corners;
   dealii::AffineConstraints<double> constraints; ///< of the mesh, homogeneous
   std::vector<bool> is_of_solid;                 ///< whether an owned entry of d is that of D
+  /// An owned entry of d that follows a prescribed motion.
+  struct Follower
+  {
+    unsigned int index; ///< local
+    unsigned int condition, component;
+    std::array<double, 3> place; ///< at rest [m]
+  };
+  std::vector<Follower> followers;
+  std::vector<double> followed;  ///< their d at the level of the step [m]
+  std::vector<double> stiffness; ///< k of each cell
   std::unique_ptr<SymmetricFactor> factor;
-  DistributedVector present, older; ///< d [m]
-  DistributedVector predicted;      ///< of the present step [m]
+  DistributedVector present, older;   ///< d [m]
+  DistributedVector present_velocity; ///< W [m/s]
+  DistributedVector predicted;        ///< of the present step [m]
   DistributedVector known, ghosted, right_side, work;
   std::vector<double> packed;
   std::vector<int> owned;
   bool is_linearised = false;
+  MeshQuality last, worst_of_steps;
   /// The operator of each cell at the start of the step, and work space.
   std::vector<dealii::FullMatrix<double>> matrices;
   dealii::Vector<double> cell_displacement, cell_rows;
 
   void set_constraints();
+  /// Finds the entries of owned nodes on boundaries that the mesh follows, but for those of solids.
+  void find_followers();
   /// Makes the operator at the present displacement, its factor, and the residual there.
   void linearise();
-  /// Sets the matrix and the residual of a cell at a displacement.
-  void set_operator(const Cell &cell, dealii::FullMatrix<double> &matrix) const;
+  /// Sets k.
+  void set_stiffness();
+  /// Sets the matrix of a cell at a displacement.
+  void
+  set_operator(const Cell &cell, double cell_stiffness, dealii::FullMatrix<double> &matrix) const;
   /// Sets d to that at the start of the step and what follows of the change of D.
   void extend(const DistributedVector &solid_displacement, DistributedVector &mesh_displacement);
   dealii::Tensor<2, 3> gradient(const QuadratureCells<dim> &points,

@@ -29,7 +29,8 @@ namespace Continua
  * over the section's surroundings exact for flow rates that are cubic polynomials of the distance
  * (of a lower degree where the liquid is only a few cells long). Near an end of the liquid the
  * ramps lie on one side. Along a vessel with an axis of its own the distance is that along the
- * axis, and its other parts and branches do not count.
+ * axis, and its other parts and branches do not count. On a mesh that moves q moves with it: Q
+ * is what flows through the plane in which the section is at that moment.
  */
 template <int dim>
 class SectionFlow
@@ -43,9 +44,11 @@ public:
               const dealii::Tensor<1, dim> &normal,
               const std::shared_ptr<const VesselAxis<dim>> &axis = nullptr);
 
-  /// Adds to `weights` what an entry of the velocity contributes [m^2, in the plane m]. False, on
-  /// all ranks, if the plane misses the regions. Collective.
-  bool add_weights(DistributedVector &weights) const;
+  /// Adds to `weights` what an entry of the velocity contributes [m^2, in the plane m]; of a mesh
+  /// that moves with q at this displacement (with ghosts). False, on all ranks, if the plane misses
+  /// the regions. Collective.
+  bool add_weights(DistributedVector &weights,
+                   const DistributedVector *mesh_displacement = nullptr);
 
 private:
   const Space<dim> &space;
@@ -58,6 +61,9 @@ private:
   /// active_cell_index() [m]; not numbers if the cell belongs to another branch, as a whole or in
   /// part, to another rank, or to a region that does not count.
   std::vector<std::array<double, 2>> ranges;
+
+  /// q on the mesh, with ghosts; made once.
+  DistributedVector function;
 
   /// From the section along the axis, or along the normal [m]; not a number in another branch.
   double distance(const dealii::Point<dim> &place) const;
@@ -80,14 +86,17 @@ private:
   bool counts(const typename dealii::Triangulation<dim>::cell_iterator &cell) const;
   /// No ramps if the plane misses the regions.
   Ramps ramps() const;
+  /// Makes q.
+  void set_function(const Ramps &ramps);
   /// The factors of the ramps, whose nodal values are given.
   std::vector<double> factors(const Ramps &ramps,
                               const std::vector<DistributedVector> &nodal_values) const;
   /// Calls `add`(cell of the velocity, its values, gradients of the function of the nodal values)
-  /// for every cell of this rank that the ramps touch.
+  /// for every cell of this rank that the ramps touch; `with_gradients`: of the velocity, too.
   template <typename Add>
   void for_cells(const Ramps &ramps,
                  const std::vector<DistributedVector> &nodal_values,
+                 bool with_gradients,
                  const Add &add) const;
 };
 } // namespace Continua

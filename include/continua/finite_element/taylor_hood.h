@@ -6,6 +6,7 @@
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/boundary_constraints.h>
 #include <continua/finite_element/cavity_volumes.h>
+#include <continua/finite_element/deformed_faces.h>
 #include <continua/finite_element/field_evaluation.h>
 #include <continua/finite_element/field_output.h>
 #include <continua/finite_element/loads.h>
@@ -125,6 +126,10 @@ public:
   {
     return mesh_motion ? &mesh_motion->displacement() : nullptr;
   }
+  const DistributedVector *mesh_velocity() const override
+  {
+    return mesh_motion ? &mesh_motion->velocity() : nullptr;
+  }
   NonlinearEnergy nonlinear_energy(unsigned int region, const State &state) override;
   double nonlinear_relaxation(unsigned int region) const override;
   void add_load_changes(const BalancedStep &state,
@@ -160,6 +165,9 @@ public:
   void keep_walls_alone(DistributedVector &vector) override { wall_shear.keep_walls_alone(vector); }
 
   DistributedVector flow_of_velocities(unsigned int condition) const override;
+  void set_flow_of_velocities(unsigned int condition,
+                              const DistributedVector &mesh_displacement,
+                              DistributedVector &flow) override;
   DistributedVector flow_profile(unsigned int condition) const override;
   void add_velocity_product(const DistributedVector &velocity, DistributedVector &result) override;
   void add_divergence(const DistributedVector &velocity, DistributedVector &result) override;
@@ -185,6 +193,7 @@ public:
   const DistributedVector *wall_potentials() const override;
   const DistributedVector *unloaded_displacement() const override;
   void set_unloaded_displacement(const DistributedVector &displacement) override;
+  void start_from(const State &state) override;
   void begin_step(const Step &step) override;
   void finish_step(const BalancedStep &balanced, const State &state) override;
 
@@ -193,6 +202,11 @@ public:
   void take_motion(const State &state, MotionExtremes &extremes) override
   {
     motion.take(state, extremes);
+    if (mesh_motion)
+    {
+      extremes.mesh_volume_ratio = mesh_motion->worst().least_volume_ratio;
+      extremes.mesh_volume_time = mesh_motion->worst().time;
+    }
   }
   std::map<std::string, std::string> add_output(const State &state,
                                                 dealii::DataOut<dim> &data_out) override;
@@ -219,9 +233,12 @@ private:
   StepSystem<dim> system;
   std::unique_ptr<MetricHistory<dim>> metrics; ///< null where nothing relaxes in finite deformation
   std::unique_ptr<MeshMotion<dim>> mesh_motion; ///< null where the mesh stays
-  NonlinearTerms<dim> terms;                    ///< of the regions that are not linear
-  bool derivative_is_marked = false;            ///< in MemoryUse, on this mesh
-  TangentSystem<dim> tangent; ///< in the system's place where there are such terms
+  bool mesh_warning_was_given = false;
+  const std::vector<unsigned int> ports; ///< of outlets on a mesh that moves: conditions
+  DeformedFaces<dim> port_faces;         ///< of these
+  NonlinearTerms<dim> terms;             ///< of the regions that are not linear
+  bool derivative_is_marked = false;     ///< in MemoryUse, on this mesh
+  TangentSystem<dim> tangent;            ///< in the system's place where there are such terms
   CavityVolumes<dim> cavities;
   MeshTransfer<dim> mesh_transfer;
   FieldEvaluation<dim> evaluation;
