@@ -1,4 +1,5 @@
 #include <continua/base/input_error.h>
+#include <continua/base/kept_signal_action.h>
 #include <continua/linear_algebra/cholmod_factor.h>
 
 #include <algorithm>
@@ -115,7 +116,10 @@ void CholmodFactor::factorize(SymmetricTriplets matrix, const std::vector<int> &
   const std::unique_ptr<cholmod_sparse, decltype(free_sparse)> sparse(
       cholmod_triplet_to_sparse(&triplets, n_triplets, &d.common), free_sparse);
   d.check("sorting the entries");
-  d.factor = cholmod_analyze(sparse.get(), &d.common);
+  {
+    const KeptSignalAction kept;
+    d.factor = cholmod_analyze(sparse.get(), &d.common);
+  }
   // An entry is a number and the place of its row.
   if (announce && d.common.status == CHOLMOD_OK)
     announce({d.common.lnz, d.common.lnz * (sizeof(double) + sizeof(int))});

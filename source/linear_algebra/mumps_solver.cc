@@ -1,4 +1,5 @@
 #include <continua/base/input_error.h>
+#include <continua/base/kept_signal_action.h>
 #include <continua/base/memory_use.h>
 #include <continua/linear_algebra/mumps_solver.h>
 
@@ -128,6 +129,7 @@ struct MumpsSolver<Number>::Data
   void run(const int job, const std::string &phase)
   {
     mumps.job = job;
+    const KeptSignalAction kept;
     Interface::call(mumps);
     if (mumps.infog[0] < 0)
       fail(phase);

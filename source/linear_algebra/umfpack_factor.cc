@@ -1,4 +1,5 @@
 #include <continua/base/input_error.h>
+#include <continua/base/kept_signal_action.h>
 #include <continua/linear_algebra/packed_triangle.h>
 #include <continua/linear_algebra/umfpack_factor.h>
 
@@ -88,6 +89,7 @@ struct UmfpackFactor::Analysis
     const std::array<double, UMFPACK_CONTROL> control = controls();
     std::array<double, UMFPACK_INFO> info{};
     const auto n = static_cast<Index>(starts.size() - 1);
+    const KeptSignalAction kept;
     check_umfpack(umfpack_dl_symbolic(n, n, starts.data(), rows.data(), matrix.values.data(),
                                       &symbolic, control.data(), info.data()),
                   "analysis");

@@ -1,3 +1,4 @@
+#include <continua/base/kept_signal_action.h>
 #include <continua/mesh/partition.h>
 
 #include <deal.II/base/config.h>
@@ -94,6 +95,7 @@ void divide_by_metis(Triangulation<dim> &triangulation, const unsigned int n_par
     return;
   }
   // By name: deal.II's own choice would be Zoltan.
+  const KeptSignalAction kept;
   GridTools::partition_triangulation(n_parts, triangulation, SparsityTools::Partitioner::metis);
   if (n_parts == 1)
     return;
