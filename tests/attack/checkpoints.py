@@ -25,7 +25,7 @@ class Disturbed:
         of_run = runs.RUNS[run]
         for name, overrides in (("step", [f"Time/End time={of_run.shorter}"]),
                                 ("case", [runs.PARTLY, f"Materials/{of_run.region}/Density=900 kg/m^3"]),
-                                ("numbers", [runs.PARTLY, "Output/Probe interval=1 ms"])):
+                                ("numbers", [runs.PARTLY, "Output/Power interval=1 ms"])):
             self.others[name] = os.path.join(folder, "of-another-" + name)
             self.reference.to_the_end([self.reference.case, "--output", self.others[name], *runs.as_options(overrides)])
         files = sorted(runs.content(self.reference.partly))

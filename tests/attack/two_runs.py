@@ -9,7 +9,7 @@ import time
 import runs
 from program import Verdict, defect
 
-LONG = ("Time/End time=100 ms", "Output/Checkpoint steps=20")
+LONG = ("Output/Checkpoint steps=20",)
 PARTLY = "Time/End time=20 ms"
 WAYS = {"run": (), "restart": ("--restart",), "overwrite": ("--overwrite",)}
 
@@ -22,7 +22,7 @@ class Attack:
         self.program = program
 
     def prepare(self, folder):
-        self.references = runs.Made(lambda run: runs.Reference(self.program, os.path.join(folder, run), LONG, run)
+        self.references = runs.Made(lambda run: runs.Reference(self.program, os.path.join(folder, run), runs.longer(run, LONG), run)
                                     .make_partly(PARTLY))
 
     def corpus(self):
