@@ -31,7 +31,8 @@ RUNS = {"channel": Run(CASE, 1, "fluid", "1.5 ms", 0.),
         "beats": Run("beats.prm", 1, "body", "2 ms", 0., longer="40 ms"),
         "convection": Run("convection.prm", 1, "fluid", "1.5 ms", 1e-7),
         "finite": Run("finite.prm", 1, "body", "1.5 ms", 1e-7),
-        "ranks": Run("adaptive.prm", 2, "fluid", "1.5 ms", 1e-9, longer="40 ms")}
+        "ranks": Run("adaptive.prm", 2, "fluid", "1.5 ms", 1e-9, longer="40 ms"),
+        "moving": Run("moving.prm", 1, "fluid", "1.5 ms", 1e-7)}
 
 
 def longer(run, overrides):
