@@ -51,7 +51,7 @@ class Attack:
         """Names: [RUN: ]KIND FILE [HOW]."""
         chance = random.Random(seed)
         found = []
-        for run in runs.runs_of_trials(number, chance, seed):
+        for run in runs.runs_of_trials(number, seed):
             disturbed = self.disturbed[run]
             kind = chance.choice(("truncate", "flip", "flip", "remove", "digit", "row", "exchange", "length", "resize",
                                   "type", "drop", "current"))

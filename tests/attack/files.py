@@ -103,7 +103,7 @@ class Attack:
         if number == 0:
             return [name for run in runs.RUNS for name in self.all_of(run)]
         chance = random.Random(seed)
-        return [chance.choice(self.all_of(run)) for run in runs.runs_of_trials(number, chance, seed)]
+        return [chance.choice(self.all_of(run)) for run in runs.runs_of_trials(number, seed)]
 
     def perform(self, trial):
         run, rest = runs.split_name(trial.name)

@@ -41,7 +41,7 @@ class Attack:
         """Names: [RUN: ]PHASE disk KILOBYTES, PHASE file KILOBYTES, PHASE signal KILOBYTES (SIGXFSZ has its usual effect)."""
         chance = random.Random(seed)
         names = []
-        for run in runs.runs_of_trials(number, chance, seed, others=False):
+        for run in runs.runs_of_trials(number, seed):
             sizes = [len(data) for data in runs.content(self.references[run].whole).values()]
             phase, how = chance.choice(("run", "restart")), chance.choice(("disk", "disk", "disk", "file", "signal"))
             size = chance.randrange(4, room_of(sizes), 4) if how == "disk" else chance.randrange(max(sizes) // 1024)

@@ -50,13 +50,13 @@ def joined_name(run, rest):
     return rest if run == "channel" else f"{run}: {rest}"
 
 
-def runs_of_trials(number, chance, seed, others=True):
-    """The run of each trial. Few trials have one together, since each costs undisturbed runs, too; without `others` it is the channel, which
-    the corpus has already."""
+def runs_of_trials(number, seed):
+    """The run of each trial. Few trials have one together, since each run costs undisturbed ones, too: the seed chooses it among all but the
+    channel, which the corpus has already. Otherwise the runs take turns."""
     names = list(RUNS)
     if number < 20:
-        return [names[1 + (seed - 1) % (len(names) - 1)] if others else "channel"] * number
-    return [chance.choice(names) for _ in range(number)]
+        return [names[1 + (seed - 1) % (len(names) - 1)]] * number
+    return [names[count % len(names)] for count in range(number)]
 
 
 class Made:

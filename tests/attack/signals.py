@@ -33,7 +33,7 @@ class Attack:
         return [runs.joined_name(run, f"{chance.choice(NAMES + ('CLOSED',))} {chance.choice((1, 1, 3, 40))} "
                                       f"{chance.choice((0, 1, 1, 1, 1))} "
                                       f"{chance.random() * 0.6 * self.references[run].seconds:.4f}")
-                for run in runs.runs_of_trials(number, chance, seed, others=False)]
+                for run in runs.runs_of_trials(number, seed)]
 
     def perform(self, trial):
         run, rest = runs.split_name(trial.name)

@@ -35,7 +35,7 @@ class Attack:
         firsts, seconds = ("run", "restart"), ("run", "restart", "overwrite")
         return [runs.joined_name(run, f"race {chance.choice(firsts)} {chance.choice(seconds)} "
                                       f"{chance.random() * self.references[run].seconds:.4f}")
-                for run in runs.runs_of_trials(number, chance, seed, others=False)]
+                for run in runs.runs_of_trials(number, seed)]
 
     def perform(self, trial):
         run, rest = runs.split_name(trial.name)
