@@ -33,9 +33,12 @@ class Attack:
         [RUN: ]`race FIRST SECOND SECONDS`."""
         chance = random.Random(seed)
         firsts, seconds = ("run", "restart"), ("run", "restart", "overwrite")
-        return [runs.joined_name(run, f"race {chance.choice(firsts)} {chance.choice(seconds)} "
-                                      f"{chance.random() * self.references[run].seconds:.4f}")
-                for run in runs.runs_of_trials(number, seed)]
+        names = []
+        for run in runs.runs_of_trials(number, seed):
+            how, pair = chance.choice(("stopped", "race", "race")), f"{chance.choice(firsts)} {chance.choice(seconds)}"
+            later = f" {chance.random() * self.references[run].seconds:.4f}" if how == "race" else ""
+            names.append(runs.joined_name(run, f"{how} {pair}{later}"))
+        return names
 
     def perform(self, trial):
         run, rest = runs.split_name(trial.name)
@@ -47,14 +50,18 @@ class Attack:
         arguments = reference.arguments(output, *WAYS[first])
         one = reference.start(arguments, trial.folder)
         if how == "stopped":
-            if not runs.wait_until_open(one, os.path.join(output, "power.csv"), self.program.time_limit):
+            if not runs.wait_until_open(one, os.path.join(output, "power.csv"), self.program.time_limit, self.program.path):
                 return Verdict("wrong", f"the first run ended too early: {self.program.finish(one, arguments).text()}")
-            os.kill(one.pid, signal.SIGSTOP)
+            # The ranks, and not mpiexec.
+            ranks = runs.processes_of_program(one, self.program.path)
+            for pid in ranks:
+                os.kill(pid, signal.SIGSTOP)
         else:
             time.sleep(float(seconds[0]))
         other = trial.note(reference.perform(reference.arguments(output, *WAYS[second]), trial.folder))
         if how == "stopped":
-            os.kill(one.pid, signal.SIGCONT)
+            for pid in ranks:
+                os.kill(pid, signal.SIGCONT)
         alone = trial.note(self.program.finish(one, arguments))
         for done in (alone, other):
             found = defect(done, {"/run"})
