@@ -161,6 +161,50 @@ class Power(unittest.TestCase):
         self.assertTrue(power.has_complete_checkpoint(log + [("fsync", "out/checkpoint", 1, [""])], True))
 
 
+class Runs(unittest.TestCase):
+    def test_many_trials_disturb_each_run(self):
+        self.assertEqual(set(runs.runs_of_trials(20, 1)), set(runs.RUNS))
+
+    def test_few_trials_disturb_one_run_that_the_seed_chooses(self):
+        chosen = [runs.runs_of_trials(4, seed) for seed in range(1, len(runs.RUNS))]
+        self.assertTrue(all(len(set(names)) == 1 and len(names) == 4 for names in chosen))
+        self.assertEqual([names[0] for names in chosen], [name for name in runs.RUNS if name != "channel"])
+
+    def test_each_run_has_its_file(self):
+        for name, run in runs.RUNS.items():
+            self.assertTrue(os.path.isfile(os.path.join(runs.CASES, run.file)), name)
+
+    def state(self, folder, cells):
+        """A run with one state of fields, of lines from x to x + 1 whose value is x."""
+        os.makedirs(os.path.join(folder, "fields"))
+        write(os.path.join(folder, "summary.json"), "{}")
+        write(os.path.join(folder, "fields.pvd"), '<VTKFile><Collection><DataSet timestep="0" file="fields/0.vtu"/></Collection></VTKFile>')
+
+        def array(name, kind, numbers, width=1):
+            return f'<DataArray Name="{name}" type="{kind}" NumberOfComponents="{width}" format="ascii">' \
+                   f'{" ".join(map(str, numbers))}</DataArray>'
+        points = [number for x in cells for number in (x, 0, 0, x + 1, 0, 0)]
+        write(os.path.join(folder, "fields", "0.vtu"),
+              f'<VTKFile><UnstructuredGrid><Piece NumberOfCells="{len(cells)}"><Points>{array("", "Float64", points, 3)}</Points>'
+              f'<PointData>{array("p", "Float64", [x for x in cells for _ in range(2)])}</PointData><Cells>'
+              f'{array("connectivity", "Int32", range(2 * len(cells)))}{array("offsets", "Int32", range(2, 2 * len(cells) + 1, 2))}'
+              '</Cells></Piece></UnstructuredGrid></VTKFile>')
+        return folder
+
+    def test_cells_in_any_order(self):
+        with tempfile.TemporaryDirectory() as folder:
+            whole, turned, other = (self.state(os.path.join(folder, name), cells)
+                                    for name, cells in (("whole", (0, 1)), ("turned", (1, 0)), ("other", (0, 1.001))))
+            expected = runs.results(whole)
+            self.assertIn("differs from byte", runs.difference(expected, turned))
+            self.assertEqual(runs.difference(expected, turned, whole), "")
+            self.assertNotEqual(runs.difference(expected, other, whole), "")
+
+    def test_tables_within_a_tolerance(self):
+        self.assertEqual(runs.numbers_differ(b"p [Pa]\n1\n2\n", b"p [Pa]\n1\n2.0000001\n", 1e-7), "")
+        self.assertNotEqual(runs.numbers_differ(b"p [Pa]\n1\n2\n", b"p [Pa]\n1\n2.00001\n", 1e-7), "")
+
+
 class Verdicts(unittest.TestCase):
     def judge(self, script, names=("case.prm",)):
         with tempfile.TemporaryDirectory() as folder:
