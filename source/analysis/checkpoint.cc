@@ -295,6 +295,12 @@ ArchiveReader Checkpoint::read() const
   };
   std::unique_ptr<ArchiveReader> archive;
   stop_at(problem_in([&]() { archive = std::make_unique<ArchiveReader>(archive_file(step)); }));
+  stop_at(problem_in(
+      [&]()
+      {
+        archive->text("version");
+        archive->text("identity");
+      }));
   check_case(*archive);
   stop_at(problem_in([&]() { check_files(*archive, step); }));
   std::vector<std::string> pieces;
