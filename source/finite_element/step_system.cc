@@ -412,7 +412,9 @@ void StepSystem<dim>::solve(DistributedVector &momentum,
       {
         std::ostringstream text;
         text << "the direct solver " << factor()->name() << " left a relative residual of "
-             << relative << " (" << refined << " after a step of refinement)";
+             << relative << " (" << refined
+             << " after a step of refinement); Linear solver/Direct solver = umfpack, which "
+                "pivots, may do better";
         throw RunError(text.str());
       }
     }

@@ -31,7 +31,8 @@ std::string reason(const int code)
   {
   case -6:
   case -10:
-    return "the matrix is singular";
+    return "the matrix is singular, or loses all digits without pivots of its own; Linear "
+           "solver/Direct solver = umfpack has them";
   case -5:
   case -7:
   case -13:
