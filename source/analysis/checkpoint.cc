@@ -354,8 +354,8 @@ void Checkpoint::check_tables(
         {
           if (!is_writing_rank(communicator))
             return;
-          const std::string problem =
-              problem_of_table(output + "/" + name, numbers.at(part), numbers.at(part + 1));
+          const std::string problem = problem_of_table(std::string(output).append("/").append(name),
+                                                       numbers.at(part), numbers.at(part + 1));
           if (!problem.empty())
             throw RunError(problem);
         }));

@@ -5,6 +5,7 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <cstddef>
 #include <utility>
 
 namespace Continua
@@ -31,7 +32,7 @@ void DeformedFaces<dim>::reinit()
   ghosted.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
   displacement_work = space.velocity_vector();
   const FE_Q<dim> element(space.degree());
-  const unsigned int n_functions = element.n_dofs_per_cell();
+  const std::size_t n_functions = element.n_dofs_per_cell();
   of_cell.reinit(dim * n_functions);
   FEFaceValues<dim> values(space.mapping, element, quadrature,
                            update_values | update_gradients | update_quadrature_points |

@@ -35,6 +35,7 @@ std::vector<FieldComponent> expand(const ParameterSection &section,
   if (components.empty())
   {
     std::vector<std::string> names;
+    names.reserve(fields.size());
     for (const FieldComponent &field : fields)
       names.push_back(field.name);
     section.refuse("Fields", "there is no field '" + word + "'",
@@ -386,6 +387,7 @@ void ProbeEntries<dim>::set_interface(const std::vector<std::string> &known_regi
                        std::to_string(interface.size()),
                    "Write for example 'set Interface = fluid, wall'");
   std::vector<std::string> names;
+  names.reserve(interfaces.size());
   for (const NamedInterface &known : interfaces)
     names.push_back(known.name);
   const NamedInterface &named = interfaces[find_name(section, "Interface", interface[0], names,
@@ -394,6 +396,7 @@ void ProbeEntries<dim>::set_interface(const std::vector<std::string> &known_regi
   for (const auto &[pair, is_whole] : named.sides)
     ids.insert({pair.first, pair.second});
   std::vector<std::string> regions;
+  regions.reserve(ids.size());
   for (const unsigned int id : ids)
     regions.push_back(known_regions[id]);
   if (region.empty())
