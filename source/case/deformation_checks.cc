@@ -196,9 +196,10 @@ void check_boundary_of_liquid(const BoundaryCondition &condition,
                               const std::string &keeps_small)
 {
   if (condition.outlet != nullptr && condition.profile)
-    section.refuse("Coupling",
-                   "the distribution of the velocity is that over the section at rest, which moves",
-                   "Set Coupling = pressure, or " + keeps_small);
+    section.refuse(
+        "Coupling",
+        "the distribution of the velocity is that over the section at rest, and the section moves",
+        "Set Coupling = pressure, or " + keeps_small);
   if (condition.is_cavity())
     section.refuse("Type", "a cavity holds nothing but solids",
                    "Prescribe a pressure, or " + keeps_small);

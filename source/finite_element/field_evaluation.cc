@@ -1,6 +1,6 @@
 #include <continua/base/collective.h>
-#include <continua/continuum/kinematics.h>
 #include <continua/finite_element/field_evaluation.h>
+#include <continua/finite_element/kinematics_at.h>
 
 #include <continua/mesh/cell_point.h>
 #include <continua/mesh/cells_in_tree_order.h>
@@ -129,18 +129,7 @@ void FieldEvaluation<dim>::stretch(const ProbeRequest<dim> &request,
       ->get_dof_indices(indices);
   for (unsigned int q = 0; q < weights.size(); ++q)
   {
-    Tensor<2, dim> gradient;
-    double radial = 0.;
-    for (unsigned int i = 0; i < indices.size(); ++i)
-    {
-      const unsigned int c = space.velocity_element.system_to_component_index(i).first;
-      const double entry = mesh_displacement(indices[i]);
-      gradient[c] += entry * values.shape_grad(i, q);
-      if (c == 1)
-        radial += entry * values.shape_value(i, q);
-    }
-    const double hoop = space.is_axisymmetric() ? radial / values.quadrature_point(q)[1] : 0.;
-    const Kinematics motion(whole_gradient<dim>(gradient, hoop));
+    const Kinematics motion = kinematics_at(space, values, q, indices, mesh_displacement);
     if (normals.empty())
       weights[q] *= motion.volume_ratio();
     else

@@ -1,4 +1,4 @@
-#include <continua/continuum/kinematics.h>
+#include <continua/finite_element/kinematics_at.h>
 #include <continua/finite_element/section_flow.h>
 #include <continua/mesh/cells_in_tree_order.h>
 
@@ -315,22 +315,10 @@ bool SectionFlow<dim>::add_weights(DistributedVector &weights,
                 if (mesh_displacement == nullptr)
                   continue;
                 // grad q dv = J F^-T Grad q dV.
-                Tensor<2, dim> gradient;
-                double radial = 0.;
-                for (unsigned int i = 0; i < indices.size(); ++i)
-                {
-                  const unsigned int c = space.velocity_element.system_to_component_index(i).first;
-                  const double entry = (*mesh_displacement)(indices[i]);
-                  gradient[c] += entry * values.shape_grad(i, q);
-                  if (c == 1)
-                    radial += entry * values.shape_value(i, q);
-                }
-                const double hoop =
-                    space.is_axisymmetric() ? radial / values.quadrature_point(q)[1] : 0.;
                 Tensor<1, 3> slope;
                 for (unsigned int c = 0; c < dim; ++c)
                   slope[c] = slopes[q][c];
-                slope = Kinematics(whole_gradient<dim>(gradient, hoop)).area(slope);
+                slope = kinematics_at(space, values, q, indices, *mesh_displacement).area(slope);
                 for (unsigned int c = 0; c < dim; ++c)
                   slopes[q][c] = slope[c];
               }

@@ -461,9 +461,9 @@ void TaylorHood<dim>::check_mesh(const BalancedStep &state)
   std::ostringstream text;
   text << "the mesh is turned inside out " << quality.place
        << ": the ratio of its volume to that at rest is " << quality.least_volume_ratio
-       << " there; a smaller time step, loads that begin smoothly, Mesh = slides on a plane "
-          "boundary "
-          "along which it moves, another Mesh motion or a coarser mesh beside what moves help";
+       << " there; a smaller time step, loads that begin smoothly, Mesh = slides on "
+          "a plane boundary along which it moves, another Mesh motion or a coarser mesh beside "
+          "what moves help";
   throw StepFailure(text.str());
 }
 

@@ -178,8 +178,7 @@ void ProbeEntries<dim>::read_entries()
       "of the first region, which has the further fields of a Boundary there; its force is "
       "that of the first region on the second, and with a Boundary beside it that on both, such as "
       "of a flow on a cylinder and the beam behind it. Or the name of an interface, which a mesh "
-      "of gmsh "
-      "may give: values are then those of the side of Region");
+      "of gmsh may give: values are then those of the side of Region");
   section.add(
       "Section", position, Dimensions::length,
       "Instead of a point: the plane x = Section through the undeformed body, or its Region "
@@ -671,7 +670,8 @@ void ProbeEntries<dim>::check_moving_mesh(const std::vector<FieldComponent> &kno
     for (const char *const name : {"velocity integral", "pressure gradient", "wall shear stress"})
       if (std::count(stations.fields().begin(), stations.fields().end(), name) > 0)
         section.refuse("Fields",
-                       "'" + std::string(name) + "' would be that of the mesh at rest, which moves",
+                       "'" + std::string(name) +
+                           "' would be that of the mesh at rest, and the mesh moves",
                        "Ask for pressure, flow rate or wall distension there" + keeps_small);
     return;
   }
@@ -683,7 +683,8 @@ void ProbeEntries<dim>::check_moving_mesh(const std::vector<FieldComponent> &kno
     if (!is_named("force ") && !is_named("displacement ") && !is_named("velocity ") &&
         field.name != "pressure")
       section.refuse(
-          "Fields", "'" + field.name + "' would be an integral over the mesh at rest, which moves",
+          "Fields",
+          "'" + field.name + "' would be an integral over the mesh at rest, and the mesh moves",
           "Ask for force, displacement, velocity or pressure there, give a Point" + keeps_small);
   }
 }
