@@ -239,11 +239,9 @@ void OutletCoupling::take_sections(const DistributedVector &mesh_displacement)
 
 std::vector<double> OutletCoupling::present_flow_rates(const DistributedVector &velocity) const
 {
-  const DistributedVector *const of_mesh = operators.mesh_velocity();
   std::vector<double> flows;
   for (const Port &port : ports)
-    flows.push_back(product(port.flow, velocity) -
-                    (port.moves_with_mesh ? product(port.flow, *of_mesh) : 0.));
+    flows.push_back(product(port.flow, velocity));
   Utilities::MPI::sum(flows, problem.communicator, flows);
   return flows;
 }

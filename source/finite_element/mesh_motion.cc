@@ -191,8 +191,7 @@ void MeshMotion<dim>::reinit()
   set_constraints();
   find_followers();
   set_stiffness();
-  for (DistributedVector *vector :
-       {&present, &older, &present_velocity, &predicted, &known, &right_side, &work})
+  for (DistributedVector *vector : {&present, &older, &predicted, &known, &right_side, &work})
     *vector = space.velocity_vector();
   ghosted = space.ghosted_velocity(work);
   packed.resize(space.velocity_owned.n_elements());
@@ -487,10 +486,7 @@ void MeshMotion<dim>::finish_step(const BalancedStep &balanced)
   {
     present *= 2.;
     present.add(-1., older);
-    present_velocity.sadd(-1., 2., balanced.mesh_velocity);
   }
-  else
-    present_velocity.equ(1., balanced.mesh_velocity);
   is_linearised = is_linearised && kind == MeshMotionKind::elastic;
   // Of the last iterate, which was accepted, and of what lies beyond it.
   const auto take = [&](const MeshQuality &of_step, const double time)
@@ -515,31 +511,13 @@ void MeshMotion<dim>::start_from(const DistributedVector &displacement)
   extend(displacement, work);
   present.equ(1., work);
   older.equ(1., present);
-  present_velocity = 0.;
   take_state();
-}
-
-template <int dim>
-void MeshMotion<dim>::start_moving(const DistributedVector &velocity)
-{
-  present_velocity = 0.;
-  for (unsigned int i = 0; i < is_of_solid.size(); ++i)
-    if (is_of_solid[i])
-      present_velocity.begin()[i] = velocity.begin()[i];
-  for (const Follower &follower : followers)
-  {
-    const std::vector<Waveform> &given = problem.conditions[follower.condition].mesh_velocity;
-    present_velocity.begin()[follower.index] =
-        given.empty() ? velocity.begin()[follower.index]
-                      : given[follower.component](follower.place.data(), 0.);
-  }
 }
 
 template <int dim>
 void MeshMotion<dim>::visit(StateVisitor &visitor)
 {
   visitor.levels("mesh displacement", StateKind::velocity, present, older);
-  visitor.vector("mesh velocity", StateKind::velocity, present_velocity);
   visitor.value("least volume ratio of the mesh", worst_of_steps.least_volume_ratio);
   visitor.value("time of the least volume ratio of the mesh", worst_of_steps.time);
 }

@@ -740,13 +740,6 @@ void TaylorHood<dim>::set_unloaded_displacement(const DistributedVector &displac
 }
 
 template <int dim>
-void TaylorHood<dim>::start_from(const State &state)
-{
-  if (mesh_motion)
-    mesh_motion->start_moving(state.velocity);
-}
-
-template <int dim>
 void TaylorHood<dim>::begin_step(const Step &step)
 {
   if (metrics != nullptr)

@@ -167,7 +167,6 @@ public:
   virtual void check_mesh(const BalancedStep &) {}
   /// At the present time [m]; null where the mesh stays.
   virtual const DistributedVector *mesh_displacement() const { return nullptr; }
-  virtual const DistributedVector *mesh_velocity() const { return nullptr; } ///< likewise [m/s]
   /// Adds the terms at the level of the step to the rows of momentum [N] and of volume [m^3/s].
   virtual void add_nonlinear_terms(const BalancedStep &, DistributedVector &, DistributedVector &)
   {

@@ -63,9 +63,6 @@ public:
   void finish_step(const BalancedStep &balanced);
   /// Takes the present displacement of the solids for the start [m]. Collective.
   void start_from(const DistributedVector &displacement);
-  /// The run begins with this velocity of the liquids and solids [m/s], which the mesh has where it
-  /// follows them; between them it is at rest.
-  void start_moving(const DistributedVector &velocity);
   /// Hands over the part of the state.
   void visit(StateVisitor &visitor);
   /// That part was read from a checkpoint or carried over to another mesh. Collective.
@@ -73,7 +70,6 @@ public:
 
   /// At the present time [m].
   const DistributedVector &displacement() const { return present; }
-  const DistributedVector &velocity() const { return present_velocity; } ///< likewise [m/s]
   /// Of a displacement of the mesh [m]. Collective.
   MeshQuality quality(const DistributedVector &mesh_displacement);
   /// The worst of all steps that have ended; the place is known since the run began or went on.
@@ -101,9 +97,8 @@ private:
   std::vector<double> followed;  ///< their d at the level of the step [m]
   std::vector<double> stiffness; ///< k of each cell
   std::unique_ptr<SymmetricFactor> factor;
-  DistributedVector present, older;   ///< d [m]
-  DistributedVector present_velocity; ///< W [m/s]
-  DistributedVector predicted;        ///< of the present step [m]
+  DistributedVector present, older; ///< d [m]
+  DistributedVector predicted;      ///< of the present step [m]
   DistributedVector known, ghosted, right_side, work;
   std::vector<double> packed;
   std::vector<int> owned;

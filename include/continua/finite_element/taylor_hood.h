@@ -126,10 +126,6 @@ public:
   {
     return mesh_motion ? &mesh_motion->displacement() : nullptr;
   }
-  const DistributedVector *mesh_velocity() const override
-  {
-    return mesh_motion ? &mesh_motion->velocity() : nullptr;
-  }
   NonlinearEnergy nonlinear_energy(unsigned int region, const State &state) override;
   double nonlinear_relaxation(unsigned int region) const override;
   void add_load_changes(const BalancedStep &state,
@@ -193,7 +189,6 @@ public:
   const DistributedVector *wall_potentials() const override;
   const DistributedVector *unloaded_displacement() const override;
   void set_unloaded_displacement(const DistributedVector &displacement) override;
-  void start_from(const State &state) override;
   void begin_step(const Step &step) override;
   void finish_step(const BalancedStep &balanced, const State &state) override;
 
