@@ -148,8 +148,8 @@ private:
   static double product(const Sparse &sparse, const DistributedVector &vector);
   /// Takes the ports' sections at a displacement of the mesh.
   void take_sections(const DistributedVector &mesh_displacement);
-  /// The flow rates of a velocity through the sections at the present time, by port. The motion of a
-  /// mesh is left out: no step with such a mesh looks at the flow rates of its start.
+  /// The flow rates of a velocity through the sections at the present time, by port. The motion of
+  /// a mesh is left out: no step with such a mesh looks at the flow rates of its start.
   std::vector<double> present_flow_rates(const DistributedVector &velocity) const;
   /// This rank's part of what a port gives back.
   double output(const Port &port,
