@@ -3,6 +3,7 @@
 #include <continua/analysis/periodic_state.h>
 #include <continua/postprocess/field_writer.h>
 #include <continua/postprocess/loop_record.h>
+#include <continua/postprocess/mass_record.h>
 #include <continua/postprocess/mesh_record.h>
 #include <continua/postprocess/power_record.h>
 #include <continua/postprocess/residual_record.h>
@@ -58,6 +59,12 @@ std::unique_ptr<Record<dim>> make_residual_record(const Case<dim> &input, const 
   return std::make_unique<ResidualRecord<dim>>(input.communicator);
 }
 
+template <int dim>
+std::unique_ptr<Record<dim>> make_mass_record(const Case<dim> &input, const std::string &)
+{
+  return std::make_unique<MassRecord<dim>>(input.communicator);
+}
+
 /// The record of a run that has one.
 template <int dim, typename Type>
 std::unique_ptr<Record<dim>> make_record(const Case<dim> &, const std::string &)
@@ -92,6 +99,8 @@ const std::vector<RecordRow<dim>> &record_table()
   static const std::vector<RecordRow<dim>> rows = {
       {nullptr, make_power_record<dim>, name_power<dim>, &OutputParameters::power_schedule,
        "power.csv"},
+      {[](const Case<dim> &input) { return input.problem.mesh_moves; }, make_mass_record<dim>,
+       name_quantities_of<dim, MassRecord<dim>>, &OutputParameters::power_schedule, "mass.csv"},
       {nullptr, make_record<dim, LoopRecord<dim>>, name_quantities_of<dim, LoopRecord<dim>>,
        nullptr},
       {[](const Case<dim> &input)

@@ -27,6 +27,7 @@ const std::vector<std::string> &output_files()
                                                  "input",
                                                  "loaded-tube.csv",
                                                  "log.txt",
+                                                 "mass.csv",
                                                  "modes.csv",
                                                  "modulus.csv",
                                                  "other-files.txt",

@@ -76,6 +76,8 @@ TaylorHood<dim>::TaylorHood(parallel::TriangulationBase<dim> &triangulation,
       system(space, operators, constraints, parameters.linear_solver, parameters.outlook),
       metrics(MetricHistory<dim>::make(space, problem)),
       mesh_motion(problem.mesh_moves ? std::make_unique<MeshMotion<dim>>(space, problem) : nullptr),
+      liquid_balance(problem.mesh_moves ? std::make_unique<LiquidBalance<dim>>(space, problem)
+                                        : nullptr),
       ports(moving_ports(problem)),
       port_faces(space, problem, ports),
       terms(make_nonlinear_terms(space, problem, linear_solver, metrics.get())),
@@ -147,7 +149,10 @@ void TaylorHood<dim>::setup()
     metrics->reinit();
   log.memory_use().mark("loads, ends and evaluation");
   if (mesh_motion)
+  {
     mesh_motion->reinit();
+    liquid_balance->reinit();
+  }
   port_faces.reinit();
   for (const auto &of_model : terms)
   {
@@ -702,7 +707,10 @@ void TaylorHood<dim>::visit(StateVisitor &visitor)
   for (const auto &of_model : terms)
     of_model->visit_state(visitor);
   if (mesh_motion)
+  {
     mesh_motion->visit(visitor);
+    liquid_balance->visit(visitor);
+  }
 }
 
 template <int dim>
@@ -759,6 +767,7 @@ void TaylorHood<dim>::finish_step(const BalancedStep &balanced, const State &sta
   if (!mesh_motion)
     return;
   mesh_motion->finish_step(balanced);
+  liquid_balance->finish_step(balanced);
   const MeshQuality &worst = mesh_motion->worst();
   if (worst.least_volume_ratio >= least_good_volume_ratio || mesh_warning_was_given)
     return;

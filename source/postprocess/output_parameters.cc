@@ -41,10 +41,11 @@ void OutputParameters::read(ParameterSection section)
   const Range range = Range::not_negative();
   section.add("Probe interval", probe_interval, time,
               "Time between two rows of probes.csv [s]; 0: a row after every step", range);
-  section.add("Power interval", power_interval, time,
-              "Time between two rows of power.csv [s]; 0: a row after every step; the balance is "
-              "kept over every step in any case",
-              range);
+  section.add(
+      "Power interval", power_interval, time,
+      "Time between two rows of power.csv, with a mesh that moves also of mass.csv [s]; 0: a row "
+      "after every step; the balance of powers is kept over every step in any case",
+      range);
   section.add("Field interval", field_interval, time,
               "Time between two states in fields.pvd [s]; 0: none but the final one", range);
   section.add("Final fields", final_fields,

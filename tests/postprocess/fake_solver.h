@@ -71,6 +71,7 @@ public:
   Continua::Energy energy() override { return present_energy; }
   double divergence() override { return 0.; }
   Continua::MotionExtremes motion_extremes() override { return {}; }
+  Continua::LiquidMass liquid_mass() override { return {}; }
 
   std::map<std::string, std::string> add_output(dealii::DataOut<dim> &data_out) override
   {

@@ -2,6 +2,7 @@
 #define continua_continuum_continuum_solver_h
 
 #include <continua/base/archive.h>
+#include <continua/continuum/liquid_mass.h>
 #include <continua/continuum/motion_extremes.h>
 #include <continua/continuum/power_balance.h>
 #include <continua/continuum/vibration_operator.h>
@@ -234,6 +235,8 @@ public:
 
   /// How far the present state is from rest; the same on every rank.
   virtual MotionExtremes motion_extremes() = 0;
+  /// Of the liquids, where the mesh moves; the same on every rank.
+  virtual LiquidMass liquid_mass() = 0;
 
   /// The shape of the cells, for drawing: straight unless the discretisation has another.
   virtual const dealii::Mapping<dim> &mapping() const

@@ -54,6 +54,7 @@ public:
   Energy energy() override { return stepping.energy(); }
   double divergence() override;
   MotionExtremes motion_extremes() override;
+  LiquidMass liquid_mass() override { return discretisation->liquid_mass(stepping.state()); }
   const dealii::Mapping<dim> &mapping() const override { return discretisation->mapping(); }
   std::map<std::string, std::string> add_output(dealii::DataOut<dim> &data_out) override;
   void indicators(const IndicatorRequest &request, dealii::Vector<float> &per_cell) override;

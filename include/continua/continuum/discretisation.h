@@ -25,6 +25,8 @@ public:
   virtual FieldProbes<dim> &probes() = 0;
   /// Takes this rank's solids into the extremes, and sets the sizes of the liquid. Collective.
   virtual void take_motion(const State &state, MotionExtremes &extremes) = 0;
+  /// Of a mesh that moves. Collective.
+  virtual LiquidMass liquid_mass(const State & /*state*/) { return {}; }
   virtual std::map<std::string, std::string> add_output(const State &state,
                                                         dealii::DataOut<dim> &data_out) = 0;
   /// `port_pressures`: of the outlets' ports, by boundary condition; 0 of others [Pa]. `time` [s].

@@ -9,6 +9,7 @@
 #include <continua/finite_element/deformed_faces.h>
 #include <continua/finite_element/field_evaluation.h>
 #include <continua/finite_element/field_output.h>
+#include <continua/finite_element/liquid_balance.h>
 #include <continua/finite_element/loads.h>
 #include <continua/finite_element/mesh_motion.h>
 #include <continua/finite_element/mesh_transfer.h>
@@ -203,6 +204,10 @@ public:
       extremes.mesh_volume_time = mesh_motion->worst().time;
     }
   }
+  LiquidMass liquid_mass(const State &state) override
+  {
+    return liquid_balance ? liquid_balance->mass(state) : LiquidMass();
+  }
   std::map<std::string, std::string> add_output(const State &state,
                                                 dealii::DataOut<dim> &data_out) override;
   void indicators(const IndicatorRequest &request,
@@ -227,7 +232,8 @@ private:
   const LinearSolverParameters linear_solver;
   StepSystem<dim> system;
   std::unique_ptr<MetricHistory<dim>> metrics; ///< null where nothing relaxes in finite deformation
-  std::unique_ptr<MeshMotion<dim>> mesh_motion; ///< null where the mesh stays
+  std::unique_ptr<MeshMotion<dim>> mesh_motion;       ///< null where the mesh stays
+  std::unique_ptr<LiquidBalance<dim>> liquid_balance; ///< likewise
   bool mesh_warning_was_given = false;
   const std::vector<unsigned int> ports; ///< of outlets on a mesh that moves: conditions
   DeformedFaces<dim> port_faces;         ///< of these
