@@ -54,8 +54,7 @@ void Steady<dim>::perform()
     }
     solve(cycle == 0);
     const SolverSizes sizes = run.solver->sizes();
-    std::vector<double> probe_values;
-    run.solver->evaluate_probes(probe_values);
+    const std::vector<double> probe_values = input.probes.present_values();
     if (input.adaptation.cycles > 0)
     {
       std::ostringstream text;

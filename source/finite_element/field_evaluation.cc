@@ -364,10 +364,19 @@ template <int dim>
 double FieldEvaluation<dim>::add_force(const ProbeRequest<dim> &request, Collector &collector) const
 {
   // Each node once, also one of several faces or boundaries. The rows of hanging nodes are part of
-  // those that they hang on. A node of this rank may be on faces of another one's cells only.
+  // those that they hang on, which may belong to larger faces on the other side alone. A node of
+  // this rank may be on faces of another one's cells only.
   DistributedVector &weights = collector.weights(Source::force);
   std::vector<types::global_dof_index> indices(space.velocity_element.n_dofs_per_face());
   double n_nodes = 0.;
+  const auto take = [&](const types::global_dof_index index)
+  {
+    if (!space.velocity_owned.is_element(index))
+      return;
+    // Minus: the force on what holds the node.
+    weights.begin()[space.velocity_owned.index_within_set(index)] = -1.;
+    n_nodes += 1.;
+  };
   for (const auto &cell : space.velocity_dofs.active_cell_iterators())
     if (!cell->is_artificial() && this->counts(request, cell->material_id()))
       for (const unsigned int f : cell->face_indices())
@@ -376,16 +385,14 @@ double FieldEvaluation<dim>::add_force(const ProbeRequest<dim> &request, Collect
           continue;
         cell->face(f)->get_dof_indices(indices, cell->active_fe_index());
         for (unsigned int i = 0; i < indices.size(); ++i)
-        {
           if (space.velocity_element.face_system_to_component_index(i, f).first !=
-                  request.component ||
-              !space.velocity_owned.is_element(indices[i]) ||
-              space.velocity_hanging.is_constrained(indices[i]))
+              request.component)
             continue;
-          // Minus: the force on what holds the node.
-          weights.begin()[space.velocity_owned.index_within_set(indices[i])] = -1.;
-          n_nodes += 1.;
-        }
+          else if (!space.velocity_hanging.is_constrained(indices[i]))
+            take(indices[i]);
+          else
+            for (const auto &entry : *space.velocity_hanging.get_constraint_entries(indices[i]))
+              take(entry.first);
       }
   return Utilities::MPI::sum(n_nodes, space.communicator);
 }
