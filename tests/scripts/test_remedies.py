@@ -69,8 +69,19 @@ class Remedies(unittest.TestCase):
     def test_name_with_a_slash_on_the_command_line(self):
         region = "Wand/innen"
         given = self.validate(region, region, "1 Pa", "--set", f"Materials/{region}/Density=900 kg/m^3")
-        self.follow(given, "(A name that has a '/' stands between double quotes)")
+        self.follow(given, "(A name that has a '/' or a '=' stands between double quotes)")
         self.accept(self.validate(region, region, "1 Pa", "--set", f'Materials/"{region}"/Density=900 kg/m^3'))
+
+    def test_name_with_an_equals_sign_on_the_command_line(self):
+        region = "x=1"
+        given = self.validate(region, region, "1 Pa", "--unset", f"Materials/{region}/Density")
+        self.follow(given, "(a name with a '=' stands between double quotes)")
+        self.accept(self.validate(region, region, "1 Pa", "--unset", f'Materials/"{region}"/Density',
+                                  "--set", f'Materials/"{region}"/Density=900 kg/m^3'))
+
+    def test_name_that_is_a_comment(self):
+        written = self.follow(self.validate("#1", "#1"), "'subsection (\"#1\")'")
+        self.accept(self.validate("#1", written))
 
     def test_comparison_of_three(self):
         pattern = "if({}, 1000, 0)"
