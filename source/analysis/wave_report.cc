@@ -1,5 +1,6 @@
 #include <continua/analysis/wave_report.h>
 
+#include <continua/base/six_digits.h>
 #include <continua/base/table_writer.h>
 #include <continua/base/undefined.h>
 #include <continua/base/unit_scale.h>
@@ -159,6 +160,25 @@ std::string WaveReport::places_without_pulse(const std::vector<unsigned int> &us
   return reasons;
 }
 
+std::string WaveReport::records_in_part(const Histories &histories) const
+{
+  const int pressure = field("pressure");
+  std::string text;
+  for (unsigned int s = 0; s < stations.positions.size(); ++s)
+  {
+    const std::vector<double> &history = histories[s][pressure];
+    const auto is_finite = [](const double value) { return std::isfinite(value); };
+    const auto first = std::find_if(history.begin(), history.end(), is_finite);
+    if (first == history.end() || all_finite(history))
+      continue;
+    const auto behind = std::find_if(history.rbegin(), history.rend(), is_finite).base();
+    text += (text.empty() ? "" : ", ") + named_value(stations.positions[s], "m") + ": " +
+            six_digits(times[first - history.begin()]) + " s to " +
+            six_digits(times[behind - history.begin() - 1]) + " s";
+  }
+  return text;
+}
+
 std::vector<WaveReport::Pulse>
 WaveReport::analyse(const Source source, Summary &summary, Notes &notes) const
 {
@@ -201,12 +221,29 @@ WaveReport::analyse(const Source source, Summary &summary, Notes &notes) const
   std::vector<Pulse> pulses(stations.positions.size(), {undefined, undefined, undefined, undefined,
                                                         undefined, undefined, undefined});
   const std::string prefix = prefixes[static_cast<int>(source)];
+  const std::string in_part = records_in_part(histories);
   if (used.empty() || n_analysed < 2)
   {
+    const std::string reason =
+        in_part.empty() || !used.empty()
+            ? "no station has a whole record"
+            : "no record of a pressure goes from the first to the last time of the run (" +
+                  in_part + ")";
     for (const char *const name : speeds_and_attenuation)
-      summary.add_absence(prefix + name, stations.name, "no station has a whole record");
+      summary.add_absence(prefix + name, stations.name, reason);
+    if (!in_part.empty())
+      notes.lines.push_back(
+          "No " + prefix + "wave speed and attenuation at the stations '" + stations.name +
+          "': " + reason +
+          ". Give it a row at the first and at the last time of the run, or end the run "
+          "with it (Time/End time)");
     return pulses;
   }
+  if (!in_part.empty())
+    notes.lines.push_back(
+        "Left out of the " + prefix + "speeds and the attenuation at the stations '" +
+        stations.name +
+        "', since they do not go from the first to the last time of the run: " + in_part);
   record.begins_at_rest = first_analysed == 0;
   const WaveAnalysis wave = analyse_wave(record);
   const auto add = [&](const std::string &name, const double value, const std::string &unit,

@@ -1,6 +1,7 @@
 #include <continua/base/command_line.h>
 #include <continua/base/input_error.h>
 #include <continua/base/nearest_name.h>
+#include <continua/base/quoted_name.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -86,16 +87,18 @@ void apply(CommandLine &result, const std::string &name, const std::string &valu
            "Write continua --serve SOCKET");
   if (name == "--set")
   {
-    if (value.find('=') == std::string::npos || value.front() == '=')
+    if (find_unquoted(value, "=") == std::string::npos || value.front() == '=')
       refuse("--set " + value, "this names no entry and value",
              "Write --set \"Section/Key=value\"");
     result.overrides.push_back(value);
   }
   else if (name == "--unset")
   {
-    if (value.empty() || value.find('=') != std::string::npos)
-      refuse("--unset " + value, "this is no name of an entry or section",
-             "Write --unset \"Section/Key\" or --unset \"Section\"");
+    if (value.empty() || find_unquoted(value, "=") != std::string::npos)
+      refuse(
+          "--unset " + value, "this is no name of an entry or section",
+          "Write --unset \"Section/Key\" or --unset \"Section\"; a name with a '=' stands between "
+          "double quotes");
     result.overrides.push_back(value);
   }
   else if (name == "--output")

@@ -1,40 +1,19 @@
 #include <continua/base/csv_table.h>
 #include <continua/base/input_file.h>
+#include <continua/base/table_cells.h>
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
-#include <cmath>
 #include <functional>
+#include <set>
 #include <stdexcept>
 
 namespace Continua
 {
 namespace
 {
-std::string trim(const std::string &text)
-{
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string::npos)
-    return "";
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-/// Whether the line is neither empty nor a comment.
-bool has_content(const std::string &line)
-{
-  const std::string content = trim(line);
-  return !content.empty() && content[0] != '#';
-}
-
-/// The separator that Excel names in a first line "sep=;"; 0 if it is no such line.
-char separator_of_excel(const std::string &line)
-{
-  std::string text = trim(line);
-  if (text.size() > 1 && text.front() == '"' && text.back() == '"')
-    text = text.substr(1, text.size() - 2);
-  return text.size() == 5 && text.compare(0, 4, "sep=") == 0 ? text[4] : '\0';
-}
+const char *const points_for_commas =
+    "Exchange the commas for points, as 'tr , . < FILE > NEW' does";
 
 /// Whether a person can mean it as the name of a column; what is shown of another file, named by
 /// mistake, may be a secret.
@@ -57,94 +36,15 @@ std::string unit_in_round_brackets(const std::string &cell, std::size_t &open)
   open = cell.rfind('(');
   if (open == std::string::npos || open == 0 || cell.back() != ')')
     return "";
-  const std::string unit = trim(cell.substr(open + 1, cell.size() - open - 2));
-  try
-  {
-    Dimension ignored;
-    unit_factor(unit, ignored);
-    return unit;
-  }
-  catch (const std::invalid_argument &)
-  {
-    return "";
-  }
-}
-
-/// What stands between quotes, in which a quote is written twice.
-std::string bare_cell(const std::string &cell)
-{
-  if (cell.size() < 2 || cell.front() != '"' || cell.back() != '"')
-    return cell;
-  std::string text;
-  for (std::size_t i = 1; i + 1 < cell.size(); ++i)
-  {
-    text += cell[i];
-    if (cell[i] == '"' && cell[i + 1] == '"' && i + 2 < cell.size())
-      ++i;
-  }
-  return trim(text);
-}
-
-/// Cells of a line, trimmed and without their quotes. A separator inside brackets, as in "[mPa s]",
-/// does not separate; `separator` ' ' stands for any number of blanks and tabs.
-std::vector<std::string> split(const std::string &line, const char separator)
-{
-  std::vector<std::string> cells(1);
-  bool in_brackets = false, in_quotes = false;
-  for (const char character : separator == ' ' ? trim(line) : line)
-  {
-    if (character == '"')
-      in_quotes = !in_quotes;
-    if (character == '[' || character == ']')
-      in_brackets = (character == '[');
-    const bool separates = character == separator || (separator == ' ' && character == '\t');
-    if (!separates || in_brackets || in_quotes)
-      cells.back() += character;
-    else if (separator != ' ' || !cells.back().empty())
-      cells.emplace_back();
-  }
-  for (std::string &cell : cells)
-    cell = bare_cell(trim(cell));
-  return cells;
-}
-
-char find_separator(const std::string &header)
-{
-  for (const char candidate : {';', ',', '\t'})
-    if (split(header, candidate).size() > 1)
-      return candidate;
-  return ' ';
-}
-
-/// The cell with the exponent of Fortran, 1.0D-03, written as 1.0e-03.
-std::string with_usual_exponent(std::string cell)
-{
-  const auto is_digit = [&cell](const std::size_t i)
-  { return i < cell.size() && std::isdigit(static_cast<unsigned char>(cell[i])) != 0; };
-  const std::size_t place = cell.find_first_of("dD");
-  if (place == std::string::npos || place == 0 || !(is_digit(place - 1) || cell[place - 1] == '.'))
-    return cell;
-  const bool has_sign =
-      place + 1 < cell.size() && (cell[place + 1] == '+' || cell[place + 1] == '-');
-  if (is_digit(place + (has_sign ? 2 : 1)))
-    cell[place] = 'e';
-  return cell;
-}
-
-/// Whether the cell is a finite number, and which.
-bool is_number(const std::string &cell, double &number)
-{
-  const std::string text = with_usual_exponent(cell);
-  const char *const begin = text.data() + (!text.empty() && text[0] == '+' ? 1 : 0);
-  const char *const end = text.data() + text.size();
-  const auto result = std::from_chars(begin, end, number);
-  return result.ec == std::errc() && result.ptr == end && std::isfinite(number);
+  return unit_of_cell(cell.substr(open));
 }
 
 double read_number(const Origin &origin, const std::string &column, const std::string &cell)
 {
-  if (cell.empty())
+  if (is_gap(cell))
     throw InputError(origin, column, "the value is missing", "Fill it in, or remove the line");
+  if (has_decimal_comma(cell))
+    throw InputError(origin, column, "'" + cell + "' has a decimal comma", points_for_commas);
   double number = 0.;
   if (!is_number(cell, number))
     throw InputError(origin, column,
@@ -153,58 +53,22 @@ double read_number(const Origin &origin, const std::string &column, const std::s
   return number;
 }
 
-bool are_numbers(const std::vector<std::string> &cells)
+/// Throws where the second line, which is the first row if there is a header, has numbers in
+/// brackets.
+void refuse_brackets(const std::string &file, const std::size_t place, std::string line)
 {
-  double ignored = 0.;
-  return std::all_of(cells.begin(), cells.end(),
-                     [&](const std::string &cell) { return is_number(cell, ignored); });
-}
-
-/// Leaves out empty cells at the end, which a separator at the end of each line makes, beyond the
-/// first `n`.
-void drop_empty_cells(std::vector<std::string> &cells, const std::size_t n)
-{
-  while (cells.size() > n && cells.back().empty())
-    cells.pop_back();
-}
-
-std::vector<std::string> cells_of_line(const std::string &line)
-{
-  std::vector<std::string> cells = split(line, find_separator(line));
-  drop_empty_cells(cells, 1);
-  return cells;
-}
-
-/// Whether the cells are whole numbers of which the first one says how many rows follow, as some
-/// programs write before the rows.
-bool count_rows(const std::vector<std::string> &cells, const std::size_t n_rows)
-{
-  return std::all_of(cells.begin(), cells.end(),
-                     [](const std::string &cell) {
-                       return !cell.empty() &&
-                              cell.find_first_not_of("0123456789") == std::string::npos;
-                     }) &&
-         cells.front() == std::to_string(n_rows);
-}
-
-/// The example of a header, for rows with that many cells and this separator.
-std::string header_for(const std::string &example, const std::size_t n_cells, const char separator)
-{
-  const std::vector<std::string> names = split(example, ',');
-  const std::string between = separator == ' '    ? "  "
-                              : separator == '\t' ? "\t"
-                                                  : std::string(1, separator) + " ";
-  std::string header;
-  for (std::size_t i = 0; i < std::max(names.size(), n_cells); ++i)
-  {
-    header += i > 0 ? between : "";
-    header += i < names.size() ? names[i] : "value " + std::to_string(i + 1) + " [1]";
-  }
-  return header;
+  const std::size_t size = line.size();
+  line.erase(std::remove_if(line.begin(), line.end(),
+                            [](const char letter) { return letter == '(' || letter == ')'; }),
+             line.end());
+  if (line.size() < size && has_only_numbers(line))
+    throw InputError({file, static_cast<unsigned int>(place + 1)}, "", "the row stands in brackets",
+                     "Remove the brackets, as \"tr -d '()' < FILE > NEW\" does");
 }
 } // namespace
 
-CsvTable::CsvTable(const std::string &file, const std::string &example) : file(file)
+CsvTable::CsvTable(const std::string &file, const std::string &example, const std::string &advice)
+    : file(file), advice(advice)
 {
   const std::vector<std::string> lines = read_input_lines(file);
   const std::string remedy = "Write a first line such as '" + example + "'";
@@ -230,10 +94,20 @@ CsvTable::CsvTable(const std::string &file, const std::string &example) : file(f
   }
   const char separator = separator_given == '\0' ? find_separator(header_text) : separator_given;
   columns = parse_header(header_text, separator);
+  if (content.size() > 1)
+    refuse_brackets(file, content[1], lines[content[1]]);
+  if (first_row == 1 && content.size() > 1 && !has_units(columns))
+  {
+    const bool units_follow = take_units(cells_of_line(lines[content[1]]));
+    if (units_follow)
+      first_row = 2;
+    else
+      refuse_what_is_no_header(lines, content, example);
+  }
 
   const auto cells_of = [&](const std::string &line, const char of_rows)
   {
-    std::vector<std::string> cells = split(line, of_rows);
+    std::vector<std::string> cells = split_into_cells(line, of_rows);
     drop_empty_cells(cells, columns.size());
     return cells;
   };
@@ -261,19 +135,17 @@ std::string CsvTable::header_in_comment(const std::vector<std::string> &lines,
                                         const std::size_t first_row)
 {
   std::size_t i = first_row;
-  while (i > 0 && trim(lines[i - 1]).empty())
+  while (i > 0 && without_blanks_around(lines[i - 1]).empty())
     --i;
   if (i == 0)
     return "";
   // A comment, since the first row is the first line that is none.
-  std::string text = trim(lines[i - 1]);
+  std::string text = without_blanks_around(lines[i - 1]);
   text.erase(0, text.find_first_not_of("# \t"));
   if (text.empty())
     return "";
   const std::vector<Column> named = parse_header(text, find_separator(text));
-  const bool has_units =
-      std::any_of(named.begin(), named.end(), [](const Column &column) { return column.has_unit; });
-  if (!has_units || named.size() != cells_of_line(lines[first_row]).size())
+  if (!has_units(named) || named.size() != cells_of_line(lines[first_row]).size())
     return "";
   header_line = static_cast<unsigned int>(i);
   return text;
@@ -287,20 +159,88 @@ void CsvTable::refuse_without_header(const std::vector<std::string> &lines,
   const bool counts = content.size() > 2 && count_rows(cells_of_line(first), content.size() - 1);
   const std::string &row = lines[content[counts ? 1 : 0]];
   const std::string header = header_for(example, cells_of_line(row).size(), find_separator(row));
-  const std::string units = "' with the names and units of the columns";
+  const std::string line = "insert a line such as '" + header +
+                           "' with the names and units of the columns" + units_of(example);
   throw InputError({file, header_line}, "",
                    counts ? "the table has no header: this line counts the rows that follow"
                           : "the table has no header: this line has only numbers",
-                   counts ? "Write '#' before this line, insert a line such as '" + header + units +
-                                " below it, and keep all rows"
-                          : "Insert a line such as '" + header + units +
-                                " above this line, and keep this line");
+                   (counts ? "Write '#' before this line, " + line + " below it, and keep all rows"
+                           : "I" + line.substr(1) + " above this line, and keep this line") +
+                       advice);
+}
+
+void CsvTable::refuse_what_is_no_header(const std::vector<std::string> &lines,
+                                        const std::vector<std::size_t> &content,
+                                        const std::string &example) const
+{
+  const std::string &first = lines[content.front()];
+  if (has_only_numbers(first))
+    throw InputError({file, header_line}, "",
+                     "the table has no header, and its numbers have decimal commas",
+                     std::string(points_for_commas) + ", and insert a first line such as '" +
+                         header_for(example, 0, ',') + "' with the names and units of the columns" +
+                         units_of(example) + advice);
+  // Lines of text before the first row, of which none is a header with units.
+  const auto begins_with_text = [&](const std::size_t i)
+  {
+    const std::vector<std::string> cells = cells_of_line(lines[i]);
+    double ignored = 0.;
+    return !is_gap(cells.front()) && !is_number(cells.front(), ignored);
+  };
+  const auto row = std::find_if_not(content.begin(), content.end(), begins_with_text);
+  if (row == content.end() || row - content.begin() < 2)
+    return;
+  const std::string &cells = lines[*row];
+  throw InputError({file, header_line}, "",
+                   "the " + std::to_string(row - content.begin()) +
+                       " lines before the first row of numbers (line " + std::to_string(*row + 1) +
+                       ") are no header with units",
+                   "Write '#' before each of them, and insert a line such as '" +
+                       header_for(example, cells_of_line(cells).size(), find_separator(cells)) +
+                       "' with the names and units of the columns" + units_of(example) +
+                       " below them" + advice);
+}
+
+bool CsvTable::has_units(const std::vector<Column> &columns)
+{
+  return std::any_of(columns.begin(), columns.end(),
+                     [](const Column &column) { return column.has_unit; });
+}
+
+bool CsvTable::take_units(const std::vector<std::string> &cells)
+{
+  std::vector<std::string> units;
+  for (const std::string &cell : cells)
+    units.push_back(unit_of_cell(cell));
+  if (units.size() != columns.size() || std::count(units.begin(), units.end(), "") > 0)
+    return false;
+  for (std::size_t i = 0; i < units.size(); ++i)
+  {
+    columns[i].unit = units[i];
+    columns[i].has_unit = true;
+  }
+  return true;
+}
+
+std::string CsvTable::units_of(const std::string &example)
+{
+  std::string text;
+  std::set<std::string> lists;
+  for (const Column &column : parse_header(example, ','))
+  {
+    Dimension dimension;
+    unit_factor(column.unit, dimension);
+    const std::string units = usual_units(dimension);
+    if (!(dimension == Dimensions::none) && lists.insert(units).second)
+      text += (text.empty() ? " (" : "; ") + units;
+  }
+  return text.empty() ? text : text + ")";
 }
 
 std::vector<CsvTable::Column> CsvTable::parse_header(const std::string &line, const char separator)
 {
   std::vector<Column> columns;
-  std::vector<std::string> cells = split(line, separator);
+  std::vector<std::string> cells = split_into_cells(line, separator);
   drop_empty_cells(cells, 1);
   for (std::string cell : cells)
   {
@@ -313,17 +253,17 @@ std::vector<CsvTable::Column> CsvTable::parse_header(const std::string &line, co
     }
     Column column;
     const std::size_t open = cell.find('[');
-    column.name = trim(cell.substr(0, open));
+    column.name = without_blanks_around(cell.substr(0, open));
     if (open != std::string::npos && cell.back() == ']')
     {
-      column.unit = trim(cell.substr(open + 1, cell.size() - open - 2));
+      column.unit = without_blanks_around(cell.substr(open + 1, cell.size() - open - 2));
       column.has_unit = true;
     }
     std::size_t round_open = 0;
     if (const std::string unit = unit_in_round_brackets(cell, round_open);
         open == std::string::npos && !unit.empty())
     {
-      column.name = trim(cell.substr(0, round_open));
+      column.name = without_blanks_around(cell.substr(0, round_open));
       column.unit = unit;
       column.has_unit = true;
     }
@@ -367,7 +307,8 @@ UnitScale CsvTable::unit_scale_of(const std::size_t number, const Dimension &dim
       "Write the header as '" + (column.name.empty() ? "NAME" : column.name) + " [UNIT]'" +
       (dimension == Dimensions::none ? " or without a unit"
                                      : " with a unit of the dimension of " + dimension.unit() +
-                                           " (" + usual_units(dimension) + ")");
+                                           " (" + usual_units(dimension) + ")") +
+      (number > 0 ? advice : "");
   if (!column.has_unit)
     throw InputError(header(), column.name, "the column has no unit", remedy);
   try

@@ -115,9 +115,11 @@ std::vector<ExpectedValue> read_expected(ParameterSection section)
     }
     catch (const std::invalid_argument &error)
     {
-      section.refuse(key, error.what(),
-                     "Write for example 'set frequency = 3.36 Hz +- 0.5 %', 'set tip: maximum "
-                     "displacement = 0.6 m +- 2 mm' or 'set energy residual = < 1e-9'");
+      section.refuse(
+          key, error.what(),
+          "Write for example 'set frequency = 3.36 Hz +- 0.5 %', 'set tip: maximum "
+          "displacement = 0.6 m +- 2 mm' or 'set energy residual = < 1e-9'; a name with a "
+          "'=' stands between double quotes");
     }
   return result;
 }

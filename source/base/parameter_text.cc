@@ -66,7 +66,8 @@ void check_unsets(const ParameterText::Section &section, const std::string &path
     const std::string nearest = nearest_name(name, names_in_files(section));
     throw InputError(unset.origin, path_of_it,
                      "there is nothing to unset: the file does not set it",
-                     nearest.empty() ? "Remove the option, or correct the name"
+                     nearest.empty() ? "Remove the option, or correct the name. A name that has a "
+                                       "'/' stands between double quotes"
                                      : "Did you mean '" + nearest + "'?");
   };
   for (const ParameterText::Entry &entry : section.entries)
@@ -375,7 +376,9 @@ void ParameterText::read(const std::string &path,
     if (keyword == "subsection" || keyword == "SUBSECTION")
     {
       if (rest.empty())
-        throw InputError(here, "", "a subsection has no name", "Write 'subsection NAME'");
+        throw InputError(here, "", "a subsection has no name",
+                         "Write 'subsection NAME'. A name with a '#' stands between double quotes: "
+                         "'subsection \"#1\"'");
       open.push_back(&open.back()->get_section(without_quotes(rest), here));
       open.back()->openings.push_back({"", here, inclusions});
       opened_at.push_back(here);

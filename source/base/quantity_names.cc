@@ -2,6 +2,7 @@
 
 #include <continua/base/nearest_name.h>
 #include <continua/base/parameter_file.h>
+#include <continua/base/parameter_text.h>
 #include <continua/base/unit_scale.h>
 
 #include <algorithm>
@@ -118,7 +119,7 @@ void QuantityNames::refuse_others(ParameterFile &file,
   {
     if (find(value))
       continue;
-    const std::string path = section.path() + "/" + value.key;
+    const std::string path = section.path() + "/" + join_path({value.key});
     value.excluded_by = file.changes_that_exclude(path);
     const std::string asked = joined_label(value.probe, value.name);
     if (value.excluded_by.empty())

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace Continua
@@ -31,10 +32,12 @@ constexpr Dimension volume{0, 3, 0};
 // Conventional millimetre of mercury: density 13595.1 kg/m^3, standard gravity 9.80665 m/s^2; of
 // water 1000 kg/m^3.
 constexpr double standard_gravity = 9.80665;
-constexpr std::array<Unit, 24> known_units{{
+constexpr std::array<Unit, 26> known_units{{
     {"m", 1., 0, Dimensions::length, true},
     {"s", 1., 0, Dimensions::time, true},
     {"sec", 1., 0, Dimensions::time, true},
+    {"second", 1., 0, Dimensions::time, true},
+    {"seconds", 1., 0, Dimensions::time, true},
     {"g", 1., -3, mass, true},
     {"N", 1., 0, force, true},
     {"Pa", 1., 0, Dimensions::pressure, true},
@@ -118,6 +121,20 @@ Scale unit_with_power(const std::string &name)
   scale.multiply(named_unit(name.substr(0, end)),
                  (name[end] == '-' ? -1 : 1) * (name[digit] - '0'));
   return scale;
+}
+
+/// The unit with raised digits as powers, and with points between factors as blanks:
+/// "cm\u00b3\u00b7s\u207b\u00b9" as "cm^3 s^-1".
+std::string in_plain_letters(std::string unit)
+{
+  static const std::vector<std::pair<std::string, std::string>> replacements = {
+      {"\u207b", "^-"}, {"\u207a", "^+"}, {"\u00b9", "^1"}, {"\u00b2", "^2"}, {"\u00b3", "^3"},
+      {"\u2074", "^4"}, {"\u2075", "^5"}, {"\u2076", "^6"}, {"\u2077", "^7"}, {"\u2078", "^8"},
+      {"\u2079", "^9"}, {"\u00b7", " "},  {"\u22c5", " "},  {"-^", "-"},      {"+^", "+"}};
+  for (const auto &[special, plain] : replacements)
+    for (std::size_t i = unit.find(special); i != std::string::npos; i = unit.find(special, i))
+      unit.replace(i, special.size(), plain);
+  return unit;
 }
 
 /// Reads "kg/m^3", "N/(m s)" from left to right.
@@ -286,7 +303,8 @@ double UnitScale::in_si(const double number) const
 
 UnitScale unit_scale(const std::string &unit, Dimension &dimension)
 {
-  const Scale scale = UnitParser(unit).parse();
+  const std::string plain = in_plain_letters(unit);
+  const Scale scale = UnitParser(plain).parse();
   dimension = scale.dimension;
   return scale.scale;
 }
@@ -346,14 +364,14 @@ double parse_quantity(const std::string &text, const Dimension &dimension)
 std::string usual_units(const Dimension &dimension)
 {
   static const std::vector<std::string> units{
-      "m",       "cm",      "mm",   "um",       "m^2",       "cm^2",      "mm^2",       "s",
-      "ms",      "min",     "h",    "Hz",       "kHz",       "m/s",       "cm/s",       "mm/s",
-      "m/s^2",   "mm/s^2",  "kg",   "g",        "kg/m^3",    "g/cm^3",    "Pa",         "kPa",
-      "MPa",     "GPa",     "bar",  "mmHg",     "cmH2O",     "Pa s",      "mPa s",      "cP",
-      "m^3",     "l",       "ml",   "m^3/s",    "l/min",     "ml/s",      "m^2/s",      "mm^2/s",
-      "N",       "kN",      "N/m",  "mN/m",     "N/m^3",     "kN/m^3",    "W",          "mW",
-      "J",       "mJ",      "%",    "Pa s/m^3", "MPa s/m^3", "mmHg s/ml", "dyn s/cm^5", "m^3/Pa",
-      "mm^3/Pa", "ml/mmHg", "Pa/m", "kPa/m",    "MPa/m",     "kPa s/m"};
+      "m",      "cm",      "mm",      "um",    "m^2",      "cm^2",      "mm^2",      "s",
+      "ms",     "min",     "h",       "Hz",    "kHz",      "m/s",       "cm/s",      "mm/s",
+      "m/s^2",  "mm/s^2",  "kg",      "g",     "kg/m^3",   "g/cm^3",    "Pa",        "kPa",
+      "MPa",    "GPa",     "bar",     "mmHg",  "cmH2O",    "Pa s",      "mPa s",     "cP",
+      "m^3",    "l",       "ml",      "m^3/s", "l/min",    "ml/s",      "cm^3/s",    "m^2/s",
+      "mm^2/s", "N",       "kN",      "N/m",   "mN/m",     "N/m^3",     "kN/m^3",    "W",
+      "mW",     "J",       "mJ",      "%",     "Pa s/m^3", "MPa s/m^3", "mmHg s/ml", "dyn s/cm^5",
+      "m^3/Pa", "mm^3/Pa", "ml/mmHg", "Pa/m",  "kPa/m",    "MPa/m",     "kPa s/m"};
   // Every entry with a unit asks.
   static const std::vector<Dimension> dimensions = []
   {

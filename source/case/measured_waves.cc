@@ -72,7 +72,8 @@ MeasuredWaves::MeasuredWaves(const MeasuredWavesEntries &entries,
                              const std::vector<std::string> &fields)
     : n_stations(positions.size()), n_fields(fields.size())
 {
-  const CsvTable table(entries.file, "time [ms], 0.1 m: pressure [mmHg]");
+  const CsvTable table(entries.file, "time [ms], 0.1 m: pressure [mmHg]",
+                       scaling_advice("Measured factors"));
   const std::size_t n_factors = entries.factors.size();
   if (n_factors > 1 && n_factors + 1 != table.n_columns())
     probe.refuse("Measured factors",

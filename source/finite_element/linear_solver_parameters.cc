@@ -28,7 +28,8 @@ void LinearSolverParameters::read(ParameterSection section)
   add_choice(section, "Direct solver", direct_solver, direct_solver_words(),
              "automatic takes cholmod on one rank where every material is compressible "
              "and the matrix has no more than 2 million entries, else mumps; umfpack is "
-             "there for comparison.");
+             "there for comparison. Where a factor without pivots loses its digits, automatic and "
+             "mumps make it again by MUMPS with pivots, and say so.");
   add_choice(section, "Factor precision", factor_precision,
              {{"automatic", FactorPrecision::automatic},
               {"double", FactorPrecision::double_precision},

@@ -1,6 +1,6 @@
 #include <continua/finite_element/step_system.h>
 
-#include <continua/base/input_error.h>
+#include <continua/linear_algebra/singular_matrix.h>
 
 #include <algorithm>
 #include <cmath>
@@ -155,20 +155,22 @@ bool StepSystem<dim>::take(const SystemCoefficients &wanted)
 }
 
 template <int dim>
-void StepSystem<dim>::factorize()
+void StepSystem<dim>::factorize(const bool pivots)
 {
   // The oldest goes first: there may be no room for one more.
   while (kept_factors.size() >= parameters.kept_factors)
     kept_factors.pop_back();
   const bool is_shifted = has_negative_mass();
-  const bool quasi_definite = !is_shifted && std::all_of(coefficients.compressibility.begin(),
-                                                         coefficients.compressibility.end(),
-                                                         [](const double c) { return c > 0.; });
+  const bool quasi_definite =
+      !pivots && !is_shifted &&
+      std::all_of(coefficients.compressibility.begin(), coefficients.compressibility.end(),
+                  [](const double c) { return c > 0.; });
   // A shift needs pivots, which CHOLMOD has not; a case may ask for CHOLMOD where it solves without
   // a shift, and count modes with one.
-  const DirectSolver library = is_shifted && parameters.direct_solver == DirectSolver::cholmod
-                                   ? DirectSolver::mumps
-                                   : parameters.direct_solver;
+  const DirectSolver library =
+      pivots || (is_shifted && parameters.direct_solver == DirectSolver::cholmod)
+          ? DirectSolver::mumps
+          : parameters.direct_solver;
   make_work_space();
   packed.resize(space.velocity_owned.n_elements() + space.pressure_owned.n_elements());
   std::vector<int> owned;
@@ -201,9 +203,37 @@ void StepSystem<dim>::factorize()
   if (announce)
     made.factor->announce = [this, n = matrix.n](const FactorEstimate &estimate)
     { announce(n, estimate.memory); };
-  made.factor->factorize(std::move(matrix), owned);
+  // Who asks for CHOLMOD alone shall have it; UMFPACK has pivots, and so may a factor in single
+  // precision.
+  made.may_pivot = quasi_definite && chosen.solver == StepSolver::direct &&
+                   (parameters.direct_solver == DirectSolver::automatic ||
+                    parameters.direct_solver == DirectSolver::mumps);
+  try
+  {
+    made.factor->factorize(std::move(matrix), owned);
+  }
+  catch (const SingularMatrix &error)
+  {
+    if (library == DirectSolver::cholmod)
+      throw SingularMatrix(std::string(error.what()) +
+                           " Linear solver/Direct solver = automatic takes pivots there");
+    if (!made.may_pivot)
+      throw;
+    take_pivots(std::move(made.factor));
+    return;
+  }
   made.factor->announce = nullptr;
   kept_factors.push_front(std::move(made));
+}
+
+template <int dim>
+void StepSystem<dim>::take_pivots(std::unique_ptr<SymmetricFactor> failed)
+{
+  if (announce_pivots)
+    announce_pivots(failed->name());
+  failed = nullptr; // there may be no room for both
+  factorize(true);
+  made_factor = true;
 }
 
 template <int dim>
@@ -408,13 +438,22 @@ void StepSystem<dim>::solve(DistributedVector &momentum,
       velocity.add(1., velocity_correction);
       pressure.add(1., pressure_correction);
       const double refined = residual(momentum, mass, velocity, pressure);
+      if (!(refined < 1e-6) && kept_factors.front().may_pivot)
+      {
+        std::unique_ptr<SymmetricFactor> failed = std::move(kept_factors.front().factor);
+        kept_factors.pop_front();
+        take_pivots(std::move(failed));
+        solve(momentum, mass, velocity, pressure);
+        return;
+      }
       if (!(refined < 1e-6))
       {
         std::ostringstream text;
         text << "the direct solver " << factor()->name() << " left a relative residual of "
-             << relative << " (" << refined
-             << " after a step of refinement); Linear solver/Direct solver = umfpack, which "
-                "pivots, may do better";
+             << relative << " (" << refined << " after a step of refinement); "
+             << (parameters.direct_solver == DirectSolver::cholmod
+                     ? "Linear solver/Direct solver = automatic takes pivots there"
+                     : "Linear solver/Direct solver = umfpack, on one rank, may do better");
         throw RunError(text.str());
       }
     }

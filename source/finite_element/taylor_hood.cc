@@ -20,6 +20,7 @@
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+#include <utility>
 
 namespace Continua
 {
@@ -97,6 +98,13 @@ TaylorHood<dim>::TaylorHood(parallel::TriangulationBase<dim> &triangulation,
     text << "Factoring " << std::fixed << std::setprecision(0) << n_unknowns << " unknowns, about "
          << memory_text(bytes);
     log.note(text.str());
+  };
+  // A search for rest makes many factors; the first one that fails stands for all.
+  system.announce_pivots = [&log, is_said = false](const std::string &name) mutable
+  {
+    if (!std::exchange(is_said, true))
+      log.note("The factor without pivots has lost its digits (" + name +
+               "): MUMPS with pivots takes its place, and that of each later one that loses them");
   };
   system.memory_use = &log.memory_use();
 }

@@ -1,6 +1,7 @@
 #include <continua/base/input_error.h>
 #include <continua/base/kept_signal_action.h>
 #include <continua/linear_algebra/cholmod_factor.h>
+#include <continua/linear_algebra/singular_matrix.h>
 
 #include <algorithm>
 #include <cassert>
@@ -58,8 +59,11 @@ struct CholmodFactor::Data
       reason = "the factor has more entries than a 32-bit index can count; choose mumps";
     else if (common.status == CHOLMOD_NOT_POSDEF)
       reason = "the matrix is singular";
-    throw RunError("CHOLMOD, " + phase + ": " + reason + " (status " +
-                   std::to_string(common.status) + ").");
+    const std::string text =
+        "CHOLMOD, " + phase + ": " + reason + " (status " + std::to_string(common.status) + ").";
+    if (common.status == CHOLMOD_NOT_POSDEF)
+      throw SingularMatrix(text);
+    throw RunError(text);
   }
 
   /// Without pivoting a singular matrix shows in a pivot that is pure rounding error of its
@@ -77,8 +81,8 @@ struct CholmodFactor::Data
         throw RunError("CHOLMOD, factorisation: the pivot of index " + std::to_string(order[k]) +
                        " is not finite; the matrix holds a NaN or an infinite entry.");
       if (std::abs(pivot) <= 1e-13 * std::abs(diagonal[order[k]]))
-        throw RunError("CHOLMOD, factorisation: the matrix is singular, the pivot of index " +
-                       std::to_string(order[k]) + " lost all its digits.");
+        throw SingularMatrix("CHOLMOD, factorisation: the matrix is singular, the pivot of index " +
+                             std::to_string(order[k]) + " lost all its digits.");
     }
   }
 };

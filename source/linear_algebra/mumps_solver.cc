@@ -2,6 +2,7 @@
 #include <continua/base/kept_signal_action.h>
 #include <continua/base/memory_use.h>
 #include <continua/linear_algebra/mumps_solver.h>
+#include <continua/linear_algebra/singular_matrix.h>
 
 #include <cassert>
 #include <cstring>
@@ -31,8 +32,7 @@ std::string reason(const int code)
   {
   case -6:
   case -10:
-    return "the matrix is singular, or loses all digits without pivots of its own; Linear "
-           "solver/Direct solver = umfpack has them";
+    return "the matrix is singular";
   case -5:
   case -7:
   case -13:
@@ -122,9 +122,13 @@ struct MumpsSolver<Number>::Data
 
   [[noreturn]] void fail(const std::string &phase) const
   {
-    throw RunError("MUMPS, " + phase + ": " + reason(mumps.infog[0]) +
-                   " (INFOG(1) = " + std::to_string(mumps.infog[0]) +
-                   ", INFOG(2) = " + std::to_string(mumps.infog[1]) + ").");
+    const int code = mumps.infog[0];
+    const std::string text = "MUMPS, " + phase + ": " + reason(code) +
+                             " (INFOG(1) = " + std::to_string(code) +
+                             ", INFOG(2) = " + std::to_string(mumps.infog[1]) + ").";
+    if (code == -6 || code == -10)
+      throw SingularMatrix(text);
+    throw RunError(text);
   }
 
   void run(const int job, const std::string &phase)
@@ -154,8 +158,8 @@ struct MumpsSolver<Number>::Data
       fail("factorisation");
     const int n_null_pivots = mumps.infog[27];
     if (n_null_pivots > 0)
-      throw RunError("MUMPS, factorisation: the matrix is singular (INFOG(28) = " +
-                     std::to_string(n_null_pivots) + " pivots are zero).");
+      throw SingularMatrix("MUMPS, factorisation: the matrix is singular (INFOG(28) = " +
+                           std::to_string(n_null_pivots) + " pivots are zero).");
   }
 
   void plan_exchange();

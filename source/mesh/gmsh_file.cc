@@ -377,7 +377,7 @@ read_lines_of_elements(Reader &reader, const Version version, const Places &plac
       auto &[block, place] = earlier->second;
       std::vector<int> all = blocks[block].groups;
       if (groups.empty() || std::find(all.begin(), all.end(), groups.front()) != all.end())
-        reader.refuse_as_damaged("an element stands there twice");
+        continue; // the same element once more
       all.push_back(groups.front());
       vertices = blocks[block].elements[place];
       blocks[block].elements[place].clear();
@@ -418,7 +418,7 @@ GmshFile GmshFile::read(const std::string &text, const std::string &name)
       read_entities(reader, version, entities);
     else if (section == "$PartitionedEntities" && has_entities)
       ghosts = read_partitioned_entities(reader, version, entities);
-    else if (section == "$Nodes" || section == "$NOD")
+    else if (section == "$Nodes" || section == "$NOD" || section == "$ParametricNodes")
       places = read_points(reader, version, file.points);
     else if (section == "$Elements" || section == "$ELM")
     {
@@ -429,7 +429,10 @@ GmshFile GmshFile::read(const std::string &text, const std::string &name)
     // Other sections (periodicity, results, ...) are none of ours.
   }
   if (!has_elements)
-    reader.refuse("the file has no $Elements", "Mesh the geometry before writing the file");
+    reader.refuse(
+        "the file has no $Elements",
+        "Mesh the geometry before writing the file. gmsh writes such a file also where it could "
+        "not read its input; it says so on the screen");
   return file;
 }
 } // namespace Continua

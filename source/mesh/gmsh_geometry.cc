@@ -196,8 +196,9 @@ GmshGeometry<dim>::Parameters::read(ParameterSection geometry, ParameterSection,
   if (!parameters.file.empty() && extension != ".msh" && extension != ".geo")
     geometry.refuse(
         "File", "'" + parameters.file + "' is called neither .msh nor .geo, the files of gmsh",
-        "Give a file of gmsh. It makes one of .unv, .bdf, .vtk, .mesh, .med and .cgns "
-        "(gmsh FILE -save -save_all -format msh41 -o FILE.msh); the Python package "
+        "Give a file of gmsh. It makes one of .unv, .bdf, .vtk and .mesh "
+        "(gmsh FILE -save -save_all -format msh41 -o FILE.msh), and of .med and .cgns where "
+        "'gmsh -info' names Med and Cgns, as Debian's does not; the Python package "
         "meshio makes one of Abaqus' .inp, .e, .vtu and .vtk of the version 5 (meshio "
         "convert -o gmsh22 --ascii FILE FILE.msh, of UCD's .inp and .ucd with -i avsucd)");
   geometry.add("Unit length", parameters.unit_length, Dimensions::length,
@@ -240,6 +241,8 @@ GmshGeometry<dim>::GmshGeometry(const Parameters &parameters, const bool axisymm
   ignore_groups(file);
   check_elements(file);
   set_vertices(file, axisymmetric);
+  take_once(file, dim);
+  take_once(file, dim - 1);
   set_cells(file);
   set_faces(file);
   dealii::GridTools::delete_unused_vertices(vertices, cells, faces);
@@ -411,6 +414,43 @@ void GmshGeometry<dim>::check_elements(GmshFile &file) const
            "Declare Physical " + entity_name(dim) + "(\"NAME\") = {...}; and mesh with gmsh -" +
                std::to_string(dim) + ", or choose another Model than a " + in_dimensions(dim) +
                " one");
+}
+
+template <int dim>
+void GmshGeometry<dim>::take_once(GmshFile &file, const unsigned int dimension) const
+{
+  std::map<int, unsigned int> place_of_tag;
+  const std::vector<std::string> names = group_names(file, dimension, place_of_tag);
+  std::map<std::vector<unsigned int>, int> group_of;
+  // What is in a group and also in none belongs to the group.
+  for (const bool is_grouped : {true, false})
+    for (GmshFile::Block &block : file.blocks)
+    {
+      if (block.dimension != dimension || block.groups.empty() == is_grouped)
+        continue;
+      const int group = is_grouped ? block.groups.front() : 0;
+      const auto is_copy = [&](const std::vector<unsigned int> &element)
+      {
+        const auto [earlier, is_new] = group_of.emplace(sorted(element), group);
+        if (!is_new && is_grouped && earlier->second != group)
+        {
+          const std::string &first = names[place_of_tag.at(earlier->second)],
+                            &second = names[place_of_tag.at(group)];
+          refuse(block.line,
+                 "the element at " + middle(element) +
+                     " stands there twice, in the physical group '" + first + "' and in '" +
+                     second + "'",
+                 "Keep it in one of them: set 'Ignored groups = " + quoted_name(second, "#,") +
+                     "' (or the other, as is meant)");
+        }
+        return !is_new;
+      };
+      block.elements.erase(std::remove_if(block.elements.begin(), block.elements.end(), is_copy),
+                           block.elements.end());
+    }
+  file.blocks.erase(std::remove_if(file.blocks.begin(), file.blocks.end(),
+                                   [](const auto &block) { return block.elements.empty(); }),
+                    file.blocks.end());
 }
 
 template <int dim>

@@ -86,7 +86,7 @@ void find_unknown(const ParameterText::Section &section,
   {
     std::string remedy = suggestion(name, candidates);
     if (origin.file == ParameterText::command_line && nearest_name(name, candidates).empty())
-      remedy += ". A name that has a '/' stands between double quotes";
+      remedy += ". A name that has a '/' or a '=' stands between double quotes";
     unknown.emplace_back(path + name,
                          InputError(origin, path + name, "unknown " + what, remedy).what());
   };

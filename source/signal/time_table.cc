@@ -18,6 +18,11 @@ choose_column(const CsvTable &table, const std::string &example, const std::stri
   if (table.n_columns() < 2)
     throw InputError(table.header(), "", "the header has one column, expected are time and a value",
                      "Write a first line such as '" + example + "' that does not start with #");
+  if (table.name(0).empty() && !table.has_unit(0) && table.n_columns() > 2)
+    throw InputError(
+        table.header(), "", "the first column has no name and no unit, and it should be the time",
+        "Remove this column, as 'cut -d , -f 2- FILE > NEW' does where commas separate, "
+        "or give it a name and a unit");
   if (!name.empty())
     return table.find(name, 1);
   if (table.n_columns() > 2)
@@ -29,10 +34,19 @@ choose_column(const CsvTable &table, const std::string &example, const std::stri
 /// A header for values of that dimension.
 std::string example_of(const Dimension &dimension)
 {
-  return dimension == Dimensions::pressure ? "time [ms], pressure [mmHg]"
-                                           : "time [s], value [" + dimension.unit() + "]";
+  if (dimension == Dimensions::pressure)
+    return "time [ms], pressure [mmHg]";
+  return dimension == Dimensions::flow_rate ? "time [s], flow [ml/s]"
+                                            : "time [s], value [" + dimension.unit() + "]";
 }
 } // namespace
+
+std::string scaling_advice(const std::string &key)
+{
+  return ". '" + key +
+         "' multiplies the values: -1 turns their sign, and another number converts a unit that is "
+         "not known here";
+}
 
 TimeTable::TimeTable(const std::string &file,
                      const Dimension &dimension,
@@ -41,7 +55,7 @@ TimeTable::TimeTable(const std::string &file,
     : reading(reading)
 {
   const std::string example = example_of(dimension);
-  const CsvTable table(file, example);
+  const CsvTable table(file, example, scaling_advice(reading.factor_key));
   *this = TimeTable(table, choose_column(table, example, column), dimension, reading);
 }
 

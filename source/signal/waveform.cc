@@ -102,6 +102,7 @@ TableEntries read_table(ParameterSection &section,
     section.refuse(period_key, "the table is not repeated",
                    "Set '" + named(prefix, "After the table") + " = repeat', or remove the entry");
   reading.period_key = period_key;
+  reading.factor_key = named(prefix, "Table factor");
   table.names.file = std::filesystem::path(table.path).filename().string();
   for (const auto &[entry, silent_key] :
        {std::make_pair("Before the table", &table.names.before_key),

@@ -116,6 +116,27 @@ UNIT_TEST(wave_report)
       "no measured flow rate",
       std::isnan(find(summary, "largest difference of flow rate from measurement", "tube")));
 
+  // Records that end before the run: one station of two, then both.
+  for (const unsigned int n_short : {1u, 2u})
+  {
+    for (unsigned int s = 0; s < n_short; ++s)
+      std::fill(measured[s][0].begin() + 101, measured[s][0].end(),
+                std::numeric_limits<double>::quiet_NaN());
+    WaveReport of_short(stations, times);
+    of_short.set(WaveReport::Source::simulated, simulated);
+    of_short.set(WaveReport::Source::measured, measured);
+    Summary absent;
+    std::string lines;
+    for (const std::string &line : of_short.add_quantities(absent).lines)
+      lines += line + "\n";
+    check::is_true(
+        n_short == 1 ? "a short record" : "short records alone",
+        check::matches(lines, n_short == 1
+                                  ? "Left out of the measured speeds.*: 0.1 m: 0 s to 0.05 s\n"
+                                  : "No measured wave speed and attenuation.*no record.*0.1 m: 0 s "
+                                    "to 0.05 s, 0.3 m: 0 s to 0.05 s.*Time/End time"));
+  }
+
   // The same pulse from the other end: at z it is what was at 1 m - z, and the flow is negative.
   WaveStations turned = stations;
   turned.positions = {0.5, 0.7, 0.9};

@@ -76,6 +76,12 @@ def read(data):
             else:
                 joined.append(cell)
         header = joined
+    if len(rows) > 1 and not any(b"[" in cell or b"(" in cell for cell in header):
+        # The units may be a line of their own.
+        units = without_end(split(rows[1], separator_of(rows[1])), 1)
+        if len(units) == len(header) and all(number(cell) is None for cell in units):
+            header = [name + b" [" + without_quotes(unit).strip(b"[]() ") + b"]" for name, unit in zip(header, units)]
+            del rows[1]
     if len(rows) > 1 and len(header) > 1:
         if len(without_end(split(rows[1], separator), len(header))) == 1 and len(split(rows[1], b" ")) == len(header):
             separator = b" "

@@ -64,7 +64,14 @@ void test_public_tables()
         "'time \\[ms\\]; pressure \\[mmHg\\]' with .* above this line, and keep this line");
   refused(
       "as many columns as the rows have", [] { table("0 1 2\n1 2 3\n"); },
-      ":1: .*'time \\[ms\\]  pressure \\[mmHg\\]  value 3 \\[1\\]'");
+      ":1: .*'time \\[ms\\]  pressure \\[mmHg\\]  \"value 3 \\[1\\]\"'");
+  // As this remedy says.
+  check::equal("a name with a blank among blanks",
+               table("time [ms]  pressure [mmHg]  \"value 3 [1]\"\n0 1 2\n1 2 3\n").name(2),
+               "value 3");
+  refused(
+      "rows in brackets", [] { table("(\n(0 1)\n(1 2)\n)\n"); },
+      ":2: the row stands in brackets. .*\"tr -d '..' < FILE > NEW\"");
   refused(
       "a first line that counts rows", [] { table("3    16\n0. -1.\n1. -2.\n2. 0.\n"); },
       ":1: .*counts the rows that follow. Write '#' before this line, insert a line such as "
@@ -83,6 +90,38 @@ void test_public_tables()
       ":2: the line counts the rows that follow.*'#' before");
   refused(
       "no decimal comma", [] { table("t [s]; q [1]\n0,5\n1,5\n"); }, ":2: .*cells, the header 2");
+  refused(
+      "decimal commas",
+      [] { table("t [s]; q [1]\n0,5; -1,5e-3\n1;2\n").values(1, Dimensions::none); },
+      ":2: 'q': '-1,5e-3' has a decimal comma. .*'tr , . < FILE > NEW'");
+  refused(
+      "decimal commas without a header", [] { table("0,5;1\n1;2,5\n"); },
+      ":1: the table has no header, and its numbers have decimal commas. .*'tr , . <.*insert");
+  for (const char *const gap : {"-", "NaN", "n/a"})
+    refused(
+        std::string("a gap: ") + gap,
+        [&] { table(std::string("q [1]\n") + gap + "\n").values(0, Dimensions::none); },
+        ":2: 'q': the value is missing");
+  check::relative("units below the names", second("Time,Channel A\n(ms),(ml/s)\n\n0,1\n1,2.5\n"),
+                  2.5e-6, 1e-14);
+  check::relative("without brackets", second("t\tq\ns\tcm\u00b3/s\n0\t1\n1\t2.5\n"), 2.5e-6, 1e-14);
+  const std::string recorder = "Interval=\t0.001 s\nRange=\t10.0 kPa\nTitle=\tp\n0\t1\n1\t2\n";
+  refused(
+      "lines before the rows", [&] { table(recorder); },
+      ":1: the 3 lines before the first row of numbers .line 4. are no header with units. Write "
+      "'#' before each of them, and insert a line such as 'time \\[ms\\]\tpressure \\[mmHg\\]' "
+      "with");
+  // As this remedy says.
+  check::relative("after this remedy",
+                  table("#Interval=\t0.001 s\n#Range=\t10.0 kPa\n#Title=\tp\n"
+                        "time [ms]\tpressure [mmHg]\n0\t1\n1\t2\n")
+                      .values(0, Dimensions::time)[1],
+                  1e-3, 1e-14);
+  std::ofstream(path, std::ios::binary) << "0 1\n1 2\n";
+  refused(
+      "units of the example, and advice",
+      [] { CsvTable(path, "t [s], q [ml/s]", ". 'Table factor' turns the sign"); },
+      ":1: .*columns .s, ms, min, h; m.3/s, l/min, ml/s, cm.3/s. above.*'Table factor' turns");
 }
 } // namespace
 

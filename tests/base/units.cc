@@ -107,7 +107,11 @@ UNIT_TEST(units)
   quantity("2 cm3/sec", flow_rate, 2e-6);
   quantity("2 cc/s", flow_rate, 2e-6);
   quantity("2 mL s-1", flow_rate, 2e-6);
+  quantity("2 cm\u00b3/s", flow_rate, 2e-6);
+  quantity("2 mL\u00b7s\u207b\u00b9", flow_rate, 2e-6);
+  quantity("2 N/mm\u00b2", pressure, 2e6);
   quantity("3 msec", Dimensions::time, 3e-3);
+  quantity("3 seconds", Dimensions::time, 3.);
   quantity("2 kg m-3", density, 2.);
   quantity("1 mPa s", viscosity, 1e-3);
   quantity("1 mPa*s", viscosity, 1e-3);

@@ -85,11 +85,11 @@ UNIT_TEST(gmsh_geometry)
   refused("face without group", with(squares, "3 0 0 0 2 1 0 1 4 0", "3 0 0 0 2 1 0 0 0"),
           "'around it' has no elements");
   refused(
-      "face without element", with(squares, "5 16 15\n6 15 14\n", "5 16 15\n6 16 15\n"),
+      "face without element", with(squares, "5 16 15\n6 15 14\n", "5 16 15\n6 16 14\n"),
       "'around it' is neither on the outside nor between two regions.*'Ignored groups = around");
   refused("name with a comma",
           with(with(squares, "\"around it\"", "\"around, it\""), "5 16 15\n6 15 14\n",
-               "5 16 15\n6 16 15\n"),
+               "5 16 15\n6 16 14\n"),
           "'Ignored groups = \"around, it\"'");
   const std::string hole = with(with(squares, "1 3 1 4", "1 3 1 3"), "6 15 14\n", "");
   refused("a hole in the boundary", hole,
@@ -147,6 +147,28 @@ UNIT_TEST(gmsh_geometry)
           make_with(with(squares, "2 1 0 0 2 1 0 1 8 0", "2 1 0 0 2 1 0 2 7 8 0"), {"wall"}))
           .region("fluid"),
       2., 1e-12);
+  // Elements that the file has twice, on two entities.
+  const auto with_copies = [](const std::string &groups_of_cell, const std::string &line)
+  {
+    const std::string elements = "9\n1 1 2 3 1 11 12\n";
+    return with(meshes::squares_2, elements,
+                "11\n1 1 2 3 1 11 12\n10 1 2 " + line + " 5 12 11\n11 3 2 " + groups_of_cell +
+                    " 3 12 15 14 11\n");
+  };
+  const measures::Measures<2> once(make<2>(with_copies("7", "3")));
+  check::relative("a cell twice", once.region("fluid"), 1., 1e-12);
+  check::relative("a face twice", once.boundary("below"), 2., 1e-12);
+  refused("a cell in two groups", with_copies("8", "3"),
+          "at x = 0.5, y = 0.5 stands there twice, in .*'wall' and in 'fluid'.*'Ignored groups = "
+          "fluid'");
+  refused("a face in two groups", with_copies("7", "4"),
+          "at x = 0.5, y = 0 stands there twice, in .*'below' and in '4'.*'Ignored groups = 4'");
+  const measures::Measures<2> without(make_with(with_copies("7", "4"), {"below"}, "", "rest"));
+  check::relative("a face in two groups, of which one is ignored", without.boundary("4"), 5.,
+                  1e-12);
+  const measures::Measures<2> in_one(make_with(with_copies("0", "3"), {}, "unused"));
+  check::is_true("a cell in a group and in none",
+                 in_one.region_names == std::vector<std::string>({"fluid", "wall"}));
   refused("twisted cell", with(squares, "9 11 12 15 14", "9 11 12 14 15"), "x = 0.5.*twisted");
   refused("negative radius", with(squares, "1 1 0\n", "1 -1 0\n"), "negative radius.*x = 1, y = -1",
           true);

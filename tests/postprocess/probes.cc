@@ -435,5 +435,9 @@ UNIT_TEST(probes)
           "probes.prm:5: 'Probes/tip/Modes'");
   refuses("unknown entry", "set Fields = pressure\nset Pont = 0, 0\n" + point, "Point");
   test_walls();
+  const ProbeColumnName column{"tube", "tube 0.2 m", "pressure", false};
+  check::is_true("a station in another unit", column.is_meant_by("tube 20 cm: pressure") &&
+                                                  column.is_meant_by("tube 200 mm") &&
+                                                  !column.is_meant_by("tube 20 mm"));
 }
 } // namespace test_of_probes

@@ -36,7 +36,8 @@ public:
   /// What the user should know.
   struct Notes
   {
-    std::vector<std::string> lines;   ///< why a speed or the attenuation is absent
+    std::vector<std::string>
+        lines; ///< why a speed or the attenuation is absent, or a record left out
     std::vector<std::string> details; ///< which stations are left out, and why
   };
 
@@ -105,6 +106,8 @@ private:
   const Data &data(Source source) const { return sources[static_cast<int>(source)]; }
   int field(const std::string &name) const;
   std::string station_name(unsigned int station) const;
+  /// "0.1 m: 0 s to 0.01 s": stations whose pressure is there for a part of the run only.
+  std::string records_in_part(const Histories &histories) const;
   std::vector<Pulse> analyse(Source source, Summary &summary, Notes &notes) const;
   /// Which stations have no pulse, and why; `used`: those that were analysed.
   std::string places_without_pulse(const std::vector<unsigned int> &used,

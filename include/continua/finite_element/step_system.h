@@ -49,6 +49,9 @@ public:
 
   /// Called before a factor of so many unknowns is made that will need so much memory [bytes].
   std::function<void(double n_unknowns, double bytes)> announce;
+  /// Called where a factor without pivots has lost its digits, before one with pivots takes its
+  /// place.
+  std::function<void(const std::string &name_of_factor)> announce_pivots;
   /// Whether n_negative_pivots() will be asked for of factors that are made from here on.
   bool counts_pivots = false;
   /// Is told what the solvers take; null: nothing is.
@@ -69,8 +72,10 @@ public:
   /// Whether the last prepare() or prepare_nearby() had to make a factor or a preconditioner.
   bool has_new_factor() const { return made_factor; }
   /// Solves for free dofs; constrained and hanging entries of the result are 0. The right-hand
-  /// sides must be restricted. After a new factor the residual is checked once: RunError if it is
-  /// larger than 1e-8 of the right-hand side; RunError if a solver that iterates does not converge.
+  /// sides must be restricted. After a new factor the residual is checked once: if it is larger
+  /// than 1e-8 of the right-hand side, and stays large after a step of refinement, a factor with
+  /// pivots takes the place of one without, and RunError is thrown for any other. RunError if a
+  /// solver that iterates does not converge.
   void solve(DistributedVector &momentum,
              DistributedVector &mass,
              DistributedVector &velocity,
@@ -130,6 +135,7 @@ private:
     SystemCoefficients coefficients;
     std::unique_ptr<SymmetricFactor> factor;
     SinglePrecisionFactor *single = nullptr; ///< the factor, if that is its kind
+    bool may_pivot = false; ///< it was made without pivots, and one with pivots may replace it
     bool residual_is_checked = false;
   };
 
@@ -158,7 +164,10 @@ private:
   void make_work_space();
   /// Decides on the solver for these coefficients.
   void choose();
-  void factorize();
+  /// `pivots`: by MUMPS with pivots, where a factor without them has lost its digits.
+  void factorize(bool pivots = false);
+  /// Makes a factor with pivots in the place of one that has lost its digits.
+  void take_pivots(std::unique_ptr<SymmetricFactor> failed);
   void solve_packed(const DistributedVector &momentum,
                     const DistributedVector &mass,
                     DistributedVector &velocity,

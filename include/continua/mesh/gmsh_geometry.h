@@ -60,6 +60,9 @@ private:
   bool is_beside_left_out(const std::vector<unsigned int> &vertices_of_face) const;
   /// Takes the groups out that are to be ignored. Throws InputError if there is none of the name.
   void ignore_groups(GmshFile &file) const;
+  /// Takes an element of this dimension once that the file has twice. Throws InputError if it is in
+  /// two groups.
+  void take_once(GmshFile &file, unsigned int dimension) const;
   /// The names of the groups of a dimension; `place_of_tag[tag]` becomes the place of the name.
   std::vector<std::string> names(const GmshFile &file,
                                  unsigned int dimension,

@@ -3,6 +3,7 @@
 
 #include <continua/base/parameter_section.h>
 #include <continua/base/summary.h>
+#include <continua/base/units.h>
 #include <continua/boundary/boundary_condition.h>
 #include <continua/continuum/continuum_solver.h>
 #include <continua/materials/model.h>
@@ -32,11 +33,13 @@ struct ProbeColumnName
 
   /// What the summary calls it.
   std::string label() const { return alone ? name : name + ": " + field; }
-  /// Whether "PROBE" or "PROBE: FIELD" names it, of a probe with stations also all of them.
+  /// Whether "PROBE" or "PROBE: FIELD" names it, of a probe with stations also all of them. A
+  /// position may have another unit.
   bool is_meant_by(const std::string &text) const
   {
-    return text == probe || text == name || text == probe + ": " + field ||
-           text == name + ": " + field;
+    const std::string in_si = with_value_in_si(text);
+    return text == probe || in_si == name || text == probe + ": " + field ||
+           in_si == name + ": " + field || text == name || text == name + ": " + field;
   }
 };
 

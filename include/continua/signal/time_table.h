@@ -8,6 +8,9 @@
 
 namespace Continua
 {
+/// A sentence for messages about units: what the entry `key`, a factor of the values, can do.
+std::string scaling_advice(const std::string &key);
+
 /**
  * Measured values over time from a csv file (see CsvTable). Header: names with units, "time [ms],
  * pressure [mmHg]"; the first column is time.
@@ -42,6 +45,7 @@ public:
     /// one, the value jumps there.
     double period = 0.;
     std::string period_key = "Table period"; ///< its entry, for messages
+    std::string factor_key = "Table factor"; ///< the entry of `factor`, for messages
   };
   /// The value is the only column beside the time, or the one called `column`.
   TimeTable(const std::string &file,
