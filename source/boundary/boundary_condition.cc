@@ -594,17 +594,19 @@ read_boundary_conditions(ParameterSection section,
     for (const Row &row : table())
       if (condition.type == row.type)
         row.read(child, condition, n_dimensions);
-    add_choice(child, "Mesh", condition.mesh,
-               {{"automatic", MeshCondition::automatic},
-                {"slides", MeshCondition::slides},
-                {"fixed", MeshCondition::fixed},
-                {"follows", MeshCondition::follows}},
-               "What the mesh of a liquid does on the boundary with Deformation = finite: "
-               "slides - along a plane that is normal to an axis; fixed - it stays; follows - it "
-               "moves with the velocity that is prescribed, or with 'Mesh velocity'; "
-               "automatic - it slides on planes where the pressure or the traction is given, on "
-               "outlets, on rollers and on the axis, and stays on walls, curved boundaries and "
-               "where a velocity is given.");
+    add_choice(
+        child, "Mesh", condition.mesh,
+        {{"automatic", MeshCondition::automatic},
+         {"slides", MeshCondition::slides},
+         {"fixed", MeshCondition::fixed},
+         {"follows", MeshCondition::follows}},
+        "What the mesh of a liquid does on the boundary with Deformation = finite, and on the "
+        "cell-wise path with Mesh motion = elastic: "
+        "slides - along a plane that is normal to an axis; fixed - it stays; follows - it "
+        "moves with the velocity that is prescribed, or with 'Mesh velocity'; "
+        "automatic - it slides on planes where the pressure or the traction is given, on "
+        "outlets, on rollers and on the axis, and stays on walls, curved boundaries and "
+        "where a velocity is given.");
     condition.mesh_velocity = Waveform::read_vector(
         child, "Mesh velocity", n_dimensions, Dimensions::velocity,
         "Of Mesh = follows: Cartesian components of the velocity of the mesh, where the liquid "

@@ -51,11 +51,14 @@ void GeneralParameters::read(ParameterSection root,
       "How large the deformation of the solids may be: small - linear; finite - the "
       "equations are those of the deformed body, by the Strain law of each material, and "
       "the mesh of the liquids moves with the solids, and with boundaries of Mesh = follows.");
-  add_choice(root, "Mesh motion", mesh_motion, mesh_motion_words(),
-             "With finite deformation, how the motion of the solids is extended into the mesh of "
-             "the liquids: hyperelastic - as a body whose energy grows without bound where a cell "
-             "vanishes, linearised in each step; elastic - as a linear elastic body, with one "
-             "factor for the whole run. Both are stiff where cells are small.");
+  add_choice(
+      root, "Mesh motion", mesh_motion, mesh_motion_words(),
+      "With finite deformation, how the motion of the solids is extended into the mesh of "
+      "the liquids: hyperelastic - as a body whose energy grows without bound where a cell "
+      "vanishes, linearised in each step; elastic - as a linear elastic body, with one "
+      "factor for the whole run. Both are stiff where cells are small. On the cell-wise path "
+      "the entry itself lets the mesh move, beside solids of small deformation, and is "
+      "elastic.");
   add_choice(
       root, "Unloaded shape", unloaded_shape, unloaded_shape_words(),
       "With finite deformation, the shape in which the body is free of stress: mesh - that of "
@@ -208,18 +211,30 @@ Case<dim>::Case(ParameterFile &file,
         materials.subsection(region).given("Relaxation table"))
       power_laws.note_table(region, materials.subsection(region));
   }
-  problem.mesh_moves =
-      analysis.has_fields && problem.deformation == Deformation::finite &&
-      (problem.has_regions_of(RegionModel::finite_solid) || some_mesh_follows(file)) &&
+  discretisation.read(root, general.discretisation);
+  const bool some_liquid =
       std::any_of(problem.materials.begin(), problem.materials.end(),
                   [](const Material &material) { return !material.is_solid(); });
+  if (discretisation.is_cell_wise())
+  {
+    // Its solids have small strain: the entry itself asks for a mesh that follows them.
+    const bool is_asked_for =
+        root.given("Mesh motion") ||
+        (problem.deformation == Deformation::finite && some_mesh_follows(file));
+    problem.mesh_moves_between_steps = analysis.has_fields && some_liquid && is_asked_for;
+    if (!root.given("Mesh motion"))
+      problem.mesh_motion = MeshMotionKind::elastic;
+  }
+  else
+    problem.mesh_moves =
+        analysis.has_fields && some_liquid && problem.deformation == Deformation::finite &&
+        (problem.has_regions_of(RegionModel::finite_solid) || some_mesh_follows(file));
   if (problem.deformation == Deformation::finite || root.has_subsection("Wall directions"))
     problem.wall_directions.read(root.subsection("Wall directions"), problem.boundaries,
                                  problem.model);
   problem.interior.read(root.subsection("Body force"), root.subsection("Initial state"),
                         problem.regions, dim);
 
-  discretisation.read(root, general.discretisation);
   problem.convection.is_on = general.convection != "none";
   if (problem.convection.is_on || root.has_subsection("Flow"))
     problem.convection.read(root.subsection("Flow"));
@@ -308,7 +323,8 @@ Case<dim>::Case(ParameterFile &file,
   probes.check(*triangulation, field_names<dim>(problem), pairs);
   probes.check_limits(problem.conditions,
                       {discretisation.is_cell_wise(), analysis.is_modal(), in_time,
-                       problem.deformation == Deformation::finite, are_solid, problem.mesh_moves},
+                       problem.deformation == Deformation::finite, are_solid,
+                       problem.some_mesh_moves()},
                       field_names<dim>(problem));
   n_histories = probes.expected_columns(field_names<dim>(problem)).size();
   check_histories(*this, root.subsection("Probes"));

@@ -139,6 +139,25 @@ template <int dim>
 void check_cell_wise_scheme(const Case<dim> &input, ParameterSection root)
 {
   const CellWiseParameters &parameters = input.discretisation.cell_wise;
+  if (input.problem.mesh_moves_between_steps)
+  {
+    if (input.analysis.motion == Motion::in_time && input.time.scheme == Scheme::crank_nicolson)
+      root.subsection("Time").refuse("Scheme",
+                                     "crank nicolson balances in the middle of a step, and a "
+                                     "cell-wise mesh that moves has its "
+                                     "shape at the end",
+                                     "Set Scheme = backward differencing or euler implicit");
+    if (input.adaptation.changes_mesh())
+      root.subsection("Adaptivity")
+          .refuse("Indicator",
+                  "the places of the vertices of a cell-wise mesh that moves are not carried over "
+                  "to another mesh",
+                  "Remove the section, or set Discretisation = taylor hood");
+    if (root.sets_in_subsection("Exact solution"))
+      root.subsection("Exact solution")
+          .refuse("", "the error is an integral over the mesh at rest, and the mesh moves",
+                  "Remove the section, and compare probes");
+  }
   if (input.analysis.motion != Motion::in_time || input.time.scheme != Scheme::crank_nicolson)
     return;
   if (parameters.formulation == Formulation::displacement)

@@ -64,7 +64,7 @@ CostInput cost_of_fields(const Case<dim> &input)
   cost.is_nonlinear = input.problem.is_nonlinear();
   cost.has_tangents = cost.is_nonlinear && !cost.cell_wise;
   cost.is_finite = input.problem.deformation == Deformation::finite;
-  cost.mesh_moves = input.problem.mesh_moves;
+  cost.mesh_moves = input.problem.some_mesh_moves();
   cost.has_supg = input.problem.convection.is_on &&
                   input.problem.convection.stabilisation == ConvectionStabilisation::supg;
   cost.linear_solver = taylor_hood.linear_solver;
@@ -138,7 +138,7 @@ std::vector<std::string> cost_of(const Case<dim> &input)
   const CostInput cost = cost_input(input);
   const std::string adapts = input.adaptation.changes_mesh() ? ", before the mesh adapts" : "";
   std::vector<std::string> lines = {"Estimate: " + CostEstimate(cost).text() + adapts};
-  if (input.problem.mesh_moves)
+  if (input.problem.some_mesh_moves())
     lines.push_back(std::string("The mesh of the liquids moves: ") +
                     word_of(mesh_motion_words(), input.problem.mesh_motion) +
                     (input.problem.mesh_motion == MeshMotionKind::elastic

@@ -212,23 +212,14 @@ void check_boundary_of_liquid(const BoundaryCondition &condition,
                    "Set Mesh = fixed, or leave the entry out");
 }
 
-/// Liquids beside solids in finite deformation, whose mesh moves.
+/// Liquids whose mesh moves.
 template <int dim>
-void check_liquids(const Case<dim> &input, ParameterSection root)
+void check_moving_liquids(const Case<dim> &input, ParameterSection root)
 {
   const Problem &problem = input.problem;
-  if (!problem.has_deformed_regions())
-    root.refuse("Deformation",
-                "no region is a solid, and the mesh of the liquids follows no boundary",
-                "Set Deformation = small, or Mesh = follows for a boundary that moves");
-  if (!problem.mesh_moves)
-  {
-    if (root.given("Mesh motion"))
-      root.refuse("Mesh motion", "no region is a liquid, whose mesh would move",
-                  "Remove the entry");
-    return;
-  }
-  const std::string keeps_small = "set Deformation = small, where the mesh stays";
+  const std::string keeps_small = problem.deformation == Deformation::finite
+                                      ? "set Deformation = small, where the mesh stays"
+                                      : "remove Mesh motion: the mesh stays then";
   if (problem.finds_unloaded_shape())
     root.refuse("Unloaded shape",
                 "the inverse solve for the unloaded shape is for solids alone so far",
@@ -264,6 +255,25 @@ void check_liquids(const Case<dim> &input, ParameterSection root)
                     { return !problem.materials[region].is_solid(); }))
       check_boundary_of_liquid(condition, root.subsection("Boundaries").subsection(condition.name),
                                keeps_small);
+}
+
+/// Liquids beside solids in finite deformation, whose mesh moves.
+template <int dim>
+void check_liquids(const Case<dim> &input, ParameterSection root)
+{
+  const Problem &problem = input.problem;
+  if (!problem.has_deformed_regions())
+    root.refuse("Deformation",
+                "no region is a solid, and the mesh of the liquids follows no boundary",
+                "Set Deformation = small, or Mesh = follows for a boundary that moves");
+  if (!problem.some_mesh_moves())
+  {
+    if (root.given("Mesh motion"))
+      root.refuse("Mesh motion", "no region is a liquid, whose mesh would move",
+                  "Remove the entry");
+    return;
+  }
+  check_moving_liquids(input, root);
 }
 
 /// Materials that have no place in finite deformation.
@@ -337,7 +347,7 @@ void check_deformation(const Case<dim> &input, ParameterSection root)
                             root.subsection("Boundaries").subsection(condition.name), root);
   for (const BoundaryCondition &condition : problem.conditions)
     if (ParameterSection section = root.subsection("Boundaries").subsection(condition.name);
-        section.given("Mesh") && !problem.mesh_moves)
+        section.given("Mesh") && !problem.some_mesh_moves())
       section.refuse("Mesh",
                      problem.deformation == Deformation::finite
                          ? "no region is a liquid, whose mesh would move"
@@ -345,13 +355,15 @@ void check_deformation(const Case<dim> &input, ParameterSection root)
                      "Remove the entry, or set Deformation = finite for a mesh that moves");
   if (problem.deformation == Deformation::small)
   {
-    if (root.given("Mesh motion"))
+    if (root.given("Mesh motion") && !problem.mesh_moves_between_steps)
       root.refuse("Mesh motion", "with small deformation the mesh stays",
                   "Remove the entry, or set Deformation = finite");
     if (root.sets_in_subsection("Wall directions"))
       root.subsection("Wall directions")
           .refuse("", "fibres and prestretch are for finite deformation",
                   "Remove the section, or set Deformation = finite");
+    if (problem.mesh_moves_between_steps)
+      check_moving_liquids(input, root);
     if (ParameterSection theory = root.subsection("Wave theory"); theory.given("Mean pressure"))
       theory.refuse("Mean pressure",
                     "with small deformation a mean pressure does not change the waves",
@@ -374,9 +386,14 @@ void check_deformation(const Case<dim> &input, ParameterSection root)
                 "plane stress with finite deformation would need the strain across the plane as an "
                 "unknown",
                 "Set Model = plane strain or three-dimensional, or Deformation = small");
-  if (input.discretisation.is_cell_wise())
-    root.refuse("Deformation", "the cell-wise path is for small deformation",
-                "Set Discretisation = taylor hood, or Deformation = small");
+  if (input.discretisation.is_cell_wise() &&
+      std::any_of(problem.materials.begin(), problem.materials.end(),
+                  [](const Material &material) { return material.is_solid(); }))
+    root.refuse("Deformation",
+                "the solids of the cell-wise path are for small deformation, beside which the mesh "
+                "of the liquids may move",
+                "Set Discretisation = taylor hood, or Deformation = small, with Mesh motion = "
+                "elastic for a mesh that moves");
   if (problem.finds_unloaded_shape())
     check_unloaded_shape(problem, root);
   if (root.sets_in_subsection("Wall directions") &&

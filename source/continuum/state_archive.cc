@@ -130,6 +130,8 @@ const VectorNumbering &StateNumbering::of(const StateKind kind) const
     return velocities;
   case StateKind::pressure:
     return pressures;
+  case StateKind::mesh_vertex:
+    return *mesh_vertices;
   default:
     return *internal_metrics;
   }
@@ -141,6 +143,8 @@ void save_state(ArchiveWriter &archive, const StateNumbering &numbering, const K
   numbering.pressures.save(archive);
   if (numbering.internal_metrics)
     numbering.internal_metrics->save(archive);
+  if (numbering.mesh_vertices)
+    numbering.mesh_vertices->save(archive);
   StateWriter writer(archive, numbering, false), writer_of_eldest(archive, numbering, true);
   state.visit(writer);
   state.save(archive, writer_of_eldest);

@@ -15,6 +15,9 @@ void StateSizes::vector(const StateName &, const StateKind kind, DistributedVect
   case StateKind::internal_metric:
     vector.reinit(internal_metric);
     break;
+  case StateKind::mesh_vertex:
+    vector.reinit(mesh_vertex);
+    break;
   }
 }
 
@@ -30,6 +33,9 @@ void StateVectors::vector(const StateName &, const StateKind kind, DistributedVe
     break;
   case StateKind::internal_metric:
     internal_metrics.push_back(&vector);
+    break;
+  case StateKind::mesh_vertex:
+    mesh_vertices.push_back(&vector);
     break;
   }
 }

@@ -142,7 +142,8 @@ void TimeStepping::setup()
     for (DistributedVector *vector : {&balanced.mesh_displacement, &balanced.mesh_velocity})
       vector->reinit(zero_velocity);
   const DistributedVector zero_metric = operators.internal_metric_vector();
-  StateSizes sizes(zero_velocity, zero_pressure, zero_metric);
+  const DistributedVector zero_vertex = operators.mesh_vertex_vector();
+  StateSizes sizes(zero_velocity, zero_pressure, zero_metric, zero_vertex);
   visit(sizes);
   pressures_without_history = operators.pressures_without_history();
   // Copies are collective: a rank without such a pressure makes them, too.
@@ -181,10 +182,12 @@ void TimeStepping::report_exponential_branches(const Step &step)
 StepReport TimeStepping::advance(const Step &given_step)
 {
   const Step step = operators.own_step(given_step);
-  operators.begin_step(step);
   StepReport report;
   try
   {
+    if (!operators.solves_for_displacement())
+      kept.move_older_level(step);
+    operators.begin_step(step, present());
     if (operators.solves_for_displacement())
       operators.make_displacement_step(step, velocity, history.displacement(), balanced, report);
     else
@@ -209,7 +212,6 @@ StepReport TimeStepping::advance(const Step &given_step)
 
 void TimeStepping::balance(const Step &step, StepReport &report)
 {
-  kept.move_older_level(step);
   deform_by_jump(step);
   const SystemChange change = prepare(step, report);
   {

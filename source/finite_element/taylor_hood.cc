@@ -756,7 +756,7 @@ void TaylorHood<dim>::set_unloaded_displacement(const DistributedVector &displac
 }
 
 template <int dim>
-void TaylorHood<dim>::begin_step(const Step &step)
+void TaylorHood<dim>::begin_step(const Step &step, const State & /*start*/)
 {
   if (metrics != nullptr)
     metrics->predict(step);

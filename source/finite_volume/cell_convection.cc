@@ -1,11 +1,8 @@
 #include <continua/finite_volume/cell_convection.h>
 
-#include <continua/base/input_error.h>
-
-#include <deal.II/base/mpi.h>
+#include <continua/finite_volume/liquid_cells.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace Continua
 {
@@ -14,8 +11,12 @@ using namespace dealii;
 template <int dim>
 CellConvection<dim>::CellConvection(const CellSystem<dim> &system,
                                     const ExcessVelocity<dim> &excess_velocity,
-                                    const LinearReconstruction<dim> &reconstruction)
-    : system(system), excess_velocity(excess_velocity), reconstruction(reconstruction)
+                                    const LinearReconstruction<dim> &reconstruction,
+                                    const SweptVolumes<dim> &swept_volumes)
+    : system(system),
+      excess_velocity(excess_velocity),
+      reconstruction(reconstruction),
+      swept_volumes(swept_volumes)
 {
 }
 
@@ -39,6 +40,14 @@ void CellConvection<dim>::reinit()
       for (unsigned int side = 0; side < surface.n_sides(); ++side)
         add_face(f, side, side + 1);
   }
+}
+
+template <int dim>
+void CellConvection<dim>::begin_step(const DistributedVector &start)
+{
+  if (velocity_old.size() != start.size())
+    velocity_old.reinit(start);
+  velocity_old.equ(1., start);
 }
 
 template <int dim>
@@ -111,13 +120,16 @@ typename CellConvection<dim>::Flow CellConvection<dim>::flow(const Face &face) c
       flow.normal_velocity -= flow.mobility * (Reconstruction::value(face.difference, pressure) +
                                                excess_velocity.past(face.face));
   }
+  // Nothing passes the surface of a solid that the mesh follows.
+  if (surface.side_at_rest == VolumeFace<dim>::none)
+    flow.outflow = surface.area * flow.normal_velocity - swept_volumes.rate(face.face);
   // Central, blended with what comes from upstream; a face's own value is that of both.
   const double central = surface.has_value() ? 1. : system.parameters.share_of_central();
   flow.velocity.add(central, face.velocity);
   flow.pressure.add(central, face.pressure);
   if (central < 1.)
   {
-    const unsigned int upstream = flow.normal_velocity >= 0. ? surface.owner : surface.neighbour;
+    const unsigned int upstream = flow.outflow >= 0. ? surface.owner : surface.neighbour;
     flow.velocity.add(space.velocities.of_cell(upstream), 1. - central);
     flow.pressure.add(space.pressures.of_cell(upstream), 1. - central);
   }
@@ -144,7 +156,7 @@ void CellConvection<dim>::add_fluxes(const Face &face,
     const unsigned int cell = surface.cell(side);
     if (!space.mesh.cells()[cell].is_owned)
       continue;
-    const double leaving = (side == 0 ? 1. : -1.) * surface.area * flow.normal_velocity;
+    const double leaving = (side == 0 ? 1. : -1.) * flow.outflow;
     const Tensor<1, dim> change = leaving * flow.density * (flow.value - velocity_of(cell));
     const unsigned int row = space.local_velocity(space.velocities.of_cell(cell));
     for (unsigned int c = 0; c < dim; ++c)
@@ -158,16 +170,23 @@ void CellConvection<dim>::add_fluxes(const Face &face,
 }
 
 template <int dim>
+double CellConvection<dim>::inflow(const Face &face, const Flow &flow) const
+{
+  const VolumeFace<dim> &surface = system.space.mesh.faces()[face.face];
+  return surface.area > 0. ? std::min(flow.outflow / surface.area, 0.) : 0.;
+}
+
+template <int dim>
 void CellConvection<dim>::add_inflow(const Face &face,
                                      const Flow &flow,
                                      DistributedVector &momentum) const
 {
   if (face.inflow_row == VolumeFace<dim>::none)
     return;
-  const double inflow = std::min(flow.normal_velocity, 0.);
+  const double entering = inflow(face, flow);
   for (unsigned int c = 0; c < dim; ++c)
     momentum.begin()[face.inflow_row + c] -=
-        0.5 * face.weight * flow.density * inflow * flow.value[c];
+        0.5 * face.weight * flow.density * entering * flow.value[c];
 }
 
 template <int dim>
@@ -178,39 +197,26 @@ void CellConvection<dim>::add_inertia(const unsigned int cell,
   const FiniteVolume<dim> &volume = system.space.mesh.cells()[cell];
   const Material &material = system.problem.materials[volume.material_id];
   const unsigned int row = system.space.local_velocity(system.space.velocities.of_cell(cell));
-  const double mass = volume.volume * material.density *
-                      (material.volume_law().density_ratio(pressure_of(cell)) - 1.);
+  const double ratio = material.volume_law().density_ratio(pressure_of(cell));
+  const double mass = volume.volume * material.density * (ratio - 1.);
   for (unsigned int c = 0; c < dim; ++c)
-    momentum.begin()[row + c] += mass * state.acceleration.begin()[row + c];
+    momentum.begin()[row + c] += mass * state.acceleration.begin()[row + c] +
+                                 material.density * ratio * growth_term(cell, state, row + c);
 }
 
 template <int dim>
-void CellConvection<dim>::refuse_softness() const
+double CellConvection<dim>::growth_term(const unsigned int cell,
+                                        const BalancedStep &state,
+                                        const unsigned int row) const
 {
-  const std::vector<Material> &materials = system.problem.materials;
-  std::vector<double> stiffening(materials.size(), 1.);
-  for (unsigned int cell = 0; cell < system.space.mesh.n_owned_cells(); ++cell)
-  {
-    const unsigned int region = system.space.mesh.cells()[cell].material_id;
-    if (has_terms(region))
-    {
-      const double here = materials[region].volume_law().stiffening(pressure_of(cell));
-      if (!(here >= stiffening[region]))
-        stiffening[region] = here;
-    }
-  }
-  Utilities::MPI::min(stiffening, system.space.communicator, stiffening);
-  for (unsigned int region = 0; region < materials.size(); ++region)
-    if (!(stiffening[region] > 0.))
-    {
-      const VolumeLaw law = materials[region].volume_law();
-      std::ostringstream text;
-      text << "the pressure in the region '" << system.problem.regions[region]
-           << "' is so low that its bulk modulus K + n (p - p0) is not positive: K/n is "
-           << 1. / (law.inverse_bulk_modulus * law.exponent)
-           << " Pa; use smaller loads, or Volume exponent = 0";
-      throw StepFailure(text.str());
-    }
+  if (!swept_volumes.moves(cell))
+    return 0.;
+  // a2 (U - U_older) is what dU/dt and a1 (U - U_old) leave.
+  const double growth = swept_volumes.growth(cell),
+               earlier = swept_volumes.growth_since_older(cell);
+  return state.step.a1 * (growth - earlier) *
+             (state.velocity.begin()[row] - velocity_old.begin()[row]) -
+         earlier * state.acceleration.begin()[row];
 }
 
 template <int dim>
@@ -219,7 +225,7 @@ void CellConvection<dim>::add(const BalancedStep &state,
                               DistributedVector &volume)
 {
   take(state);
-  refuse_softness();
+  refuse_soft_liquids(system.space, system.problem, state.pressure);
   for (const Face &face : faces)
   {
     const Flow on_face = flow(face);
@@ -265,32 +271,6 @@ void CellConvection<dim>::set_forces_of(const unsigned int region,
 }
 
 template <int dim>
-NonlinearEnergy CellConvection<dim>::energy_of(const unsigned int region,
-                                               const DistributedVector &of_velocity,
-                                               const DistributedVector &of_pressure) const
-{
-  NonlinearEnergy energy;
-  const CellSpace<dim> &space = system.space;
-  const Material &material = system.problem.materials[region];
-  const VolumeLaw law = material.volume_law();
-  for (unsigned int cell = 0; cell < space.mesh.n_owned_cells(); ++cell)
-  {
-    const FiniteVolume<dim> &volume = space.mesh.cells()[cell];
-    if (volume.material_id != region)
-      continue;
-    const double *const u =
-        of_velocity.begin() + space.local_velocity(space.velocities.of_cell(cell));
-    const double p = of_pressure.begin()[space.local_pressure(space.pressures.of_cell(cell))];
-    double square = 0.;
-    for (unsigned int c = 0; c < dim; ++c)
-      square += u[c] * u[c];
-    energy.kinetic += 0.5 * volume.volume * material.density * law.density_ratio(p) * square;
-    energy.compressive += volume.volume * law.energy(p);
-  }
-  return energy;
-}
-
-template <int dim>
 void CellConvection<dim>::add_derivative(const BalancedStep &state,
                                          const typename CellSystem<dim>::AddEntry &momentum_row,
                                          const typename CellSystem<dim>::AddEntry &volume_row)
@@ -326,13 +306,14 @@ void CellConvection<dim>::add_derivative(const BalancedStep &state,
       if (!space.mesh.cells()[cell].is_owned)
         continue;
       const double area = (side == 0 ? 1. : -1.) * surface.area;
-      const double leaving = area * on_face.normal_velocity;
+      const double leaving = (side == 0 ? 1. : -1.) * on_face.outflow;
       const Tensor<1, dim> jump = on_face.value - velocity_of(cell);
       const unsigned int value_of_cell = space.velocities.of_cell(cell);
       const unsigned int row = space.local_velocity(value_of_cell);
       for (unsigned int c = 0; c < dim; ++c)
       {
-        add_normal_velocity(momentum_row, row + c, area * on_face.density * jump[c]);
+        if (surface.side_at_rest == VolumeFace<dim>::none)
+          add_normal_velocity(momentum_row, row + c, area * on_face.density * jump[c]);
         for (const auto &[value, coefficient] : on_face.velocity)
           momentum_row(row + c, velocity_column(value, c), leaving * on_face.density * coefficient);
         momentum_row(row + c, velocity_column(value_of_cell, c), -leaving * on_face.density);
@@ -347,14 +328,16 @@ void CellConvection<dim>::add_derivative(const BalancedStep &state,
       const double ratio = on_face.density / (material.density * law.density_ratio(at));
       const unsigned int value_of_pressure = space.pressures.of_cell(cell);
       const unsigned int volume = space.local_pressure(value_of_pressure);
-      add_normal_velocity(volume_row, volume, area * (ratio - 1.));
+      if (surface.side_at_rest == VolumeFace<dim>::none)
+        add_normal_velocity(volume_row, volume, area * (ratio - 1.));
       for (const auto &[value, coefficient] : on_face.pressure)
         volume_row(volume, pressure_column(value),
                    leaving * ratio * on_face.density_slope / on_face.density * coefficient);
       volume_row(volume, pressure_column(value_of_pressure),
                  -leaving * ratio * law.compressibility(at));
     }
-    if (face.inflow_row == VolumeFace<dim>::none || on_face.normal_velocity >= 0.)
+    const double entering = inflow(face, on_face);
+    if (face.inflow_row == VolumeFace<dim>::none || entering >= 0.)
       continue;
     const double half = -0.5 * face.weight;
     for (unsigned int c = 0; c < dim; ++c)
@@ -363,11 +346,10 @@ void CellConvection<dim>::add_derivative(const BalancedStep &state,
       add_normal_velocity(momentum_row, row, half * on_face.density * on_face.value[c]);
       for (const auto &[value, coefficient] : on_face.velocity)
         momentum_row(row, velocity_column(value, c),
-                     half * on_face.density * on_face.normal_velocity * coefficient);
+                     half * on_face.density * entering * coefficient);
       for (const auto &[value, coefficient] : on_face.pressure)
         momentum_row(row, pressure_column(value),
-                     half * on_face.density_slope * on_face.normal_velocity * on_face.value[c] *
-                         coefficient);
+                     half * on_face.density_slope * entering * on_face.value[c] * coefficient);
     }
   }
 
@@ -376,7 +358,8 @@ void CellConvection<dim>::add_derivative(const BalancedStep &state,
     const FiniteVolume<dim> &here = space.mesh.cells()[cell];
     const Material &material = system.problem.materials[here.material_id];
     const VolumeLaw law = material.volume_law();
-    if (!has_terms(here.material_id) || law.inverse_bulk_modulus == 0.)
+    if (!has_terms(here.material_id) ||
+        (law.inverse_bulk_modulus == 0. && !swept_volumes.moves(cell)))
       continue;
     const unsigned int value = space.velocities.of_cell(cell);
     const unsigned int value_of_pressure = space.pressures.of_cell(cell);
@@ -384,19 +367,37 @@ void CellConvection<dim>::add_derivative(const BalancedStep &state,
     const unsigned int volume = space.local_pressure(value_of_pressure);
     const double at = pressure_of(cell);
     const double density = material.density * law.density_ratio(at);
+    const double growth_of_rate = !swept_volumes.moves(cell)
+                                      ? 0.
+                                      : state.step.a1 * (swept_volumes.growth(cell) -
+                                                         swept_volumes.growth_since_older(cell)) -
+                                            swept_volumes.growth_since_older(cell) * state.step.a0;
     for (unsigned int c = 0; c < dim; ++c)
     {
       momentum_row(row + c, velocity_column(value, c),
-                   here.volume * (density - material.density) * state.step.a0);
-      momentum_row(row + c, pressure_column(value_of_pressure),
-                   here.volume * density * law.compressibility(at) *
-                       state.acceleration.begin()[row + c]);
+                   here.volume * (density - material.density) * state.step.a0 +
+                       density * growth_of_rate);
+      if (law.inverse_bulk_modulus > 0.)
+        momentum_row(row + c, pressure_column(value_of_pressure),
+                     density * law.compressibility(at) *
+                         (here.volume * state.acceleration.begin()[row + c] +
+                          growth_term(cell, state, row + c)));
     }
+    if (law.inverse_bulk_modulus == 0.)
+      continue;
     volume_row(volume, pressure_column(value_of_pressure),
                here.volume * ((law.compressibility(at) - law.inverse_bulk_modulus) /
                                   state.step.pressure_time +
                               law.compressibility_slope(at) * state.pressure_rate.begin()[volume]));
   }
+}
+
+template <int dim>
+NonlinearEnergy CellConvection<dim>::energy_of(const unsigned int region,
+                                               const DistributedVector &of_velocity,
+                                               const DistributedVector &of_pressure) const
+{
+  return energy_of_liquid(system.space, system.problem, region, of_velocity, of_pressure);
 }
 
 template class CellConvection<2>;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <stdexcept>
 
@@ -31,6 +32,14 @@ void CellEvaluation<dim>::build()
 {
   linear.build();
   this->rebuild();
+}
+
+template <int dim>
+bool CellEvaluation<dim>::follows_mesh(const ProbeRequest<dim> &request,
+                                       const FieldDefinition<dim> & /*field*/) const
+{
+  return problem.mesh_moves_between_steps &&
+         request.kind != ProbeRequest<dim>::Kind::boundary_force;
 }
 
 template <int dim>
@@ -66,7 +75,7 @@ std::vector<CellPlace> CellEvaluation<dim>::faces_at(const unsigned int cell,
       const VolumeFace<dim> &surface = space.mesh.faces()[face];
       if (!surface.has_value() || surface.number_in_cell[space.mesh.side(face, cell)] != f)
         continue;
-      const double distance = surface.centre.distance(point);
+      const double distance = surface.shape(space.mesh.side(face, cell)).centre.distance(point);
       if (distance < nearest * (1. - tolerance))
         pieces.clear();
       if (distance < nearest * (1. + tolerance))
@@ -84,6 +93,7 @@ double CellEvaluation<dim>::add_point(const ProbeRequest<dim> &request,
                                       Collector &collector) const
 {
   std::vector<CellPlace> cells, faces;
+  std::map<unsigned int, Point<dim>> places; // by cell
   for (unsigned int cell = 0; cell < space.mesh.n_owned_cells(); ++cell)
   {
     const FiniteVolume<dim> &volume = space.mesh.cells()[cell];
@@ -92,12 +102,13 @@ double CellEvaluation<dim>::add_point(const ProbeRequest<dim> &request,
         !cell_holds_point<dim>(mapping, volume.iterator, request.point, unit_point))
       continue;
     cells.push_back({cell, CellPlace::none});
-    const std::vector<CellPlace> of_cell = faces_at(cell, unit_point, request.point);
+    places[cell] = space.mesh.present_place(cell, unit_point, request.point);
+    const std::vector<CellPlace> of_cell = faces_at(cell, unit_point, places[cell]);
     faces.insert(faces.end(), of_cell.begin(), of_cell.end());
   }
   const unsigned int n_faces = Utilities::MPI::sum(faces.size(), space.communicator);
   for (const CellPlace &place : n_faces > 0 ? faces : cells)
-    add_value(field, place, request.point, 1., collector);
+    add_value(field, place, places[place.cell], request.point, 1., collector);
   return n_faces > 0 ? n_faces : Utilities::MPI::sum(cells.size(), space.communicator);
 }
 
@@ -116,7 +127,8 @@ double CellEvaluation<dim>::add_boundary(const ProbeRequest<dim> &request,
     if (!volume.is_owned || !this->counts(request, volume.material_id))
       continue;
     area += surface.area;
-    add_value(field, {surface.owner, face}, surface.centre, surface.area, collector);
+    add_value(field, {surface.owner, face}, surface.centre, surface.centre, surface.area,
+              collector);
   }
   return Utilities::MPI::sum(area, space.communicator);
 }
@@ -145,7 +157,7 @@ double CellEvaluation<dim>::add_section(const ProbeRequest<dim> &request,
       if (places.empty())
         places.push_back({cell, CellPlace::none});
       for (const CellPlace &place : places)
-        add_value(field, place, point, weight / places.size(), collector);
+        add_value(field, place, point, point, weight / places.size(), collector);
     }
   }
   return Utilities::MPI::sum(area, space.communicator);
@@ -163,8 +175,8 @@ double CellEvaluation<dim>::add_volume(const ProbeRequest<dim> &request,
     if (!this->counts(request, finite_volume.material_id))
       continue;
     volume += finite_volume.volume;
-    add_value(field, {cell, CellPlace::none}, finite_volume.centre, finite_volume.volume,
-              collector);
+    add_value(field, {cell, CellPlace::none}, finite_volume.centre, finite_volume.centre,
+              finite_volume.volume, collector);
   }
   return Utilities::MPI::sum(volume, space.communicator);
 }
@@ -187,7 +199,7 @@ double CellEvaluation<dim>::add_interface(const ProbeRequest<dim> &request,
         continue;
       area += surface.area;
       add_value(field_along<dim>(FieldDefinition<dim>::Quantity::displacement, surface.normal),
-                {surface.cell(side), face}, surface.centre,
+                {surface.cell(side), face}, surface.centre, surface.centre,
                 side == 0 ? surface.area : -surface.area, collector);
     }
   }
@@ -240,6 +252,7 @@ template <int dim>
 void CellEvaluation<dim>::add_value(const FieldDefinition<dim> &field,
                                     const CellPlace &place,
                                     const Point<dim> &point,
+                                    const Point<dim> &at_rest,
                                     const double weight,
                                     Collector &collector) const
 {
@@ -262,7 +275,7 @@ void CellEvaluation<dim>::add_value(const FieldDefinition<dim> &field,
     DistributedVector &target =
         collector.weights(is_velocity ? Source::velocity : Source::displacement);
     for (const auto &entry :
-         is_velocity ? linear.velocity(place, point) : linear.displacement(place, point))
+         is_velocity ? linear.velocity(place, point) : linear.displacement(place, point, at_rest))
       for (unsigned int c = 0; c < dim; ++c)
         add(target, dim * entry.first + c, weight * factors[c] * entry.second);
     return;

@@ -13,8 +13,8 @@ void CellLoads<dim>::integrate(const Item &item,
                                DistributedVector &forces) const
 {
   double *const values = forces.begin();
-  const auto amplitude = [&](const Point<dim> &point)
-  { return item.sign * (waveform == nullptr ? 1. : (*waveform)(coordinates(point).data(), time)); };
+  const auto amplitude = [&](const std::array<double, 3> &point)
+  { return item.sign * (waveform == nullptr ? 1. : (*waveform)(point.data(), time)); };
   if (item.condition < 0)
   {
     for (unsigned int cell = 0; cell < space.mesh.n_owned_cells(); ++cell)
@@ -23,7 +23,7 @@ void CellLoads<dim>::integrate(const Item &item,
       const double density =
           item.times_density ? problem.materials[volume.material_id].density : 1.;
       values[space.local_velocity(space.velocities.of_cell(cell)) + item.component] +=
-          amplitude(volume.centre) * density * volume.volume;
+          amplitude(coordinates(volume.centre)) * density * volume.volume;
     }
     return;
   }
@@ -41,7 +41,7 @@ void CellLoads<dim>::integrate(const Item &item,
         direction = item.normal_part ? along : direction - along;
       }
       for (unsigned int c = 0; c < dim; ++c)
-        values[face.index + c] += amplitude(surface.centre) * face.weight * direction[c];
+        values[face.index + c] += amplitude(face.place) * face.weight * direction[c];
     }
 }
 
@@ -63,7 +63,7 @@ std::vector<std::array<double, 3>> CellLoads<dim>::places(const Item &item) cons
   else
     for (const auto &face : face_conditions.faces())
       if (face.condition == static_cast<unsigned int>(item.condition))
-        points.push_back(coordinates(space.mesh.faces()[face.face].centre));
+        points.push_back(face.place);
   return points;
 }
 

@@ -1,6 +1,7 @@
 #include <continua/finite_volume/cell_mesh.h>
 #include <continua/mesh/ghost_exchange.h>
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_renumbering.h>
 
@@ -12,53 +13,38 @@ namespace Continua
 {
 namespace
 {
-/// A flat piece of surface: centre and area times normal; of a warped face that of its triangles.
-template <int dim>
-struct Piece
-{
-  dealii::Point<dim> centre;
-  dealii::Tensor<1, dim> area;
-  std::vector<std::array<dealii::Point<dim>, dim>> simplices; ///< that it consists of
-};
-
-/// The points of a line from one end to the other, with those where finer cells divide it.
-template <int dim, typename Line>
+/// The vertices of a line from one end to the other, with those where finer cells divide it.
+template <typename Line>
 void append_line(const Line &line,
                  const unsigned int first_vertex,
-                 std::vector<dealii::Point<dim>> &points)
+                 std::vector<unsigned int> &vertices)
 {
   const bool forward = line->vertex_index(0) == first_vertex;
   if (line->has_children())
   {
     const unsigned int first = forward ? 0 : 1;
-    append_line(line->child(first), first_vertex, points);
+    append_line(line->child(first), first_vertex, vertices);
     const auto &second = line->child(1 - first);
     const unsigned int middle = second->vertex_index(0) == line->vertex_index(1 - first)
                                     ? second->vertex_index(1)
                                     : second->vertex_index(0);
-    append_line(second, middle, points);
+    append_line(second, middle, vertices);
   }
   else
-    points.push_back(line->vertex(forward ? 0 : 1)); // the other end begins the next line
+    vertices.push_back(line->vertex_index(forward ? 0 : 1)); // the other end begins the next line
 }
 
-Piece<2> measure(const dealii::Triangulation<2>::face_iterator &face)
+std::vector<unsigned int> vertices_around(const dealii::Triangulation<2>::face_iterator &face)
 {
-  Piece<2> piece;
-  const dealii::Tensor<1, 2> edge = face->vertex(1) - face->vertex(0);
-  piece.centre = 0.5 * (face->vertex(0) + face->vertex(1));
-  piece.area[0] = edge[1];
-  piece.area[1] = -edge[0];
-  piece.simplices.push_back({{face->vertex(0), face->vertex(1)}});
-  return piece;
+  return {face->vertex_index(0), face->vertex_index(1)};
 }
 
-Piece<3> measure(const dealii::Triangulation<3>::face_iterator &face)
+std::vector<unsigned int> vertices_around(const dealii::Triangulation<3>::face_iterator &face)
 {
   // Around the face, through the vertices 0, 1, 3, 2; hanging nodes on its edges belong to it, else
   // the cells would not be closed where these are not on straight lines.
   const std::array<unsigned int, 4> around = {{0, 1, 3, 2}};
-  std::vector<dealii::Point<3>> points;
+  std::vector<unsigned int> vertices;
   for (unsigned int v = 0; v < 4; ++v)
   {
     const unsigned int from = face->vertex_index(around[v]);
@@ -68,29 +54,10 @@ Piece<3> measure(const dealii::Triangulation<3>::face_iterator &face)
       const auto line = face->line(l);
       if ((line->vertex_index(0) == from && line->vertex_index(1) == to) ||
           (line->vertex_index(1) == from && line->vertex_index(0) == to))
-        append_line(line, from, points);
+        append_line(line, from, vertices);
     }
   }
-  dealii::Point<3> middle;
-  for (const auto &point : points)
-    middle += point / double(points.size());
-
-  Piece<3> piece;
-  for (unsigned int i = 0; i < points.size(); ++i)
-  {
-    piece.simplices.push_back({{middle, points[i], points[(i + 1) % points.size()]}});
-    piece.area += 0.5 * dealii::cross_product_3d(points[i] - middle,
-                                                 points[(i + 1) % points.size()] - middle);
-  }
-  const dealii::Tensor<1, 3> normal = piece.area / piece.area.norm();
-  for (const auto &triangle : piece.simplices)
-  {
-    const double area =
-        0.5 * dealii::cross_product_3d(triangle[1] - middle, triangle[2] - middle) * normal;
-    piece.centre +=
-        area / piece.area.norm() * dealii::Point<3>((triangle[0] + triangle[1] + triangle[2]) / 3.);
-  }
-  return piece;
+  return vertices;
 }
 
 /// The signed measure of the simplex between a point and a piece of surface.
@@ -104,6 +71,44 @@ double simplex_measure(const dealii::Point<3> &apex, const std::array<dealii::Po
   return dealii::cross_product_3d(base[0] - apex, base[1] - apex) * (base[2] - apex) / 6.;
 }
 } // namespace
+
+SurfacePiece<2> surface_piece(const std::vector<unsigned int> &vertices,
+                              const VertexPlaces<2> &places)
+{
+  const dealii::Point<2> &begin = places[vertices[0]], &end = places[vertices[1]];
+  SurfacePiece<2> piece;
+  const dealii::Tensor<1, 2> edge = end - begin;
+  piece.centre = 0.5 * (begin + end);
+  piece.area[0] = edge[1];
+  piece.area[1] = -edge[0];
+  piece.simplices.push_back({{begin, end}});
+  return piece;
+}
+
+SurfacePiece<3> surface_piece(const std::vector<unsigned int> &vertices,
+                              const VertexPlaces<3> &places)
+{
+  dealii::Point<3> middle;
+  for (const unsigned int vertex : vertices)
+    middle += places[vertex] / double(vertices.size());
+  SurfacePiece<3> piece;
+  for (unsigned int i = 0; i < vertices.size(); ++i)
+  {
+    const dealii::Point<3> &begin = places[vertices[i]],
+                           &end = places[vertices[(i + 1) % vertices.size()]];
+    piece.simplices.push_back({{middle, begin, end}});
+    piece.area += 0.5 * dealii::cross_product_3d(begin - middle, end - middle);
+  }
+  const dealii::Tensor<1, 3> normal = piece.area / piece.area.norm();
+  for (const auto &triangle : piece.simplices)
+  {
+    const double area =
+        0.5 * dealii::cross_product_3d(triangle[1] - middle, triangle[2] - middle) * normal;
+    piece.centre +=
+        area / piece.area.norm() * dealii::Point<3>((triangle[0] + triangle[1] + triangle[2]) / 3.);
+  }
+  return piece;
+}
 
 template <int dim>
 CellMesh<dim>::CellMesh(dealii::parallel::TriangulationBase<dim> &triangulation,
@@ -122,6 +127,69 @@ void CellMesh<dim>::build()
   dealii::DoFRenumbering::hierarchical(cell_dofs);
   number_cells();
   make_faces();
+  present_places.clear();
+  moving_materials.clear();
+  measure();
+}
+
+template <int dim>
+void CellMesh<dim>::move(const VertexPlaces<dim> &places,
+                         const std::vector<bool> &materials_that_move)
+{
+  present_places = places;
+  moving_materials = materials_that_move;
+  measure();
+}
+
+template <int dim>
+dealii::Point<dim> CellMesh<dim>::present_place(const unsigned int cell,
+                                                const dealii::Point<dim> &unit_point,
+                                                const dealii::Point<dim> &at_rest) const
+{
+  dealii::Point<dim> place = at_rest;
+  const auto &iterator = volumes[cell].iterator;
+  if (moves(cell))
+    for (const unsigned int v : iterator->vertex_indices())
+      place += dealii::GeometryInfo<dim>::d_linear_shape_function(unit_point, v) *
+               (present_places[iterator->vertex_index(v)] - iterator->vertex(v));
+  return place;
+}
+
+template <int dim>
+void CellMesh<dim>::measure()
+{
+  std::vector<dealii::Tensor<1, dim>> moments(volumes.size());
+  std::vector<dealii::Point<dim>> inside(volumes.size());
+  for (unsigned int cell = 0; cell < volumes.size(); ++cell)
+  {
+    volumes[cell].plane_volume = 0.;
+    const auto &iterator = volumes[cell].iterator;
+    if (!moves(cell))
+      inside[cell] = iterator->center();
+    else
+      for (const unsigned int v : iterator->vertex_indices())
+        inside[cell] += present_places[iterator->vertex_index(v)] / double(iterator->n_vertices());
+  }
+  for (VolumeFace<dim> &face : surfaces)
+  {
+    face.side_at_rest = VolumeFace<dim>::none;
+    std::vector<unsigned int> moving, resting;
+    for (unsigned int side = 0; side < face.n_sides(); ++side)
+      (moves(face.cell(side)) ? moving : resting).push_back(side);
+    if (moving.empty())
+      measure_face(face, triangulation.get_vertices(), resting, inside, face, moments);
+    else
+    {
+      measure_face(face, present_places, moving, inside, face, moments);
+      if (resting.empty())
+        continue;
+      face.side_at_rest = resting.front();
+      measure_face(face, triangulation.get_vertices(), resting, inside, face.shape_at_rest,
+                   moments);
+    }
+  }
+  for (unsigned int number = 0; number < n_owned; ++number)
+    volumes[number].centre = inside[number] + moments[number] / volumes[number].plane_volume;
   exchange_measures();
   for (FiniteVolume<dim> &volume : volumes)
   {
@@ -178,31 +246,26 @@ void CellMesh<dim>::make_faces()
 {
   // The faces of owned cells; what the first of two owned cells has made, the second has already.
   surfaces.clear();
-  std::vector<dealii::Tensor<1, dim>> moments(volumes.size());
   for (unsigned int number = 0; number < n_owned; ++number)
   {
     const auto cell = volumes[number].iterator;
     for (const unsigned int f : cell->face_indices())
       if (cell->at_boundary(f))
-        add_face(number, VolumeFace<dim>::none, cell->face(f), f, moments);
+        add_face(number, VolumeFace<dim>::none, cell->face(f), f);
       else if (cell->neighbor(f)->has_children())
         for (unsigned int s = 0; s < cell->face(f)->n_children(); ++s)
           add_face(number, cell_number(cell->neighbor_child_on_subface(f, s)),
-                   cell->face(f)->child(s), f, moments);
+                   cell->face(f)->child(s), f);
       else
-        add_face(number, cell_number(cell->neighbor(f)), cell->face(f), f, moments);
+        add_face(number, cell_number(cell->neighbor(f)), cell->face(f), f);
   }
-  for (unsigned int number = 0; number < n_owned; ++number)
-    volumes[number].centre =
-        volumes[number].iterator->center() + moments[number] / volumes[number].plane_volume;
 }
 
 template <int dim>
 void CellMesh<dim>::add_face(const unsigned int cell,
                              const unsigned int other,
                              const typename dealii::Triangulation<dim>::face_iterator &on,
-                             const unsigned int f,
-                             std::vector<dealii::Tensor<1, dim>> &moments)
+                             const unsigned int f)
 {
   const bool at_boundary = other == VolumeFace<dim>::none;
   if (!at_boundary && other < cell)
@@ -223,39 +286,53 @@ void CellMesh<dim>::add_face(const unsigned int cell,
     }
     face.is_interface = volumes[cell].material_id != volumes[other].material_id;
   }
-  const Piece<dim> piece = measure(on);
-  face.centre = piece.centre;
-  face.plane_area = piece.area.norm();
-  face.normal = piece.area / face.plane_area;
+  face.vertices = vertices_around(on);
+  for (unsigned int side = 0; side < face.n_sides(); ++side)
+    volumes[face.cell(side)].faces.push_back(surfaces.size());
+  surfaces.push_back(face);
+}
+
+template <int dim>
+void CellMesh<dim>::measure_face(const VolumeFace<dim> &face,
+                                 const VertexPlaces<dim> &places,
+                                 const std::vector<unsigned int> &sides,
+                                 const std::vector<dealii::Point<dim>> &inside,
+                                 FaceShape<dim> &shape,
+                                 std::vector<dealii::Tensor<1, dim>> &moments)
+{
+  const SurfacePiece<dim> piece = surface_piece(face.vertices, places);
+  shape.centre = piece.centre;
+  shape.plane_area = piece.area.norm();
+  shape.normal = piece.area / shape.plane_area;
   double sense = 1.;
-  if (face.normal * (face.centre - volumes[face.owner].iterator->center()) < 0.)
+  // Out of the owner.
+  const unsigned int side = sides.front();
+  if (shape.normal * (shape.centre - inside[face.cell(side)]) * (side == 0 ? 1. : -1.) < 0.)
   {
-    face.normal *= -1.;
+    shape.normal *= -1.;
     sense = -1.;
   }
-  face.area = face.plane_area;
+  shape.area = shape.plane_area;
   if (axisymmetric)
     // Points of the axis may be off it by round-off.
-    face.area *=
-        face.centre[1] < 1e-10 * face.plane_area ? 0. : 2. * dealii::numbers::PI * face.centre[1];
+    shape.area *= shape.centre[1] < 1e-10 * shape.plane_area
+                      ? 0.
+                      : 2. * dealii::numbers::PI * shape.centre[1];
   // Volumes and first moments about a point inside come from the simplices between that point and
   // the faces, so that a cell with hanging nodes is bounded by the faces of its finer neighbours.
-  for (unsigned int side = 0; side < face.n_sides(); ++side)
+  for (const unsigned int s : sides)
   {
-    const unsigned int number = face.cell(side);
-    volumes[number].faces.push_back(surfaces.size());
+    const unsigned int number = face.cell(s);
     if (!volumes[number].is_owned)
       continue;
-    const dealii::Point<dim> inside = volumes[number].iterator->center();
     for (const auto &simplex : piece.simplices)
     {
-      const double measure = (side == 0 ? sense : -sense) * simplex_measure(inside, simplex);
+      const double measure = (s == 0 ? sense : -sense) * simplex_measure(inside[number], simplex);
       volumes[number].plane_volume += measure;
       for (const auto &point : simplex)
-        moments[number] += measure / (dim + 1.) * (point - inside);
+        moments[number] += measure / (dim + 1.) * (point - inside[number]);
     }
   }
-  surfaces.push_back(face);
 }
 
 template <int dim>
@@ -297,7 +374,7 @@ dealii::Tensor<1, dim> CellMesh<dim>::distance(const unsigned int face,
 {
   const VolumeFace<dim> &on = surfaces[face];
   if (on.has_value())
-    return on.centre - volumes[on.cell(side)].centre;
+    return on.shape(side).centre - volumes[on.cell(side)].centre;
   return side == 0 ? on.distance : -1. * on.distance;
 }
 

@@ -54,7 +54,10 @@ void CellMotion<dim>::set_up_faces()
       if (is_solid(cell) == is_solid(face.cell(1 - side)))
         continue;
       if (is_solid(cell))
-        faces.push_back({face.normal, linear.displacement({cell, f}, face.centre)});
+      {
+        const FaceShape<dim> &shape = face.shape(side);
+        faces.push_back({shape.normal, linear.displacement({cell, f}, shape.centre, shape.centre)});
+      }
       else
       {
         liquid.area += face.area;

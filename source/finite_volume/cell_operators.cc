@@ -52,18 +52,31 @@ public:
         conditions(conditions),
         parameters(parameters),
         velocity_rows(space.velocities.owned(dim)),
-        pressure_rows(space.pressures.owned(1)),
-        closure_rows(pressure_rows, pressure_rows, space.communicator)
+        pressure_rows(space.pressures.owned(1))
   {
   }
 
-  void assemble(std::vector<CellOperators> &operators, PressureClosure &closure)
+  void assemble(const std::vector<bool> &regions,
+                std::vector<CellOperators> &operators,
+                PressureClosure &closure)
   {
-    closure.rows.clear();
     operators.resize(problem.materials.size());
+    closure.parts.resize(operators.size());
+    closure.rows.clear();
+    SparseRows rows(pressure_rows, pressure_rows, space.communicator);
     for (unsigned int region = 0; region < operators.size(); ++region)
-      assemble_region(region, operators[region], closure);
-    closure_rows.move_to(closure.matrix);
+    {
+      PressureClosure::Part &part = closure.parts[region];
+      if (regions[region])
+      {
+        part = {};
+        assemble_region(region, operators[region], part);
+      }
+      closure.rows.insert(closure.rows.end(), part.rows.begin(), part.rows.end());
+      for (const auto &entry : part.entries)
+        rows.add(entry.row, entry.column, entry.value);
+    }
+    rows.move_to(closure.matrix);
   }
 
 private:
@@ -73,7 +86,6 @@ private:
   const FaceConditions<dim> &conditions;
   const CellWiseParameters &parameters;
   const IndexSet velocity_rows, pressure_rows;
-  SparseRows closure_rows;
 
   /// Adds factor times a tensor for each value to the rows of a value's equations.
   void add(SparseRows &rows,
@@ -113,12 +125,13 @@ private:
   }
 
   /// What the equation of a face counts with: on the axis, which has no area, as in the plane.
-  double weight(const VolumeFace<dim> &surface) const
+  double weight(const FaceShape<dim> &surface) const
   {
     return surface.area > 0. ? surface.area : surface.plane_area;
   }
 
-  void assemble_region(const unsigned int region, CellOperators &target, PressureClosure &closure)
+  void
+  assemble_region(const unsigned int region, CellOperators &target, PressureClosure::Part &closure)
   {
     const TractionCoefficients coefficients =
         traction_coefficients(problem.materials[region], parameters);
@@ -166,6 +179,7 @@ private:
         if (volume.material_id != region || !(volume.is_owned || owns_face))
           continue;
         const Tensor<1, dim> normal = surface.outward(side);
+        const FaceShape<dim> &shape = surface.shape(side);
         const Stencil<Tensor<2, dim>> stress = traction(face, side);
         const Stencil<double> pressure = space.pressure_gradient.face_value(face, side);
         Stencil<Tensor<2, dim>> wide_stress;
@@ -174,20 +188,20 @@ private:
         if (volume.is_owned)
         {
           const unsigned int value = space.velocities.of_cell(cell);
-          add(stiffness, value, -surface.area, stress);
-          add(wide_stiffness, value, -surface.area, wide_stress);
-          add(gradient, value, surface.area * normal, pressure);
+          add(stiffness, value, -shape.area, stress);
+          add(wide_stiffness, value, -shape.area, wide_stress);
+          add(gradient, value, shape.area * normal, pressure);
           Stencil<Tensor<1, dim>> flux;
-          flux.add(Tensor<1, dim>(surface.area * normal),
+          flux.add(Tensor<1, dim>(shape.area * normal),
                    space.velocity_gradient.face_value(face, side));
           add_product(divergence, space.pressures.of_cell(cell), 1., flux);
         }
         if (owns_face)
         {
           const unsigned int value = space.velocities.of_face(face, side);
-          add(stiffness, value, weight(surface), stress);
-          add(wide_stiffness, value, weight(surface), wide_stress);
-          add(gradient, value, -weight(surface) * normal, pressure);
+          add(stiffness, value, weight(shape), stress);
+          add(wide_stiffness, value, weight(shape), wide_stress);
+          add(gradient, value, -weight(shape) * normal, pressure);
         }
         if (surface.has_value() && volume.is_owned)
           close_pressure(face, side, divergence, target, closure);
@@ -247,7 +261,7 @@ private:
                       const unsigned int side,
                       SparseRows &divergence,
                       CellOperators &target,
-                      PressureClosure &closure)
+                      PressureClosure::Part &closure)
   {
     const VolumeFace<dim> &surface = mesh.faces()[face];
     const unsigned int cell = surface.cell(side);
@@ -259,8 +273,7 @@ private:
 
     if (type == BoundaryPressure::definition)
     {
-      const double volume =
-          surface.plane_area * ((surface.centre - mesh.cells()[cell].centre) * normal);
+      const double volume = surface.shape(side).plane_area * (mesh.distance(face, side) * normal);
       target.pressure_volume.begin()[space.local_pressure(row)] = volume;
       add_product(divergence, row, volume,
                   space.velocity_face_gradient(
@@ -270,13 +283,13 @@ private:
       return;
     }
     closure.rows.push_back(space.local_pressure(row));
-    closure_rows.add(row, row, 1.);
-    closure_rows.add(row, space.pressures.of_cell(cell), -1.);
+    closure.entries.push_back({row, row, 1.});
+    closure.entries.push_back({row, space.pressures.of_cell(cell), -1.});
     if (type == BoundaryPressure::momentum)
     {
-      const Tensor<1, dim> offset = surface.centre - mesh.cells()[cell].centre;
+      const Tensor<1, dim> offset = mesh.distance(face, side);
       for (const auto &[value, g] : space.pressure_gradient(cell))
-        closure_rows.add(row, value, -(offset * g));
+        closure.entries.push_back({row, value, -(offset * g)});
     }
   }
 };
@@ -287,22 +300,25 @@ void assemble_cell_operators(const CellSpace<dim> &space,
                              const Problem &problem,
                              const FaceConditions<dim> &conditions,
                              const CellWiseParameters &parameters,
+                             const std::vector<bool> &regions,
                              std::vector<CellOperators> &operators,
                              PressureClosure &closure)
 {
-  Assembler<dim>(space, problem, conditions, parameters).assemble(operators, closure);
+  Assembler<dim>(space, problem, conditions, parameters).assemble(regions, operators, closure);
 }
 
 template void assemble_cell_operators(const CellSpace<2> &,
                                       const Problem &,
                                       const FaceConditions<2> &,
                                       const CellWiseParameters &,
+                                      const std::vector<bool> &,
                                       std::vector<CellOperators> &,
                                       PressureClosure &);
 template void assemble_cell_operators(const CellSpace<3> &,
                                       const Problem &,
                                       const FaceConditions<3> &,
                                       const CellWiseParameters &,
+                                      const std::vector<bool> &,
                                       std::vector<CellOperators> &,
                                       PressureClosure &);
 } // namespace Continua

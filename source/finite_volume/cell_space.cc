@@ -28,6 +28,15 @@ void CellSpace<dim>::distribute()
 }
 
 template <int dim>
+void CellSpace<dim>::move(const VertexPlaces<dim> &places,
+                          const std::vector<bool> &materials_that_move)
+{
+  mesh.move(places, materials_that_move);
+  velocity_gradient.build();
+  pressure_gradient.build();
+}
+
+template <int dim>
 Stencil<Tensor<1, dim>> CellSpace<dim>::velocity_face_gradient(const unsigned int face,
                                                                const unsigned int side,
                                                                const bool replaced) const
@@ -64,8 +73,8 @@ Stencil<double> CellSpace<dim>::face_hoop(const unsigned int face, const unsigne
     result.add(surface.owner_weight, cell_hoop(surface.owner));
     result.add(1. - surface.owner_weight, cell_hoop(surface.neighbour));
   }
-  else if (surface.area > 0.)
-    result.add(velocities.of_face(face, side), 1. / surface.centre[1]);
+  else if (surface.shape(side).area > 0.)
+    result.add(velocities.of_face(face, side), 1. / surface.shape(side).centre[1]);
   else
     result = cell_hoop(surface.cell(side));
   return result;

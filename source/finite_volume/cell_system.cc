@@ -53,19 +53,25 @@ void CellSystem<dim>::reinit()
 }
 
 template <int dim>
+void CellSystem<dim>::remeasure()
+{
+  measure_diffusion();
+  if (is_prepared)
+    assemble_corrections();
+}
+
+template <int dim>
 void CellSystem<dim>::measure_diffusion()
 {
   const CellMesh<dim> &mesh = space.mesh;
   diffusion.assign(mesh.cells().size(), 0.);
-  for (const VolumeFace<dim> &surface : mesh.faces())
-    for (unsigned int side = 0; side < surface.n_sides(); ++side)
+  for (unsigned int f = 0; f < mesh.faces().size(); ++f)
+    for (unsigned int side = 0; side < mesh.faces()[f].n_sides(); ++side)
     {
       // From a face with its own value the way to the cell is half as long.
-      const Tensor<1, dim> way = surface.has_value()
-                                     ? surface.centre - mesh.cells()[surface.cell(side)].centre
-                                 : side == 0 ? surface.distance
-                                             : -1. * surface.distance;
-      diffusion[surface.cell(side)] += surface.area / (way * surface.outward(side));
+      const VolumeFace<dim> &surface = mesh.faces()[f];
+      diffusion[surface.cell(side)] +=
+          surface.shape(side).area / (mesh.distance(f, side) * surface.outward(side));
     }
   for (unsigned int cell = 0; cell < diffusion.size(); ++cell)
     diffusion[cell] /= mesh.cells()[cell].volume;

@@ -86,8 +86,15 @@ CellWise<dim>::CellWise(parallel::TriangulationBase<dim> &triangulation,
       output(space, problem, evaluation),
       cell_transfer(space, conditions, problem.conditions, evaluation.reconstruction()),
       excess_velocity(system, evaluation.reconstruction()),
-      convection(system, excess_velocity, evaluation.reconstruction())
+      swept_volumes(space.mesh),
+      convection(system, excess_velocity, evaluation.reconstruction(), swept_volumes),
+      vertex_motion(
+          problem.mesh_moves_between_steps
+              ? std::make_unique<VertexMotion<dim>>(space, problem, evaluation.reconstruction())
+              : nullptr)
 {
+  for (const Material &material : problem.materials)
+    is_liquid.push_back(!material.is_solid());
 }
 
 template <int dim>
@@ -100,7 +107,8 @@ void CellWise<dim>::setup()
   log.memory_use().mark("numbering and constraints");
   InterruptibleSetUp::end_of_phase(space.communicator, "the numbering");
   conditions.build();
-  assemble_cell_operators(space, problem, conditions, parameters, operators, closure);
+  assemble_cell_operators(space, problem, conditions, parameters,
+                          std::vector<bool>(problem.materials.size(), true), operators, closure);
   log.memory_use().mark("matrices of the regions");
   InterruptibleSetUp::end_of_phase(space.communicator, "the assembly");
   load_list.build();
@@ -116,9 +124,21 @@ void CellWise<dim>::setup()
   evaluation.build();
   motion.forget();
   excess_velocity.reinit();
+  swept_volumes.reset();
   if (!is_nonlinear())
     return;
   convection.reinit();
+  measure_operators();
+  if (!vertex_motion)
+    return;
+  vertex_motion->reinit();
+  // The sizes of the liquids are those at rest, also where a run goes on.
+  motion.set_up();
+}
+
+template <int dim>
+void CellWise<dim>::measure_operators()
+{
   divergence_norm = gradient_norm = 0.;
   face_resistance = std::numeric_limits<double>::max();
   for (const auto &face : conditions.faces())
@@ -183,10 +203,20 @@ std::vector<unsigned int> CellWise<dim>::pressures_without_history() const
 }
 
 template <int dim>
+DistributedVector CellWise<dim>::mesh_vertex_vector() const
+{
+  return vertex_motion ? vertex_motion->vector() : DistributedVector();
+}
+
+template <int dim>
 StateNumbering CellWise<dim>::numbering() const
 {
-  return {VectorNumbering(space.communicator, "velocity", space.velocities.numbers(dim)),
-          VectorNumbering(space.communicator, "pressure", space.pressures.numbers(1))};
+  StateNumbering numbering{
+      VectorNumbering(space.communicator, "velocity", space.velocities.numbers(dim)),
+      VectorNumbering(space.communicator, "pressure", space.pressures.numbers(1))};
+  if (vertex_motion)
+    numbering.mesh_vertices = vertex_motion->numbering();
+  return numbering;
 }
 
 template <int dim>
@@ -278,6 +308,7 @@ template <int dim>
 void CellWise<dim>::evaluate_prescribed(const double time, DistributedVector &values) const
 {
   conditions.evaluate(time, values);
+  conditions.follow(swept_volumes, values);
 }
 
 template <int dim>
@@ -340,8 +371,9 @@ SystemChange CellWise<dim>::prepare(const SystemCoefficients &coefficients,
 template <int dim>
 SystemChange CellWise<dim>::prepare_cells(const CellCoefficients &coefficients)
 {
-  if (!system.prepare(coefficients))
+  if (!system.prepare(coefficients) && !conditions_have_turned)
     return SystemChange::none;
+  conditions_have_turned = false;
   if (is_nonlinear())
     return SystemChange::coefficients;
   cell_solve->reinit();
@@ -486,6 +518,74 @@ void CellWise<dim>::visit(StateVisitor &visitor)
   visitor.value("rate of dilatation is current", dilatation_rate_is_current);
   if (excess_velocity.exists())
     excess_velocity.visit(visitor);
+  if (vertex_motion)
+    vertex_motion->visit(visitor);
+}
+
+template <int dim>
+void CellWise<dim>::begin_step(const Step &step, const State &start)
+{
+  if (!vertex_motion)
+    return;
+  TimerOutput::Scope scope(log.timer(), "mesh motion");
+  vertex_motion->begin_step(step, start);
+  vertex_motion->check();
+  take_shapes();
+  // On the way to rest nothing depends on how the mesh came to its place.
+  if (step.is_towards_rest)
+    swept_volumes.reset();
+  else
+    swept_volumes.measure(step, vertex_motion->older_places(), vertex_motion->places_at_start(),
+                          vertex_motion->places(), is_liquid);
+  convection.begin_step(start.velocity);
+}
+
+template <int dim>
+void CellWise<dim>::take_shapes()
+{
+  space.move(vertex_motion->places(), is_liquid);
+  const int have_turned = conditions.take_shapes() ? 1 : 0;
+  conditions_have_turned =
+      Utilities::MPI::max(have_turned, space.communicator) == 1 || conditions_have_turned;
+  assemble_cell_operators(space, problem, conditions, parameters, is_liquid, operators, closure);
+  load_list.build();
+  system.remeasure();
+  loaded_faces.reinit();
+  evaluation.take_shapes();
+  excess_velocity.reinit();
+  convection.reinit();
+  measure_operators();
+}
+
+template <int dim>
+void CellWise<dim>::start_from(const State &state)
+{
+  if (vertex_motion)
+  {
+    vertex_motion->start_from(state);
+    vertex_motion->check();
+    take_shapes();
+  }
+  set_dilatation_rate(state);
+}
+
+template <int dim>
+void CellWise<dim>::finish_load()
+{
+  if (!vertex_motion)
+    return;
+  vertex_motion->take_state();
+  take_shapes();
+}
+
+template <int dim>
+void CellWise<dim>::take_motion(const State &state, MotionExtremes &extremes)
+{
+  motion.take(state, extremes);
+  if (!vertex_motion)
+    return;
+  extremes.mesh_volume_ratio = vertex_motion->worst().least_volume_ratio;
+  extremes.mesh_volume_time = vertex_motion->worst().time;
 }
 
 template <int dim>
@@ -518,6 +618,11 @@ void CellWise<dim>::finish_step(const BalancedStep &balanced, const State &state
     excess_velocity.advance(balanced.step, balanced.pressure);
   if (balanced.step.divergence_old && !solves_for_displacement())
     set_dilatation_rate(state);
+  if (!vertex_motion)
+    return;
+  const std::string warning = vertex_motion->finish_step(balanced.step.time);
+  if (!warning.empty())
+    log.warning(warning);
 }
 
 template <int dim>
@@ -677,7 +782,17 @@ template <int dim>
 std::map<std::string, std::string> CellWise<dim>::add_output(const State &state,
                                                              DataOut<dim> &data_out)
 {
-  return output.add(state, data_out);
+  auto units = output.add(state, data_out);
+  if (vertex_motion)
+  {
+    mesh_displacement = vertex_motion->ghosted_displacement();
+    data_out.add_data_vector(vertex_motion->dofs(), mesh_displacement,
+                             std::vector<std::string>(dim, "mesh_displacement"),
+                             std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+                                 dim, DataComponentInterpretation::component_is_part_of_vector));
+    units["mesh_displacement"] = "m";
+  }
+  return units;
 }
 
 template <int dim>

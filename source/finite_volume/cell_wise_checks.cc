@@ -123,6 +123,47 @@ void check_cell_wise_convection(const Problem &problem,
           .refuse("Type", "the cell-wise path has no viscosity that depends on the rate of shear",
                   "Set Type = newtonian, or Discretisation = taylor hood");
 }
+
+/// A mesh that moves.
+void check_moving_cells(const Problem &problem,
+                        const CellWiseParameters &parameters,
+                        ParameterSection root)
+{
+  ParameterSection section = root.subsection("Cell-wise");
+  if (problem.mesh_motion != MeshMotionKind::elastic)
+    root.refuse("Mesh motion",
+                "the vertices of the cell-wise path move with one factor for the whole run",
+                "Set Mesh motion = elastic, or Discretisation = taylor hood");
+  if (parameters.formulation != Formulation::velocity_pressure)
+    section.refuse("Formulation",
+                   "a liquid whose mesh moves needs the fluxes of the equation for the pressure",
+                   "Set Formulation = velocity-pressure");
+  if (parameters.is_segregated())
+    section.refuse("Solution",
+                   "the segregated loop keeps its matrices for the whole run, and those of a mesh "
+                   "that moves change in each step",
+                   "Set Solution = coupled");
+  if (!problem.convection.is_on)
+    root.refuse("Convection",
+                "on the cell-wise path what a face sweeps is a part of the convective fluxes",
+                "Set Convection = navier stokes, or Discretisation = taylor hood");
+  for (const BoundaryCondition &condition : problem.conditions)
+  {
+    ParameterSection of_boundary = root.subsection("Boundaries").subsection(condition.name);
+    // The vertices have no normal.
+    const bool is_cartesian =
+        (condition.type == BoundaryType::velocity || condition.type == BoundaryType::fixed) &&
+        condition.normal.along_normal.is_zero();
+    if (condition.liquid_carries_mesh() && !is_cartesian)
+      of_boundary.refuse("Mesh", "the vertices of the mesh need a velocity by Cartesian components",
+                         "Set Type = velocity with such components, or give a Mesh velocity");
+    if (condition.outlet != nullptr)
+      of_boundary.refuse("Type",
+                         "on the cell-wise path the flow rate of an outlet is the one through the "
+                         "section at rest, and the mesh moves",
+                         "Prescribe a pressure, or set Discretisation = taylor hood");
+  }
+}
 } // namespace
 
 void check_cell_wise(const Problem &problem,
@@ -134,6 +175,8 @@ void check_cell_wise(const Problem &problem,
   check_materials(problem, parameters, root);
   check_entries(parameters, steady, section);
   check_cell_wise_convection(problem, parameters, root);
+  if (problem.mesh_moves_between_steps)
+    check_moving_cells(problem, parameters, root);
   const Formulation formulation = parameters.formulation;
   if (formulation == Formulation::displacement &&
       parameters.accumulated_term == AccumulatedTerm::inconsistent)

@@ -64,16 +64,12 @@ void FaceConditions<dim>::build()
     face.face = f;
     face.index = space.local_velocity(space.velocities.of_face(f, 0));
     face.condition = found->second;
-    face.weight = surface.area > 0. ? surface.area : surface.plane_area;
-    const Tensor<2, dim> along = outer_product(surface.normal, surface.normal);
     face.normal_is_prescribed = condition.normal.kind == BoundaryPart::Kind::velocity;
-    if (face.normal_is_prescribed)
-      face.prescribed += along;
-    if (condition.tangential.kind == BoundaryPart::Kind::velocity)
-      face.prescribed += Tensor<2, dim>(unit_symmetric_tensor<dim>()) - along;
+    face.place = coordinates(surface.centre);
     number_of_face[f] = boundary_faces.size();
     boundary_faces.push_back(face);
   }
+  take_shapes();
   homogeneous = true;
   for (unsigned int c = 0; c < conditions.size(); ++c)
   {
@@ -86,6 +82,28 @@ void FaceConditions<dim>::build()
       set_flow_shapes(c);
     }
   }
+}
+
+template <int dim>
+bool FaceConditions<dim>::take_shapes()
+{
+  constexpr double round_off = 1e-12;
+  bool have_turned = false;
+  for (Face &face : boundary_faces)
+  {
+    const VolumeFace<dim> &surface = space.mesh.faces()[face.face];
+    const BoundaryCondition &condition = conditions[face.condition];
+    face.weight = surface.area > 0. ? surface.area : surface.plane_area;
+    const Tensor<2, dim> along = outer_product(surface.normal, surface.normal);
+    Tensor<2, dim> prescribed;
+    if (face.normal_is_prescribed)
+      prescribed += along;
+    if (condition.tangential.kind == BoundaryPart::Kind::velocity)
+      prescribed += Tensor<2, dim>(unit_symmetric_tensor<dim>()) - along;
+    have_turned = have_turned || (prescribed - face.prescribed).norm() > round_off;
+    face.prescribed = prescribed;
+  }
+  return have_turned;
 }
 
 template <int dim>
@@ -119,7 +137,7 @@ Tensor<1, dim> FaceConditions<dim>::prescribed_velocity(const Face &face, const 
 {
   const BoundaryCondition &condition = conditions[face.condition];
   const VolumeFace<dim> &surface = space.mesh.faces()[face.face];
-  const std::array<double, 3> point = coordinates(surface.centre);
+  const std::array<double, 3> &point = face.place;
   const Tensor<1, dim> &normal = surface.normal;
   Tensor<1, dim> result;
   if (condition.normal.kind == BoundaryPart::Kind::velocity)
@@ -152,6 +170,25 @@ void FaceConditions<dim>::evaluate(const double time, DistributedVector &velocit
       for (unsigned int c = 0; c < dim; ++c)
         values[face.index + c] = value[c];
     }
+}
+
+template <int dim>
+void FaceConditions<dim>::follow(const SweptVolumes<dim> &swept_volumes,
+                                 DistributedVector &velocity) const
+{
+  for (const Face &face : boundary_faces)
+  {
+    const VolumeFace<dim> &surface = space.mesh.faces()[face.face];
+    if (!conditions[face.condition].liquid_carries_mesh() || surface.area == 0. ||
+        !swept_volumes.moves(surface.owner))
+      continue;
+    double *const value = velocity.begin() + face.index;
+    double change = swept_volumes.rate(face.face) / surface.area;
+    for (unsigned int c = 0; c < dim; ++c)
+      change -= value[c] * surface.normal[c];
+    for (unsigned int c = 0; c < dim; ++c)
+      value[c] += change * surface.normal[c];
+  }
 }
 
 template <int dim>
@@ -203,7 +240,7 @@ Tensor<1, dim> FaceConditions<dim>::traction(const Face &face, const double time
 {
   const BoundaryCondition &condition = conditions[face.condition];
   const VolumeFace<dim> &surface = space.mesh.faces()[face.face];
-  const std::array<double, 3> point = coordinates(surface.centre);
+  const std::array<double, 3> &point = face.place;
   const Tensor<1, dim> &normal = surface.normal;
   Tensor<1, dim> result;
   if (condition.normal.kind == BoundaryPart::Kind::traction)

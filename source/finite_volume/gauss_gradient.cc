@@ -32,7 +32,7 @@ void GaussGradient<dim>::build()
       const unsigned int side = mesh.side(f, c);
       const VolumeFace<dim> &face = mesh.faces()[f];
       const dealii::Tensor<1, dim> factor =
-          face.plane_area / mesh.cells()[c].plane_volume * face.outward(side);
+          face.shape(side).plane_area / mesh.cells()[c].plane_volume * face.outward(side);
       of_cell[c].add(factor, face_value(f, side));
     }
   exchange(of_cell);

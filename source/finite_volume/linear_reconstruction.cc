@@ -57,10 +57,11 @@ Stencil<double> LinearReconstruction<dim>::at_point(const ValueSpace<dim> &value
     result.add(point - space.mesh.cells()[place.cell].centre, gradient(place.cell));
     return result;
   }
-  const VolumeFace<dim> &face = space.mesh.faces()[place.face];
+  const unsigned int side = space.mesh.side(place.face, place.cell);
+  const FaceShape<dim> &face = space.mesh.faces()[place.face].shape(side);
   Tensor<1, dim> offset = point - face.centre;
   offset -= (offset * face.normal) * face.normal;
-  Stencil<double> result(values.of_face(place.face, space.mesh.side(place.face, place.cell)), 1.);
+  Stencil<double> result(values.of_face(place.face, side), 1.);
   result.add(offset, gradient(place.cell));
   return result;
 }
@@ -91,14 +92,15 @@ bool LinearReconstruction<dim>::is_solid(const unsigned int cell) const
 
 template <int dim>
 Stencil<double> LinearReconstruction<dim>::displacement(const CellPlace &place,
-                                                        const Point<dim> &point) const
+                                                        const Point<dim> &point,
+                                                        const Point<dim> &at_rest) const
 {
   if (place.face == CellPlace::none)
     return velocity(place, point);
   const unsigned int owner = owner_along(place.face, place.cell);
   if (!is_solid(owner) && is_held(place.face))
     return {space.velocities.of_face(place.face, space.mesh.side(place.face, owner)), 1.};
-  return velocity({owner, place.face}, point);
+  return velocity({owner, place.face}, is_solid(owner) ? at_rest : point);
 }
 
 template <int dim>

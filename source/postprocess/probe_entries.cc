@@ -597,6 +597,11 @@ void ProbeEntries<dim>::check_limits(const std::vector<BoundaryCondition> &condi
 {
   if (limits.mesh_moves)
     check_moving_mesh(known_fields);
+  if (limits.mesh_moves && limits.is_cell_wise &&
+      (place == Place::stations || place == Place::section))
+    section.refuse(
+        "", "sections of the cell-wise path are those of the mesh at rest, and the mesh moves",
+        "Give a Point, a Boundary or a Volume, or set Discretisation = taylor hood");
   if (place == Place::stations)
     return;
   if (limits.is_cell_wise && n_sign_changes > 0)

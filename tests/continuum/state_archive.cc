@@ -93,7 +93,7 @@ UNIT_TEST(state_archive)
   check::equal("a name with numbers", StateName("outlet", 0, 1).str(), "outlet 0, 1");
   const DistributedVector velocity = vector_of(6), pressure = vector_of(5);
   Body body;
-  StateSizes sizes(velocity, pressure, pressure);
+  StateSizes sizes(velocity, pressure, pressure, pressure);
   body.visit(sizes);
   check::is_true("sizes by kind", body.velocity.size() == 6 && body.velocity_older.size() == 6 &&
                                       body.pressure.size() == 5);

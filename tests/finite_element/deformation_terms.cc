@@ -145,7 +145,7 @@ std::unique_ptr<MetricHistory<dim>> make_metrics(const Space<dim> &space, const 
   metrics->reinit();
   const DistributedVector velocity = space.velocity_vector(), pressure = space.pressure_vector(),
                           metric = metrics->vector();
-  StateSizes sizes(velocity, pressure, metric);
+  StateSizes sizes(velocity, pressure, metric, metric);
   metrics->visit(sizes);
   return metrics;
 }

@@ -77,7 +77,7 @@ void give_sizes(const Space<dim> &space, MetricHistory<dim> &history)
 {
   const DistributedVector velocity = space.velocity_vector(), pressure = space.pressure_vector(),
                           metric = history.vector();
-  StateSizes sizes(velocity, pressure, metric);
+  StateSizes sizes(velocity, pressure, metric, metric);
   history.visit(sizes);
 }
 

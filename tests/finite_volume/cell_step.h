@@ -74,7 +74,8 @@ public:
     change(problem);
     space.distribute();
     conditions.build();
-    assemble_cell_operators(space, problem, conditions, parameters, operators, closure);
+    assemble_cell_operators(space, problem, conditions, parameters,
+                            std::vector<bool>(problem.materials.size(), true), operators, closure);
     system.reinit();
     system.prepare(coefficients);
   }

@@ -28,7 +28,7 @@ UNIT_TEST(displacement_levels)
   const auto set = [](DistributedVector &vector, const double number) { vector = number; };
 
   DisplacementLevels levels;
-  StateSizes sizes(value, value, value);
+  StateSizes sizes(value, value, value, value);
   levels.visit(sizes);
   check::is_true("no levels at first", !levels.is_started());
   set(value, 1.);

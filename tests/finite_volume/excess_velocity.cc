@@ -62,7 +62,7 @@ struct Liquid
   {
     const DistributedVector no_velocity = body.space.velocity_vector(),
                             no_pressure = body.space.pressure_vector();
-    StateSizes sizes(no_velocity, no_pressure, no_pressure);
+    StateSizes sizes(no_velocity, no_pressure, no_pressure, no_pressure);
     excess.visit(sizes);
   }
   /// What flows out of each cell by the excess.

@@ -53,7 +53,8 @@ void test(const std::string &name,
   conditions.build();
   std::vector<CellOperators> operators;
   PressureClosure closure;
-  assemble_cell_operators(space, problem, conditions, parameters, operators, closure);
+  assemble_cell_operators(space, problem, conditions, parameters,
+                          std::vector<bool>(problem.materials.size(), true), operators, closure);
   CellSystem<dim> system(space, problem, conditions, operators, closure, parameters);
   system.reinit();
   // A step of 0.1 s: the moduli are 3 Pa, 2 Pa s and 1 Pa, the densities 1 and 2 kg/m^3.

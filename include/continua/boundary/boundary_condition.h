@@ -123,6 +123,11 @@ struct BoundaryCondition
            (normal.kind == BoundaryPart::Kind::traction || normal.is_fixed()) &&
            (tangential.kind == BoundaryPart::Kind::traction || tangential.is_fixed());
   }
+  /// Whether a mesh that moves has the velocity that is prescribed for the liquid.
+  bool liquid_carries_mesh() const
+  {
+    return mesh == MeshCondition::follows && mesh_velocity.empty();
+  }
   /// Whether the velocity is prescribed in full, and 0 along the normal.
   bool is_wall() const
   {

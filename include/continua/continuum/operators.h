@@ -63,6 +63,8 @@ public:
   virtual DistributedVector pressure_vector() const = 0;
   /// Of internal metrics; empty where there are none.
   virtual DistributedVector internal_metric_vector() const { return {}; }
+  /// Of vertices of a mesh that move between steps; empty where there are none.
+  virtual DistributedVector mesh_vertex_vector() const { return {}; }
   /// Local indices of the entries of each region.
   virtual std::vector<std::vector<unsigned int>> velocity_nodes() const = 0;
   virtual std::vector<std::vector<unsigned int>> pressure_nodes() const = 0;
@@ -291,8 +293,8 @@ public:
   virtual void visit(StateVisitor &) {}
   /// The step as the discretisation makes it; called before each step.
   virtual Step own_step(const Step &step) { return step; }
-  /// A step begins, as own_step() has made it.
-  virtual void begin_step(const Step &) {}
+  /// A step begins, as own_step() has made it, from this state. Throws StepFailure.
+  virtual void begin_step(const Step &, const State & /*start*/) {}
   /// A step has ended, whose equations held for what is balanced.
   virtual void finish_step(const BalancedStep &, const State &) {}
   /// The state of t = 0 was set. (Not after a checkpoint is loaded or the mesh has changed: what is

@@ -81,6 +81,8 @@ struct Problem
   UnloadedShape unloaded_shape = UnloadedShape::mesh;
   /// Whether the mesh of the liquids follows solids in finite deformation or boundaries, and how.
   bool mesh_moves = false;
+  /// Whether it moves before each step instead, as that of the cell-wise path.
+  bool mesh_moves_between_steps = false;
   MeshMotionKind mesh_motion = MeshMotionKind::hyperelastic;
   WallDirectionsParameters wall_directions;
   NewtonParameters newton;
@@ -92,8 +94,9 @@ struct Problem
   {
     if (materials[region].is_solid())
       return deformation == Deformation::finite ? RegionModel::finite_solid : RegionModel::linear;
-    return convection.is_on || mesh_moves ? RegionModel::flow : RegionModel::linear;
+    return convection.is_on || some_mesh_moves() ? RegionModel::flow : RegionModel::linear;
   }
+  bool some_mesh_moves() const { return mesh_moves || mesh_moves_between_steps; }
   /// Whether the equations of a region are those of its present shape.
   bool is_deformed(const unsigned int region) const
   {
@@ -110,7 +113,7 @@ struct Problem
   /// Whether the present shape of some region counts.
   bool has_deformed_regions() const
   {
-    return mesh_moves || has_regions_of(RegionModel::finite_solid);
+    return some_mesh_moves() || has_regions_of(RegionModel::finite_solid);
   }
   /// Whether Newton's iteration makes the steps.
   bool is_nonlinear() const

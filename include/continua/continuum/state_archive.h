@@ -14,6 +14,7 @@ struct StateNumbering
 {
   VectorNumbering velocities, pressures;
   std::optional<VectorNumbering> internal_metrics = {}; ///< where there are any
+  std::optional<VectorNumbering> mesh_vertices = {};    ///< likewise
 
   const VectorNumbering &of(StateKind kind) const;
 };

@@ -33,21 +33,25 @@ public:
   /// Vectors of each kind on the present mesh.
   StateSizes(const DistributedVector &velocity,
              const DistributedVector &pressure,
-             const DistributedVector &internal_metric)
-      : velocity(velocity), pressure(pressure), internal_metric(internal_metric)
+             const DistributedVector &internal_metric,
+             const DistributedVector &mesh_vertex)
+      : velocity(velocity),
+        pressure(pressure),
+        internal_metric(internal_metric),
+        mesh_vertex(mesh_vertex)
   {
   }
   void vector(const StateName &name, StateKind kind, DistributedVector &vector) override;
 
 private:
-  const DistributedVector &velocity, &pressure, &internal_metric;
+  const DistributedVector &velocity, &pressure, &internal_metric, &mesh_vertex;
 };
 
 /// The vectors of the state, which a change of the mesh carries over.
 class StateVectors : public VectorsVisitor
 {
 public:
-  std::vector<DistributedVector *> velocities, pressures, internal_metrics;
+  std::vector<DistributedVector *> velocities, pressures, internal_metrics, mesh_vertices;
 
   void vector(const StateName &name, StateKind kind, DistributedVector &vector) override;
 };

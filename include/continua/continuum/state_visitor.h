@@ -13,7 +13,8 @@ enum class StateKind
 {
   velocity,
   pressure,
-  internal_metric ///< at quadrature points, in finite deformation
+  internal_metric, ///< at quadrature points, in finite deformation
+  mesh_vertex      ///< of a mesh whose vertices move between steps
 };
 
 /// The name of a part of the state, put together only when somebody asks for it: a step that keeps

@@ -4,6 +4,7 @@
 #include <continua/continuum/balanced_step.h>
 #include <continua/continuum/nonlinear_terms.h>
 #include <continua/finite_volume/excess_velocity.h>
+#include <continua/finite_volume/swept_volumes.h>
 
 #include <vector>
 
@@ -14,18 +15,23 @@ namespace Continua
  * liquids beside the linear terms:
  *
  *   (rho - rho0) V dU/dt + sum_f phi_f (U_f - U_P)                       (momentum of a cell P)
- *   (c - 1/K) V dp/dt + sum_f A_f u_f (rho_f/rho_P - 1)                  (volume)
- *   -1/2 rho A min(U.n, 0) U                    (balance of an open end that has the total
+ *   (c - 1/K) V dp/dt + sum_f phi_f/rho_f (rho_f/rho_P - 1)              (volume)
+ *   -1/2 rho A min((U - W).n, 0) U              (balance of an open end that has the total
  * pressure)
  *
- * phi_f = A_f rho_f u_f is the mass flux out of the cell, u_f the normal velocity whose sum is the
- * cell's change of volume: that of the faces with the correction of Rhie and Chow. The sum of the
- * volume's equation is then the thesis's continuity, rho_P c dp/dt V + sum phi_f = 0, and what the
- * fluxes carry of momentum is conserved. U_f and the pressure that rho_f belongs to are
- * interpolated as the parameters ask for (equations 3.2 to 3.5). Since continuity holds for the
- * same fluxes, the skew form and the advective form of momentum are the same: with central
- * interpolation on a uniform mesh the power of the fluxes is d/dt int rho/2 U^2 + its flux through
- * the boundary.
+ * On a mesh that moves the rate of momentum is that of the volumes of the step's levels, which adds
+ *
+ *   rho [a1 (V - V_old) (U - U_old) + a2 (V - V_older) (U - U_older)]    (momentum)
+ *
+ * so that with the swept volumes of the faces, SweptVolumes, momentum is conserved, and a uniform
+ * flow stays uniform. phi_f = rho_f (A_f u_f - what the face sweeps) is the mass flux out of the
+ * cell, u_f the normal velocity whose sum is the cell's change of volume: that of the faces with
+ * the correction of Rhie and Chow. The sum of the volume's equation is then the thesis's
+ * continuity, rho_P c dp/dt V + sum phi_f = 0, and what the fluxes carry of momentum is conserved.
+ * U_f and the pressure that rho_f belongs to are interpolated as the parameters ask for
+ * (equations 3.2 to 3.5). Since continuity holds for the same fluxes, the skew form and the
+ * advective form of momentum are the same: with central interpolation on a uniform mesh the power
+ * of the fluxes is d/dt int rho/2 U^2 + its flux through the boundary.
  */
 template <int dim>
 class CellConvection
@@ -34,10 +40,13 @@ public:
   /// All must outlive it.
   CellConvection(const CellSystem<dim> &system,
                  const ExcessVelocity<dim> &excess_velocity,
-                 const LinearReconstruction<dim> &reconstruction);
+                 const LinearReconstruction<dim> &reconstruction,
+                 const SweptVolumes<dim> &swept_volumes);
 
-  /// The mesh has changed.
+  /// The mesh has changed or has moved.
   void reinit();
+  /// A step begins with this velocity [m/s].
+  void begin_step(const DistributedVector &velocity);
   /// Adds the terms to the rows of momentum [N] and of volume [m^3/s]. Collective. Throws
   /// StepFailure where the exponent leaves a bulk modulus that is not positive.
   void add(const BalancedStep &state, DistributedVector &momentum, DistributedVector &volume);
@@ -70,6 +79,7 @@ private:
   struct Flow
   {
     double normal_velocity = 0.;  ///< along the face's normal, with Rhie and Chow's part [m/s]
+    double outflow = 0.;          ///< of the owner, through the face as it moves [m^3/s]
     double mobility = 0.;         ///< tau of that part
     dealii::Tensor<1, dim> value; ///< U_f
     double density = 0.;          ///< rho_f
@@ -80,6 +90,8 @@ private:
   const CellSystem<dim> &system;
   const ExcessVelocity<dim> &excess_velocity;
   const LinearReconstruction<dim> &reconstruction;
+  const SweptVolumes<dim> &swept_volumes;
+  DistributedVector velocity_old; ///< at the start of the step
   std::vector<Face> faces;
   DistributedVector velocity, pressure; ///< the state with the values of other ranks
 
@@ -95,8 +107,12 @@ private:
                   DistributedVector &momentum,
                   DistributedVector *volume) const;
   void add_inflow(const Face &face, const Flow &flow, DistributedVector &momentum) const;
+  /// What flows in through an open end as it moves: 0 or negative [m/s].
+  double inflow(const Face &face, const Flow &flow) const;
   void add_inertia(unsigned int cell, const BalancedStep &state, DistributedVector &momentum) const;
-  void refuse_softness() const;
+  /// Of the rate of momentum over the density, what the change of the volume of a cell adds, by one
+  /// component of its row [m^4/s^2].
+  double growth_term(unsigned int cell, const BalancedStep &state, unsigned int row) const;
 };
 } // namespace Continua
 

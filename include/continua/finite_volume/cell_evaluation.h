@@ -29,6 +29,8 @@ public:
 
   /// On the present mesh; sets the probes up again.
   void build();
+  /// The mesh has moved.
+  void take_shapes() { linear.build(); }
   /// The mixture eta U + sum_k mu_k D_k of a material, and the state's vectors, with ghosts.
   DistributedVector ghosted_mixture(const State &state, unsigned int region) const;
   const LinearReconstruction<dim> &reconstruction() const { return linear; }
@@ -50,6 +52,8 @@ private:
   using FieldProbes<dim>::problem;
 
   Collector collector() const override;
+  bool follows_mesh(const ProbeRequest<dim> &request,
+                    const FieldDefinition<dim> &field) const override;
   double add_point(const ProbeRequest<dim> &request,
                    const FieldDefinition<dim> &field,
                    Collector &collector) const override;
@@ -69,10 +73,11 @@ private:
   std::vector<CellPlace> faces_at(unsigned int cell,
                                   const dealii::Point<dim> &unit_point,
                                   const dealii::Point<dim> &point) const;
-  /// Adds the field at a point, times a weight.
+  /// Adds the field at a point, times a weight; `at_rest` is another on a mesh that moves.
   void add_value(const FieldDefinition<dim> &field,
                  const CellPlace &place,
                  const dealii::Point<dim> &point,
+                 const dealii::Point<dim> &at_rest,
                  double weight,
                  Collector &collector) const;
   /// 2 pi r in axisymmetry, else 1.

@@ -30,10 +30,21 @@ struct FiniteVolume
       faces; ///< their numbers; of a ghost only those it shares with owned cells
 };
 
-/// One flat piece of surface between two cells or on the boundary; a face with hanging nodes is as
-/// many of them as it has finer cells on its other side.
+/// Place and size of a face.
 template <int dim>
-struct VolumeFace
+struct FaceShape
+{
+  dealii::Point<dim> centre;     ///< [m]
+  dealii::Tensor<1, dim> normal; ///< of unit length, out of the owner
+  double area = 0.;              ///< [m^2], in a plane model [m]; 0 on the axis
+  double plane_area = 0.;        ///< without the factor 2 pi r of axisymmetry [m]; else = area
+};
+
+/// One flat piece of surface between two cells or on the boundary; a face with hanging nodes is as
+/// many of them as it has finer cells on its other side. On a mesh that moves its shape is that of
+/// the liquids.
+template <int dim>
+struct VolumeFace : FaceShape<dim>
 {
   static constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
 
@@ -43,11 +54,13 @@ struct VolumeFace
   unsigned int boundary_id = none; ///< of boundary faces
   /// Which face of the cell on either side it is, or is a piece of.
   std::array<unsigned int, 2> number_in_cell{{none, none}};
-  bool is_interface = false;     ///< between two materials
-  dealii::Point<dim> centre;     ///< [m]
-  dealii::Tensor<1, dim> normal; ///< of unit length, out of the owner
-  double area = 0.;              ///< [m^2], in a plane model [m]; 0 on the axis
-  double plane_area = 0.;        ///< without the factor 2 pi r of axisymmetry [m]; else = area
+  bool is_interface = false; ///< between two materials
+  /// Of the triangulation, around the face, from one of its corners on.
+  std::vector<unsigned int> vertices;
+  /// The side of a cell that stays where the mesh of the other one moves, or none; the shape that
+  /// it sees.
+  unsigned int side_at_rest = none;
+  FaceShape<dim> shape_at_rest;
   /// From the owner's centre to the neighbour's, on the boundary to the face's centre [m].
   dealii::Tensor<1, dim> distance;
   /// Of the owner's value in linear interpolation to where that line meets the plane of the face
@@ -59,18 +72,43 @@ struct VolumeFace
   bool has_value() const { return at_boundary() || is_interface; }
   /// The cell on one side, 0 the owner's and 1 the neighbour's.
   unsigned int cell(const unsigned int side) const { return side == 0 ? owner : neighbour; }
+  /// As the cell on that side sees it.
+  const FaceShape<dim> &shape(const unsigned int side) const
+  {
+    return side == side_at_rest ? shape_at_rest : *this;
+  }
   /// Out of the cell on that side.
   dealii::Tensor<1, dim> outward(const unsigned int side) const
   {
-    return side == 0 ? normal : -1. * normal;
+    return side == 0 ? shape(0).normal : -1. * shape(1).normal;
   }
   unsigned int n_sides() const { return at_boundary() ? 1 : 2; }
 };
 
+/// By the number of the triangulation [m].
+template <int dim>
+using VertexPlaces = std::vector<dealii::Point<dim>>;
+
+/// A flat piece of surface between vertices: its centre, area times normal, and the simplices
+/// (lines or triangles) that it consists of; of a warped face that of its triangles.
+template <int dim>
+struct SurfacePiece
+{
+  dealii::Point<dim> centre;
+  dealii::Tensor<1, dim> area;
+  std::vector<std::array<dealii::Point<dim>, dim>> simplices;
+};
+/// The piece between the vertices of a face, in the plane or in space.
+SurfacePiece<2> surface_piece(const std::vector<unsigned int> &vertices,
+                              const VertexPlaces<2> &places);
+SurfacePiece<3> surface_piece(const std::vector<unsigned int> &vertices,
+                              const VertexPlaces<3> &places);
+
 /**
- * The active cells of a triangulation and the faces between them, measured once. The cells of this
- * rank come first, then the ghosts; faces are those of this rank's cells, so that a face between
- * two ranks is on both. Cells have straight edges (their vertices are on curved boundaries).
+ * The active cells of a triangulation and the faces between them, measured once, or, where the mesh
+ * of some cells moves, at each of their places. The cells of this rank come first, then the ghosts;
+ * faces are those of this rank's cells, so that a face between two ranks is on both. Cells have
+ * straight edges (their vertices are on curved boundaries).
  */
 template <int dim>
 class CellMesh
@@ -78,13 +116,20 @@ class CellMesh
 public:
   CellMesh(dealii::parallel::TriangulationBase<dim> &triangulation, bool axisymmetric);
 
-  /// Measures the present mesh.
+  /// Finds the cells and faces of the present triangulation, and measures them.
   void build();
+  /// Measures them anew with the vertices of the cells of these materials at `places`; the others
+  /// have those of the triangulation. Collective.
+  void move(const VertexPlaces<dim> &places, const std::vector<bool> &materials_that_move);
 
   const std::vector<FiniteVolume<dim>> &cells() const { return volumes; }
   const std::vector<VolumeFace<dim>> &faces() const { return surfaces; }
   unsigned int n_owned_cells() const { return n_owned; }
   bool is_axisymmetric() const { return axisymmetric; }
+  /// Where a point of a cell is, from its place at rest and the coordinates in the unit cell [m].
+  dealii::Point<dim> present_place(unsigned int cell,
+                                   const dealii::Point<dim> &unit_point,
+                                   const dealii::Point<dim> &at_rest) const;
   /// The local number of an active cell that is owned or a ghost.
   unsigned int cell_number(const typename dealii::Triangulation<dim>::cell_iterator &cell) const;
   /// Which side of a face a cell is on.
@@ -107,18 +152,33 @@ private:
   std::vector<FiniteVolume<dim>> volumes;
   std::vector<VolumeFace<dim>> surfaces;
   std::vector<unsigned int> local_numbers; ///< by active cell index
+  VertexPlaces<dim> present_places;        ///< of the cells that move
+  std::vector<bool> moving_materials;      ///< empty where nothing moves
+
+  bool moves(const unsigned int cell) const
+  {
+    return !moving_materials.empty() && moving_materials[volumes[cell].material_id];
+  }
 
   void number_cells();
-  /// Makes the faces of owned cells, and measures both.
+  /// Makes the faces of owned cells.
   void make_faces();
   /// Makes the face between a cell and another (or the boundary, VolumeFace::none), unless the
-  /// other cell has made it. `f`: which face of the cell it is part of. Adds the parts of the
-  /// cells' volumes and of their first moments about a point inside.
+  /// other cell has made it. `f`: which face of the cell it is part of.
   void add_face(unsigned int cell,
                 unsigned int other,
                 const typename dealii::Triangulation<dim>::face_iterator &on,
-                unsigned int f,
-                std::vector<dealii::Tensor<1, dim>> &moments);
+                unsigned int f);
+  /// Measures cells and faces.
+  void measure();
+  /// Sets the shape of a face, and adds its parts of the volumes of the cells on these sides and of
+  /// their first moments about `inside` to `moments`.
+  void measure_face(const VolumeFace<dim> &face,
+                    const VertexPlaces<dim> &places,
+                    const std::vector<unsigned int> &sides,
+                    const std::vector<dealii::Point<dim>> &inside,
+                    FaceShape<dim> &shape,
+                    std::vector<dealii::Tensor<1, dim>> &moments);
   /// A ghost's measures are taken from its rank, which alone sees all its faces.
   void exchange_measures();
 };

@@ -25,6 +25,8 @@ public:
 
   /// The mesh has changed: the next take() sets everything up.
   void forget() { is_set_up = false; }
+  /// On the present mesh, which is at rest.
+  void set_up();
   /// Takes this rank's solids into the extremes, and sets the sizes of the liquid. Collective.
   void take(const State &state, MotionExtremes &extremes);
 
@@ -50,7 +52,7 @@ private:
   LiquidSizes liquid; ///< of all ranks
 
   bool is_solid(unsigned int cell) const;
-  void set_up();
+
   /// Keeps the solids' faces beside liquids, and measures the liquids' walls.
   void set_up_faces();
 };

@@ -42,8 +42,20 @@ struct CellOperators
 /// cells say); of other pressures no entries. The same for all regions.
 struct PressureClosure
 {
+  /// Of the faces of one region.
+  struct Part
+  {
+    struct Entry
+    {
+      unsigned int row, column; ///< global
+      double value;
+    };
+    std::vector<unsigned int> rows; ///< local indices
+    std::vector<Entry> entries;
+  };
   dealii::TrilinosWrappers::SparseMatrix matrix;
   std::vector<unsigned int> rows; ///< local indices
+  std::vector<Part> parts;        ///< by material id
 };
 
 /// The coefficients of a region's traction.
@@ -58,12 +70,13 @@ struct TractionCoefficients
 TractionCoefficients traction_coefficients(const Material &material,
                                            const CellWiseParameters &parameters);
 
-/// Assembles the operators of every region, by material id.
+/// Assembles the operators of these regions, by material id; those of the others stay as they are.
 template <int dim>
 void assemble_cell_operators(const CellSpace<dim> &space,
                              const Problem &problem,
                              const FaceConditions<dim> &conditions,
                              const CellWiseParameters &parameters,
+                             const std::vector<bool> &regions,
                              std::vector<CellOperators> &operators,
                              PressureClosure &closure);
 } // namespace Continua

@@ -7,6 +7,8 @@
 
 #include <mpi.h>
 
+#include <vector>
+
 namespace Continua
 {
 /**
@@ -21,6 +23,8 @@ public:
 
   /// Measures and numbers the present mesh.
   void distribute();
+  /// The vertices of the cells of these materials are at `places` [m].
+  void move(const VertexPlaces<dim> &places, const std::vector<bool> &materials_that_move);
 
   DistributedVector velocity_vector() const { return velocities.vector(dim); }
   DistributedVector pressure_vector() const { return pressures.vector(1); }

@@ -54,6 +54,8 @@ public:
 
   /// The mesh has changed.
   void reinit();
+  /// The mesh has moved: what is prepared is made anew for the present shapes of the cells.
+  void remeasure();
   /// Whether these are new, so that everything made of the old ones is stale.
   bool prepare(const CellCoefficients &coefficients);
   const CellCoefficients &coefficients() const { return present; }

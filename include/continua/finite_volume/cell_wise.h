@@ -15,6 +15,7 @@
 #include <continua/finite_volume/displacement_step.h>
 #include <continua/finite_volume/excess_velocity.h>
 #include <continua/finite_volume/loaded_faces.h>
+#include <continua/finite_volume/vertex_motion.h>
 
 #include <memory>
 #include <string>
@@ -44,6 +45,7 @@ public:
   void setup() override;
   DistributedVector velocity_vector() const override { return space.velocity_vector(); }
   DistributedVector pressure_vector() const override { return space.pressure_vector(); }
+  DistributedVector mesh_vertex_vector() const override;
   std::vector<std::vector<unsigned int>> velocity_nodes() const override;
   std::vector<std::vector<unsigned int>> pressure_nodes() const override;
   std::vector<unsigned int> pressures_without_history() const override;
@@ -153,8 +155,11 @@ public:
   void visit(StateVisitor &visitor) override;
   /// With the pressure's own update, where one is asked for.
   Step own_step(const Step &step) override;
+  /// Moves the mesh to where it is at the end of the step.
+  void begin_step(const Step &step, const State &start) override;
   void finish_step(const BalancedStep &balanced, const State &state) override;
-  void start_from(const State &state) override { set_dilatation_rate(state); }
+  void start_from(const State &state) override;
+  void finish_load() override;
   void multiply_past_stiffness(unsigned int region,
                                DistributedVector &force,
                                const DistributedVector &mixture) override;
@@ -183,10 +188,7 @@ public:
   bool reports_change_of_kinetic_energy() const override;
 
   FieldProbes<dim> &probes() override { return evaluation; }
-  void take_motion(const State &state, MotionExtremes &extremes) override
-  {
-    motion.take(state, extremes);
-  }
+  void take_motion(const State &state, MotionExtremes &extremes) override;
   std::map<std::string, std::string> add_output(const State &state,
                                                 dealii::DataOut<dim> &data_out) override;
   void indicators(const IndicatorRequest &request,
@@ -225,7 +227,13 @@ private:
   CellOutput<dim> output;
   CellTransfer<dim> cell_transfer;
   ExcessVelocity<dim> excess_velocity;
+  SweptVolumes<dim> swept_volumes;
   CellConvection<dim> convection;
+  std::unique_ptr<VertexMotion<dim>> vertex_motion; ///< null where the mesh stays
+  std::vector<bool> is_liquid;                      ///< by material id
+  /// Whether the directions in which velocities are prescribed are no longer those of the factor.
+  bool conditions_have_turned = false;
+  DistributedVector mesh_displacement;             ///< of the vertices, for drawing [m]
   double divergence_norm = 0., gradient_norm = 0.; ///< of B and G
   /// The least viscosity over distance of a face whose traction is given [Pa s/m].
   double face_resistance = 0.;
@@ -245,6 +253,11 @@ private:
                                      double pressure_time) const;
   SystemChange prepare_cells(const CellCoefficients &coefficients);
   void set_dilatation_rate(const State &state);
+  /// Makes what depends on the shapes of cells and faces anew, for the vertices at the end of the
+  /// step that is being made.
+  void take_shapes();
+  /// What Newton's iteration measures residuals by.
+  void measure_operators();
   /// -K div D.
   void set_pressure_of_displacement(const DistributedVector &displacement,
                                     DistributedVector &pressure);

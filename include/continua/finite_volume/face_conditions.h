@@ -3,8 +3,10 @@
 
 #include <continua/boundary/boundary_condition.h>
 #include <continua/finite_volume/cell_space.h>
+#include <continua/finite_volume/swept_volumes.h>
 #include <continua/linear_algebra/distributed_vector.h>
 
+#include <array>
 #include <vector>
 
 namespace Continua
@@ -20,10 +22,11 @@ class FaceConditions
 public:
   struct Face
   {
-    unsigned int face = 0;      ///< of the mesh
-    unsigned int index = 0;     ///< local, of its velocity's first component
-    unsigned int condition = 0; ///< its number
-    double weight = 0.;         ///< of its equations: area, on the axis plane area
+    unsigned int face = 0;            ///< of the mesh
+    unsigned int index = 0;           ///< local, of its velocity's first component
+    unsigned int condition = 0;       ///< its number
+    double weight = 0.;               ///< of its equations: area, on the axis plane area
+    std::array<double, 3> place = {}; ///< of its centre at rest, which formulas have [m]
     /// Projector on the directions in which the velocity is prescribed.
     dealii::Tensor<2, dim> prescribed;
     bool normal_is_prescribed = false;
@@ -32,8 +35,11 @@ public:
 
   FaceConditions(const CellSpace<dim> &space, const std::vector<BoundaryCondition> &conditions);
 
-  /// Finds the faces of the present mesh.
+  /// Finds the faces of the present mesh, which is at rest.
   void build();
+  /// Takes the present shapes of the faces. Whether directions in which a velocity is prescribed
+  /// have turned on a rank.
+  bool take_shapes();
   const std::vector<Face> &faces() const { return boundary_faces; }
   /// The one of a boundary face of the mesh that belongs to an owned cell.
   const Face &of_face(const unsigned int face) const
@@ -44,6 +50,9 @@ public:
   /// The prescribed velocity at those faces, in the prescribed directions [m/s]; other entries
   /// stay.
   void evaluate(double time, DistributedVector &velocity) const;
+  /// Gives a liquid whose mesh moves with it the normal velocity by which the face sweeps its
+  /// volume, so that nothing passes [m/s].
+  void follow(const SweptVolumes<dim> &swept_volumes, DistributedVector &velocity) const;
   bool is_homogeneous() const { return homogeneous; }
   /// Sets the prescribed directions of a vector of equations to zero.
   void clear_prescribed(DistributedVector &vector) const;

@@ -42,9 +42,12 @@ public:
    * A component of the displacement. A liquid's is the way that its particles have gone, which
    * grows for ever in a stream and says nothing of where its surface is. So a face between a liquid
    * and a solid is the solid's, whose gradient counts along it, and a face on which the liquid's
-   * velocity is prescribed has one value all over.
+   * velocity is prescribed has one value all over. On a mesh that moves the solids see their own
+   * place, that at rest.
    */
-  Stencil<double> displacement(const CellPlace &place, const dealii::Point<dim> &point) const;
+  Stencil<double> displacement(const CellPlace &place,
+                               const dealii::Point<dim> &point,
+                               const dealii::Point<dim> &at_rest) const;
   /// The cell that owns a face between a liquid and a solid: the solid's. Of another face the given
   /// one of its cells.
   unsigned int owner_along(unsigned int face, unsigned int cell) const;
