@@ -99,8 +99,10 @@ const std::vector<RecordRow<dim>> &record_table()
   static const std::vector<RecordRow<dim>> rows = {
       {nullptr, make_power_record<dim>, name_power<dim>, &OutputParameters::power_schedule,
        "power.csv"},
-      {[](const Case<dim> &input) { return input.problem.mesh_moves; }, make_mass_record<dim>,
-       name_quantities_of<dim, MassRecord<dim>>, &OutputParameters::power_schedule, "mass.csv"},
+      {[](const Case<dim> &input)
+       { return input.problem.mesh_moves && !input.discretisation.is_cell_wise(); },
+       make_mass_record<dim>, name_quantities_of<dim, MassRecord<dim>>,
+       &OutputParameters::power_schedule, "mass.csv"},
       {nullptr, make_record<dim, LoopRecord<dim>>, name_quantities_of<dim, LoopRecord<dim>>,
        nullptr},
       {[](const Case<dim> &input)
