@@ -1,6 +1,7 @@
 #include <continua/analysis/free_motions.h>
 
 #include <continua/analysis/rigid_motions.h>
+#include <continua/mesh/connected_cells.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>
@@ -43,36 +44,20 @@ std::vector<Body<dim>> bodies(const Triangulation<dim> &triangulation,
                               const std::vector<Material> &materials,
                               std::vector<unsigned int> &body_of_cell)
 {
-  constexpr unsigned int none = numbers::invalid_unsigned_int;
-  body_of_cell.assign(triangulation.n_cells(0), none);
+  std::vector<unsigned int> kinds;
+  for (const Material &material : materials)
+    kinds.push_back(material.is_solid() ? 1 : 0);
+  body_of_cell = connected_cells(triangulation, kinds);
   std::vector<Body<dim>> result;
-  for (const auto &first : triangulation.cell_iterators_on_level(0))
+  for (const auto &cell : triangulation.cell_iterators_on_level(0))
   {
-    if (body_of_cell[first->index()] != none)
-      continue;
-    const unsigned int number = result.size();
-    result.emplace_back();
-    Body<dim> &body = result.back();
-    body.is_solid = materials[first->material_id()].is_solid();
-    body.cells.push_back(first);
-    body_of_cell[first->index()] = number;
-    for (std::size_t i = 0; i < body.cells.size(); ++i)
-    {
-      const Cell<dim> cell = body.cells[i];
-      body.regions.insert(cell->material_id());
-      for (const unsigned int f : cell->face_indices())
-        if (!cell->at_boundary(f))
-        {
-          const Cell<dim> neighbour = cell->neighbor(f);
-          unsigned int &of_neighbour = body_of_cell[neighbour->index()];
-          if (of_neighbour == none &&
-              materials[neighbour->material_id()].is_solid() == body.is_solid)
-          {
-            of_neighbour = number;
-            body.cells.push_back(neighbour);
-          }
-        }
-    }
+    const unsigned int number = body_of_cell[cell->index()];
+    if (number == result.size())
+      result.emplace_back();
+    Body<dim> &body = result[number];
+    body.is_solid = materials[cell->material_id()].is_solid();
+    body.cells.push_back(cell);
+    body.regions.insert(cell->material_id());
   }
   return result;
 }

@@ -73,11 +73,11 @@ void read_pressure(ParameterSection &section, BoundaryCondition &condition, unsi
 
 void read_cavity(ParameterSection &section, BoundaryCondition &condition, unsigned int)
 {
-  condition.volume_ratio = Waveform::read(
-      section, "Volume ratio", Dimensions::none,
-      "Volume that the boundary encloses over that in the mesh at rest, such as 1 + 0.5*t; a "
-      "function of time alone.",
-      true);
+  condition.volume_ratio = Waveform::read(section, "Volume ratio", Dimensions::none,
+                                          "Volume that the boundary encloses, or that of the "
+                                          "liquid behind it, over that in the mesh at "
+                                          "rest, such as 1 + 0.5*t; a function of time alone.",
+                                          true);
   if (condition.volume_ratio.depends_on_space())
     section.refuse("Volume ratio", "depends on x, y or z",
                    "Write it as a function of t: a cavity has one volume");
@@ -360,8 +360,9 @@ const std::vector<Row> &table()
       {BoundaryType::pressure, "pressure",
        "Outside pressure along the normal; along the boundary free or fixed.", read_pressure},
       {BoundaryType::cavity, "cavity",
-       "The surface of a cavity whose volume is given, in finite deformation: one unknown pressure "
-       "acts along the normal of the deformed surface.",
+       "The surface of a cavity whose volume is given, or an opening of a body of liquid whose "
+       "volume is, in finite deformation: one unknown pressure acts along the normal of the "
+       "deformed boundary.",
        read_cavity},
       {BoundaryType::support, "support",
        "Tissue around a wall: springs and dampers push back where the wall moves, with an outside "

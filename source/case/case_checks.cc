@@ -1,6 +1,7 @@
 #include <continua/case/case_checks.h>
 
 #include <continua/case/deformation_checks.h>
+#include <continua/case/liquid_body_checks.h>
 #include <continua/case/tangent_checks.h>
 #include <continua/finite_volume/cell_wise_checks.h>
 
@@ -15,35 +16,6 @@ using namespace dealii;
 
 namespace
 {
-/// An enclosed incompressible body has a pressure up to a constant only.
-template <int dim>
-void check_pressure_level(const Case<dim> &input, ParameterSection root)
-{
-  const bool incompressible =
-      std::all_of(input.problem.materials.begin(), input.problem.materials.end(),
-                  [&](const Material &material)
-                  {
-                    return material.is_incompressible() ||
-                           // A steady flow without convection is that of Stokes, by one solve.
-                           (input.analysis.is_steady() && material.shear.branches.empty() &&
-                            !input.problem.convection.is_on);
-                  });
-  const bool enclosed = std::all_of(
-      input.problem.conditions.begin(), input.problem.conditions.end(),
-      [](const BoundaryCondition &condition)
-      { return condition.normal.kind == BoundaryPart::Kind::velocity || condition.is_cavity(); });
-  if (incompressible && enclosed)
-    root.subsection("Boundaries")
-        .refuse(
-            "",
-            "the body is incompressible and the normal velocity is prescribed on all of its "
-            "boundary, or the volume behind it, so that the pressure is determined up to a "
-            "constant "
-            "only",
-            "Give one boundary a pressure, a traction or 'free', an outlet 'Coupling = pressure', "
-            "or the material a bulk modulus");
-}
-
 /// The axis of an axisymmetric model: there and only there the radial velocity is zero by symmetry.
 template <int dim>
 void check_axis(const Case<dim> &input, ParameterSection root)
@@ -348,7 +320,8 @@ void check_convection(const Case<dim> &input, ParameterSection root)
                 problem.regions[region] + "')",
             "Set Convection stabilisation = grad-div, or Type = newtonian");
   for (const BoundaryCondition &condition : problem.conditions)
-    if (condition.outlet != nullptr && condition.outlet->coupling == Outlet::Coupling::flow)
+    if (condition.outlet != nullptr && condition.outlet->coupling == Outlet::Coupling::flow &&
+        !input.problem.mesh_moves)
       root.subsection("Boundaries")
           .subsection(condition.name)
           .refuse("Coupling", "an outlet that holds the flow rate does not work with convection",
@@ -368,7 +341,7 @@ void check_case(const Case<dim> &input, ParameterSection root)
     refuse_checkpoints(input, root.subsection("Output"));
   check_time_step_control(input, root);
   check_partitioner(input, root);
-  check_pressure_level(input, root);
+  check_bodies(input, root);
   check_convection(input, root);
   if (input.problem.model == Model::axisymmetric)
     check_axis(input, root);

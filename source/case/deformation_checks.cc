@@ -129,7 +129,7 @@ void check_cavity(const Case<dim> &input, const BoundaryCondition &condition, Pa
     section.refuse("Type", "the volume of a cavity is that of the deformed body",
                    "Set Deformation = finite, or give the boundary Type = pressure");
   constexpr double least_share = 1e-6;
-  if (enclosed_share(input, condition) < least_share)
+  if (!input.problem.is_filled(condition) && enclosed_share(input, condition) < least_share)
     section.refuse("Type",
                    "the boundary encloses no volume, which counts out of the body and with planes "
                    "that close it: normal to x or through the x axis, in the plane lines through "
@@ -159,7 +159,7 @@ void check_cavity(const Case<dim> &input, const BoundaryCondition &condition, Pa
         "Set Scheme = backward differencing or euler implicit");
   if (ParameterSection newton = root.subsection("Newton");
       newton.given("Slow iteration") &&
-      input.problem.newton.slow_iteration == SlowIteration::krylov)
+      input.problem.newton.slow_iteration == SlowIteration::krylov && !input.problem.mesh_moves)
     newton.refuse("Slow iteration", "with a cavity a slow iteration makes a new factor",
                   "Remove the entry, or set Slow iteration = new factor");
 }
@@ -191,18 +191,14 @@ void check_prescribed_motion(const Case<dim> &input,
 }
 
 /// On a mesh that moves.
-void check_boundary_of_liquid(const BoundaryCondition &condition,
-                              const ParameterSection &section,
-                              const std::string &keeps_small)
+void check_boundary_of_liquid(const BoundaryCondition &condition, const ParameterSection &section)
 {
-  if (condition.outlet != nullptr && condition.profile)
-    section.refuse(
-        "Coupling",
-        "the distribution of the velocity is that over the section at rest, and the section moves",
-        "Set Coupling = pressure, or " + keeps_small);
-  if (condition.is_cavity())
-    section.refuse("Type", "a cavity holds nothing but solids",
-                   "Prescribe a pressure, or " + keeps_small);
+  if (condition.outlet != nullptr && condition.outlet->coupling == Outlet::Coupling::flow &&
+      (condition.mesh == MeshCondition::slides || condition.mesh == MeshCondition::follows))
+    section.refuse("Mesh",
+                   "the velocity of an outlet that holds the flow rate is that of a section that "
+                   "keeps its shape",
+                   "Set Mesh = fixed, or Coupling = pressure");
   if (!condition.normal.vector.empty() && condition.normal.kind == BoundaryPart::Kind::traction)
     section.refuse("Type", "a traction is one per area at rest, which a liquid does not keep",
                    "Prescribe a pressure");
@@ -220,17 +216,6 @@ void check_moving_liquids(const Case<dim> &input, ParameterSection root)
   const std::string keeps_small = problem.deformation == Deformation::finite
                                       ? "set Deformation = small, where the mesh stays"
                                       : "remove Mesh motion: the mesh stays then";
-  if (problem.finds_unloaded_shape())
-    root.refuse("Unloaded shape",
-                "the inverse solve for the unloaded shape is for solids alone so far",
-                "Set Unloaded shape = mesh, or leave the liquid out");
-  if (problem.convection.stabilisation == ConvectionStabilisation::supg)
-    root.subsection("Flow").refuse("Convection stabilisation", "supg is for a mesh that stays",
-                                   "Set grad-div or none, or " + keeps_small);
-  if (input.discretisation.taylor_hood.linear_solver.type == LinearSolverType::iterative)
-    root.subsection("Linear solver")
-        .refuse("Type", "the iterative solver is for a mesh that stays",
-                "Set Type = direct, or " + keeps_small);
   if (ParameterSection newton = root.subsection("Newton");
       newton.given("Tangent products") &&
       problem.newton.tangent_products == TangentProducts::assembled)
@@ -253,8 +238,7 @@ void check_moving_liquids(const Case<dim> &input, ParameterSection root)
     if (std::any_of(condition.region_ids.begin(), condition.region_ids.end(),
                     [&problem](const unsigned int region)
                     { return !problem.materials[region].is_solid(); }))
-      check_boundary_of_liquid(condition, root.subsection("Boundaries").subsection(condition.name),
-                               keeps_small);
+      check_boundary_of_liquid(condition, root.subsection("Boundaries").subsection(condition.name));
 }
 
 /// Liquids beside solids in finite deformation, whose mesh moves.

@@ -75,11 +75,13 @@ void CavityCoupling::measure(const BalancedStep &balanced)
 {
   if (is_empty())
     return;
-  const std::vector<double> volumes = operators.cavity_volumes(balanced.displacement);
+  const DistributedVector &displacement =
+      problem.mesh_moves ? balanced.mesh_displacement : balanced.displacement;
+  const std::vector<double> volumes = operators.cavity_volumes(displacement);
   for (unsigned int i = 0; i < cavities.size(); ++i)
   {
     cavities[i].volume = volumes[i];
-    operators.linearise_cavity(i, balanced.displacement, cavities[i].derivative, cavities[i].force);
+    operators.linearise_cavity(i, displacement, cavities[i].derivative, cavities[i].force);
   }
 }
 
@@ -96,15 +98,23 @@ double CavityCoupling::residual() const
   return largest;
 }
 
-void CavityCoupling::respond(StepReport &report)
+void CavityCoupling::respond(const Solve &solve)
 {
   for (Cavity &cavity : cavities)
   {
     momentum.equ(1., cavity.force);
     mass = 0.;
-    operators.solve(zero_velocity, momentum, mass, cavity.velocity_response,
-                    cavity.pressure_response, report);
+    solve(momentum, mass, cavity.velocity_response, cavity.pressure_response);
   }
+}
+
+double CavityCoupling::largest_flow() const
+{
+  double largest = 0.;
+  for (const Cavity &cavity : cavities)
+    largest =
+        std::max(largest, cavity.derivative.linfty_norm() * cavity.velocity_response.linfty_norm());
+  return largest;
 }
 
 void CavityCoupling::couple(const Step &step,

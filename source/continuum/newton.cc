@@ -80,6 +80,8 @@ void Newton::reinit()
     operators.multiply_pressure_mass(region, mass_work, one);
     volumes.add(1., mass_work);
   }
+  krylov.use(operators.solves_with_kept_derivative() ? BlockKrylov::Method::fgmres
+                                                     : BlockKrylov::Method::gmres);
   krylov.reinit(zero_velocity, mass);
   for (DistributedVector *vector : {&shifted.velocity, &shifted.acceleration})
     vector->reinit(zero_velocity);
@@ -88,7 +90,8 @@ void Newton::reinit()
   if (problem.has_regions_of(RegionModel::finite_solid))
     shifted.displacement.reinit(zero_velocity);
   if (problem.mesh_moves)
-    for (DistributedVector *vector : {&shifted.mesh_displacement, &shifted.mesh_velocity})
+    for (DistributedVector *vector :
+         {&shifted.mesh_displacement, &shifted.mesh_velocity, &mesh_change})
       vector->reinit(zero_velocity);
   has_factor = false;
 }
@@ -173,12 +176,12 @@ Newton::Norms Newton::set_residuals(const NewtonInput &input, const BalancedStep
   norms.mass_round_off = round_off * std::max(largest.mass, scales.mass);
   // On a mesh that stays each solve has the ports' forces anew.
   if (problem.mesh_moves)
-    outlets.add_forces(1., momentum);
+    outlets.add_to_residual(1., momentum);
   momentum_work.equ(1., momentum);
   if (!problem.mesh_moves)
     outlets.add_forces(1., momentum_work);
   mass_work.equ(1., mass);
-  operators.restrict_residuals(momentum_work, mass_work);
+  restrict_rows(momentum_work, mass_work);
   norms.momentum = largest_of(momentum_work);
   norms.mass = largest_of(mass_work);
   return norms;
@@ -199,8 +202,9 @@ void Newton::add_differences(const BalancedStep &balanced,
   double velocity = balanced.velocity.linfty_norm();
   if (problem.has_regions_of(RegionModel::finite_solid))
   {
-    const DistributedVector &of_body =
-        problem.mesh_moves ? balanced.mesh_displacement : balanced.displacement;
+    const DistributedVector &of_body = problem.mesh_moves && !balanced.step.finds_unloaded_shape
+                                           ? balanced.mesh_displacement
+                                           : balanced.displacement;
     velocity =
         std::max(velocity, of_body.linfty_norm() / BranchHistory::step_displacement(balanced.step));
   }
@@ -212,6 +216,8 @@ void Newton::add_differences(const BalancedStep &balanced,
   const double distance = difference / largest;
   shifted.step = balanced.step;
   shifted.cavity_pressures = balanced.cavity_pressures;
+  if (problem.mesh_moves)
+    operators.set_mesh_change(balanced.step, of_velocity, mesh_change);
   for (const double sign : {1., -1.})
   {
     const auto shift = [&](DistributedVector &target, const DistributedVector &value,
@@ -228,14 +234,20 @@ void Newton::add_differences(const BalancedStep &balanced,
     if (problem.has_regions_of(RegionModel::finite_solid))
       shift(shifted.displacement, balanced.displacement,
             BranchHistory::step_displacement(balanced.step), of_velocity);
-    operators.move_mesh(shifted);
+    if (problem.mesh_moves)
+    {
+      // The motion of the mesh is linear within a step.
+      shift(shifted.mesh_displacement, balanced.mesh_displacement, 1., mesh_change);
+      shift(shifted.mesh_velocity, balanced.mesh_velocity,
+            1. / BranchHistory::step_displacement(balanced.step), mesh_change);
+    }
     momentum_work = 0.;
     mass_work = 0.;
     operators.add_nonlinear_terms(shifted, momentum_work, mass_work);
     if (problem.mesh_moves)
     {
       outlets.measure(shifted);
-      outlets.add_forces(-1., momentum_work);
+      outlets.add_to_residual(-1., momentum_work);
     }
     momentum_rows.add(0.5 * sign / distance, momentum_work);
     mass_rows.add(0.5 * sign / distance, mass_work);
@@ -268,7 +280,19 @@ void Newton::set_derivative_product(const NewtonInput &input,
     momentum_rows.add(1., momentum_work);
     mass_rows.add(1., mass_work);
   }
+  restrict_rows(momentum_rows, mass_rows);
+}
+
+void Newton::restrict_rows(DistributedVector &momentum_rows, DistributedVector &mass_rows) const
+{
+  if (!problem.mesh_moves || outlets.is_empty())
+  {
+    operators.restrict_residuals(momentum_rows, mass_rows);
+    return;
+  }
+  const std::vector<double> of_ports = outlets.port_rows(momentum_rows);
   operators.restrict_residuals(momentum_rows, mass_rows);
+  outlets.set_port_rows(of_ports, momentum_rows);
 }
 
 bool Newton::takes_differences() const
@@ -285,41 +309,79 @@ double Newton::lost_volume(const Step &step) const
   return step.size() * dealii::Utilities::MPI::max(largest, problem.communicator);
 }
 
-bool Newton::correct_by_krylov(const NewtonInput &input,
-                               const BalancedStep &balanced,
-                               const ResidualScales &scales,
-                               StepReport &report)
+void Newton::solve_by_factor(DistributedVector &momentum_rows,
+                             DistributedVector &mass_rows,
+                             DistributedVector &of_velocity,
+                             DistributedVector &of_pressure,
+                             StepReport &report)
+{
+  const bool has_outlets = problem.mesh_moves && !outlets.is_empty();
+  const std::vector<double> of_ports =
+      has_outlets ? outlets.port_rows(momentum_rows) : std::vector<double>();
+  operators.solve(zero_velocity, momentum_rows, mass_rows, of_velocity, of_pressure, report);
+  if (has_outlets)
+    outlets.complete_change(of_ports, of_velocity, of_pressure);
+}
+
+bool Newton::solve_by_krylov(const NewtonInput &input,
+                             const BalancedStep &balanced,
+                             const ResidualScales &scales,
+                             DistributedVector &momentum_rows,
+                             DistributedVector &mass_rows,
+                             DistributedVector &of_velocity,
+                             DistributedVector &of_pressure,
+                             StepReport &report)
 {
   // Where a residual is zero and stays so, any size does.
   const auto size_of = [](const double scale) { return scale > 0. ? scale : 1.; };
   const double momentum_size = size_of(scales.momentum), mass_size = size_of(scales.mass);
-  operators.restrict_residuals(momentum, mass);
+  restrict_rows(momentum_rows, mass_rows);
   krylov.scale.block(0) = 1. / momentum_size;
   krylov.scale.block(1) = 1. / mass_size;
-  krylov.set_right_hand_side(momentum, mass);
+  krylov.set_right_hand_side(momentum_rows, mass_rows);
   const auto product = [&](const DistributedVector &velocity, const DistributedVector &pressure,
-                           DistributedVector &momentum_rows, DistributedVector &mass_rows)
-  { set_derivative_product(input, balanced, velocity, pressure, momentum_rows, mass_rows); };
-  const auto inverse = [&](DistributedVector &momentum_rows, DistributedVector &mass_rows,
+                           DistributedVector &of_momentum, DistributedVector &of_mass)
+  { set_derivative_product(input, balanced, velocity, pressure, of_momentum, of_mass); };
+  const auto inverse = [&](DistributedVector &of_momentum, DistributedVector &of_mass,
                            DistributedVector &velocity, DistributedVector &pressure)
   {
-    momentum_rows *= momentum_size;
-    mass_rows *= mass_size;
-    operators.solve(zero_velocity, momentum_rows, mass_rows, velocity, pressure, report);
-    if (problem.mesh_moves)
-      outlets.complete_change(velocity, pressure);
+    of_momentum *= momentum_size;
+    of_mass *= mass_size;
+    solve_by_factor(of_momentum, of_mass, velocity, pressure, report);
   };
   const unsigned int most = problem.newton.most_krylov_iterations;
   const unsigned int n_iterations =
       krylov
           .solve(product, inverse, krylov.scaled_right_hand_side().l2_norm(),
-                 problem.newton.krylov_tolerance, 3 * most, velocity_change, pressure_change)
+                 problem.newton.krylov_tolerance, 3 * most, of_velocity, of_pressure)
           .iterations;
-  report.linear_iterations += n_iterations;
-  // All solves of the step together: a new factor serves many steps.
-  if (report.linear_iterations > most)
-    factor_is_poor = true;
+  // Where each solve around it has iterations of its own, these are the ones that are reported.
+  if (!operators.solves_with_kept_derivative())
+    report.linear_iterations += n_iterations;
+  krylov_iterations += n_iterations;
   return n_iterations < 3 * most;
+}
+
+bool Newton::correct_by_krylov(const NewtonInput &input,
+                               const BalancedStep &balanced,
+                               const ResidualScales &scales,
+                               StepReport &report)
+{
+  const bool has_converged = solve_by_krylov(input, balanced, scales, momentum, mass,
+                                             velocity_change, pressure_change, report);
+  // All solves of the step together: a new factor serves many steps.
+  if (krylov_iterations > problem.newton.most_krylov_iterations)
+    factor_is_poor = true;
+  // What the pressures of cavities do is wanted to the same tolerance.
+  const double flow = cavities.largest_flow();
+  cavities.respond(
+      [&](DistributedVector &of_momentum, DistributedVector &of_mass, DistributedVector &velocity,
+          DistributedVector &pressure)
+      {
+        solve_by_krylov(input, balanced, {of_momentum.linfty_norm(), flow}, of_momentum, of_mass,
+                        velocity, pressure, report);
+      });
+  return has_converged;
 }
 
 void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport &report)
@@ -327,16 +389,20 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
   if (input.system_is_new)
     has_factor = false;
   outlets.predict(input.step, input.velocity_old);
+  if (problem.mesh_moves)
+    outlets.set_port_velocities(balanced.velocity);
   cavities.begin_step(input.step);
   past_acceleration.equ(1., balanced.acceleration);
+  krylov_iterations = 0;
   double largest_momentum = 0., largest_mass = 0., previous = 0.;
   double previous_mass = 0.;
   bool takes_krylov = false, momentum_was_round_off = false, correction_is_exact = false;
-  const bool may_take_krylov = (outlets.is_empty() || problem.mesh_moves) && cavities.is_empty() &&
-                               operators.has_derivative_products() &&
+  const bool may_take_krylov = (problem.mesh_moves || (outlets.is_empty() && cavities.is_empty() &&
+                                                       operators.has_derivative_products())) &&
                                problem.newton.slow_iteration == SlowIteration::krylov;
   // The factor leaves out what the mesh's motion does to the liquid, which is much in a long step.
-  const bool is_exact_at_once = problem.mesh_moves && input.step.is_towards_rest;
+  const bool is_exact_at_once =
+      problem.mesh_moves && input.step.is_towards_rest && !input.step.finds_unloaded_shape;
   for (unsigned int iteration = 0;; ++iteration)
   {
     set_rates(input, balanced);
@@ -407,7 +473,7 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
     previous = report.residual;
     previous_mass = norms.mass;
     momentum_was_round_off = momentum_is_round_off;
-    correction_is_exact = operators.solves_with_kept_derivative();
+    correction_is_exact = operators.solves_with_kept_derivative() && !problem.mesh_moves;
     const bool can_take_krylov = has_factor && !factor_is_poor && may_take_krylov;
     if ((is_slow || is_exact_at_once) && can_take_krylov)
     {
@@ -436,16 +502,20 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
       factor_is_poor = false;
       takes_krylov = is_exact_at_once && may_take_krylov;
       outlets.respond(report);
-      cavities.respond(report);
+      cavities.respond(
+          [&](DistributedVector &of_momentum, DistributedVector &of_mass,
+              DistributedVector &of_velocity, DistributedVector &of_pressure)
+          { solve_by_factor(of_momentum, of_mass, of_velocity, of_pressure, report); });
     }
-    else if (operators.solves_with_kept_derivative())
+    // On a mesh that moves the derivative that is kept takes the place of a factor.
+    else if (operators.solves_with_kept_derivative() && !problem.mesh_moves)
       operators.keep_derivative(balanced);
     if (takes_krylov)
       correction_is_exact = correct_by_krylov(
           input, balanced,
           {std::max(norms.momentum, accepted_momentum), std::max(norms.mass, accepted_mass)},
           report);
-    else if (operators.solves_with_kept_derivative())
+    else if (operators.solves_with_kept_derivative() && !problem.mesh_moves)
     {
       // An inexact solve leaves a part of its right-hand side. That is the residual, without the
       // ports' forces it would be much more: their part of the correction is taken out again.
@@ -454,11 +524,7 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
       outlets.add_pressure_responses(-1., velocity_change, pressure_change);
     }
     else
-    {
-      operators.solve(zero_velocity, momentum, mass, velocity_change, pressure_change, report);
-      if (problem.mesh_moves)
-        outlets.complete_change(velocity_change, pressure_change);
-    }
+      solve_by_factor(momentum, mass, velocity_change, pressure_change, report);
     cavities.couple(input.step, velocity_change, pressure_change, balanced.cavity_pressures);
     balanced.velocity.add(1., velocity_change);
     balanced.pressure.add(1., pressure_change);

@@ -2,6 +2,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+
 namespace Continua
 {
 using namespace dealii;
@@ -63,6 +65,7 @@ void OutletCoupling::build()
         DistributedVector profile = operators.flow_profile(c);
         profile *= 1. / (flow * profile);
         port.velocity = sparse(profile);
+        port.square_of_velocity = profile.norm_sqr();
       }
       port.velocity_response = operators.velocity_vector();
       port.pressure_response = operators.pressure_vector();
@@ -100,25 +103,37 @@ void OutletCoupling::respond(StepReport &report)
     return;
   DistributedVector momentum = operators.velocity_vector(), prescribed = momentum;
   DistributedVector mass = operators.pressure_vector();
-  for (Port &port : ports)
+  const auto set = [](const Sparse &entries, DistributedVector &vector)
   {
-    momentum = 0.;
-    mass = 0.;
-    prescribed = 0.;
+    vector = 0.;
+    for (const auto &[index, value] : entries)
+      vector.begin()[index] = value;
+  };
+  // Before any solve, see Operators::set_reaction(). The right sides wait where the responses come.
+  for (Port &port : ports)
     if (port.holds_flow)
     {
-      for (const auto &[index, value] : port.velocity)
-        prescribed.begin()[index] = value;
-      operators.set_reaction(prescribed, momentum, mass);
+      set(port.velocity, prescribed);
+      operators.set_reaction(prescribed, momentum, mass, port.velocity_response,
+                             port.pressure_response);
       port.momentum_of_velocity = sparse(momentum);
       port.mass_of_velocity = sparse(mass);
-      momentum = 0.;
-      mass = 0.;
-      operators.eliminate_prescribed(prescribed, momentum, mass);
+    }
+  for (Port &port : ports)
+  {
+    if (port.holds_flow)
+    {
+      set(port.velocity, prescribed);
+      momentum.equ(1., port.velocity_response);
+      mass.equ(1., port.pressure_response);
     }
     else
-      for (const auto &[index, value] : port.flow)
-        momentum.begin()[index] = -value;
+    {
+      set({}, prescribed);
+      set(port.flow, momentum);
+      momentum *= -1.;
+      mass = 0.;
+    }
     operators.solve(prescribed, momentum, mass, port.velocity_response, port.pressure_response,
                     report);
   }
@@ -258,7 +273,7 @@ void OutletCoupling::measure(const BalancedStep &iterate)
     numbers.push_back(product(port.flow, iterate.velocity));
     numbers.push_back(port.moves_with_mesh ? product(port.flow, iterate.mesh_velocity) : 0.);
     for (const Port &column : ports)
-      numbers.push_back(product(port.flow, column.velocity_response));
+      numbers.push_back(port.holds_flow ? 0. : product(port.flow, column.velocity_response));
   }
   Utilities::MPI::sum(numbers, problem.communicator, numbers);
   auto number = numbers.begin();
@@ -267,8 +282,9 @@ void OutletCoupling::measure(const BalancedStep &iterate)
     const double of_matter = *number++;
     flow_rates_of_mesh[i] = *number++;
     flow_rates[i] = of_matter - flow_rates_of_mesh[i];
-    for (unsigned int j = 0; j < n; ++j)
-      responses(i, j) = *number++;
+    for (unsigned int j = 0; j < n; ++j, ++number)
+      if (!ports[i].holds_flow)
+        responses(i, j) = *number;
   }
   take_models(true);
   for (unsigned int i = 0; i < n; ++i)
@@ -279,20 +295,59 @@ void OutletCoupling::measure(const BalancedStep &iterate)
   }
 }
 
-void OutletCoupling::complete_change(DistributedVector &velocity_change,
+void OutletCoupling::set_port_velocities(DistributedVector &velocity) const
+{
+  for (unsigned int i = 0; i < ports.size(); ++i)
+    for (const auto &[index, value] : ports[i].velocity)
+      velocity.begin()[index] = flow_rates[i] * value;
+}
+
+void OutletCoupling::add_to_residual(const double factor, DistributedVector &momentum) const
+{
+  for (unsigned int i = 0; i < ports.size(); ++i)
+    for (const auto &[index, value] : ports[i].flow)
+      momentum.begin()[index] -= factor * pressures[i] * value;
+}
+
+std::vector<double> OutletCoupling::port_rows(const DistributedVector &momentum) const
+{
+  std::vector<double> rows;
+  for (const Port &port : ports)
+    rows.push_back(product(port.velocity, momentum));
+  if (std::any_of(ports.begin(), ports.end(), [](const Port &port) { return port.holds_flow; }))
+    Utilities::MPI::sum(rows, problem.communicator, rows);
+  return rows;
+}
+
+void OutletCoupling::set_port_rows(const std::vector<double> &rows,
+                                   DistributedVector &momentum) const
+{
+  for (unsigned int i = 0; i < ports.size(); ++i)
+    for (const auto &[index, value] : ports[i].velocity)
+      momentum.begin()[index] = rows[i] / ports[i].square_of_velocity * value;
+}
+
+void OutletCoupling::complete_change(const std::vector<double> &rows,
+                                     DistributedVector &velocity_change,
                                      DistributedVector &pressure_change)
 {
   if (is_empty())
     return;
   const unsigned int n = ports.size();
   for (unsigned int i = 0; i < n; ++i)
-    sums[i] = product(ports[i].flow, velocity_change);
+    sums[i] = output(ports[i], velocity_change, pressure_change);
   Utilities::MPI::sum(sums, problem.communicator, sums);
   for (unsigned int i = 0; i < n; ++i)
     outputs[i] = sums[i];
   // A new factor has new responses.
   take_models(false);
-  impedances.vmult(rhs, outputs);
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    rhs[i] = ports[i].holds_flow ? -rows[i] - outputs[i] : 0.;
+    for (unsigned int j = 0; j < n; ++j)
+      if (!ports[j].holds_flow)
+        rhs[i] += impedances(i, j) * outputs[j];
+  }
   inputs_of_rhs.vmult(inputs, rhs);
   for (unsigned int i = 0; i < n; ++i)
   {
@@ -312,6 +367,7 @@ void OutletCoupling::predict(const Step &step, const DistributedVector &velocity
   {
     OutletModel &model = models[o];
     const unsigned int first = first_port[o];
+    std::copy_n(&flows[first], model.n_ports(), &flow_rates[first]);
     if (model.linearise(step, &flows[first]))
       inputs_are_current = false;
     const FullMatrix<double> impedance = model.impedance();

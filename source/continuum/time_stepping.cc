@@ -100,7 +100,7 @@ void TimeStepping::begin_unloaded_shape()
 {
   // It goes on from the shape that is known, as on a mesh that was refined.
   history.displacement().equ(-1., *operators.unloaded_displacement());
-  velocity = 0.;
+  stop_finite_solids(velocity);
   newton.forget_factor();
   operators.forget_linearisation();
 }
@@ -110,7 +110,7 @@ void TimeStepping::keep_unloaded_shape()
   velocity_work.equ(-1., history.displacement());
   operators.set_unloaded_displacement(velocity_work);
   history.displacement() = 0.;
-  velocity = 0.;
+  stop_finite_solids(velocity);
   start_from_present_state();
 }
 
@@ -635,7 +635,7 @@ bool TimeStepping::data_jumps(const double begin, const double end) const
 State TimeStepping::state()
 {
   operators.complete_pressure(history.displacement(), pressure);
-  cavities.states(history.displacement());
+  cavities.states(problem.mesh_moves ? *operators.mesh_displacement() : history.displacement());
   return present();
 }
 

@@ -448,7 +448,7 @@ double ConvectiveTerms<dim>::integrate(const bool by_kind)
     tested[compression].by_value[1] = -here.weight * here.pressure * here.hoop;
     if (streamline_terms.are_on())
       tested[stabilisation].by_gradient +=
-          outer_product(streamline_terms.force(here, q, cell_state()), here.velocity);
+          outer_product(streamline_terms.force(here, q, cell_state()), here.carrier);
     tested[viscosity] = viscous(here);
     if (by_kind)
       for (unsigned int kind = 0; kind < n_kinds; ++kind)

@@ -6,20 +6,44 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <cstddef>
-#include <utility>
 
 namespace Continua
 {
 using namespace dealii;
 
+namespace
+{
+template <int dim>
+typename DeformedFaces<dim>::SetOfFace set_of_condition(const Problem &problem,
+                                                        const std::vector<unsigned int> &conditions)
+{
+  if (conditions.empty())
+    return {};
+  return [&problem, conditions](const typename DeformedFaces<dim>::Cell &cell, const unsigned int f)
+  {
+    for (unsigned int number = 0; number < conditions.size(); ++number)
+    {
+      const BoundaryCondition &condition = problem.conditions[conditions[number]];
+      if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == condition.boundary_id &&
+          condition.region_ids.count(cell->material_id()) > 0)
+        return static_cast<int>(number);
+    }
+    return -1;
+  };
+}
+} // namespace
+
 template <int dim>
 DeformedFaces<dim>::DeformedFaces(const Space<dim> &space,
                                   const Problem &problem,
-                                  std::vector<unsigned int> conditions)
-    : space(space),
-      problem(problem),
-      conditions(std::move(conditions)),
-      quadrature(space.n_quadrature_points() + 1)
+                                  const std::vector<unsigned int> &conditions)
+    : DeformedFaces(space, set_of_condition<dim>(problem, conditions))
+{
+}
+
+template <int dim>
+DeformedFaces<dim>::DeformedFaces(const Space<dim> &space, const SetOfFace &set_of_face)
+    : space(space), set_of_face(set_of_face), quadrature(space.n_quadrature_points() + 1)
 {
 }
 
@@ -27,7 +51,7 @@ template <int dim>
 void DeformedFaces<dim>::reinit()
 {
   faces.clear();
-  if (conditions.empty())
+  if (!set_of_face)
     return;
   ghosted.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
   displacement_work = space.velocity_vector();
@@ -43,22 +67,20 @@ void DeformedFaces<dim>::reinit()
     if (!cell->is_locally_owned())
       continue;
     for (const unsigned int f : cell->face_indices())
-      for (unsigned int number = 0; number < conditions.size(); ++number)
+    {
+      const int number = set_of_face(cell, f);
+      if (number < 0)
+        continue;
+      values.reinit(static_cast<typename Triangulation<dim>::active_cell_iterator>(cell), f);
+      faces.push_back(
+          {static_cast<unsigned int>(number), indices, deformed_face_points(space, values)});
+      cell->get_dof_indices(indices);
+      for (unsigned int i = 0; i < indices.size(); ++i)
       {
-        const BoundaryCondition &condition = problem.conditions[conditions[number]];
-        if (!cell->face(f)->at_boundary() ||
-            cell->face(f)->boundary_id() != condition.boundary_id ||
-            condition.region_ids.count(cell->material_id()) == 0)
-          continue;
-        values.reinit(static_cast<typename Triangulation<dim>::active_cell_iterator>(cell), f);
-        faces.push_back({number, indices, deformed_face_points(space, values)});
-        cell->get_dof_indices(indices);
-        for (unsigned int i = 0; i < indices.size(); ++i)
-        {
-          const auto [component, function] = space.velocity_element.system_to_component_index(i);
-          faces.back().indices[component * n_functions + function] = indices[i];
-        }
+        const auto [component, function] = space.velocity_element.system_to_component_index(i);
+        faces.back().indices[component * n_functions + function] = indices[i];
       }
+    }
   }
 }
 

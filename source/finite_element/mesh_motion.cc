@@ -2,6 +2,7 @@
 
 #include <continua/base/collective.h>
 #include <continua/base/input_error.h>
+#include <continua/finite_element/velocity_nodes.h>
 #include <continua/mesh/coordinates.h>
 
 #include <deal.II/base/mpi.h>
@@ -25,6 +26,8 @@ using namespace dealii;
 
 namespace
 {
+/// Of what the multigrid leaves of a right side: for the displacement, and for changes of it.
+constexpr double state_tolerance = 1e-12, change_tolerance = 1e-8;
 /// Of a normal: a plane face normal to an axis.
 constexpr double largest_tilt = 1e-10;
 
@@ -184,7 +187,7 @@ void MeshMotion<dim>::find_followers()
 }
 
 template <int dim>
-void MeshMotion<dim>::reinit()
+void MeshMotion<dim>::reinit(const bool is_iterative)
 {
   cells.reinit();
   corners.reinit();
@@ -199,9 +202,39 @@ void MeshMotion<dim>::reinit()
   for (const auto index : space.velocity_owned)
     owned.push_back(index);
   factor = nullptr;
+  multigrid = nullptr;
+  if (is_iterative)
+    make_multigrid();
   is_linearised = false;
   if (kind == MeshMotionKind::elastic)
     linearise();
+}
+
+template <int dim>
+void MeshMotion<dim>::make_multigrid()
+{
+  TrilinosWrappers::SparsityPattern pattern(space.velocity_owned, space.velocity_owned,
+                                            space.velocity_relevant, space.communicator);
+  DistributedVector marks = space.velocity_vector();
+  const std::vector<double> ones(dim * cells.n_functions(), 1.);
+  for (const Cell &cell : cells.all())
+  {
+    constraints.add_entries_local_to_global(cell.velocity_indices, pattern, false);
+    marks.add(cell.velocity_indices, ones);
+  }
+  for (const auto index : space.velocity_owned)
+    pattern.add(index, index);
+  pattern.compress();
+  marks.compress(VectorOperation::add);
+  VelocityBlocks blocks;
+  blocks.n_components = dim;
+  for (const unsigned int i : nodes_in_order(space.velocity_dofs))
+    if (marks.begin()[i] > 0.)
+      blocks.fluid.push_back(i);
+  blocks.modes = rigid_motions(space.mapping, space.velocity_dofs);
+  multigrid = std::make_unique<MultigridSolver>(pattern, std::move(blocks));
+  last_extension = space.velocity_vector();
+  change_rows = space.velocity_vector();
 }
 
 template <int dim>
@@ -331,12 +364,8 @@ void MeshMotion<dim>::set_operator(const Cell &cell,
 }
 
 template <int dim>
-void MeshMotion<dim>::linearise()
+void MeshMotion<dim>::begin_triplets(SymmetricTriplets &triplets) const
 {
-  space.copy_velocity(present, work, ghosted);
-  right_side = 0.;
-  matrices.resize(cells.all().size());
-  SymmetricTriplets triplets;
   triplets.n = static_cast<int>(space.velocity_dofs.n_dofs());
   for (const auto index : space.velocity_owned)
     if (constraints.is_constrained(index))
@@ -345,7 +374,50 @@ void MeshMotion<dim>::linearise()
       triplets.columns.push_back(index);
       triplets.values.push_back(1.);
     }
-  std::vector<std::vector<std::pair<int, double>>> masters(cell_displacement.size());
+}
+
+template <int dim>
+void MeshMotion<dim>::add_triplets(const Cell &cell,
+                                   const FullMatrix<double> &matrix,
+                                   SymmetricTriplets &triplets) const
+{
+  std::vector<std::vector<std::pair<int, double>>> masters(matrix.m());
+  for (unsigned int i = 0; i < masters.size(); ++i)
+  {
+    const types::global_dof_index index = cell.velocity_indices[i];
+    masters[i].clear();
+    if (!constraints.is_constrained(index))
+      masters[i].emplace_back(index, 1.);
+    else
+      for (const auto &entry : *constraints.get_constraint_entries(index))
+        masters[i].emplace_back(entry.first, entry.second);
+  }
+  for (unsigned int i = 0; i < masters.size(); ++i)
+    for (unsigned int j = 0; j < masters.size(); ++j)
+      for (const auto &[row, row_weight] : masters[i])
+        for (const auto &[column, column_weight] : masters[j])
+          if (row >= column)
+          {
+            triplets.rows.push_back(row);
+            triplets.columns.push_back(column);
+            triplets.values.push_back(row_weight * column_weight * matrix(i, j));
+          }
+}
+
+template <int dim>
+void MeshMotion<dim>::linearise()
+{
+  space.copy_velocity(present, work, ghosted);
+  right_side = 0.;
+  matrices.resize(cells.all().size());
+  SymmetricTriplets triplets;
+  if (multigrid != nullptr)
+  {
+    multigrid->matrix() = 0.;
+    last_extension = 0.;
+  }
+  else
+    begin_triplets(triplets);
   const std::size_t n_functions = cells.n_functions();
   for (std::size_t k = 0; k < matrices.size(); ++k)
   {
@@ -353,26 +425,11 @@ void MeshMotion<dim>::linearise()
     for (unsigned int i = 0; i < cell_displacement.size(); ++i)
       cell_displacement[i] = ghosted.begin()[cell.velocity_places[i]];
     set_operator(cell, stiffness[k], matrices[k]);
-    for (unsigned int i = 0; i < masters.size(); ++i)
-    {
-      const types::global_dof_index index = cell.velocity_indices[i];
-      masters[i].clear();
-      if (!constraints.is_constrained(index))
-        masters[i].emplace_back(index, 1.);
-      else
-        for (const auto &entry : *constraints.get_constraint_entries(index))
-          masters[i].emplace_back(entry.first, entry.second);
-    }
-    for (unsigned int i = 0; i < masters.size(); ++i)
-      for (unsigned int j = 0; j < masters.size(); ++j)
-        for (const auto &[row, row_weight] : masters[i])
-          for (const auto &[column, column_weight] : masters[j])
-            if (row >= column)
-            {
-              triplets.rows.push_back(row);
-              triplets.columns.push_back(column);
-              triplets.values.push_back(row_weight * column_weight * matrices[k](i, j));
-            }
+    if (multigrid != nullptr)
+      constraints.distribute_local_to_global(matrices[k], cell.velocity_indices,
+                                             multigrid->matrix());
+    else
+      add_triplets(cell, matrices[k], triplets);
     if (kind == MeshMotionKind::elastic)
       continue;
     // The residual, P = F - F^-T.
@@ -396,11 +453,16 @@ void MeshMotion<dim>::linearise()
     space.velocity_hanging.distribute_local_to_global(cell_rows, cell.velocity_indices, right_side);
   }
   right_side.compress(VectorOperation::add);
+  is_linearised = true;
+  if (multigrid != nullptr)
+  {
+    multigrid->take();
+    return;
+  }
   if (factor == nullptr)
     factor = make_symmetric_factor(DirectSolver::automatic, true, triplets.values.size(),
                                    space.communicator);
   factor->factorize(std::move(triplets), owned);
-  is_linearised = true;
 }
 
 template <int dim>
@@ -411,7 +473,13 @@ void MeshMotion<dim>::begin_step(const Step &step)
   predicted.equ(c.old, present);
   if (c.older != 0.)
     predicted.add(c.older, older);
-  if (kind == MeshMotionKind::hyperelastic && !is_linearised)
+  if (multigrid != nullptr)
+    for (unsigned int i = 0; i < owned.size(); ++i)
+      last_extension.begin()[i] =
+          kind == MeshMotionKind::elastic && !constraints.is_constrained(owned[i])
+              ? present.begin()[i]
+              : 0.;
+  if (kind == MeshMotionKind::hyperelastic && !is_linearised && !step.finds_unloaded_shape)
     linearise();
 }
 
@@ -429,9 +497,26 @@ void MeshMotion<dim>::extend(const DistributedVector &solid_displacement,
     const unsigned int i = followers[k].index;
     known.begin()[i] = followed[k] - (from_rest ? 0. : present.begin()[i]);
   }
-  space.copy_velocity(known, work, ghosted);
   DistributedVector &rows = mesh_displacement;
   rows.equ(1., right_side);
+  subtract_known(rows);
+  if (multigrid != nullptr)
+  {
+    multigrid->solve(last_extension, rows, state_tolerance);
+    mesh_displacement.equ(1., last_extension);
+  }
+  else
+    solve_by_factor(mesh_displacement);
+  mesh_displacement.add(1., known);
+  if (!from_rest)
+    mesh_displacement.add(1., present);
+  space.set_hanging_velocities_to_zero(mesh_displacement);
+}
+
+template <int dim>
+void MeshMotion<dim>::subtract_known(DistributedVector &rows)
+{
+  space.copy_velocity(known, work, ghosted);
   for (std::size_t k = 0; k < matrices.size(); ++k)
   {
     const Cell &cell = cells.all()[k];
@@ -448,18 +533,69 @@ void MeshMotion<dim>::extend(const DistributedVector &solid_displacement,
     space.velocity_hanging.distribute_local_to_global(cell_rows, cell.velocity_indices, rows);
   }
   rows.compress(VectorOperation::add);
-  for (std::size_t i = 0; i < packed.size(); ++i)
-    packed[i] = constraints.is_constrained(owned[i]) ? 0. : rows.begin()[i];
+  for (std::size_t i = 0; i < owned.size(); ++i)
+    if (constraints.is_constrained(owned[i]))
+      rows.begin()[i] = 0.;
+}
+
+template <int dim>
+void MeshMotion<dim>::solve_by_factor(DistributedVector &rows)
+{
+  std::copy(rows.begin(), rows.end(), packed.begin());
   factor->solve(packed);
-  for (std::size_t i = 0; i < packed.size(); ++i)
-    mesh_displacement.begin()[i] =
-        (from_rest ? 0. : present.begin()[i]) + known.begin()[i] + packed[i];
-  space.set_hanging_velocities_to_zero(mesh_displacement);
+  std::copy(packed.begin(), packed.end(), rows.begin());
+}
+
+template <int dim>
+void MeshMotion<dim>::set_change(const Step &step,
+                                 const DistributedVector &of_velocity,
+                                 DistributedVector &of_mesh_displacement)
+{
+  of_mesh_displacement = 0.;
+  if (step.finds_unloaded_shape)
+    return;
+  const double way_by_velocity = step.branch(std::numeric_limits<double>::infinity()).velocity;
+  for (unsigned int i = 0; i < is_of_solid.size(); ++i)
+    known.begin()[i] = is_of_solid[i] ? way_by_velocity * of_velocity.begin()[i] : 0.;
+  for (const Follower &follower : followers)
+    known.begin()[follower.index] = problem.conditions[follower.condition].mesh_velocity.empty()
+                                        ? way_by_velocity * of_velocity.begin()[follower.index]
+                                        : 0.;
+  subtract_known(of_mesh_displacement);
+  if (multigrid != nullptr)
+  {
+    change_rows.equ(1., of_mesh_displacement);
+    of_mesh_displacement = 0.;
+    multigrid->solve(of_mesh_displacement, change_rows, change_tolerance);
+  }
+  else
+    solve_by_factor(of_mesh_displacement);
+  of_mesh_displacement.add(1., known);
+  space.set_hanging_velocities_to_zero(of_mesh_displacement);
+}
+
+template <int dim>
+void MeshMotion<dim>::forget_solver()
+{
+  if (multigrid == nullptr)
+    return;
+  multigrid->forget();
+  // That of a mesh which keeps its operator is made again as at a start.
+  is_linearised = false;
+  if (kind == MeshMotionKind::elastic)
+    linearise();
 }
 
 template <int dim>
 void MeshMotion<dim>::move(BalancedStep &state)
 {
+  if (state.step.finds_unloaded_shape)
+  {
+    // The mesh has the shape under the loads, where the liquid is; what moves is the unloaded one.
+    state.mesh_displacement = 0.;
+    state.mesh_velocity = 0.;
+    return;
+  }
   const double way_by_velocity =
       state.step.branch(std::numeric_limits<double>::infinity()).velocity;
   for (std::size_t k = 0; k < followers.size(); ++k)

@@ -1,5 +1,6 @@
 #include <continua/finite_element/nonlinear_cell_terms.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace Continua
@@ -102,6 +103,44 @@ void NonlinearCellTerms<dim>::add_derivative(const BalancedStep &state,
             matrix.values.push_back(row_weight * column_weight * local(i, j));
           }
   }
+}
+
+template <int dim>
+void NonlinearCellTerms<dim>::add_products_with(const DistributedVector &local_velocity,
+                                                DistributedVector &momentum,
+                                                DistributedVector &volume,
+                                                DistributedVector &of_velocity,
+                                                DistributedVector &of_pressure)
+{
+  const DistributedVector ghosted = space.ghosted_velocity(local_velocity);
+  FullMatrix<double> local;
+  const auto distribute = [this](const Cell &cell, const double sign, DistributedVector &velocities,
+                                 DistributedVector &pressures)
+  {
+    std::copy_n(cell_product.begin(), cell_momentum.size(), cell_momentum.begin());
+    for (unsigned int k = 0; k < cell_volume.size(); ++k)
+      cell_volume[k] = sign * cell_product[cell_momentum.size() + k];
+    space.velocity_hanging.distribute_local_to_global(cell_momentum, cell.velocity_indices,
+                                                      velocities);
+    space.pressure_hanging.distribute_local_to_global(cell_volume, cell.pressure_indices,
+                                                      pressures);
+  };
+  for (const Cell &cell : cells.all())
+  {
+    set_entries(cell.velocity_places, ghosted, cell_momentum);
+    if (cell_momentum.all_zero())
+      continue;
+    cell_change = 0.;
+    std::copy(cell_momentum.begin(), cell_momentum.end(), cell_change.begin());
+    set_derivative(cell, local);
+    // The rows of volume are multiplied by -1.
+    local.vmult(cell_product, cell_change);
+    distribute(cell, -1., momentum, volume);
+    local.Tvmult(cell_product, cell_change);
+    distribute(cell, 1., of_velocity, of_pressure);
+  }
+  for (DistributedVector *const vector : {&momentum, &volume, &of_velocity, &of_pressure})
+    vector->compress(VectorOperation::add);
 }
 
 template <int dim>

@@ -2,6 +2,9 @@
 
 #include <continua/mesh/coordinates.h>
 
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <array>
 #include <cmath>
 
 namespace Continua
@@ -20,7 +23,8 @@ StreamlineTerms<dim>::StreamlineTerms(const Space<dim> &space,
              quadrature,
              update_values | update_gradients | update_hessians | update_quadrature_points),
       along(scalar_element.n_dofs_per_cell()),
-      residual_slopes(space.velocity_element.n_dofs_per_cell())
+      residual_slopes(space.velocity_element.n_dofs_per_cell()),
+      viscous_forces(residual_slopes.size())
 {
 }
 
@@ -30,7 +34,7 @@ void StreamlineTerms<dim>::visit(const Cell &cell, const Step &of_step)
   values.reinit(static_cast<typename Triangulation<dim>::active_cell_iterator>(cell));
   step = of_step;
   region = cell->material_id();
-  size = Convection::cell_size<dim>(cell->diameter(), space.degree());
+  size_at_rest = Convection::cell_size<dim>(cell->diameter(), space.degree());
 }
 
 template <int dim>
@@ -43,60 +47,99 @@ double StreamlineTerms<dim>::time_scale(const double speed) const
 }
 
 template <int dim>
-Tensor<1, dim> StreamlineTerms<dim>::viscous_force(const unsigned int component,
-                                                   const unsigned int function,
-                                                   const unsigned int q) const
+void StreamlineTerms<dim>::set_viscous_forces(const unsigned int function,
+                                              const CellState<dim> &state,
+                                              const double value,
+                                              const Tensor<1, dim> &first,
+                                              const Tensor<2, dim> &second)
 {
-  const Tensor<2, dim> second = values.shape_hessian(function, q);
-  // Of the divergence.
-  Tensor<1, dim> gradient = second[component];
-  double laplacian = trace(second);
-  if (space.is_axisymmetric())
+  for (unsigned int c = 0; c < dim; ++c)
   {
-    const double radius = values.quadrature_point(q)[1];
-    const Tensor<1, dim> first = values.shape_grad(function, q);
-    const double value = values.shape_value(function, q);
-    laplacian += first[1] / radius;
-    if (component == 1)
+    // Of the divergence.
+    Tensor<1, dim> gradient = second[c];
+    double laplacian = trace(second);
+    if (space.is_axisymmetric())
     {
-      laplacian -= value / (radius * radius);
-      gradient += first / radius;
-      gradient[1] -= value / (radius * radius);
+      const double radius = place[1];
+      laplacian += first[1] / radius;
+      if (c == 1)
+      {
+        laplacian -= value / (radius * radius);
+        gradient += first / radius;
+        gradient[1] -= value / (radius * radius);
+      }
     }
+    Tensor<1, dim> &force = viscous_forces[state.place(c, function)];
+    force = gradient / 3.;
+    force[c] += laplacian;
+    force *= viscosity();
   }
-  Tensor<1, dim> force = gradient / 3.;
-  force[component] += laplacian;
-  return viscosity() * force;
+}
+
+template <int dim>
+void StreamlineTerms<dim>::set_point(const unsigned int q, const CellState<dim> &state)
+{
+  place = values.quadrature_point(q);
+  size = size_at_rest;
+  if (state.mesh_displacement == nullptr)
+  {
+    for (unsigned int a = 0; a < along.size(); ++a)
+      set_viscous_forces(a, state, values.shape_value(a, q), values.shape_grad(a, q),
+                         values.shape_hessian(a, q));
+    return;
+  }
+  const Vector<double> &displacement = *state.mesh_displacement;
+  Tensor<2, dim> deformation = unit_symmetric_tensor<dim>();
+  std::array<Tensor<2, dim>, dim> second_of_place;
+  for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int a = 0; a < along.size(); ++a)
+    {
+      const double entry = displacement[state.place(c, a)];
+      place[c] += entry * values.shape_value(a, q);
+      deformation[c] += entry * values.shape_grad(a, q);
+      second_of_place[c] += entry * values.shape_hessian(a, q);
+    }
+  const Tensor<2, dim> inverse = invert(deformation);
+  size *= std::pow(determinant(deformation), 1. / dim);
+  for (unsigned int a = 0; a < along.size(); ++a)
+  {
+    const Tensor<1, dim> first = values.shape_grad(a, q) * inverse;
+    // The derivative of F^-1 takes off what the curvature of the motion makes of the gradient.
+    Tensor<2, dim> second = values.shape_hessian(a, q);
+    for (unsigned int c = 0; c < dim; ++c)
+      second -= first[c] * second_of_place[c];
+    set_viscous_forces(a, state, values.shape_value(a, q), first,
+                       transpose(inverse) * second * inverse);
+  }
 }
 
 template <int dim>
 Tensor<1, dim> StreamlineTerms<dim>::residual(const FlowPoint<dim> &point,
-                                              const unsigned int q,
                                               const CellState<dim> &state) const
 {
   const Material &material = problem.materials[region];
   const double density = material.density * material.volume_law().density_ratio(point.pressure);
-  Tensor<1, dim> force = density * (point.acceleration + point.velocity_gradient * point.velocity) +
+  Tensor<1, dim> force = density * (point.acceleration + point.velocity_gradient * point.carrier) +
                          point.pressure_gradient;
-  for (unsigned int c = 0; c < dim; ++c)
-    for (unsigned int a = 0; a < along.size(); ++a)
-      force -= state.velocity[state.place(c, a)] * viscous_force(c, a, q);
-  const auto place = coordinates(values.quadrature_point(q));
+  for (unsigned int i = 0; i < viscous_forces.size(); ++i)
+    force -= state.velocity[i] * viscous_forces[i];
+  const auto here = coordinates(place);
   const InteriorData &interior = problem.interior;
   for (unsigned int c = 0; c < interior.body_force.size(); ++c)
-    force[c] -= step.load_factor * interior.body_force[c](place.data(), step.balance_time);
+    force[c] -= step.load_factor * interior.body_force[c](here.data(), step.balance_time);
   for (unsigned int c = 0; c < interior.acceleration.size(); ++c)
     force[c] -= step.load_factor * material.density *
-                interior.acceleration[c](place.data(), step.balance_time);
+                interior.acceleration[c](here.data(), step.balance_time);
   return force;
 }
 
 template <int dim>
 Tensor<1, dim> StreamlineTerms<dim>::force(const FlowPoint<dim> &point,
                                            const unsigned int q,
-                                           const CellState<dim> &state) const
+                                           const CellState<dim> &state)
 {
-  return point.weight * time_scale(point.velocity.norm()) * residual(point, q, state);
+  set_point(q, state);
+  return point.weight * time_scale(point.carrier.norm()) * residual(point, state);
 }
 
 template <int dim>
@@ -106,27 +149,29 @@ void StreamlineTerms<dim>::add_derivative(const FlowPoint<dim> &point,
                                           const CellState<dim> &state,
                                           FullMatrix<double> &matrix)
 {
+  set_point(q, state);
   const Material &material = problem.materials[region];
   const VolumeLaw law = material.volume_law();
   const double density = material.density * law.density_ratio(point.pressure);
   const double density_slope = density * law.compressibility(point.pressure);
-  const Tensor<1, dim> inertia = point.acceleration + point.velocity_gradient * point.velocity;
-  const Tensor<1, dim> force = residual(point, q, state);
-  const double tau = time_scale(point.velocity.norm());
-  const double tau_slope = -4. * tau * tau * tau / (size * size); // by U, along U
+  const Tensor<1, dim> inertia = point.acceleration + point.velocity_gradient * point.carrier;
+  const Tensor<1, dim> force = residual(point, state);
+  const double tau = time_scale(point.carrier.norm());
+  const double tau_slope = -4. * tau * tau * tau / (size * size); // by what carries, along it
+  const double carries = problem.convection.is_on ? 1. : 0.;      // the velocity
   const unsigned int n_velocity = residual_slopes.size(),
                      n_pressure = matrix.n() - residual_slopes.size();
   for (unsigned int b = 0; b < along.size(); ++b)
-    along[b] = point.velocity * functions.gradients[b];
+    along[b] = point.carrier * functions.gradients[b];
   for (unsigned int d = 0; d < dim; ++d)
     for (unsigned int b = 0; b < along.size(); ++b)
     {
       const double shape = functions.values[b];
       Tensor<1, dim> &slope = residual_slopes[state.place(d, b)];
-      slope = -viscous_force(d, b, q);
+      slope = -viscous_forces[state.place(d, b)];
       slope[d] += density * (step.a0 * shape + along[b]);
       for (unsigned int c = 0; c < dim; ++c)
-        slope[c] += density * shape * point.velocity_gradient[c][d];
+        slope[c] += carries * density * shape * point.velocity_gradient[c][d];
     }
   for (unsigned int a = 0; a < along.size(); ++a)
   {
@@ -135,7 +180,7 @@ void StreamlineTerms<dim>::add_derivative(const FlowPoint<dim> &point,
     for (unsigned int d = 0; d < dim; ++d)
     {
       const double by_flow =
-          point.weight * (tau * gradient[d] + tau_slope * point.velocity[d] * along[a]);
+          carries * point.weight * (tau * gradient[d] + tau_slope * point.carrier[d] * along[a]);
       for (unsigned int b = 0; b < along.size(); ++b)
       {
         const unsigned int j = state.place(d, b);

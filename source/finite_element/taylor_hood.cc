@@ -158,7 +158,7 @@ void TaylorHood<dim>::setup()
   log.memory_use().mark("loads, ends and evaluation");
   if (mesh_motion)
   {
-    mesh_motion->reinit();
+    mesh_motion->reinit(has_iterative_tangent());
     liquid_balance->reinit();
   }
   port_faces.reinit();
@@ -464,6 +464,23 @@ void TaylorHood<dim>::move_mesh(BalancedStep &state)
 }
 
 template <int dim>
+void TaylorHood<dim>::set_mesh_change(const Step &step,
+                                      const DistributedVector &of_velocity,
+                                      DistributedVector &of_mesh_displacement)
+{
+  if (mesh_motion)
+    mesh_motion->set_change(step, of_velocity, of_mesh_displacement);
+}
+
+template <int dim>
+void TaylorHood<dim>::forget_linearisation()
+{
+  tangent.forget_analysis();
+  if (mesh_motion)
+    mesh_motion->forget_solver();
+}
+
+template <int dim>
 void TaylorHood<dim>::check_mesh(const BalancedStep &state)
 {
   if (!mesh_motion)
@@ -688,6 +705,26 @@ template <int dim>
 void TaylorHood<dim>::add_divergence(const DistributedVector &velocity, DistributedVector &result)
 {
   system.add_divergence(1., velocity, result);
+}
+
+template <int dim>
+void TaylorHood<dim>::set_reaction(const DistributedVector &profile,
+                                   DistributedVector &of_velocity,
+                                   DistributedVector &of_pressure,
+                                   DistributedVector &momentum,
+                                   DistributedVector &mass)
+{
+  Operators::set_reaction(profile, of_velocity, of_pressure, momentum, mass);
+  if (terms.empty())
+    return;
+  DistributedVector rows = space.velocity_vector(), columns = rows;
+  DistributedVector volumes = space.pressure_vector(), pressures = volumes;
+  for (const auto &of_model : terms)
+    of_model->add_products_with(profile, rows, volumes, columns, pressures);
+  momentum.add(-1., rows);
+  mass.add(-1., volumes);
+  of_velocity.add(1., columns);
+  of_pressure.add(-1., pressures);
 }
 
 template <int dim>

@@ -468,8 +468,13 @@ void CellWise<dim>::add_divergence(const DistributedVector &velocity, Distribute
 template <int dim>
 void CellWise<dim>::set_reaction(const DistributedVector &profile,
                                  DistributedVector &of_velocity,
-                                 DistributedVector &of_pressure)
+                                 DistributedVector &of_pressure,
+                                 DistributedVector &momentum,
+                                 DistributedVector &mass)
 {
+  momentum = 0.;
+  mass = 0.;
+  eliminate_prescribed(profile, momentum, mass);
   of_velocity = 0.;
   system.add_transposed_velocity_product(profile, of_velocity);
   of_pressure = 0.;

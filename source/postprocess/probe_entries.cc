@@ -686,7 +686,7 @@ void ProbeEntries<dim>::check_moving_mesh(const std::vector<FieldComponent> &kno
     { return field.name.compare(0, name.size(), name) == 0; };
     // A mean of the displacement is one over matter.
     if (!is_named("force ") && !is_named("displacement ") && !is_named("velocity ") &&
-        field.name != "pressure")
+        field.name != "pressure" && !is_of_cavity(field.name))
       section.refuse(
           "Fields",
           "'" + field.name + "' would be an integral over the mesh at rest, and the mesh moves",

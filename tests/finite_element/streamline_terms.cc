@@ -1,5 +1,5 @@
-// The terms of SUPG: zero for solutions of the momentum equation, in axisymmetry too, and by hand
-// for a residual that is constant.
+// The terms of SUPG: zero for solutions of the momentum equation, in axisymmetry too and on a mesh
+// that has moved, and by hand for a residual that is constant.
 
 #include <continua/finite_element/convective_terms.h>
 
@@ -21,7 +21,8 @@ template <int dim>
 using VectorField = std::function<Tensor<1, dim>(const Point<dim> &)>;
 
 /// The sum of test values times the rows of the stabilisation at a flow with the density 3 kg/m^3
-/// and the viscosity 2 Pa s, in a step of 0.1 s.
+/// and the viscosity 2 Pa s, in a step of 0.1 s. Of the places of a mesh that has moved by
+/// `displacement` and moves on with `mesh_velocity`, if there is one.
 template <int dim>
 double power(const Space<dim> &space,
              const std::vector<Waveform> &body_force,
@@ -29,7 +30,9 @@ double power(const Space<dim> &space,
              const VectorField<dim> &acceleration,
              const std::function<double(const Point<dim> &)> &pressure,
              const VectorField<dim> &test,
-             const double load_factor = 1.)
+             const double load_factor = 1.,
+             const VectorField<dim> &displacement = {},
+             const VectorField<dim> &mesh_velocity = {})
 {
   Problem problem;
   problem.model = space.is_axisymmetric() ? Model::axisymmetric
@@ -44,16 +47,26 @@ double power(const Space<dim> &space,
   problem.convection.is_on = true;
   problem.convection.stabilisation = ConvectionStabilisation::supg;
   problem.convection.stabilisation_viscosity = 1e-200; // grad-div comes with it
+  problem.mesh_moves = static_cast<bool>(displacement);
+  const auto place = [&](const Point<dim> &x)
+  { return displacement ? Point<dim>(x + displacement(x)) : x; };
+  const auto at_place = [&](const VectorField<dim> &field) -> VectorField<dim>
+  { return [&](const Point<dim> &x) { return field(place(x)); }; };
   ConvectiveTerms<dim> terms(space, problem, std::nullopt);
   terms.reinit();
   BalancedStep state;
   state.step = euler_step(0., 0.1, Update::implicit);
   state.step.load_factor = load_factor;
-  state.velocity = small_problem::interpolated<dim>(space, velocity);
-  state.acceleration = small_problem::interpolated<dim>(space, acceleration);
+  state.velocity = small_problem::interpolated<dim>(space, at_place(velocity));
+  state.acceleration = small_problem::interpolated<dim>(space, at_place(acceleration));
   state.pressure = small_problem::interpolated_pressure<dim>(
-      space, [&](const Point<dim> &x, unsigned int) { return pressure(x); });
+      space, [&](const Point<dim> &x, unsigned int) { return pressure(place(x)); });
   state.pressure_rate = space.pressure_vector();
+  if (problem.mesh_moves)
+  {
+    state.mesh_displacement = small_problem::interpolated<dim>(space, displacement);
+    state.mesh_velocity = small_problem::interpolated<dim>(space, mesh_velocity);
+  }
   const DistributedVector zero = space.velocity_vector();
   NonlinearForces forces{zero, zero, zero, zero, zero, {}, zero};
   terms.set_forces_of(0, state, forces);
@@ -119,6 +132,35 @@ UNIT_TEST(streamline_terms)
                                           Waveform(-2. / 3.)};
   check::absolute("ring: viscosity along",
                   power<2>(ring, shearing, sheared, rest, none, test) / without_force, 0., 1e-12);
+
+  // On a mesh that was stretched and sheared, and moves.
+  const VectorField<2> stretched = [](const Point<2> &x) {
+    return Tensor<1, 2>({-0.1 * x[0] + 0.3 * x[1], 0.2 * x[1]});
+  };
+  const VectorField<2> moving = [](const Point<2> &x) { return Tensor<1, 2>({x[1], 0.4 * x[0]}); };
+  // Past such a mesh a flow that is at rest in space changes: dU/dt at a node is (W . grad) U.
+  const VectorField<2> of_parabola = [](const Point<2> &x)
+  {
+    const double across = 0.4 * (x[0] - 0.25 * x[1]) / 0.9;
+    return Tensor<1, 2>({(2. - 2. * x[1]) * across, 0.});
+  };
+  check::absolute(
+      "plates, moved mesh: a solution",
+      power<2>(plane, {}, parabola, of_parabola, falling(-4.), test, 1., stretched, moving) /
+          without_force,
+      0., 1e-12);
+  check::absolute("ring, moved mesh: viscosity across",
+                  power<2>(ring, holding, outwards, rest, none, test, 1., stretched, rest) /
+                      without_force,
+                  0., 1e-11);
+  // A linear flow has no viscous force, however curved the mesh is.
+  const VectorField<2> curved = [](const Point<2> &x) {
+    return Tensor<1, 2>({0.1 * x[0] * x[1], -0.2 * x[0] * x[0]});
+  };
+  const VectorField<2> shear = [](const Point<2> &x) { return Tensor<1, 2>({x[1], 0.}); };
+  check::absolute("curved mesh: a solution",
+                  power<2>(plane, {}, shear, rest, none, test, 1., curved, rest) / without_force,
+                  0., 1e-12);
 
   // U = (2, 0, 0) accelerated by (0, 0, 5) in the pressure 7 y: r = (0, 7, 15), along v = (0, x, 3
   // x) with the derivative (0, 1, 3): 2 (7 + 45) tau over the cube of 1 m^3, in which h = 1 m.

@@ -114,13 +114,12 @@ struct BoundaryCondition
   std::vector<Waveform> mesh_velocity;
 
   /// Whether a mesh that moves may slide along the boundary where it is plane. By itself where no
-  /// section has to keep its shape: not at walls, prescribed velocities, and cavities.
+  /// section has to keep its shape: not at walls and prescribed velocities.
   bool mesh_slides() const
   {
     if (mesh != MeshCondition::automatic)
       return mesh == MeshCondition::slides;
-    return !is_wall() && !is_cavity() &&
-           (normal.kind == BoundaryPart::Kind::traction || normal.is_fixed()) &&
+    return !is_wall() && (normal.kind == BoundaryPart::Kind::traction || normal.is_fixed()) &&
            (tangential.kind == BoundaryPart::Kind::traction || tangential.is_fixed());
   }
   /// Whether a mesh that moves has the velocity that is prescribed for the liquid.

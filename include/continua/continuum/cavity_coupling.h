@@ -10,6 +10,7 @@
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <functional>
 #include <vector>
 
 namespace Continua
@@ -24,7 +25,8 @@ namespace Continua
  * by block elimination: K x = r, K y = c, dp = (V_given - V - b . x)/(b . y), dU = x + y dp.
  * Several cavities have a small matrix in the place of b . y. K alone may be singular or have
  * negative eigenvalues, as at and beyond the largest pressure of a balloon: at a state that is not
- * singular with its volume held, the sum stays finite.
+ * singular with its volume held, the sum stays finite. On a mesh that moves K leaves out the motion
+ * of the liquid's mesh; where the iteration takes GMRES for x, it does for y, too.
  *
  * V is that at the level which the step balances.
  */
@@ -48,9 +50,15 @@ public:
   void measure(const BalancedStep &balanced);
   /// The largest difference of a volume from the one given, over the latter, at that iterate.
   double residual() const;
-  /// The body's responses to the pressures at that iterate, by the factor of the tangent. Call
-  /// after each new factor.
-  void respond(StepReport &report);
+  /// Solves the equations of an iteration for right sides of momentum [N] and volume [m^3/s].
+  using Solve = std::function<void(DistributedVector &momentum,
+                                   DistributedVector &mass,
+                                   DistributedVector &velocity,
+                                   DistributedVector &pressure)>;
+  /// The body's responses to the pressures at that iterate. Call after each new factor.
+  void respond(const Solve &solve);
+  /// The largest flow rate at a node of the surfaces that such a response stands for [m^3/s].
+  double largest_flow() const;
   /// Completes the changes by which an iterate would follow without changes of the pressures, and
   /// adds those.
   void couple(const Step &step,

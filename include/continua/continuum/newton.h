@@ -46,7 +46,7 @@ struct NewtonInput
  * Outlets are linear. Each iteration solves without the forces of their ports and adds the body's
  * responses, as a linear step does. The volumes of cavities are equations of their own, whose
  * unknowns are the cavities' pressures; see CavityCoupling. With outlets or cavities a slow
- * iteration makes a new factor.
+ * iteration makes a new factor, where the mesh stays.
  */
 class Newton
 {
@@ -84,9 +84,11 @@ private:
   Log &log;
   BlockKrylov krylov;
   bool has_factor = false;
-  bool factor_is_poor = false; ///< GMRES needed too many iterations with it
-  BalancedStep shifted;        ///< for differences
+  bool factor_is_poor = false;        ///< GMRES needed too many iterations with it
+  unsigned int krylov_iterations = 0; ///< of GMRES in the step
+  BalancedStep shifted;               ///< for differences
   DistributedVector past_acceleration, momentum, momentum_work, velocity_change, zero_velocity;
+  DistributedVector mesh_change; ///< by which differences shift the mesh [m]
   DistributedVector mass, mass_work, pressure_change;
   DistributedVector volumes; ///< of each pressure [m^3]
 
@@ -106,6 +108,9 @@ private:
                               const DistributedVector &of_pressure,
                               DistributedVector &momentum_rows,
                               DistributedVector &mass_rows);
+  /// Leaves the rows that are equations; of ports that hold the flow rate on a mesh that moves
+  /// their power with the port's profile.
+  void restrict_rows(DistributedVector &momentum_rows, DistributedVector &mass_rows) const;
   /// Whether products with the tangent are differences of the terms that are not linear: on a mesh
   /// that moves nothing else has its motion in it.
   bool takes_differences() const;
@@ -118,8 +123,25 @@ private:
   /// What the residual in mass_work leaves in a step, of the volume of each pressure: the largest
   /// part [1]. Collective.
   double lost_volume(const Step &step) const;
-  /// Sets the changes of velocity and pressure by GMRES. `scales`: sizes in which it measures the
-  /// residuals. Says whether it has reached its tolerance.
+  /// Sets changes of velocity and pressure by GMRES; the right sides are restricted. `scales`:
+  /// sizes in which it measures the residuals. Says whether it has reached its tolerance.
+  bool solve_by_krylov(const NewtonInput &input,
+                       const BalancedStep &balanced,
+                       const ResidualScales &scales,
+                       DistributedVector &momentum_rows,
+                       DistributedVector &mass_rows,
+                       DistributedVector &of_velocity,
+                       DistributedVector &of_pressure,
+                       StepReport &report);
+  /// The same by the factor, and of a mesh that moves with what outlets do. The right sides are
+  /// changed.
+  void solve_by_factor(DistributedVector &momentum_rows,
+                       DistributedVector &mass_rows,
+                       DistributedVector &of_velocity,
+                       DistributedVector &of_pressure,
+                       StepReport &report);
+  /// Sets the correction of an iterate from its residuals, and what cavities need for theirs. Says
+  /// whether it has the exact derivative.
   bool correct_by_krylov(const NewtonInput &input,
                          const BalancedStep &balanced,
                          const ResidualScales &scales,

@@ -165,6 +165,9 @@ public:
   /// Sets the displacement and the velocity of a mesh that moves from the displacement of the
   /// solids at that level. Collective.
   virtual void move_mesh(BalancedStep &) {}
+  /// Sets the change of that displacement [m] by a change of velocity [m/s], with that of the
+  /// displacement of solids which follows in a step. Collective.
+  virtual void set_mesh_change(const Step &, const DistributedVector &, DistributedVector &) {}
   /// Throws StepFailure where that displacement turns the mesh inside out. Collective.
   virtual void check_mesh(const BalancedStep &) {}
   /// At the present time [m]; null where the mesh stays.
@@ -267,9 +270,14 @@ public:
   /// What the motion `profile` of prescribed velocities feels of the body: its power with A U + G p
   /// is of_velocity . U - of_pressure . p, whatever is prescribed. By itself A profile and B
   /// profile, as in a symmetric system.
+  /// `momentum` and `mass` are set to the right sides that prescribing the motion leaves. Where the
+  /// terms are not linear this is of their derivative at the state of the last linearise(), with
+  /// nothing else in between.
   virtual void set_reaction(const DistributedVector &profile,
                             DistributedVector &of_velocity,
-                            DistributedVector &of_pressure);
+                            DistributedVector &of_pressure,
+                            DistributedVector &momentum,
+                            DistributedVector &mass);
 
   // Cavities; for discretisations that have them.
   /// The volumes that the cavities of the problem enclose at this displacement [m^3].

@@ -35,7 +35,10 @@ namespace Continua
  * On a mesh that moves q belongs to the present section and Q = q . (U - W), with the velocity W of
  * the mesh, but for absorbing ends, whose theory is linear: Q = q . U. There the pressures are a
  * part of the residual, p = p_plus + Z Q at each iterate, and a change at constant pressures is
- * completed by the responses to (I - Z H)^-1 Z (q . dU).
+ * completed by the responses to (I - Z H)^-1 Z (q . dU). The mesh stays at a port that holds the
+ * flow rate. There U = phi Q, and the rows of momentum at its nodes count by their power with phi
+ * alone, with the force -q p in them: what is left is phi . (f - N) - p. The equations above hold
+ * for the changes of both kinds of ports, with the derivative of N in the place of A and G.
  */
 class OutletCoupling
 {
@@ -63,9 +66,22 @@ public:
   /// Of a mesh that moves: takes the ports' sections, flow rates and pressures at an iterate of a
   /// step. Collective.
   void measure(const BalancedStep &iterate);
-  /// Of a mesh that moves: completes the change of an iterate at constant pressures of the ports to
-  /// the one with the pressures that its flow rates cause, with the sections of the last measure().
-  void complete_change(DistributedVector &velocity_change, DistributedVector &pressure_change);
+  // Of a mesh that moves.
+  /// Sets the velocities of the ports that hold the flow rate to those of the last flow rates.
+  void set_port_velocities(DistributedVector &velocity) const;
+  /// Adds factor times the forces -q p of all ports to the residual of momentum of an iterate [N].
+  void add_to_residual(double factor, DistributedVector &momentum) const;
+  /// The power of rows of momentum with each port's phi, 0 of ports that hold pressures [Pa].
+  /// Collective.
+  std::vector<double> port_rows(const DistributedVector &momentum) const;
+  /// Sets the rows at the nodes of ports that hold the flow rate to multiples of phi of that power.
+  void set_port_rows(const std::vector<double> &rows, DistributedVector &momentum) const;
+  /// Completes the change of an iterate at constant pressures and velocities of the ports to the
+  /// one with the pressures that its flow rates cause, with the sections of the last measure().
+  /// `rows`: port_rows() of its right side.
+  void complete_change(const std::vector<double> &rows,
+                       DistributedVector &velocity_change,
+                       DistributedVector &pressure_change);
   /// Completes a step's solution without outlets to the one with them, all at the balanced level.
   /// `velocity_old` at its start.
   void couple(const Step &step,
@@ -120,10 +136,11 @@ private:
     unsigned int outlet;
     unsigned int condition;
     bool holds_flow;
-    bool moves_with_mesh; ///< its flow rate is that past a mesh that moves
-    Sparse flow;          ///< q [m^2], of a mesh that moves at the last iterate
-    Sparse velocity;      ///< phi [1/m^2]; of a port that holds the flow rate
-    Sparse momentum_of_velocity, mass_of_velocity; ///< A phi and B phi
+    bool moves_with_mesh;           ///< its flow rate is that past a mesh that moves
+    Sparse flow;                    ///< q [m^2], of a mesh that moves at the last iterate
+    Sparse velocity;                ///< phi [1/m^2]; of a port that holds the flow rate
+    double square_of_velocity = 0.; ///< phi . phi [1/m^4]
+    Sparse momentum_of_velocity, mass_of_velocity; ///< A^T phi and -G^T phi
     DistributedVector velocity_response, pressure_response;
     double force = 0.; ///< phi . f of this rank
   };

@@ -129,6 +129,12 @@ struct Problem
     return std::any_of(conditions.begin(), conditions.end(),
                        [](const BoundaryCondition &condition) { return condition.is_supported(); });
   }
+  /// Whether a cavity is a body of liquid, of which the boundary is an opening.
+  bool is_filled(const BoundaryCondition &cavity) const
+  {
+    return std::any_of(cavity.region_ids.begin(), cavity.region_ids.end(),
+                       [this](const unsigned int region) { return !materials[region].is_solid(); });
+  }
   /// The numbers of the conditions that enclose a cavity.
   std::vector<unsigned int> cavities() const
   {

@@ -9,26 +9,34 @@
 #include <deal.II/base/types.h>
 #include <deal.II/lac/vector.h>
 
+#include <functional>
 #include <vector>
 
 namespace Continua
 {
-/// The faces of some boundary conditions, with their places under a displacement of the mesh.
+/// Faces of cells, such as those of some boundary conditions, with their places under a
+/// displacement of the mesh.
 template <int dim>
 class DeformedFaces
 {
 public:
   struct Face
   {
-    unsigned int number;                                  ///< of its condition, in the list
+    unsigned int number;                                  ///< of its set, see below
     std::vector<dealii::types::global_dof_index> indices; ///< of the cell, component by component
     std::vector<DeformedFacePoint<dim>> points;
   };
 
-  /// `conditions`: of the problem, by number. `space` and `problem` must outlive it.
+  using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
+  /// The number of the set to which a face of a cell belongs, or -1.
+  using SetOfFace = std::function<int(const Cell &cell, unsigned int face)>;
+
+  /// One set for each of the conditions, which are given by their numbers in the problem. Both must
+  /// outlive it.
   DeformedFaces(const Space<dim> &space,
                 const Problem &problem,
-                std::vector<unsigned int> conditions);
+                const std::vector<unsigned int> &conditions);
+  DeformedFaces(const Space<dim> &space, const SetOfFace &set_of_face);
 
   /// The mesh has changed.
   void reinit();
@@ -38,14 +46,13 @@ public:
   const std::vector<Face> &all() const { return faces; }
   /// That displacement, of the cell of a face [m].
   const dealii::Vector<double> &displacement_of(const Face &face);
-  /// Sets int v . n da over the faces of a condition (its place in the list) at that displacement,
-  /// with the hanging nodes condensed [m^2]. Collective.
+  /// Sets int v . n da over the faces of a set at that displacement, with the hanging nodes
+  /// condensed [m^2]. Collective.
   void set_flow(unsigned int number, DistributedVector &flow);
 
 private:
   const Space<dim> &space;
-  const Problem &problem;
-  const std::vector<unsigned int> conditions;
+  const SetOfFace set_of_face;              ///< empty: there are none
   const dealii::QGauss<dim - 1> quadrature; ///< as that of FollowerPressure
   std::vector<Face> faces;
   DistributedVector displacement_work, ghosted;

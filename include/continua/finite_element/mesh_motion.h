@@ -7,6 +7,7 @@
 #include <continua/continuum/state_visitor.h>
 #include <continua/finite_element/quadrature_cells.h>
 #include <continua/finite_element/space.h>
+#include <continua/linear_algebra/multigrid_solver.h>
 #include <continua/linear_algebra/symmetric_factor.h>
 
 #include <deal.II/lac/affine_constraints.h>
@@ -44,6 +45,10 @@ struct MeshQuality
  * mesh velocity W follows from d by the very formula by which the step has D from U: D = D_plus + b
  * U. On boundaries whose mesh follows a velocity it is the other way round: d has there the D_plus
  * of its own past and W is what is given.
+ *
+ * The operator has a factor, or, where the equations of the step have an iterative solver, a
+ * MultigridSolver. What that leaves of d is a difference of shape far below the step's own errors;
+ * a change of d is solved for by itself, so that differences of residuals do not amplify it.
  */
 template <int dim>
 class MeshMotion
@@ -53,12 +58,20 @@ public:
   MeshMotion(const Space<dim> &space, const Problem &problem);
 
   /// The mesh at rest has changed. Collective. Throws RunError.
-  void reinit();
+  void reinit(bool is_iterative);
   /// A step begins from the present state. Collective. Throws RunError.
   void begin_step(const Step &step);
   /// Sets the displacement [m] and the velocity [m/s] of the mesh at the level that a step
-  /// balances, from the displacement of the solids there. Collective.
+  /// balances, from the displacement of the solids there. Collective. A step that finds the
+  /// unloaded shape leaves the mesh where it is.
   void move(BalancedStep &state);
+  /// Sets what a change of velocity [m/s], with that of the displacement which follows in a step,
+  /// does to the displacement of the mesh [m]. Collective.
+  void set_change(const Step &step,
+                  const DistributedVector &of_velocity,
+                  DistributedVector &of_mesh_displacement);
+  /// The next step goes on as a restart from here would.
+  void forget_solver();
   /// A step has ended. Collective.
   void finish_step(const BalancedStep &balanced);
   /// Takes the present displacement of the solids for the start [m]. Collective.
@@ -97,8 +110,11 @@ private:
   std::vector<double> followed;  ///< their d at the level of the step [m]
   std::vector<double> stiffness; ///< k of each cell
   std::unique_ptr<SymmetricFactor> factor;
-  DistributedVector present, older; ///< d [m]
-  DistributedVector predicted;      ///< of the present step [m]
+  std::unique_ptr<MultigridSolver> multigrid; ///< in the place of the factor, else null
+  DistributedVector last_extension;           ///< of the multigrid in this step
+  DistributedVector change_rows;              ///< work space of the multigrid
+  DistributedVector present, older;           ///< d [m]
+  DistributedVector predicted;                ///< of the present step [m]
   DistributedVector known, ghosted, right_side, work;
   std::vector<double> packed;
   std::vector<int> owned;
@@ -113,6 +129,7 @@ private:
   void find_followers();
   /// Makes the operator at the present displacement, its factor, and the residual there.
   void linearise();
+  void make_multigrid();
   /// Sets k.
   void set_stiffness();
   /// Sets the matrix of a cell at a displacement.
@@ -120,6 +137,14 @@ private:
   set_operator(const Cell &cell, double cell_stiffness, dealii::FullMatrix<double> &matrix) const;
   /// Sets d to that at the start of the step and what follows of the change of D.
   void extend(const DistributedVector &solid_displacement, DistributedVector &mesh_displacement);
+  void solve_by_factor(DistributedVector &rows);
+  /// The rows of what is constrained, and those of a cell.
+  void begin_triplets(SymmetricTriplets &triplets) const;
+  void add_triplets(const Cell &cell,
+                    const dealii::FullMatrix<double> &matrix,
+                    SymmetricTriplets &triplets) const;
+  /// Takes the operator's product with `known` from rows, in which hanging nodes are condensed.
+  void subtract_known(DistributedVector &rows);
   dealii::Tensor<2, 3> gradient(const QuadratureCells<dim> &points,
                                 const Cell &cell,
                                 const dealii::Vector<double> &entries,

@@ -91,6 +91,16 @@ public:
   void add_derivative(const BalancedStep &state,
                       const dealii::AffineConstraints<double> &constraints,
                       Triplets &matrix);
+  /// Adds products of that derivative, without constraints, with a velocity that is zero in all but
+  /// a few cells [m/s]: to rows of momentum [N] and of volume [m^3/s], and those of its transposed
+  /// to `of_velocity` and `of_pressure`, whose scalar product with a change is the power of that
+  /// velocity with the change of the rows of momentum. At the state of the last add_derivative() or
+  /// keep_derivative(), with nothing else in between. Collective.
+  void add_products_with(const DistributedVector &local_velocity,
+                         DistributedVector &momentum,
+                         DistributedVector &volume,
+                         DistributedVector &of_velocity,
+                         DistributedVector &of_pressure);
   /// Keeps the same derivative for products, without constraints. Collective.
   virtual void keep_derivative(const BalancedStep &state,
                                KeptDerivative form = KeptDerivative::matrices);

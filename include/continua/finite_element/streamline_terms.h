@@ -28,6 +28,9 @@ namespace Continua
  *   tau = ( (2/dt)^2 + (2 |U|/h)^2 + (12 eta/(rho0 h^2))^2 )^(-1/2),
  *
  * h the size of a cell (Convection::cell_size()). They vanish for the exact solution.
+ *
+ * On a mesh that moves all of this is by the present place, h included, and the velocity that
+ * carries, U - W with convection and -W without, stands in the place of the U that carries.
  */
 template <int dim>
 class StreamlineTerms
@@ -45,7 +48,7 @@ public:
   void visit(const Cell &cell, const Step &step);
   /// tau r at a point, times its weight: what (U . grad) v is multiplied by.
   dealii::Tensor<1, dim>
-  force(const FlowPoint<dim> &point, unsigned int q, const CellState<dim> &state) const;
+  force(const FlowPoint<dim> &point, unsigned int q, const CellState<dim> &state);
   /// Adds the derivative of the rows of momentum by the cell's velocities, then its pressures, with
   /// the acceleration following as the step has it.
   void add_derivative(const FlowPoint<dim> &point,
@@ -61,19 +64,26 @@ private:
   dealii::FEValues<dim> values;
   Step step;
   unsigned int region = 0;
-  double size = 0.; ///< of the cell [m]
+  double size_at_rest = 0., size = 0.; ///< of the cell [m]
+  dealii::Point<dim> place;            ///< of the point
   // At a point: test functions along the flow and the derivatives of r by the velocities.
   std::vector<double> along;
   std::vector<dealii::Tensor<1, dim>> residual_slopes;
+  /// eta (lap + 1/3 grad div) of the velocity's shape functions at a point.
+  std::vector<dealii::Tensor<1, dim>> viscous_forces;
 
-  /// eta (lap + 1/3 grad div) of a shape function of one component.
-  dealii::Tensor<1, dim>
-  viscous_force(unsigned int component, unsigned int function, unsigned int q) const;
+  /// Sets these, the place and the size at the present place of a point.
+  void set_point(unsigned int q, const CellState<dim> &state);
+  /// Sets those of one function from its derivatives by the present place.
+  void set_viscous_forces(unsigned int function,
+                          const CellState<dim> &state,
+                          double value,
+                          const dealii::Tensor<1, dim> &first,
+                          const dealii::Tensor<2, dim> &second);
   double viscosity() const { return problem.materials[region].shear.viscosity; }
   /// tau at a speed [s].
   double time_scale(double speed) const;
-  dealii::Tensor<1, dim>
-  residual(const FlowPoint<dim> &point, unsigned int q, const CellState<dim> &state) const;
+  dealii::Tensor<1, dim> residual(const FlowPoint<dim> &point, const CellState<dim> &state) const;
 };
 } // namespace Continua
 

@@ -122,6 +122,9 @@ public:
   bool is_nonlinear_in(unsigned int region) const override;
   bool has_whole_terms() const override { return true; }
   void move_mesh(BalancedStep &state) override;
+  void set_mesh_change(const Step &step,
+                       const DistributedVector &of_velocity,
+                       DistributedVector &of_mesh_displacement) override;
   void check_mesh(const BalancedStep &state) override;
   const DistributedVector *mesh_displacement() const override
   {
@@ -137,7 +140,7 @@ public:
                                bool of_momentum) const override;
   bool linearise(const BalancedStep &state) override;
   bool solves_with_kept_derivative() const override { return has_iterative_tangent(); }
-  void forget_linearisation() override { tangent.forget_analysis(); }
+  void forget_linearisation() override;
   bool has_derivative_products() const override { return !has_iterative_tangent(); }
   void keep_derivative(const BalancedStep &state) override;
   void add_derivative_product(const DistributedVector &velocity,
@@ -168,6 +171,11 @@ public:
   DistributedVector flow_profile(unsigned int condition) const override;
   void add_velocity_product(const DistributedVector &velocity, DistributedVector &result) override;
   void add_divergence(const DistributedVector &velocity, DistributedVector &result) override;
+  void set_reaction(const DistributedVector &profile,
+                    DistributedVector &of_velocity,
+                    DistributedVector &of_pressure,
+                    DistributedVector &momentum,
+                    DistributedVector &mass) override;
 
   std::vector<double> cavity_volumes(const DistributedVector &displacement) override
   {

@@ -146,7 +146,9 @@ public:
   void add_divergence(const DistributedVector &velocity, DistributedVector &result) override;
   void set_reaction(const DistributedVector &profile,
                     DistributedVector &of_velocity,
-                    DistributedVector &of_pressure) override;
+                    DistributedVector &of_pressure,
+                    DistributedVector &momentum,
+                    DistributedVector &mass) override;
 
   void prepare_transfer(const StateVectors &vectors) override;
   void finish_transfer(const StateVectors &vectors) override;

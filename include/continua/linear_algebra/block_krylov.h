@@ -53,6 +53,8 @@ public:
 
   BlockVector scale; ///< s
 
+  /// Changes the method; before reinit().
+  void use(const Method other) { method = other; }
   /// Takes the layout of the vectors; allocates.
   void reinit(const DistributedVector &velocity, const DistributedVector &pressure);
   /// The solve starts from zero.
@@ -75,7 +77,7 @@ public:
   void free_basis() { memory.release_unused_memory(); }
 
 private:
-  const Method method;
+  Method method;
   const unsigned int basis_size;
   BlockVector right_hand_side, solution, rows;
   dealii::GrowingVectorMemory<BlockVector> memory;
