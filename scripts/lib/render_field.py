@@ -148,10 +148,11 @@ def solve_harmonic(values, ends, weight, free):
         direction = preconditioned + product / before * direction
 
 
-def displacement_of(grid):
-    """(points, their displacement, whether each is of a solid or None); of a body without a displacement or a solid None."""
+def displacement_of(grid, mesh_moves=False):
+    """(points, their displacement, whether each is of a solid or None); of a body without a displacement or a solid None. That of
+    liquids is the way of their particles; in finite deformation their mesh moves by it, and it counts as that of solids."""
     array = grid.GetPointData().GetArray("displacement")
-    solid = in_solid(grid)
+    solid = None if mesh_moves else in_solid(grid)
     if array is None or array.GetNumberOfComponents() != 3 or solid is not None and not solid.any():
         return None
     return (vtk_to_numpy(grid.GetPoints().GetData()).astype(float), numpy.nan_to_num(vtk_to_numpy(array).astype(float)), solid)
@@ -176,11 +177,11 @@ def factor_of(grids):
     return 1 if 0.5 <= factor <= 2 else factor
 
 
-def deform(grid, factor=None, liquid_follows=True):
+def deform(grid, factor=None, liquid_follows=True, mesh_moves=False):
     """Moves the points by the displacement of the solids times the factor, or times one that makes it visible; the liquid's
-    mesh follows them, or stays. Returns the factor, 0 without a displacement."""
+    mesh follows them, or stays, or has a motion of its own. Returns the factor, 0 without a displacement."""
     factor = factor_of([grid]) if factor is None else factor
-    found = displacement_of(grid)
+    found = displacement_of(grid, mesh_moves)
     if found is None or factor == 0:
         return factor
     points, displacement, solid = found
@@ -411,7 +412,8 @@ class Scale:
         self.field, self.label, self.liquid = request["field"], "", False
         grids = (self.read_state(pieces, found) for pieces in request["states"])
         self.deformation = factor_of(grids)
-        if request.get("deformation") == "finite":  # its equations are those of the body as it is
+        self.mesh_moves = request.get("deformation") == "finite"
+        if self.mesh_moves:  # its equations are those of the body as it is
             self.deformation = 1
         self.ranges = ranges_of(found)
         bounds = self.undeformed
@@ -440,7 +442,7 @@ def united(bounds, others):
 def prepared(pieces, scale, liquid_follows=True):
     """(the deformed part that is shown, where it is looked at from)."""
     grid = read(pieces)
-    deform(grid, scale.deformation, liquid_follows)
+    deform(grid, scale.deformation, liquid_follows, scale.mesh_moves)
     grid = only(grid, scale.regions)
     _, _, values = values_of(grid, scale.field)
     shown = numpy_to_vtk(on_the_maps(numpy.nan_to_num(values), in_solid(grid), scale.ranges), deep=True)

@@ -4,7 +4,7 @@
     pvpython --force-offscreen-rendering OUTPUT_DIR/view-in-paraview.py PICTURE.png   (without a display: xvfb-run -a pvpython ...)
 
 Solids are deformed by their displacement times a factor, which the picture shows. Liquids stay where they were: their
-displacement is the way of their particles. Each colour range is that of up to MOST_STATES states of the whole run. A field of
+displacement is the way of their particles. In finite deformation their mesh moves, and they are deformed like solids. Each colour range is that of up to MOST_STATES states of the whole run. A field of
 both signs has white at zero. The second command writes the last state as a picture. Change the three lines below as you like.
 """
 
@@ -48,7 +48,7 @@ def nice(number):
 def factor_of(solids, times, bounds):
     """A tenth of the body's length, but not more than 0.4 of its width along it: a thin body must not fold over itself. In finite
     deformation 1."""
-    if summary().get("deformation") == "finite":
+    if is_finite():
         return 1.0
     size = [bounds[2 * d + 1] - bounds[2 * d] for d in range(3)]
     ranges = [range_of(solids, times, "displacement", d) for d in range(3)]
@@ -67,6 +67,10 @@ def summary():
             return json.load(stream)
     except (OSError, ValueError):
         return {}
+
+
+def is_finite():
+    return summary().get("deformation") == "finite"
 
 
 def unit_of(field):
@@ -136,11 +140,12 @@ def main():
     if field not in there:
         sys.exit(f"error: there is no field {field}; there are {', '.join(there)}")
     factor = 0.0
-    if "solids" in parts and "displacement" in there:
-        factor = FACTOR if FACTOR is not None else factor_of(parts["solids"], chosen, bounds)
-        solids = pv.WarpByVector(registrationName=f"solids, displacement times {factor:g}", Input=parts["solids"],
-                                 Vectors=["POINTS", "displacement"], ScaleFactor=factor)
-        parts["solids"] = solids
+    moving = list(parts) if is_finite() else [name for name in parts if name == "solids"]
+    if moving and "displacement" in there:
+        factor = FACTOR if FACTOR is not None else factor_of(parts[moving[-1]], chosen, bounds)
+        for name in moving:
+            parts[name] = pv.WarpByVector(registrationName=f"{name}, displacement times {factor:g}", Input=parts[name],
+                                          Vectors=["POINTS", "displacement"], ScaleFactor=factor)
 
     if not is_plane and len(parts) == 2:  # cells have points of their own, and one sees through the wall: their faces would show
         parts["solids"] = pv.CleantoGrid(registrationName="solids without inner faces", Input=parts["solids"])
@@ -158,7 +163,7 @@ def main():
             display.Opacity = 0.3  # or the liquid inside would not be seen
         colour(display, view, part, chosen, field, name, *maps[name])
 
-    note_display = pv.Show(annotate(fields, f", displacement of the solids times {factor:g}" if factor else ""), view)
+    note_display = pv.Show(annotate(fields, f", displacement of the {' and '.join(moving)} times {factor:g}" if factor else ""), view)
     note_display.Color = [0.0, 0.0, 0.0]
     note_display.FontSize = 16
 

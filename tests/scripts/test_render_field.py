@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""scripts/lib/render_field.py: which part of a body in space a picture shows."""
+"""scripts/lib/render_field.py: which part of a body in space a picture shows, and a mesh that moves."""
 
 import os
 import sys
@@ -30,6 +30,27 @@ def liquid_beside_solid(lowest):
     array.SetName("phase")
     grid.GetPointData().AddArray(array)
     return grid
+
+
+class Deform(unittest.TestCase):
+    def test_mesh_that_moves(self):
+        """In finite deformation all points go where their displacement leads, also where no solid is."""
+        for phases in ((0, 1), (0, 0)):
+            grid = liquid_beside_solid(0)
+            phase = grid.GetPointData().GetArray("phase")
+            for i in range(phase.GetNumberOfTuples()):
+                phase.SetTuple1(i, phases[int(phase.GetTuple1(i))])
+            before = render_field.vtk_to_numpy(grid.GetPoints().GetData()).copy()
+            displacement = numpy.stack([before[:, 1]**2, 0.1 * before[:, 0], -before[:, 2]], axis=1)
+            array = numpy_to_vtk(displacement, deep=True)
+            array.SetName("displacement")
+            grid.GetPointData().AddArray(array)
+            for liquid_follows in (True, False):
+                moved = vtk.vtkUnstructuredGrid()
+                moved.DeepCopy(grid)
+                render_field.deform(moved, 1, liquid_follows, mesh_moves=True)
+                after = render_field.vtk_to_numpy(moved.GetPoints().GetData())
+                self.assertLess(abs(after - before - displacement).max(), 1e-6)
 
 
 def highest(grid):
