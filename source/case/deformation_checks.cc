@@ -199,9 +199,6 @@ void check_boundary_of_liquid(const BoundaryCondition &condition, const Paramete
                    "the velocity of an outlet that holds the flow rate is that of a section that "
                    "keeps its shape",
                    "Set Mesh = fixed, or Coupling = pressure");
-  if (!condition.normal.vector.empty() && condition.normal.kind == BoundaryPart::Kind::traction)
-    section.refuse("Type", "a traction is one per area at rest, which a liquid does not keep",
-                   "Prescribe a pressure");
   if (condition.mesh == MeshCondition::slides &&
       condition.normal.kind == BoundaryPart::Kind::velocity && !condition.normal.is_fixed())
     section.refuse("Mesh", "the velocity of a boundary is that of a section that keeps its shape",
@@ -213,27 +210,12 @@ template <int dim>
 void check_moving_liquids(const Case<dim> &input, ParameterSection root)
 {
   const Problem &problem = input.problem;
-  const std::string keeps_small = problem.deformation == Deformation::finite
-                                      ? "set Deformation = small, where the mesh stays"
-                                      : "remove Mesh motion: the mesh stays then";
   if (ParameterSection newton = root.subsection("Newton");
       newton.given("Tangent products") &&
       problem.newton.tangent_products == TangentProducts::assembled)
     newton.refuse("Tangent products",
                   "the integrals of the derivative leave out the motion of the mesh",
                   "Remove the entry, or set Tangent products = differences");
-  ParameterSection body_force = root.subsection("Body force");
-  if (!problem.interior.body_force.empty())
-    body_force.refuse(
-        "Force density",
-        "a force by volume is one by the volume at rest, which a liquid does not keep",
-        "Give an Acceleration, or " + keeps_small);
-  for (const Waveform &component : problem.interior.acceleration)
-    if (component.depends_on_space())
-      body_force.refuse(
-          "Acceleration",
-          "the place of a liquid on a mesh that moves is not that of the mesh at rest",
-          "Give a function of time alone, or " + keeps_small);
   for (const BoundaryCondition &condition : problem.conditions)
     if (std::any_of(condition.region_ids.begin(), condition.region_ids.end(),
                     [&problem](const unsigned int region)

@@ -21,11 +21,14 @@ void InteriorData::read(ParameterSection body_force_section,
       components.clear();
     return components;
   };
-  body_force = read_force("Force density", Dimensions::force_density,
-                          "Cartesian components of the force per volume rho b on all regions.");
-  acceleration = read_force("Acceleration", Dimensions::acceleration,
-                            "Cartesian components of the force per mass b, such as gravity; each "
-                            "region's density times it.");
+  body_force =
+      read_force("Force density", Dimensions::force_density,
+                 "Cartesian components of the force per volume rho b on all regions. With "
+                 "Deformation = finite at the present place; on solids per volume at rest.");
+  acceleration =
+      read_force("Acceleration", Dimensions::acceleration,
+                 "Cartesian components of the force per mass b, such as gravity; each "
+                 "region's density times it. With Deformation = finite at the present place.");
 
   enum class Start
   {

@@ -28,6 +28,7 @@ ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space,
       inflow_terms(space, problem),
       streamline_terms(space, problem, quadrature),
       follower_pressure(space, problem),
+      body_force(space, problem, quadrature),
       instruction_set(instruction_set)
 {
   const unsigned int n_velocity = dim * cells.n_functions(), n_pressure = cells.n_pressures();
@@ -545,7 +546,7 @@ template <int dim>
 bool ConvectiveTerms<dim>::has_load_changes(const Cell &cell) const
 {
   return problem.mesh_moves &&
-         (!problem.interior.acceleration.empty() || follower_pressure.has_face(cell.velocity_cell));
+         (body_force.has_changes(cell.region) || follower_pressure.has_face(cell.velocity_cell));
 }
 
 template <int dim>
@@ -554,21 +555,8 @@ void ConvectiveTerms<dim>::set_load_changes(const Cell &cell)
   cell_inflow = 0.;
   if (follower_pressure.has_face(cell.velocity_cell))
     follower_pressure.add(cell.velocity_cell, step, cell_mesh_displacement, cell_inflow);
-  const double origin[3] = {0., 0., 0.};
-  const std::size_t n_functions = cells.n_functions();
-  for (unsigned int c = 0; c < problem.interior.acceleration.size(); ++c)
-  {
-    const double weight = step.load_factor * material().density *
-                          problem.interior.acceleration[c](origin, step.balance_time);
-    if (weight == 0.)
-      continue;
-    for (unsigned int q = 0; q < cells.n_points(); ++q)
-    {
-      const double of_point = weight * (moved_points[q].weight - cell.points[q].weight);
-      for (unsigned int a = 0; a < n_functions; ++a)
-        cell_inflow[c * n_functions + a] += of_point * cells.values(q)[a];
-    }
-  }
+  if (body_force.has_changes(cell.region))
+    body_force.add(cells, cell, moved_points, step, cell_mesh_displacement, cell_inflow);
 }
 
 template <int dim>

@@ -36,6 +36,7 @@ DeformationTerms<dim>::DeformationTerms(const Space<dim> &space,
       metrics(metrics),
       heat(problem.regions.size(), 0.),
       follower_pressure(space, problem),
+      body_force(space, problem, quadrature),
       potentials(space, problem.wall_directions),
       has_other_rest(problem.finds_unloaded_shape() ||
                      std::any_of(problem.materials.begin(),
@@ -469,10 +470,9 @@ void DeformationTerms<dim>::add(const BalancedStep &state,
       worst = &cell;
     }
     Vector<double> &sum = cell_forces[0];
-    if (follower_pressure.has_face(cell.velocity_cell))
+    if (has_load_changes(cell))
     {
-      cell_load = 0.;
-      follower_pressure.add(cell.velocity_cell, step, cell_displacement, cell_load);
+      set_load_changes(cell);
       sum -= cell_load;
     }
     space.velocity_hanging.distribute_local_to_global(sum, cell.velocity_indices, momentum);
@@ -590,17 +590,26 @@ NonlinearEnergy DeformationTerms<dim>::energy_of(const unsigned int region, cons
 }
 
 template <int dim>
+void DeformationTerms<dim>::set_load_changes(const Cell &cell)
+{
+  cell_load = 0.;
+  if (follower_pressure.has_face(cell.velocity_cell))
+    follower_pressure.add(cell.velocity_cell, step, cell_displacement, cell_load);
+  if (body_force.has_changes(cell.region))
+    body_force.add(cells, cell, cell.points, step, cell_displacement, cell_load);
+}
+
+template <int dim>
 void DeformationTerms<dim>::add_loads(const BalancedStep &state,
                                       const std::optional<unsigned int> region,
                                       DistributedVector &forces)
 {
   take(state);
   for (const Cell &cell : cells.all())
-    if ((!region || cell.region == *region) && follower_pressure.has_face(cell.velocity_cell))
+    if ((!region || cell.region == *region) && has_load_changes(cell))
     {
       visit(cell);
-      cell_load = 0.;
-      follower_pressure.add(cell.velocity_cell, step, cell_displacement, cell_load);
+      set_load_changes(cell);
       space.velocity_hanging.distribute_local_to_global(cell_load, cell.velocity_indices, forces);
     }
   forces.compress(VectorOperation::add);
@@ -619,6 +628,9 @@ void DeformationTerms<dim>::set_derivative(const Cell &cell, FullMatrix<double> 
   if (follower_pressure.has_face(cell.velocity_cell))
     follower_pressure.subtract_derivative(cell.velocity_cell, step, cell_displacement,
                                           displacement_by_velocity, matrix);
+  if (body_force.has_changes(cell.region))
+    body_force.subtract_derivative(cells, cell, step, cell_displacement, displacement_by_velocity,
+                                   matrix);
 }
 
 template <int dim>

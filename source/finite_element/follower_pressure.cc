@@ -1,5 +1,6 @@
 #include <continua/finite_element/follower_pressure.h>
 
+#include <continua/finite_element/loads.h>
 #include <continua/mesh/cells_in_tree_order.h>
 #include <continua/mesh/coordinates.h>
 
@@ -34,19 +35,49 @@ void FollowerPressure<dim>::reinit()
         for (const BoundaryCondition &condition : problem.conditions)
         {
           const int cavity = condition.is_cavity() ? static_cast<int>(n_cavities++) : -1;
-          const BoundaryPart &part = condition.normal;
+          const bool is_on_liquid = !problem.materials[cell->material_id()].is_solid();
           if (!cell->face(f)->at_boundary() ||
               cell->face(f)->boundary_id() != condition.boundary_id ||
               condition.region_ids.count(cell->material_id()) == 0)
             continue;
-          if (cavity < 0 && (part.kind != BoundaryPart::Kind::traction || !part.negative ||
-                             part.along_normal.is_zero()))
+          if (cavity < 0 && !acts(condition, is_on_liquid))
             continue;
           values.reinit(static_cast<typename Triangulation<dim>::active_cell_iterator>(cell), f);
           faces_of_cells[number_of(cell)].push_back(
-              {&part, cavity, deformed_face_points(space, values)});
+              {&condition, cavity, is_on_liquid, deformed_face_points(space, values)});
         }
       }
+}
+
+template <int dim>
+bool FollowerPressure<dim>::acts(const BoundaryCondition &condition, const bool is_on_liquid)
+{
+  const auto has_vector = [](const BoundaryPart &part)
+  { return part.kind == BoundaryPart::Kind::traction && !part.vector.empty(); };
+  const BoundaryPart &normal = condition.normal;
+  if (normal.kind == BoundaryPart::Kind::traction && (normal.negative || is_on_liquid) &&
+      !normal.along_normal.is_zero())
+    return true;
+  return is_on_liquid && (has_vector(normal) || has_vector(condition.tangential));
+}
+
+template <int dim>
+Tensor<1, dim> FollowerPressure<dim>::force_on_liquid(const DeformedFacePoint<dim> &point,
+                                                      const Face &face,
+                                                      const Step &step,
+                                                      const Vector<double> &displacement) const
+{
+  const auto force = [&](const Point<dim> &place, const Tensor<1, 3> &area)
+  {
+    Tensor<1, dim> normal;
+    for (unsigned int c = 0; c < dim; ++c)
+      normal[c] = area[c] / area.norm();
+    return step.load_factor * area.norm() *
+           Loads<dim>::prescribed_traction(*face.condition, place, normal, step.balance_time);
+  };
+  return force(point.place + point.way(displacement),
+               point.kinematics(displacement).area(point.area)) -
+         force(point.place, point.area);
 }
 
 template <int dim>
@@ -57,7 +88,7 @@ double FollowerPressure<dim>::pressure_at(const DeformedFacePoint<dim> &point,
   if (face.cavity >= 0)
     return cavity_pressures[face.cavity];
   return step.load_factor *
-         face.part->along_normal(coordinates(point.place).data(), step.balance_time);
+         face.condition->normal.along_normal(coordinates(point.place).data(), step.balance_time);
 }
 
 template <int dim>
@@ -69,10 +100,18 @@ void FollowerPressure<dim>::add(const Cell &cell,
   for (const Face &face : faces_of_cells.at(number_of(cell)))
     for (const DeformedFacePoint<dim> &point : face.points)
     {
-      Tensor<1, 3> area = point.kinematics(displacement).area(point.area);
-      if (face.cavity < 0)
-        area -= point.area;
-      const Tensor<1, 3> force = -pressure_at(point, face, step) * area;
+      Tensor<1, dim> force;
+      if (face.is_of_liquid)
+        force = force_on_liquid(point, face, step, displacement);
+      else
+      {
+        Tensor<1, 3> area = point.kinematics(displacement).area(point.area);
+        if (face.cavity < 0)
+          area -= point.area;
+        const double pressure = pressure_at(point, face, step);
+        for (unsigned int c = 0; c < dim; ++c)
+          force[c] = -pressure * area[c];
+      }
       const unsigned int n_functions = point.n_functions();
       for (unsigned int c = 0; c < dim; ++c)
         for (unsigned int a = 0; a < n_functions; ++a)

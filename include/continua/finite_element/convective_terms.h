@@ -9,6 +9,7 @@
 #include <continua/finite_element/follower_pressure.h>
 #include <continua/finite_element/inflow_terms.h>
 #include <continua/finite_element/matrix_free_convection.h>
+#include <continua/finite_element/moved_body_force.h>
 #include <continua/finite_element/nonlinear_cell_terms.h>
 #include <continua/finite_element/space.h>
 #include <continua/finite_element/streamline_terms.h>
@@ -40,7 +41,7 @@ namespace Continua
  *
  * On a mesh that moves all of this is by the present place X + d, with dU/dt and dp/dt at the nodes
  * of the mesh and U - W in the place of the U that carries, or -W without convection; the
- * derivative is that with d and W held. Pressures of boundaries follow (FollowerPressure).
+ * derivative is that with d and W held. Loads follow (FollowerPressure, MovedBodyForce).
  */
 template <int dim>
 class ConvectiveTerms : public NonlinearCellTerms<dim>
@@ -114,6 +115,7 @@ private:
   DistributedVector acceleration, pressure_rate;
   DistributedVector mesh_displacement, mesh_velocity; ///< empty where the mesh stays
   FollowerPressure<dim> follower_pressure;            ///< likewise without faces
+  MovedBodyForce<dim> body_force;
   // Of the present cell; velocities component by component.
   const Cell *present = nullptr;
   dealii::Vector<double> cell_velocity, cell_acceleration, cell_pressure, cell_pressure_rate;
@@ -163,7 +165,7 @@ private:
     return {cell_velocity, cell_pressure, problem.mesh_moves ? &cell_mesh_displacement : nullptr,
             problem.mesh_moves ? &cell_mesh_velocity : nullptr};
   }
-  /// Whether the loads on a cell change as its mesh moves: pressures on faces, and the weight.
+  /// Whether the loads on a cell change as its mesh moves: those on faces, and the body force.
   bool has_load_changes(const Cell &cell) const;
   /// Sets cell_inflow to these loads less those of the mesh at rest; the cell is the present one.
   void set_load_changes(const Cell &cell);

@@ -5,6 +5,7 @@
 #include <continua/continuum/rest_state.h>
 #include <continua/finite_element/follower_pressure.h>
 #include <continua/finite_element/metric_history.h>
+#include <continua/finite_element/moved_body_force.h>
 #include <continua/finite_element/nonlinear_cell_terms.h>
 #include <continua/finite_element/wall_potentials.h>
 #include <continua/materials/strain_law.h>
@@ -106,6 +107,7 @@ private:
   MetricHistory<dim> *const metrics;
   std::vector<double> heat; ///< relaxation_power() by region
   FollowerPressure<dim> follower_pressure;
+  MovedBodyForce<dim> body_force;
   WallPotentials<dim> potentials;
   // Of the state, with ghost entries.
   DistributedVector displacement, pressure_rate, acceleration;
@@ -157,6 +159,13 @@ private:
   void add_stress(const dealii::SymmetricTensor<2, 3> &stress,
                   double weight,
                   dealii::Vector<double> &rows) const;
+  /// Whether the loads on a cell change as it moves.
+  bool has_load_changes(const Cell &cell) const
+  {
+    return follower_pressure.has_face(cell.velocity_cell) || body_force.has_changes(cell.region);
+  }
+  /// Sets cell_load to these loads less those of the body at rest; the cell is the present one.
+  void set_load_changes(const Cell &cell);
   /// Sets the rows of the present cell without its loads: cell_volume, and cell_forces by kind, or
   /// their sum in the first one. The least volume ratio.
   double integrate(bool by_kind);

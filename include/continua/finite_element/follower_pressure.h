@@ -21,8 +21,11 @@ namespace Continua
  *
  *   - int v . p n da,   n da = J F^-T N dA:
  *
- * those that are given, and those of cavities. The linear loads have -int v . p N dA of what is
- * given, which is therefore taken off here. What acts on the faces is found once for a mesh.
+ * those that are given, and those of cavities. On a liquid, whose mesh passes its matter, also
+ * tractions that are given, int v . t da; there a pressure or a traction that depends on the place
+ * has the present one, on a solid that of its matter at rest. The linear loads have the integral
+ * over the faces at rest of what is given, which is therefore taken off here. What acts on the
+ * faces is found once for a mesh.
  */
 template <int dim>
 class FollowerPressure
@@ -45,7 +48,7 @@ public:
            const Step &step,
            const dealii::Vector<double> &displacement,
            dealii::Vector<double> &forces) const;
-  /// Adds minus their derivative by the displacement times `factor`.
+  /// Adds minus their derivative by the displacement times `factor`, on a solid.
   void subtract_derivative(const Cell &cell,
                            const Step &step,
                            const dealii::Vector<double> &displacement,
@@ -55,8 +58,9 @@ public:
 private:
   struct Face
   {
-    const BoundaryPart *part;
+    const BoundaryCondition *condition;
     int cavity; ///< its number, or -1
+    bool is_of_liquid;
     std::vector<DeformedFacePoint<dim>> points;
   };
 
@@ -67,6 +71,13 @@ private:
   std::vector<double> cavity_pressures;
 
   static std::pair<int, int> number_of(const Cell &cell) { return {cell->level(), cell->index()}; }
+  /// Whether there is something to follow on a face of a condition.
+  static bool acts(const BoundaryCondition &condition, bool is_on_liquid);
+  /// The force of what is given on a liquid less that at rest [N].
+  dealii::Tensor<1, dim> force_on_liquid(const DeformedFacePoint<dim> &point,
+                                         const Face &face,
+                                         const Step &step,
+                                         const dealii::Vector<double> &displacement) const;
   /// Of the step [Pa].
   double pressure_at(const DeformedFacePoint<dim> &point, const Face &face, const Step &step) const;
 };
