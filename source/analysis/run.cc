@@ -112,7 +112,7 @@ void Run<dim>::initialise(const std::function<void()> &make_mesh)
   input.absorbing_ends.report(log, summary);
   solver = make_solver<dim>(*input.triangulation, input.problem, input.discretisation, log);
   solver->initialise();
-  input.probes.attach(*solver, input.problem.model);
+  input.probes.attach(*solver, input.problem.model, input.problem.mesh_moves);
   log.memory_use().mark("state and probes");
   InterruptibleSetUp::end_of_phase(input.communicator, "the initial state");
 

@@ -380,15 +380,6 @@ void check_deformation(const Case<dim> &input, ParameterSection root)
                 "a body without displacement has the volume of rest, and so no pressure of its own",
                 "Leave it out, give the displacement to which it belongs (p = -K ln J), or set "
                 "Initial state/Type = steady");
-  if (ParameterSection output = root.subsection("Output"); output.given("Further fields"))
-    output.refuse("Further fields",
-                  "these are fields of liquids by the mesh at rest, which finite deformation does "
-                  "not have",
-                  "Leave the entry out");
-  if (input.adaptation.changes_mesh() && input.adaptation.uses(Indicator::traction_jump))
-    root.subsection("Adaptivity")
-        .refuse("Indicator", "the jump of the traction is that of a small deformation",
-                "Set Indicator = kelly or a geometric one");
   if (ParameterSection exact = root.subsection("Exact solution"); exact.given("Stress"))
     exact.refuse("Stress", "the error of the stress is that of a small deformation",
                  "Compare the displacement or the pressure");

@@ -24,6 +24,27 @@ dealii::Tensor<1, dim> across(const dealii::Tensor<1, dim> &direction)
 } // namespace
 
 template <int dim>
+typename FieldDefinition<dim>::Directions
+FieldDefinition<dim>::directions(const dealii::Point<dim> &point) const
+{
+  Directions result;
+  dealii::Tensor<1, dim> distance = point - axis.point;
+  distance -= (distance * axis.direction) * axis.direction;
+  if (dim == 2 || distance.norm() == 0.)
+    distance = across(axis.direction);
+  distance /= distance.norm();
+  for (unsigned int c = 0; c < dim; ++c)
+  {
+    result.axial[c] = axis.direction[c];
+    result.radial[c] = distance[c];
+  }
+  for (unsigned int c = 0; c < 3; ++c)
+    result.hoop[c] = result.axial[(c + 1) % 3] * result.radial[(c + 2) % 3] -
+                     result.axial[(c + 2) % 3] * result.radial[(c + 1) % 3];
+  return result;
+}
+
+template <int dim>
 std::array<double, 6> FieldDefinition<dim>::factors(const dealii::Point<dim> &point) const
 {
   std::array<double, 6> result = {{0., 0., 0., 0., 0., 0.}};
@@ -42,22 +63,9 @@ std::array<double, 6> FieldDefinition<dim>::factors(const dealii::Point<dim> &po
     std::fill_n(result.begin(), 3, 1.);
     return result;
   }
-  std::array<double, 3> along = {{0., 0., 0.}}, radial = {{0., 0., 0.}}, hoop = {{0., 0., 0.}};
-  dealii::Tensor<1, dim> distance = point - axis.point;
-  distance -= (distance * axis.direction) * axis.direction;
-  if (dim == 2 || distance.norm() == 0.)
-    distance = across(axis.direction);
-  distance /= distance.norm();
-  for (unsigned int c = 0; c < dim; ++c)
-  {
-    along[c] = axis.direction[c];
-    radial[c] = distance[c];
-  }
-  // In axisymmetry z goes round the axis.
-  for (unsigned int c = 0; c < 3; ++c)
-    hoop[c] = along[(c + 1) % 3] * radial[(c + 2) % 3] - along[(c + 2) % 3] * radial[(c + 1) % 3];
+  const Directions here = directions(point);
   // a.sigma.b by the components of the stress.
-  const auto set_product = [&result](const std::array<double, 3> &a, const std::array<double, 3> &b)
+  const auto set_product = [&result](const dealii::Tensor<1, 3> &a, const dealii::Tensor<1, 3> &b)
   {
     for (unsigned int k = 0; k < result.size(); ++k)
     {
@@ -65,25 +73,31 @@ std::array<double, 6> FieldDefinition<dim>::factors(const dealii::Point<dim> &po
       result[k] = i == j ? a[i] * b[i] : a[i] * b[j] + a[j] * b[i];
     }
   };
+  const auto set_vector = [&result](const dealii::Tensor<1, 3> &vector)
+  {
+    for (unsigned int c = 0; c < 3; ++c)
+      result[c] = vector[c];
+  };
   switch (combination)
   {
   case Combination::radial:
-    std::copy(radial.begin(), radial.end(), result.begin());
+    set_vector(here.radial);
     break;
   case Combination::axial:
-    std::copy(along.begin(), along.end(), result.begin());
+    set_vector(here.axial);
     break;
   case Combination::hoop:
-    set_product(hoop, hoop);
+    set_product(here.hoop, here.hoop);
     break;
   case Combination::drag:
-    set_product(along, radial);
+    set_product(here.axial, here.radial);
     for (double &factor : result)
       factor = -factor;
     break;
   case Combination::component:
   case Combination::along:
   case Combination::trace:
+  case Combination::through:
     break;
   }
   return result;

@@ -6,6 +6,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -68,7 +69,7 @@ unsigned int FieldProbes<dim>::add(const ProbeRequest<dim> &request)
       probe.field.axis = {request.point, request.normal / request.normal.norm()};
     probe.is_sampled = needs_samples(request, probe.field);
   }
-  probe.follows_mesh = !probe.is_sampled && follows_mesh(request, probe.field);
+  probe.follows_mesh = follows_mesh(request, probe.field);
   probes.push_back(probe);
   try
   {
@@ -114,18 +115,27 @@ template <int dim>
 void FieldProbes<dim>::build(const unsigned int number)
 {
   Probe &probe = probes[number];
-  probe_being_built = number;
   Collector weights = collector();
+  const double measure = set_points(number, weights);
+  // What is fixed in space need not be where the body is.
+  if (measure == 0. && !probe.request.is_fixed_in_space)
+    throw std::invalid_argument(what_is_missing(probe.request.kind));
+  const bool is_whole = probe.request.is_integral() || probe.request.has_no_field();
+  probe.factor = is_whole || measure == 0. ? 1. : 1. / measure;
+  probe.weights = ProbeWeights(weights, probe.factor);
+}
+
+template <int dim>
+double FieldProbes<dim>::set_points(const unsigned int number, Collector &weights)
+{
+  const Probe &probe = probes[number];
+  probe_being_built = number;
   if (probe.is_sampled)
     begin_samples(number);
   const double measure = add_points(probe, weights);
   if (probe.is_sampled)
     end_samples();
-  if (measure == 0.)
-    throw std::invalid_argument(what_is_missing(probe.request.kind));
-  const bool is_whole = probe.request.is_integral() || probe.request.has_no_field();
-  probe.factor = is_whole ? 1. : 1. / measure;
-  probe.weights = ProbeWeights(weights, probe.factor);
+  return measure;
 }
 
 template <int dim>
@@ -189,10 +199,18 @@ void FieldProbes<dim>::evaluate(
                   [](const Probe &probe) { return probe.is_sampled || probe.follows_mesh; }))
     take_state(state);
   for (unsigned int number = 0; number < probes.size(); ++number)
-    if (probes[number].follows_mesh)
+    if (probes[number].follows_mesh && !probes[number].is_sampled)
       build(number);
+    else if (probes[number].request.is_fixed_in_space)
+    {
+      Collector no_weights = collector();
+      set_points(number, no_weights);
+    }
   const bool is_first = Utilities::MPI::this_mpi_process(problem.communicator) == 0;
   sums.clear();
+  // By which means of the present shape are divided.
+  std::vector<double> measures(probes.size(), 0.);
+  std::vector<bool> is_divided(probes.size(), false);
   for (unsigned int number = 0; number < probes.size(); ++number)
   {
     const Probe &probe = probes[number];
@@ -223,13 +241,24 @@ void FieldProbes<dim>::evaluate(
       sums.push_back(is_first ? coordinate : 0.);
       continue;
     }
-    double sum = 0.;
+    double sum = 0., measure = 0.;
     for (const Sample &point : samples)
+    {
       sum += point.weight * point.value;
-    sums.push_back(probe.factor * sum);
+      measure += point.weight;
+    }
+    is_divided[number] = probe.follows_mesh && !request.is_integral();
+    measures[number] = measure;
+    sums.push_back(is_divided[number] ? sum : probe.factor * sum);
   }
-  values.resize(probes.size());
+  sums.insert(sums.end(), measures.begin(), measures.end());
+  values.resize(sums.size());
   Utilities::MPI::sum(sums, problem.communicator, values);
+  for (unsigned int number = 0; number < probes.size(); ++number)
+    if (const double measure = values[probes.size() + number]; is_divided[number])
+      values[number] =
+          measure != 0. ? values[number] / measure : std::numeric_limits<double>::quiet_NaN();
+  values.resize(probes.size());
 }
 
 template <int dim>

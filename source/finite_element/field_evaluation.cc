@@ -1,7 +1,7 @@
 #include <continua/base/collective.h>
 #include <continua/finite_element/field_evaluation.h>
 #include <continua/finite_element/kinematics_at.h>
-
+#include <continua/finite_element/present_cell_point.h>
 #include <continua/mesh/cell_point.h>
 #include <continua/mesh/cells_in_tree_order.h>
 
@@ -54,7 +54,7 @@ bool FieldEvaluation<dim>::needs_samples(const ProbeRequest<dim> &request,
                                          const FieldDefinition<dim> &field) const
 {
   using Quantity = typename FieldDefinition<dim>::Quantity;
-  if (request.kind == ProbeRequest<dim>::Kind::sign_change)
+  if (request.kind == ProbeRequest<dim>::Kind::sign_change || follows_mesh(request, field))
     return true;
   if (problem.has_deformed_regions())
     return field.quantity != Quantity::velocity && field.quantity != Quantity::displacement &&
@@ -77,6 +77,8 @@ bool FieldEvaluation<dim>::follows_mesh(const ProbeRequest<dim> &request,
 {
   using Kind = typename ProbeRequest<dim>::Kind;
   using Quantity = typename FieldDefinition<dim>::Quantity;
+  if (request.is_fixed_in_space)
+    return true;
   if (!problem.mesh_moves)
     return false;
   switch (request.kind)
@@ -89,8 +91,10 @@ bool FieldEvaluation<dim>::follows_mesh(const ProbeRequest<dim> &request,
   case Kind::section_integral:
   case Kind::volume_mean:
   case Kind::volume_integral:
+  case Kind::rim_mean:
     // The mean of a displacement is one over matter.
-    return field.quantity == Quantity::velocity || field.quantity == Quantity::pressure;
+    return field.quantity != Quantity::displacement &&
+           field.quantity != Quantity::unloaded_displacement && field.quantity != Quantity::strain;
   default:
     return false;
   }
@@ -100,7 +104,7 @@ template <int dim>
 void FieldEvaluation<dim>::forget_mesh()
 {
   mesh_displacement = DistributedVector();
-  parts_of_probes.clear();
+  has_sampled_state = false;
   flows_of_probes.clear();
 }
 
@@ -114,40 +118,52 @@ void FieldEvaluation<dim>::take_state(const State &state)
 }
 
 template <int dim>
-void FieldEvaluation<dim>::stretch(const ProbeRequest<dim> &request,
-                                   const FieldDefinition<dim> &field,
-                                   const CellIterator &cell,
-                                   const FEValuesBase<dim> &values,
-                                   const std::vector<Tensor<1, dim>> &normals,
-                                   std::vector<double> &weights) const
+SampledShare FieldEvaluation<dim>::share(const ProbeRequest<dim> &request,
+                                         const FieldDefinition<dim> &field,
+                                         const Tensor<1, dim> &direction) const
 {
-  if (mesh_displacement.size() == 0 || !follows_mesh(request, field))
-    return;
-  std::vector<types::global_dof_index> indices(space.velocity_element.n_dofs_per_cell());
-  typename DoFHandler<dim>::active_cell_iterator(&space.triangulation, cell->level(), cell->index(),
-                                                 &space.velocity_dofs)
-      ->get_dof_indices(indices);
-  for (unsigned int q = 0; q < weights.size(); ++q)
+  using Kind = typename ProbeRequest<dim>::Kind;
+  SampledShare result;
+  if (!follows_mesh(request, field) || request.kind == Kind::point)
+    return result;
+  Tensor<1, 3> normal, across;
+  for (unsigned int c = 0; c < dim; ++c)
   {
-    const Kinematics motion = kinematics_at(space, values, q, indices, mesh_displacement);
-    if (normals.empty())
-      weights[q] *= motion.volume_ratio();
-    else
-    {
-      Tensor<1, 3> area;
-      for (unsigned int c = 0; c < dim; ++c)
-        area[c] = normals[q][c];
-      weights[q] *= motion.area(area).norm();
-    }
+    normal[c] = request.is_section() ? request.normal[c] / request.normal.norm() : direction[c];
+    across[c] = direction[c];
   }
+  switch (request.kind)
+  {
+  case Kind::volume_mean:
+  case Kind::volume_integral:
+    result.kind = SampledShare::Kind::volume;
+    break;
+  case Kind::rim_mean:
+    // In the plane of a model in two dimensions it is a point, whose line runs across the plane.
+    result.kind = SampledShare::Kind::line;
+    result.direction = cross_product_3d(normal, across);
+    break;
+  default:
+    result.kind = SampledShare::Kind::area;
+    result.direction = normal;
+  }
+  return result;
 }
 
 template <int dim>
 void FieldEvaluation<dim>::begin_samples(const unsigned int probe)
 {
-  // Of a probe that is set up anew the mesh is another one.
-  sampled_state.reinit();
-  const auto &[request, field] = this->definition(probe);
+  if (!has_sampled_state)
+    sampled_state.reinit();
+  has_sampled_state = true;
+  const auto &definition = this->definition(probe);
+  const ProbeRequest<dim> &request = definition.first;
+  FieldDefinition<dim> field = definition.second;
+  // The flow through a section that has turned or bent is that along its present normal.
+  if (request.kind == ProbeRequest<dim>::Kind::section_integral && follows_mesh(request, field) &&
+      field.quantity == FieldDefinition<dim>::Quantity::velocity &&
+      field.combination == FieldDefinition<dim>::Combination::axial)
+    field.combination = FieldDefinition<dim>::Combination::through;
   samples_of_probes.erase(probe);
   samples_to_fill = &samples_of_probes
                          .emplace(probe, Samples{field, request.component,
@@ -160,7 +176,8 @@ void FieldEvaluation<dim>::sample(const unsigned int probe, std::vector<Sample> 
 {
   const Samples &of_probe = samples_of_probes.at(probe);
   for (unsigned int i = 0; i < of_probe.points.size(); ++i)
-    samples.push_back({of_probe.points.weight(i), of_probe.points.place(i)[of_probe.coordinate],
+    samples.push_back({of_probe.points.weight(sampled_state, i),
+                       of_probe.points.place(sampled_state, i)[of_probe.coordinate],
                        of_probe.points.value(of_probe.field, sampled_state, i)});
 }
 
@@ -192,11 +209,14 @@ double FieldEvaluation<dim>::add_point(const ProbeRequest<dim> &request,
   Point<dim> unit_point;
   CellId chosen_id;
   bool found = false;
-  for (const auto &cell : space.triangulation.active_cell_iterators())
+  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
     if (cell->is_locally_owned() && this->counts(request, cell->material_id()))
     {
       Point<dim> candidate;
-      if (cell_holds_point<dim>(space.mapping, cell, request.point, candidate) &&
+      if ((request.is_fixed_in_space
+               ? cell_holds_present_point(space, cell, sampled_state.displacement, request.point,
+                                          candidate)
+               : cell_holds_point<dim>(space.mapping, cell, request.point, candidate)) &&
           (!found || cell->id() < chosen_id))
       {
         found = true;
@@ -211,7 +231,7 @@ double FieldEvaluation<dim>::add_point(const ProbeRequest<dim> &request,
     if (!of_rank.empty() && (first.empty() || CellId(of_rank) < CellId(first)))
       first = of_rank;
   if (found && CellId(first) == chosen_id)
-    add_values(field, chosen, Quadrature<dim>(unit_point), {1.}, collector);
+    add_values(field, chosen, Quadrature<dim>(unit_point), {1.}, collector, {SampledShare()});
   return first.empty() ? 0. : 1.;
 }
 
@@ -240,12 +260,12 @@ double FieldEvaluation<dim>::add_boundary(const ProbeRequest<dim> &request,
           std::vector<double> weights;
           for (const unsigned int q : values.quadrature_point_indices())
             weights.push_back(values.JxW(q) * space.measure(values.quadrature_point(q)));
-          stretch(request, field, cell, values, values.get_normal_vectors(), weights);
           for (const unsigned int q : values.quadrature_point_indices())
           {
             area += weights[q];
             add_value(field, cell, values, pressure_values.get_present_fe_values(), q, weights[q],
-                      collector, values.normal_vector(q));
+                      collector, share(request, field, values.normal_vector(q)),
+                      values.normal_vector(q));
           }
         }
   return Utilities::MPI::sum(area, space.communicator);
@@ -256,40 +276,25 @@ double FieldEvaluation<dim>::add_section(const ProbeRequest<dim> &request,
                                          const FieldDefinition<dim> &field,
                                          Collector &collector) const
 {
-  using Parts = std::vector<typename PlaneSection<dim>::Part>;
-  const auto cut = [&]() -> Parts
-  {
-    // One more Gauss point than on cells, since the integrand is not a polynomial in the plane.
-    const PlaneSection<dim> section(
-        space.mapping, space.triangulation, PlaneSection<dim>::Cells::active, request.region_ids,
-        request.point, request.normal, space.n_quadrature_points() + 1, request.axis.get());
-    return request.kind == ProbeRequest<dim>::Kind::rim_mean ? section.outer_rim()
-                                                             : section.parts();
-  };
-  Parts of_mesh_at_rest;
-  const bool moves = follows_mesh(request, field);
-  if (!moves)
-    of_mesh_at_rest = cut();
-  else if (parts_of_probes.count(this->present_probe()) == 0)
-    parts_of_probes[this->present_probe()] = cut();
-  const Parts &parts = moves ? parts_of_probes[this->present_probe()] : of_mesh_at_rest;
+  // One more Gauss point than on cells, since the integrand is not a polynomial in the plane.
+  const PlaneSection<dim> section(
+      space.mapping, space.triangulation, PlaneSection<dim>::Cells::active, request.region_ids,
+      request.point, request.normal, space.n_quadrature_points() + 1, request.axis.get());
+  const auto parts =
+      request.kind == ProbeRequest<dim>::Kind::rim_mean ? section.outer_rim() : section.parts();
   double area = 0.;
   for (const auto &part : parts)
   {
     std::vector<double> weights = part.quadrature.get_weights();
+    std::vector<SampledShare> shares;
     for (unsigned int q = 0; q < weights.size(); ++q)
-      weights[q] *= space.measure(part.points[q]);
-    if (moves)
     {
-      FEValues<dim> values(space.mapping, space.velocity_element, part.quadrature,
-                           update_values | update_gradients | update_quadrature_points);
-      values.reinit(part.cell);
-      const std::vector<Tensor<1, dim>> normals(weights.size(),
-                                                request.normal / request.normal.norm());
-      stretch(request, field, part.cell, values, normals, weights);
+      weights[q] *= space.measure(part.points[q]);
+      shares.push_back(
+          share(request, field, part.normals.empty() ? Tensor<1, dim>() : part.normals[q]));
     }
     area = std::accumulate(weights.begin(), weights.end(), area);
-    add_values(field, part.cell, part.quadrature, weights, collector);
+    add_values(field, part.cell, part.quadrature, weights, collector, shares);
   }
   return Utilities::MPI::sum(area, space.communicator);
 }
@@ -315,12 +320,11 @@ double FieldEvaluation<dim>::add_volume(const ProbeRequest<dim> &request,
       std::vector<double> weights;
       for (const unsigned int q : values.quadrature_point_indices())
         weights.push_back(values.JxW(q) * space.measure(values.quadrature_point(q)));
-      stretch(request, field, cell, values, {}, weights);
       for (const unsigned int q : values.quadrature_point_indices())
       {
         volume += weights[q];
         add_value(field, cell, values, pressure_values.get_present_fe_values(), q, weights[q],
-                  collector);
+                  collector, share(request, field, Tensor<1, dim>()));
       }
     }
   return Utilities::MPI::sum(volume, space.communicator);
@@ -421,7 +425,8 @@ void FieldEvaluation<dim>::add_values(const FieldDefinition<dim> &field,
                                       const CellIterator &cell,
                                       const Quadrature<dim> &points,
                                       const std::vector<double> &weights,
-                                      Collector &collector) const
+                                      Collector &collector,
+                                      const std::vector<SampledShare> &shares) const
 {
   FEValues<dim> values(space.mapping, space.velocity_element, points,
                        update_values | update_gradients | update_quadrature_points);
@@ -433,7 +438,7 @@ void FieldEvaluation<dim>::add_values(const FieldDefinition<dim> &field,
       &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs));
   for (unsigned int q = 0; q < weights.size(); ++q)
     add_value(field, cell, values, pressure_values.get_present_fe_values(), q, weights[q],
-              collector);
+              collector, shares[q]);
 }
 
 template <int dim>
@@ -444,6 +449,7 @@ void FieldEvaluation<dim>::add_value(const FieldDefinition<dim> &field,
                                      const unsigned int q,
                                      const double weight,
                                      Collector &collector,
+                                     const SampledShare &share,
                                      const Tensor<1, dim> &normal) const
 {
   using Quantity = typename FieldDefinition<dim>::Quantity;
@@ -454,7 +460,7 @@ void FieldEvaluation<dim>::add_value(const FieldDefinition<dim> &field,
                                             : field.factors(values.quadrature_point(q));
   if (samples_to_fill != nullptr)
   {
-    samples_to_fill->add(cell, values, pressure_values, q, normal, factors, weight);
+    samples_to_fill->add(cell, values, pressure_values, q, normal, factors, weight, share);
     return;
   }
   const auto combine = [&factors](const std::array<double, 6> &components)
@@ -553,6 +559,12 @@ double FieldEvaluation<dim>::error_norm(const State &state,
                            update_JxW_values);
   hp::FEValues<dim> hp_pressure_values(space.mappings, space.pressure_elements,
                                        hp::QCollection<dim>(quadrature), update_values);
+  // What a mesh that moves shows is compared where it is; displacements are those of matter.
+  const bool moves = state.mesh_displacement != nullptr && field != "displacement";
+  const DistributedVector displacement =
+      moves ? space.ghosted_velocity(*state.mesh_displacement) : DistributedVector();
+  std::vector<types::global_dof_index> indices(space.velocity_element.n_dofs_per_cell());
+  std::vector<Vector<double>> ways(quadrature.size(), Vector<double>(dim));
   std::vector<Vector<double>> vector_values(quadrature.size(), Vector<double>(dim));
   std::vector<std::vector<Tensor<1, dim>>> gradients(quadrature.size(),
                                                      std::vector<Tensor<1, dim>>(dim));
@@ -574,12 +586,19 @@ double FieldEvaluation<dim>::error_norm(const State &state,
         values.get_function_values(vectors[is_stress ? region : 0], vector_values);
       if (is_stress)
         values.get_function_gradients(vectors[region], gradients);
+      if (moves)
+      {
+        values.get_function_values(displacement, ways);
+        cell->get_dof_indices(indices);
+      }
       for (const unsigned int q : values.quadrature_point_indices())
       {
         const Point<dim> &point = values.quadrature_point(q);
         double coordinates[3] = {0., 0., 0.};
         for (unsigned int c = 0; c < dim; ++c)
-          coordinates[c] = point[c];
+          coordinates[c] = point[c] + ways[q][c];
+        const double stretch =
+            moves ? kinematics_at(space, values, q, indices, displacement).volume_ratio() : 1.;
         std::array<double, 6> present = {{0., 0., 0., 0., 0., 0.}};
         const double p = pressures[q][space.pressure_component(region)];
         if (is_pressure)
@@ -601,7 +620,7 @@ double FieldEvaluation<dim>::error_norm(const State &state,
           const double difference = present[c] - exact[c](coordinates, time);
           square += difference * difference;
         }
-        sum += square * values.JxW(q) * space.measure(point);
+        sum += square * stretch * values.JxW(q) * space.measure(point);
       }
     }
   return std::sqrt(Utilities::MPI::sum(sum, space.communicator));

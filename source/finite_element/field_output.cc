@@ -105,9 +105,7 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
   // Gradients of the velocity, for fields that are asked for.
   const unsigned int n_always = cell_field_names<dim>().size();
   const bool has_further = names.size() > n_always;
-  std::vector<Vector<double>> velocity_values(has_further ? nodes.size() : 0, Vector<double>(dim));
-  std::vector<std::vector<Tensor<1, dim>>> velocity_gradients(velocity_values.size(),
-                                                              std::vector<Tensor<1, dim>>(dim));
+  std::vector<Tensor<2, 3>> velocity_gradients(nodes.size());
   std::vector<Vector<double>> pressures(nodes.size(),
                                         Vector<double>(space.pressure_elements.n_components()));
   std::vector<types::global_dof_index> indices(cell_element.n_dofs_per_cell());
@@ -132,10 +130,7 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
       values.get_function_values(mixtures[region], mixture_values);
       values.get_function_gradients(mixtures[region], gradients);
       if (has_further)
-      {
-        values.get_function_values(velocity, velocity_values);
-        values.get_function_gradients(velocity, velocity_gradients);
-      }
+        set_velocity_gradients(values, problem.is_deformed(region), velocity_gradients);
       hp_pressure_values.reinit(typename DoFHandler<dim>::active_cell_iterator(
           &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs));
       hp_pressure_values.get_present_fe_values().get_function_values(pressure, pressures);
@@ -160,16 +155,6 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
           cell_fields[indices[i]] = problem.plane_stress(region).pressure_factor * p;
           continue;
         }
-        const bool is_further = component >= n_always;
-        Tensor<2, dim> gradient;
-        for (unsigned int c = 0; c < dim; ++c)
-          gradient[c] = (is_further ? velocity_gradients : gradients)[q][c];
-        const double r = values.quadrature_point(q)[1];
-        // On the axis the hoop strain is the radial one.
-        double hoop = 0.;
-        if (space.is_axisymmetric())
-          hoop =
-              r > 0. ? (is_further ? velocity_values : mixture_values)[q][1] / r : gradient[1][1];
         if (names[component] == wall_axis || names[component] == wall_circumference)
         {
           const Tensor<1, 3> &direction =
@@ -178,12 +163,16 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
           cell_fields[indices[i]] = direction[2 - (names.size() - 1 - component) % 3];
           continue;
         }
-        if (is_further)
+        Tensor<2, dim> gradient;
+        if (component >= n_always)
         {
+          for (unsigned int c = 0; c < dim; ++c)
+            for (unsigned int d = 0; d < dim; ++d)
+              gradient[c][d] = velocity_gradients[q][c][d];
           const bool is_vorticity = names[component] == "vorticity";
           cell_fields[indices[i]] =
               is_vorticity ? vorticity<dim>(gradient)[dim == 2 ? 2 : component - n_always]
-                           : q_criterion<dim>(gradient, hoop, problem.model);
+                           : q_criterion<dim>(gradient, velocity_gradients[q][2][2], problem.model);
           continue;
         }
         if (is_finite)
@@ -191,6 +180,13 @@ std::map<std::string, std::string> FieldOutput<dim>::add(const State &state, Dat
           cell_fields[indices[i]] = finite_stresses[q][component - 1];
           continue;
         }
+        for (unsigned int c = 0; c < dim; ++c)
+          gradient[c] = gradients[q][c];
+        const double r = values.quadrature_point(q)[1];
+        // On the axis the hoop strain is the radial one.
+        double hoop = 0.;
+        if (space.is_axisymmetric())
+          hoop = r > 0. ? mixture_values[q][1] / r : gradient[1][1];
         if (material.shear.flow_curve)
         {
           const double factor =
@@ -258,6 +254,20 @@ void FieldOutput<dim>::set_gradients(const FEValues<dim> &values,
       hoop = r > 0. ? entries[q][1] / r : gradient[1][1];
     target[q] = whole_gradient<dim>(gradient, hoop);
   }
+}
+
+template <int dim>
+void FieldOutput<dim>::set_velocity_gradients(const FEValues<dim> &values,
+                                              const bool is_deformed,
+                                              std::vector<Tensor<2, 3>> &target) const
+{
+  set_gradients(values, velocity, target);
+  if (!is_deformed)
+    return;
+  std::vector<Tensor<2, 3>> of_displacement(target.size());
+  set_gradients(values, displacement, of_displacement);
+  for (unsigned int q = 0; q < target.size(); ++q)
+    target[q] = Kinematics(of_displacement[q]).gradient(target[q]);
 }
 
 template <int dim>

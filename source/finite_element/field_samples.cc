@@ -62,45 +62,60 @@ void SampledState<dim>::take(const State &state)
 }
 
 template <int dim>
+void FieldSamples<dim>::add_cell(const typename Triangulation<dim>::cell_iterator &cell)
+{
+  cells.push_back({cell->level(), cell->index(), {}, {}});
+  SampledCell &added = cells.back();
+  const FiniteElement<dim> &element = space.velocity_element;
+  std::vector<types::global_dof_index> indices(element.n_dofs_per_cell());
+  typename DoFHandler<dim>::active_cell_iterator(&space.triangulation, cell->level(), cell->index(),
+                                                 &space.velocity_dofs)
+      ->get_dof_indices(indices);
+  added.nodes.resize(element.n_dofs_per_cell() / dim);
+  for (unsigned int i = 0; i < indices.size(); ++i)
+  {
+    const auto [component, node] = element.system_to_component_index(i);
+    added.nodes[node][component] = indices[i];
+  }
+  const typename DoFHandler<dim>::active_cell_iterator pressure_cell(
+      &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs);
+  added.pressure_indices.resize(pressure_cell->get_fe().n_dofs_per_cell());
+  pressure_cell->get_dof_indices(added.pressure_indices);
+}
+
+template <int dim>
 void FieldSamples<dim>::add(const typename Triangulation<dim>::cell_iterator &cell,
                             const FEValuesBase<dim> &values,
                             const FEValuesBase<dim> &of_pressure,
                             const unsigned int q,
                             const Tensor<1, dim> &normal,
                             const std::array<double, 6> &factors,
-                            const double weight)
+                            const double weight,
+                            const SampledShare &share)
 {
   SamplePoint point;
   point.region = cell->material_id();
   point.weight = weight;
+  point.share = share;
   point.place = values.quadrature_point(q);
   point.normal = normal;
   point.factors = factors;
 
-  const typename DoFHandler<dim>::active_cell_iterator velocity_cell(
-      &space.triangulation, cell->level(), cell->index(), &space.velocity_dofs);
+  // The points of a cell come one after the other.
+  if (cells.empty() || cell->index() != cells.back().index || cell->level() != cells.back().level)
+    add_cell(cell);
+  point.cell = cells.size() - 1;
   const FiniteElement<dim> &element = space.velocity_element;
-  std::vector<types::global_dof_index> indices(element.n_dofs_per_cell());
-  velocity_cell->get_dof_indices(indices);
-  const unsigned int n_nodes = element.n_dofs_per_cell() / dim;
-  point.nodes.resize(n_nodes);
+  const unsigned int n_nodes = cells.back().nodes.size();
   point.values.resize(n_nodes);
   point.gradients.resize(n_nodes);
-  for (unsigned int i = 0; i < indices.size(); ++i)
-  {
-    const auto [component, node] = element.system_to_component_index(i);
-    point.nodes[node][component] = indices[i];
-    if (component == 0)
+  for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)
+    if (const auto [component, node] = element.system_to_component_index(i); component == 0)
     {
       point.values[node] = values.shape_value(i, q);
       point.gradients[node] = values.shape_grad(i, q);
     }
-  }
-  const typename DoFHandler<dim>::active_cell_iterator pressure_cell(
-      &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs);
-  point.pressure_indices.resize(pressure_cell->get_fe().n_dofs_per_cell());
-  pressure_cell->get_dof_indices(point.pressure_indices);
-  for (unsigned int i = 0; i < point.pressure_indices.size(); ++i)
+  for (unsigned int i = 0; i < cells.back().pressure_indices.size(); ++i)
     point.pressure_values.push_back(of_pressure.shape_value(i, q));
   if (metrics != nullptr)
     point.metric_weights =
@@ -113,9 +128,10 @@ Tensor<2, dim> FieldSamples<dim>::gradient(const SamplePoint &point,
                                            const DistributedVector &vector) const
 {
   Tensor<2, dim> result;
-  for (unsigned int node = 0; node < point.nodes.size(); ++node)
+  const auto &nodes = cells[point.cell].nodes;
+  for (unsigned int node = 0; node < nodes.size(); ++node)
     for (unsigned int c = 0; c < dim; ++c)
-      result[c] += vector(point.nodes[node][c]) * point.gradients[node];
+      result[c] += vector(nodes[node][c]) * point.gradients[node];
   return result;
 }
 
@@ -124,9 +140,10 @@ Tensor<1, dim> FieldSamples<dim>::vector_value(const SamplePoint &point,
                                                const DistributedVector &vector) const
 {
   Tensor<1, dim> result;
-  for (unsigned int node = 0; node < point.nodes.size(); ++node)
+  const auto &nodes = cells[point.cell].nodes;
+  for (unsigned int node = 0; node < nodes.size(); ++node)
     for (unsigned int c = 0; c < dim; ++c)
-      result[c] += vector(point.nodes[node][c]) * point.values[node];
+      result[c] += vector(nodes[node][c]) * point.values[node];
   return result;
 }
 
@@ -140,6 +157,32 @@ double FieldSamples<dim>::hoop(const SamplePoint &point,
   // On the axis the hoop strain is the radial one.
   const double r = point.place[1];
   return r > 0. ? vector_value(point, vector)[1] / r : gradient[1][1];
+}
+
+template <int dim>
+double FieldSamples<dim>::weight(const SampledState<dim> &state, const unsigned int number) const
+{
+  using Kind = SampledShare::Kind;
+  const SamplePoint &point = points[number];
+  if (point.share.kind == Kind::at_rest)
+    return point.weight;
+  const Kinematics motion = kinematics_at(point, state);
+  switch (point.share.kind)
+  {
+  case Kind::line:
+    return point.weight * (motion.deformation_gradient() * point.share.direction).norm();
+  case Kind::area:
+    return point.weight * motion.area(point.share.direction).norm();
+  default:
+    return point.weight * motion.volume_ratio();
+  }
+}
+
+template <int dim>
+Point<dim> FieldSamples<dim>::place(const SampledState<dim> &state, const unsigned int number) const
+{
+  const SamplePoint &point = points[number];
+  return problem.mesh_moves ? point.place + vector_value(point, state.displacement) : point.place;
 }
 
 template <int dim>
@@ -203,20 +246,59 @@ template <int dim>
 double FieldSamples<dim>::pressure_at(const SamplePoint &point,
                                       const SampledState<dim> &state) const
 {
+  const auto &indices = cells[point.cell].pressure_indices;
   double p = 0.;
-  for (unsigned int i = 0; i < point.pressure_indices.size(); ++i)
-    p += point.pressure_values[i] * state.pressure(point.pressure_indices[i]);
+  for (unsigned int i = 0; i < indices.size(); ++i)
+    p += point.pressure_values[i] * state.pressure(indices[i]);
   return p;
+}
+
+template <int dim>
+Tensor<1, dim> FieldSamples<dim>::traction_at(const SampledState<dim> &state,
+                                              const unsigned int number) const
+{
+  return traction<dim>(stress_at(points[number], state), normal_at(points[number], state));
 }
 
 template <int dim>
 Tensor<1, dim> FieldSamples<dim>::shear_on_wall(const SampledState<dim> &state,
                                                 const unsigned int number) const
 {
-  const SamplePoint &point = points[number];
-  const Tensor<1, dim> normal = normal_at(point, state);
-  const Tensor<1, dim> whole = traction<dim>(stress_at(point, state), normal);
+  const Tensor<1, dim> normal = normal_at(points[number], state),
+                       whole = traction_at(state, number);
   return (whole * normal) * normal - whole;
+}
+
+template <int dim>
+double FieldSamples<dim>::drag_at(const FieldDefinition<dim> &field,
+                                  const SamplePoint &point,
+                                  const SampledState<dim> &state) const
+{
+  const auto directions = field.directions(point.place);
+  const Kinematics motion = kinematics_at(point, state);
+  const Tensor<1, 3> along = motion.deformation_gradient() * directions.axial,
+                     normal = motion.area(directions.radial);
+  const std::array<double, 6> stress = stress_at(point, state);
+  double sum = 0.;
+  for (unsigned int k = 0; k < stress.size(); ++k)
+  {
+    const auto [i, j] = stress_pairs[k];
+    sum +=
+        stress[k] * (i == j ? along[i] * normal[i] : along[i] * normal[j] + along[j] * normal[i]);
+  }
+  return -sum / (along.norm() * normal.norm());
+}
+
+template <int dim>
+double FieldSamples<dim>::velocity_through(const SamplePoint &point,
+                                           const SampledState<dim> &state) const
+{
+  const Tensor<1, 3> area = kinematics_at(point, state).area(point.share.direction);
+  const Tensor<1, dim> velocity = vector_value(point, state.velocity);
+  double sum = 0.;
+  for (unsigned int c = 0; c < dim; ++c)
+    sum += velocity[c] * area[c];
+  return sum / area.norm();
 }
 
 template <int dim>
@@ -270,7 +352,11 @@ double FieldSamples<dim>::value(const FieldDefinition<dim> &field,
   switch (field.quantity)
   {
   case Quantity::velocity:
+    if (field.combination == FieldDefinition<dim>::Combination::through)
+      return velocity_through(point, state);
     return product(vector_value(point, state.velocity));
+  case Quantity::displacement:
+    return product(vector_value(point, state.displacement));
   case Quantity::unloaded_displacement:
     return product(vector_value(point, state.unloaded_displacement));
   case Quantity::pressure:
@@ -307,6 +393,9 @@ double FieldSamples<dim>::value(const FieldDefinition<dim> &field,
   }
   default:
   {
+    if (field.combination == FieldDefinition<dim>::Combination::drag &&
+        problem.is_deformed(point.region))
+      return drag_at(field, point, state);
     const std::array<double, 6> components = stress_at(point, state);
     return std::inner_product(components.begin(), components.end(), point.factors.begin(), 0.);
   }

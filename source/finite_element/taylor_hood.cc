@@ -867,14 +867,14 @@ void TaylorHood<dim>::indicators(const IndicatorRequest &request,
                                  Vector<float> &per_cell)
 {
   if (request.kind == IndicatorRequest::Kind::traction_jump)
-    traction_jump_indicators(space, problem, evaluation, state, port_pressures, time, per_cell);
+    traction_jump_indicators(space, problem, metrics.get(), state, port_pressures, time, per_cell);
   else if (request.field == IndicatorField::pressure)
-    kelly_indicators_of_pressure(space, state.pressure, per_cell);
+    kelly_indicators_of_pressure(space, state.pressure, state.mesh_displacement, per_cell);
   else
     kelly_indicators_of_velocity(
         space,
         request.field == IndicatorField::velocity ? state.velocity : state.displacement_of_shape(),
-        per_cell);
+        state.mesh_displacement, per_cell);
 }
 
 template <int dim>

@@ -1,7 +1,10 @@
 #include <continua/finite_element/traction_jump.h>
 
 #include <continua/finite_element/face_pieces.h>
+#include <continua/finite_element/field_samples.h>
 #include <continua/finite_element/loads.h>
+#include <continua/finite_element/present_diameter.h>
+#include <continua/mesh/coordinates.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
@@ -19,19 +22,20 @@ namespace
 const UpdateFlags flags = update_values | update_gradients | update_quadrature_points |
                           update_JxW_values | update_normal_vectors;
 
-/// Tractions on one side of a face, from the fields of the cell on that side.
+/// Tractions on one side of a face, from the fields of the cell on that side; of a deformed region
+/// those of the present shape.
 template <int dim>
 class SideTractions
 {
 public:
   SideTractions(const Space<dim> &space,
                 const Problem &problem,
-                const std::vector<DistributedVector> &mixtures,
-                const DistributedVector &pressure)
+                const MetricHistory<dim> *const metrics,
+                const SampledState<dim> &state)
       : space(space),
         problem(problem),
-        mixtures(mixtures),
-        pressure(pressure),
+        state(state),
+        samples(space, problem, metrics),
         quadrature(space.degree() + 1),
         face_values(space.mapping, space.velocity_element, quadrature, flags),
         subface_values(space.mapping, space.velocity_element, quadrature, flags),
@@ -46,7 +50,10 @@ public:
         values(quadrature.size(), Vector<double>(dim)),
         gradients(quadrature.size(), std::vector<Tensor<1, dim>>(dim)),
         pressures(quadrature.size(), Vector<double>(space.pressure_elements.n_components())),
-        tractions(quadrature.size())
+        tractions(quadrature.size()),
+        normals(quadrature.size()),
+        places(quadrature.size()),
+        face_weights(quadrature.size())
   {
   }
 
@@ -66,14 +73,19 @@ public:
     pressure_subface_values.reinit(pressure_cell(cell), f, subface);
     return compute(cell, subface_values, pressure_subface_values.get_present_fe_values());
   }
-  /// Of the face or child looked at last.
-  const FEValuesBase<dim> &last() const { return *last_values; }
+  // Of the face or child looked at last.
+  const FEValuesBase<dim> &at_rest() const { return *last_values; }
+  const Tensor<1, dim> &normal(const unsigned int q) const { return normals[q]; }
+  /// Of a mesh that moves the present one.
+  const Point<dim> &place(const unsigned int q) const { return places[q]; }
+  /// [m^2, in the plane m]
+  double weight(const unsigned int q) const { return face_weights[q]; }
 
 private:
   const Space<dim> &space;
   const Problem &problem;
-  const std::vector<DistributedVector> &mixtures;
-  const DistributedVector &pressure;
+  const SampledState<dim> &state;
+  FieldSamples<dim> samples;
   QGauss<dim - 1> quadrature;
   FEFaceValues<dim> face_values;
   FESubfaceValues<dim> subface_values;
@@ -82,7 +94,9 @@ private:
   std::vector<Vector<double>> values;
   std::vector<std::vector<Tensor<1, dim>>> gradients;
   std::vector<Vector<double>> pressures;
-  std::vector<Tensor<1, dim>> tractions;
+  std::vector<Tensor<1, dim>> tractions, normals;
+  std::vector<Point<dim>> places;
+  std::vector<double> face_weights;
   const FEValuesBase<dim> *last_values = nullptr;
 
   Cell pressure_cell(const Cell &cell) const
@@ -93,10 +107,26 @@ private:
                                              const FEValuesBase<dim> &fe_values,
                                              const FEValuesBase<dim> &pressure_values)
   {
-    const unsigned int region = cell->material_id();
-    fe_values.get_function_values(mixtures[region], values);
-    fe_values.get_function_gradients(mixtures[region], gradients);
-    pressure_values.get_function_values(pressure, pressures);
+    last_values = &fe_values;
+    for (unsigned int q = 0; q < tractions.size(); ++q)
+    {
+      normals[q] = fe_values.normal_vector(q);
+      places[q] = fe_values.quadrature_point(q);
+      face_weights[q] = fe_values.JxW(q) * space.measure(fe_values.quadrature_point(q));
+    }
+    if (problem.is_deformed(cell->material_id()))
+      compute_deformed(cell, fe_values, pressure_values);
+    else
+      compute_linear(cell->material_id(), fe_values, pressure_values);
+    return tractions;
+  }
+  void compute_linear(const unsigned int region,
+                      const FEValuesBase<dim> &fe_values,
+                      const FEValuesBase<dim> &pressure_values)
+  {
+    fe_values.get_function_values(state.mixtures[region], values);
+    fe_values.get_function_gradients(state.mixtures[region], gradients);
+    pressure_values.get_function_values(state.pressure, pressures);
     for (unsigned int q = 0; q < tractions.size(); ++q)
     {
       Tensor<2, dim> gradient;
@@ -113,12 +143,39 @@ private:
       tractions[q] =
           traction<dim>(stress<dim>(gradient, hoop, pressures[q][space.pressure_component(region)],
                                     problem.model),
-                        fe_values.normal_vector(q));
+                        normals[q]);
     }
-    last_values = &fe_values;
-    return tractions;
+  }
+  void compute_deformed(const Cell &cell,
+                        const FEValuesBase<dim> &fe_values,
+                        const FEValuesBase<dim> &pressure_values)
+  {
+    samples.clear();
+    for (unsigned int q = 0; q < tractions.size(); ++q)
+    {
+      SampledShare share;
+      share.kind = SampledShare::Kind::area;
+      for (unsigned int c = 0; c < dim; ++c)
+        share.direction[c] = normals[q][c];
+      samples.add(cell, fe_values, pressure_values, q, normals[q], {}, face_weights[q], share);
+      tractions[q] = samples.traction_at(state, q);
+      normals[q] = samples.normal(state, q);
+      places[q] = samples.place(state, q);
+      face_weights[q] = samples.weight(state, q);
+    }
   }
 };
+
+/// What follows the face of a deformed body [Pa].
+template <int dim>
+double
+prescribed_pressure(const BoundaryCondition &condition, const Point<dim> &place, const double time)
+{
+  const BoundaryPart &part = condition.normal;
+  return part.kind == BoundaryPart::Kind::traction && part.negative
+             ? part.along_normal(coordinates(place).data(), time)
+             : 0.;
+}
 
 /// By which what is around the body pushes back.
 template <int dim>
@@ -145,18 +202,17 @@ Tensor<1, dim> support_traction(const BoundaryCondition &condition,
 template <int dim>
 void traction_jump_indicators(const Space<dim> &space,
                               const Problem &problem,
-                              const FieldEvaluation<dim> &evaluation,
+                              const MetricHistory<dim> *const metrics,
                               const State &state,
                               const std::vector<double> &outlet_pressures,
                               const double time,
                               Vector<float> &per_cell)
 {
-  const DistributedVector pressure = space.ghosted_pressure(state.pressure);
-  std::vector<DistributedVector> mixtures;
-  for (unsigned int region = 0; region < problem.regions.size(); ++region)
-    mixtures.push_back(evaluation.ghosted_mixture(state, region));
-  SideTractions<dim> here(space, problem, mixtures, pressure),
-      there(space, problem, mixtures, pressure);
+  SampledState<dim> sampled(space, problem, metrics);
+  sampled.reinit();
+  sampled.take(state);
+  SideTractions<dim> here(space, problem, metrics, sampled),
+      there(space, problem, metrics, sampled);
   DistributedVector displacement, velocity;
   if (problem.has_supports())
   {
@@ -176,8 +232,7 @@ void traction_jump_indicators(const Space<dim> &space,
   {
     double sum = 0.;
     for (unsigned int q = 0; q < one.size(); ++q)
-      sum += (one[q] + other[q]).norm_square() * here.last().JxW(q) *
-             space.measure(here.last().quadrature_point(q));
+      sum += (one[q] + other[q]).norm_square() * here.weight(q);
     return sum;
   };
 
@@ -188,13 +243,15 @@ void traction_jump_indicators(const Space<dim> &space,
       double square = 0.;
       for (const unsigned int f : cell->face_indices())
       {
-        const double length = cell->face(f)->diameter();
+        const double length = problem.has_deformed_regions()
+                                  ? present_diameter<dim>(cell->face(f), sampled.displacement)
+                                  : cell->face(f)->diameter();
         if (cell->face(f)->at_boundary())
         {
           const BoundaryCondition &condition =
               *condition_of.at({cell->face(f)->boundary_id(), cell->material_id()});
           const auto &present = here.face(cell, f);
-          const FEValuesBase<dim> &values = here.last();
+          const FEValuesBase<dim> &values = here.at_rest();
           if (condition.is_supported())
           {
             displacements.assign(values.n_quadrature_points, Vector<double>(dim));
@@ -204,7 +261,9 @@ void traction_jump_indicators(const Space<dim> &space,
           }
           for (const unsigned int q : values.quadrature_point_indices())
           {
-            const Tensor<1, dim> &normal = values.normal_vector(q);
+            const Tensor<1, dim> &normal = here.normal(q),
+                                 &normal_at_rest = values.normal_vector(q);
+            const Point<dim> &place = values.quadrature_point(q);
             Tensor<1, dim> difference;
             // Only the halves that are given as a traction can be missed.
             const Tensor<1, dim> along = (present[q] * normal) * normal;
@@ -213,12 +272,23 @@ void traction_jump_indicators(const Space<dim> &space,
                   along + outlet_pressures[&condition - problem.conditions.data()] * normal;
             if (condition.tangential.kind == BoundaryPart::Kind::traction)
               difference += present[q] - along;
-            difference -= Loads<dim>::prescribed_traction(condition, values.quadrature_point(q),
-                                                          normal, time);
-            if (condition.is_supported())
-              difference -= support_traction(condition, normal, displacements[q], velocities[q]);
-            square += length * difference.norm_square() * values.JxW(q) *
-                      space.measure(values.quadrature_point(q));
+            const auto given = [&](const Point<dim> &at, const Tensor<1, dim> &of_normal)
+            { return Loads<dim>::prescribed_traction(condition, at, of_normal, time); };
+            if (problem.is_deformed(cell->material_id()) &&
+                !problem.materials[cell->material_id()].is_solid())
+              difference -= given(here.place(q), normal);
+            else
+            {
+              // A pressure acts on the present area, all else on that at rest.
+              const double pressure = prescribed_pressure(condition, place, time);
+              Tensor<1, dim> dead = given(place, normal_at_rest) + pressure * normal_at_rest;
+              if (condition.is_supported())
+                dead +=
+                    support_traction(condition, normal_at_rest, displacements[q], velocities[q]);
+              const double area_at_rest = values.JxW(q) * space.measure(place);
+              difference -= area_at_rest / here.weight(q) * dead - pressure * normal;
+            }
+            square += length * difference.norm_square() * here.weight(q);
           }
         }
         else
@@ -230,14 +300,14 @@ void traction_jump_indicators(const Space<dim> &space,
 
 template void traction_jump_indicators(const Space<2> &,
                                        const Problem &,
-                                       const FieldEvaluation<2> &,
+                                       const MetricHistory<2> *,
                                        const State &,
                                        const std::vector<double> &,
                                        double,
                                        Vector<float> &);
 template void traction_jump_indicators(const Space<3> &,
                                        const Problem &,
-                                       const FieldEvaluation<3> &,
+                                       const MetricHistory<3> *,
                                        const State &,
                                        const std::vector<double> &,
                                        double,

@@ -159,6 +159,10 @@ void ProbeEntries<dim>::read_entries()
   section.add("Reference point", reference_point, Dimensions::length,
               "Of a Point: another one, whose values are taken off, such as for a pressure drop "
               "[m]; empty: none");
+  section.add("Moves with mesh", moves_with_mesh,
+              "Of a Point with Deformation = finite: whether it goes with the mesh, which is with "
+              "matter in solids, or stays where it is in space; the values are then nan while the "
+              "body, or its Region, is elsewhere");
   section.add(
       "Boundary", boundaries,
       "Instead of a point: names of boundaries. They have the further fields 'force' with "
@@ -227,6 +231,9 @@ void ProbeEntries<dim>::check_entries()
   if (place == Place::point && point.size() != dim)
     section.refuse("Point", "the point has " + std::to_string(point.size()) + " coordinates",
                    "Give " + std::to_string(dim) + " of them, separated by commas");
+  if (place != Place::point && section.given("Moves with mesh"))
+    section.refuse("Moves with mesh", "the entry belongs to a Point",
+                   "Leave it out: " + word_of(place_words(), place) + " goes with the mesh");
   check_reference();
   check_sign_changes();
   if (place == Place::interface && !boundaries.empty() &&
@@ -456,6 +463,7 @@ void ProbeEntries<dim>::set_requests(const std::vector<std::string> &known_bound
       if (has_reference)
         reference.point[d] = reference_point[d];
     }
+    request.is_fixed_in_space = reference.is_fixed_in_space = !moves_with_mesh;
     break;
   case Place::boundary:
     request.kind = mean ? Kind::boundary_mean : Kind::boundary_integral;
@@ -595,13 +603,13 @@ void ProbeEntries<dim>::check_limits(const std::vector<BoundaryCondition> &condi
                                      const ProbeLimits &limits,
                                      const std::vector<FieldComponent> &known_fields) const
 {
-  if (limits.mesh_moves)
-    check_moving_mesh(known_fields);
-  if (limits.mesh_moves && limits.is_cell_wise &&
-      (place == Place::stations || place == Place::section))
-    section.refuse(
-        "", "sections of the cell-wise path are those of the mesh at rest, and the mesh moves",
-        "Give a Point, a Boundary or a Volume, or set Discretisation = taylor hood");
+  if (limits.mesh_moves && limits.is_cell_wise)
+    check_moving_cells(known_fields);
+  if (!limits.is_finite && section.given("Moves with mesh"))
+    section.refuse("Moves with mesh",
+                   limits.mesh_moves ? "the cell-wise path has points of the mesh alone"
+                                     : "with small deformation the mesh stays",
+                   "Leave the entry out, or set Deformation = finite");
   if (place == Place::stations)
     return;
   if (limits.is_cell_wise && n_sign_changes > 0)
@@ -665,21 +673,14 @@ void ProbeEntries<dim>::check_limits(const std::vector<BoundaryCondition> &condi
 }
 
 template <int dim>
-void ProbeEntries<dim>::check_moving_mesh(const std::vector<FieldComponent> &known_fields) const
+void ProbeEntries<dim>::check_moving_cells(const std::vector<FieldComponent> &known_fields) const
 {
   if (place == Place::point)
     return;
-  const std::string keeps_small = ", or set Deformation = small, where the mesh stays";
-  if (place == Place::stations)
-  {
-    for (const char *const name : {"velocity integral", "pressure gradient", "wall shear stress"})
-      if (std::count(stations.fields().begin(), stations.fields().end(), name) > 0)
-        section.refuse("Fields",
-                       "'" + std::string(name) +
-                           "' would be that of the mesh at rest, and the mesh moves",
-                       "Ask for pressure, flow rate or wall distension there" + keeps_small);
-    return;
-  }
+  if (place == Place::stations || place == Place::section)
+    section.refuse(
+        "", "sections of the cell-wise path are those of the mesh at rest, and the mesh moves",
+        "Give a Point, a Boundary or a Volume, or set Discretisation = taylor hood");
   for (const FieldComponent &field : components(known_fields))
   {
     const auto is_named = [&field](const std::string &name)
@@ -687,10 +688,11 @@ void ProbeEntries<dim>::check_moving_mesh(const std::vector<FieldComponent> &kno
     // A mean of the displacement is one over matter.
     if (!is_named("force ") && !is_named("displacement ") && !is_named("velocity ") &&
         field.name != "pressure" && !is_of_cavity(field.name))
-      section.refuse(
-          "Fields",
-          "'" + field.name + "' would be an integral over the mesh at rest, and the mesh moves",
-          "Ask for force, displacement, velocity or pressure there, give a Point" + keeps_small);
+      section.refuse("Fields",
+                     "'" + field.name +
+                         "' would be an integral over the mesh at rest, and the mesh moves",
+                     "Ask for force, displacement, velocity or pressure there, give a Point, or "
+                     "set Discretisation = taylor hood");
   }
 }
 

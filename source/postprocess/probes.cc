@@ -107,24 +107,30 @@ bool Probes<dim>::asks_for_averages(const std::vector<FieldComponent> &fields) c
 }
 
 template <int dim>
-void Probes<dim>::attach(ContinuumSolver<dim> &continuum_solver, const Model model)
+void Probes<dim>::attach(ContinuumSolver<dim> &continuum_solver,
+                         const Model model,
+                         const bool mesh_moves)
 {
   solver = &continuum_solver;
   for (unsigned int p = 0; p < probes.size(); ++p)
     if (probes[p].stations.given())
-      attach_stations(p);
+      attach_stations(p, model, mesh_moves);
     else
       attach_fields(p, model);
 }
 
 template <int dim>
-unsigned int Probes<dim>::add_to_solver(const ProbeEntries<dim> &probe,
-                                        const ProbeRequest<dim> &request)
+typename Probes<dim>::Terms
+Probes<dim>::add_to_solver(const ProbeEntries<dim> &probe,
+                           const std::vector<std::pair<ProbeRequest<dim>, double>> &requests)
 {
   using Place = typename ProbeEntries<dim>::Place;
+  Terms terms;
   try
   {
-    return solver->add_probe(request);
+    for (const auto &[request, factor] : requests)
+      terms.emplace_back(solver->add_probe(request), factor);
+    return terms;
   }
   catch (const std::invalid_argument &error)
   {
@@ -147,16 +153,18 @@ void Probes<dim>::attach_fields(const unsigned int p, const Model model)
   const std::vector<typename ProbeEntries<dim>::Recorded> recorded =
       probes[p].recorded(solver->fields(), model);
   for (const auto &entry : recorded)
-  {
-    std::vector<std::pair<unsigned int, double>> terms;
-    for (const auto &[request, factor] : entry.terms)
-      terms.emplace_back(add_to_solver(probes[p], request), factor);
-    columns.push_back({p, probes[p].section.name(), entry.field, recorded.size() == 1, terms, {}});
-  }
+    columns.push_back({p,
+                       probes[p].section.name(),
+                       entry.field,
+                       recorded.size() == 1,
+                       add_to_solver(probes[p], entry.terms),
+                       {},
+                       {},
+                       {}});
 }
 
 template <int dim>
-void Probes<dim>::attach_stations(const unsigned int p)
+void Probes<dim>::attach_stations(const unsigned int p, const Model model, const bool mesh_moves)
 {
   const ProbeEntries<dim> &probe = probes[p];
   const Stations<dim> &stations = probe.stations;
@@ -165,16 +173,19 @@ void Probes<dim>::attach_stations(const unsigned int p)
                                        { return other.name == probe.section.name(); });
   for (const typename Stations<dim>::Column &column : stations.columns())
   {
-    std::vector<std::pair<unsigned int, double>> terms;
-    for (const auto &[request, factor] : column.terms)
-      terms.emplace_back(add_to_solver(probe, request), factor);
     entry.columns[column.station].push_back(n_columns());
     columns.push_back({p,
                        entry.name + " " + stations.label(column.station),
                        column.field,
                        entry.fields.size() == 1,
-                       terms,
+                       add_to_solver(probe, column.terms),
+                       {},
+                       column.line,
                        {}});
+    // In axisymmetry the middles of sections stay on the axis.
+    for (const auto &of_component : column.movements)
+      if (mesh_moves && (model != Model::axisymmetric || columns.back().movements.empty()))
+        columns.back().movements.push_back(add_to_solver(probe, of_component));
   }
 }
 
@@ -244,12 +255,23 @@ std::vector<double> Probes<dim>::present_values()
   std::vector<double> values;
   for (const Column &column : columns)
   {
-    double value = 0.;
-    for (const auto &[number, factor] : column.terms)
-      value += factor * solver_values[number];
-    values.push_back(value);
+    dealii::Tensor<1, dim> present = column.line;
+    for (unsigned int c = 0; c < column.movements.size(); ++c)
+      present[c] += sum_of(column.movements[c]);
+    const double value = sum_of(column.terms);
+    values.push_back(column.movements.empty() ? value
+                                              : value * column.line.norm() / present.norm());
   }
   return values;
+}
+
+template <int dim>
+double Probes<dim>::sum_of(const Terms &terms) const
+{
+  double sum = 0.;
+  for (const auto &[number, factor] : terms)
+    sum += factor * solver_values[number];
+  return sum;
 }
 
 template <int dim>

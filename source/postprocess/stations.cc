@@ -245,7 +245,7 @@ std::vector<typename Stations<dim>::Column> Stations<dim>::columns() const
       const auto field =
           std::find_if(station_fields.begin(), station_fields.end(),
                        [&name](const FieldComponent &other) { return other.name == name; });
-      Column column{s, *field, {}};
+      Column column{s, *field, {}, {}, {}};
       const auto add = [&](const Kind kind, const std::string &solver_field,
                            const std::set<unsigned int> &region_ids, const double position,
                            const double factor)
@@ -265,6 +265,14 @@ std::vector<typename Stations<dim>::Column> Stations<dim>::columns() const
         const double first = x + pair_offset();
         add(Kind::section_mean, "pressure", fluid_ids, first + distance, 1. / distance);
         add(Kind::section_mean, "pressure", fluid_ids, first, -1. / distance);
+        const auto movement = [&](const std::string &of_component, const double position)
+        { return request(Kind::section_mean, of_component, fluid_ids, position); };
+        column.line = movement("", first + distance).point - movement("", first).point;
+        for (const std::string of_component :
+             {"displacement x", "displacement y", "displacement z"})
+          if (column.movements.size() < dim)
+            column.movements.push_back({{movement(of_component, first + distance), 1.},
+                                        {movement(of_component, first), -1.}});
       }
       else if (name == "wall shear stress")
         add(Kind::rim_mean, name, fluid_ids, x, 1.);

@@ -62,11 +62,11 @@ void compare_with_library()
       space, [](const Point<dim> &x, unsigned int) { return std::cos(2. * x[0]) + x[1] * x[1]; });
   const hp::QCollection<dim - 1> points(QGauss<dim - 1>(space.degree() + 1));
   Vector<float> own, library(mesh.n_active_cells());
-  kelly_indicators_of_velocity(space, velocity, own);
+  kelly_indicators_of_velocity(space, velocity, nullptr, own);
   KellyErrorEstimator<dim>::estimate(space.mapping, space.velocity_dofs, points, {},
                                      space.ghosted_velocity(velocity), library);
   check::absolute(name + "velocity", largest_difference(mesh, own, library), 0., 1e-5);
-  kelly_indicators_of_pressure(space, pressure, own);
+  kelly_indicators_of_pressure(space, pressure, nullptr, own);
   KellyErrorEstimator<dim>::estimate(space.mapping, space.pressure_dofs, points, {},
                                      space.ghosted_pressure(pressure), library);
   check::absolute(name + "pressure", largest_difference(mesh, own, library), 0., 1e-5);
@@ -93,9 +93,9 @@ void kinks()
   for (const bool of_velocity : {true, false})
   {
     if (of_velocity)
-      kelly_indicators_of_velocity(space, velocity, per_cell);
+      kelly_indicators_of_velocity(space, velocity, nullptr, per_cell);
     else
-      kelly_indicators_of_pressure(space, pressure, per_cell);
+      kelly_indicators_of_pressure(space, pressure, nullptr, per_cell);
     double error = 0.;
     for (const auto &cell : mesh.active_cell_iterators())
       if (cell->is_locally_owned())

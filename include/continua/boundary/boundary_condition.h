@@ -127,10 +127,14 @@ struct BoundaryCondition
   {
     return mesh == MeshCondition::follows && mesh_velocity.empty();
   }
-  /// Whether the velocity is prescribed in full, and 0 along the normal.
+  /// Whether the velocity is prescribed in full, and no liquid passes: it is 0 along the normal, or
+  /// the mesh follows it.
   bool is_wall() const
   {
-    return normal.is_fixed() && tangential.kind == BoundaryPart::Kind::velocity;
+    const bool is_closed =
+        normal.is_fixed() || (mesh == MeshCondition::follows && mesh_velocity.empty() &&
+                              normal.kind == BoundaryPart::Kind::velocity);
+    return is_closed && tangential.kind == BoundaryPart::Kind::velocity;
   }
   /// Whether the boundary encloses a volume that is given, with a pressure that is unknown.
   bool is_cavity() const { return type == BoundaryType::cavity; }

@@ -70,6 +70,9 @@ struct ProbeRequest
   Kind kind = Kind::point;
   std::string field;        ///< one of the solver's fields(), but for the kinds that have none
   dealii::Point<dim> point; ///< [m]; for points, and one of the plane for sections
+  /// Of a point of a deformed body: that it stays where it is in space, and does not go with the
+  /// mesh. NaN while the body is elsewhere.
+  bool is_fixed_in_space = false;
   /// Of the plane, for sections; of any length.
   dealii::Tensor<1, dim> normal = dealii::Point<dim>::unit_vector(0);
   /// The axis of the vessel through `point` along `normal`, of which alone the section is; null for

@@ -43,7 +43,8 @@ struct FieldDefinition
     radial,    ///< e_r.v
     axial,     ///< e_axis.v
     hoop,      ///< e_theta.sigma.e_theta
-    drag       ///< -e_axis.sigma.e_r: what a fluid exerts downstream on a wall around it
+    drag,      ///< -e_axis.sigma.e_r: what a fluid exerts downstream on a wall around it
+    through    ///< v.n with the present normal of a section that moves
   };
   /// Through a point along a direction of length one; by default the x axis.
   struct Axis
@@ -60,8 +61,15 @@ struct FieldDefinition
 
   /// Whether the field is kept over the steps of a run.
   bool is_average() const;
+  /// Of length one, at a point of the undeformed body. On the axis, where there is no e_r, it is
+  /// any across it; in axisymmetry z goes round the axis.
+  struct Directions
+  {
+    dealii::Tensor<1, 3> axial, radial, hoop;
+  };
+  Directions directions(const dealii::Point<dim> &point) const;
   /// The factors of the components (of a vector x, y, z; of a stress those of stress_pairs) at a
-  /// point of the undeformed body. On the axis, where there is no e_r, it is any across it.
+  /// point of the undeformed body.
   std::array<double, 6> factors(const dealii::Point<dim> &point) const;
 };
 

@@ -17,8 +17,9 @@ namespace Continua
 /**
  * The probes of a discretisation. Most are linear in the state: such a one is set up once on a
  * mesh, by what the discretisation says of its fields at points, and read by a short sum. Others
- * have samples: the discretisation keeps their points, and evaluates the field there each time. On
- * a mesh that moves the weights of areas and volumes are made anew for each state.
+ * have samples: the discretisation keeps their points, and evaluates the field there each time, on
+ * a mesh that moves also their weights. The weights of a flow rate through a mesh that moves are
+ * made anew for each state.
  */
 template <int dim>
 class FieldProbes
@@ -50,7 +51,7 @@ protected:
   /// A field at one of this rank's points of a probe.
   struct Sample
   {
-    double weight;
+    double weight;     ///< of the present shape if the probe follows the mesh
     double coordinate; ///< where changes of sign are looked for [m]
     double value;
   };
@@ -73,7 +74,7 @@ private:
     FieldDefinition<dim> field;
     ProbeWeights weights;
     bool is_sampled = false, follows_mesh = false;
-    double factor = 1.; ///< of the sum over the samples
+    double factor = 1.; ///< of the sum over the samples, at rest
     unsigned int cavity = 0;
   };
 
@@ -103,7 +104,7 @@ private:
   /// The flow rate; 0 if the plane misses the regions.
   virtual double add_flow(const ProbeRequest<dim> &request, Collector &collector) const = 0;
 
-  /// Whether the weights belong to the present place of a mesh that moves.
+  /// Whether areas, volumes or weights are those of the present shape of a mesh that moves.
   virtual bool follows_mesh(const ProbeRequest<dim> &, const FieldDefinition<dim> &) const
   {
     return false;
@@ -115,7 +116,8 @@ private:
   {
     return false;
   }
-  /// The functions above keep the points of this probe as samples, until end_samples().
+  /// The functions above keep the points of this probe as samples, until end_samples(). Those of
+  /// points that are fixed in space are found anew in each state that was taken.
   virtual void begin_samples(unsigned int /*probe*/) {}
   virtual void end_samples() {}
   /// A new state is to be sampled. Collective.
@@ -127,6 +129,7 @@ private:
   /// The number of the one cavity that the boundaries of a request enclose.
   unsigned int cavity_of(const ProbeRequest<dim> &request) const;
   /// Sets the weights or the samples up; returns what the weights of the points add up to.
+  double set_points(unsigned int number, Collector &collector);
   double add_points(const Probe &probe, Collector &collector) const;
   /// The coordinate that is asked for, on all ranks.
   double sign_change(const ProbeRequest<dim> &request, const std::vector<Sample> &samples) const;

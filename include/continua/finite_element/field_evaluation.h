@@ -70,14 +70,6 @@ private:
   void sample(unsigned int probe, std::vector<Sample> &samples) const override;
   /// Forgets what belongs to the mesh before.
   void forget_mesh() override;
-  /// Multiplies weights at quadrature points of a cell by dv/dV, or with normals by |n da|/dA,
-  /// where the probe follows the mesh.
-  void stretch(const ProbeRequest<dim> &request,
-               const FieldDefinition<dim> &field,
-               const CellIterator &cell,
-               const dealii::FEValuesBase<dim> &values,
-               const std::vector<dealii::Tensor<1, dim>> &normals,
-               std::vector<double> &weights) const;
   /// Whether the face of the cell is one of the boundaries or of the interface.
   bool
   has_face(const ProbeRequest<dim> &request, const CellIterator &cell, unsigned int face) const;
@@ -87,7 +79,8 @@ private:
                   const CellIterator &cell,
                   const dealii::Quadrature<dim> &points,
                   const std::vector<double> &weights,
-                  Collector &collector) const;
+                  Collector &collector,
+                  const std::vector<SampledShare> &shares) const;
   void add_value(const FieldDefinition<dim> &field,
                  const CellIterator &cell,
                  const dealii::FEValuesBase<dim> &values,
@@ -95,7 +88,13 @@ private:
                  unsigned int q,
                  double weight,
                  Collector &collector,
+                 const SampledShare &share,
                  const dealii::Tensor<1, dim> &normal = dealii::Tensor<1, dim>()) const;
+  /// Of a probe that follows the mesh, else at rest; of a line the direction is that of the rim's
+  /// normal in its plane.
+  SampledShare share(const ProbeRequest<dim> &request,
+                     const FieldDefinition<dim> &field,
+                     const dealii::Tensor<1, dim> &direction) const;
 
   /// The samples of a probe.
   struct Samples
@@ -108,11 +107,11 @@ private:
   using FieldProbes<dim>::problem;
   const Space<dim> &space;
   const MetricHistory<dim> *metrics;
-  mutable SampledState<dim> sampled_state;
+  SampledState<dim> sampled_state;
+  bool has_sampled_state = false; ///< with vectors of the present mesh
   /// Of a mesh that moves, with ghosts; empty before a state is taken [m].
   DistributedVector mesh_displacement;
-  /// What sections are at rest, by probe: on a mesh that moves they are asked for again and again.
-  mutable std::map<unsigned int, std::vector<typename PlaneSection<dim>::Part>> parts_of_probes;
+  /// By probe: on a mesh that moves they are asked for again and again.
   mutable std::map<unsigned int, std::unique_ptr<SectionFlow<dim>>> flows_of_probes;
   std::map<unsigned int, Samples> samples_of_probes;
   FieldSamples<dim> *samples_to_fill = nullptr; ///< while a probe with samples is set up

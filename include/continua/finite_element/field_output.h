@@ -40,6 +40,10 @@ private:
   void set_gradients(const dealii::FEValues<dim> &values,
                      const DistributedVector &vector,
                      std::vector<dealii::Tensor<2, 3>> &target) const;
+  /// Sets those of the velocity there, by the present place where the region is deformed.
+  void set_velocity_gradients(const dealii::FEValues<dim> &values,
+                              bool is_deformed,
+                              std::vector<dealii::Tensor<2, 3>> &target) const;
   /// Sets the directions of the wall there.
   void set_directions(const dealii::FEValues<dim> &values,
                       std::vector<TubeDirections> &directions) const;

@@ -1,7 +1,10 @@
 #ifndef continua_finite_element_traction_jump_h
 #define continua_finite_element_traction_jump_h
 
-#include <continua/finite_element/field_evaluation.h>
+#include <continua/continuum/problem.h>
+#include <continua/continuum/state.h>
+#include <continua/finite_element/metric_history.h>
+#include <continua/finite_element/space.h>
 
 #include <deal.II/lac/vector.h>
 
@@ -20,7 +23,7 @@ namespace Continua
 template <int dim>
 void traction_jump_indicators(const Space<dim> &space,
                               const Problem &problem,
-                              const FieldEvaluation<dim> &evaluation,
+                              const MetricHistory<dim> *metrics,
                               const State &state,
                               const std::vector<double> &outlet_pressures,
                               double time,

@@ -28,8 +28,7 @@ struct ProbeLimits
   bool is_in_time = true;          ///< else no mean over time
   bool is_finite = false;          ///< deformation, in which the volume is no linear function
   std::vector<bool> is_solid = {}; ///< by material id: a mean is that of liquids on their walls
-  bool mesh_moves =
-      false; ///< of liquids, so that integrals over the mesh at rest are none of theirs
+  bool mesh_moves = false;         ///< of liquids
 };
 
 /**
@@ -99,6 +98,7 @@ private:
   };
 
   std::vector<double> point, reference_point;
+  bool moves_with_mesh = true; ///< of points
   std::vector<std::string> boundaries, reference_boundaries, interface;
   std::map<unsigned int, std::string> names_of_boundaries; ///< by boundary id
   double position = std::numeric_limits<double>::quiet_NaN(),
@@ -139,8 +139,8 @@ private:
   /// The fields by component.
   std::vector<FieldComponent> components(const std::vector<FieldComponent> &fields) const;
   bool asks_for_forces() const;
-  /// Of a mesh that moves: refuses what is not looked at in its present shape.
-  void check_moving_mesh(const std::vector<FieldComponent> &known_fields) const;
+  /// Of the cell-wise path: refuses what is not looked at on the present mesh.
+  void check_moving_cells(const std::vector<FieldComponent> &known_fields) const;
   /// Refuses a cavity's pressure or volume where the boundary encloses none.
   void check_cavities(const std::vector<BoundaryCondition> &conditions,
                       const std::vector<FieldComponent> &known_fields) const;

@@ -98,8 +98,9 @@ public:
   bool asks_for_averages(const std::vector<FieldComponent> &fields) const;
   /// Asks the solver, which must live as long as this, for the values. Throws InputError for a
   /// field that it has not and a point outside the mesh. `model` gives integrals their unit: over
-  /// a line (per metre of depth) or an area.
-  void attach(ContinuumSolver<dim> &solver, Model model);
+  /// a line (per metre of depth) or an area; `mesh_moves`: so that stations come nearer or go
+  /// apart.
+  void attach(ContinuumSolver<dim> &solver, Model model, bool mesh_moves = false);
 
   /// Starts the file; without columns there is none. Throws RunError on all ranks.
   void open(const std::string &file);
@@ -150,23 +151,30 @@ public:
   const std::vector<StationsProbe> &stations() const { return stations_probes; }
 
 private:
+  /// The solver's numbers and their factors.
+  using Terms = std::vector<std::pair<unsigned int, double>>;
   struct Column
   {
     unsigned int probe;   ///< its place in `probes`
     std::string name;     ///< of the probe, with the station
     FieldComponent field; ///< with the unit of the column
     bool alone;           ///< the only one of that name
-    /// The solver's numbers and their factors.
-    std::vector<std::pair<unsigned int, double>> terms;
+    Terms terms;
     std::vector<double> values;
+    /// See Stations::Column; empty where the sections stay.
+    dealii::Tensor<1, dim> line;
+    std::vector<Terms> movements;
   };
 
   std::vector<ProbeColumnName> columns_of(const ProbeEntries<dim> &probe,
                                           const std::vector<FieldComponent> &fields) const;
   void attach_fields(unsigned int probe, Model model);
-  void attach_stations(unsigned int probe);
-  /// Asks the solver; what it cannot tell is refused as the probe's place.
-  unsigned int add_to_solver(const ProbeEntries<dim> &probe, const ProbeRequest<dim> &request);
+  void attach_stations(unsigned int probe, Model model, bool mesh_moves);
+  /// The sum of the solver's present numbers.
+  double sum_of(const Terms &terms) const;
+  /// Asks the solver for the numbers; what it cannot tell is refused as the probe's place.
+  Terms add_to_solver(const ProbeEntries<dim> &probe,
+                      const std::vector<std::pair<ProbeRequest<dim>, double>> &requests);
   /// Fills the histories from a file.
   void read_history(const std::string &file);
   void

@@ -30,7 +30,8 @@ namespace Continua
  * - `wall distension`: change of the inner diameter, twice the mean radial displacement of the
  *   inner wall round the rim of the fluid's section [m];
  * - `pressure gradient`: difference between the section means of a pair, one pair distance apart,
- *   over that distance [Pa/m]; the station is the middle of the pair or its first section;
+ *   over that distance [Pa/m]; the station is the middle of the pair or its first section. Where
+ *   the sections move, the distance grows as the line between their middles;
  * - `wall shear stress`: mean round the rim, on the fluid's side, positive when the fluid drags the
  *   wall downstream [Pa];
  * - `hoop stress`: mean over the section of the wall, which is every region but the fluid [Pa].
@@ -45,6 +46,10 @@ public:
     unsigned int station; ///< its place in positions()
     FieldComponent field;
     std::vector<std::pair<ProbeRequest<dim>, double>> terms; ///< with their factors
+    /// Of a pressure gradient: from the first section of the pair to the second at rest [m], and by
+    /// component how far the second one has moved against the first one, as a sum likewise.
+    dealii::Tensor<1, dim> line;
+    std::vector<std::vector<std::pair<ProbeRequest<dim>, double>>> movements;
   };
 
   /// Declares the entries and reads them.
