@@ -101,7 +101,7 @@ void FollowerPressure<dim>::add(const Cell &cell,
     for (const DeformedFacePoint<dim> &point : face.points)
     {
       Tensor<1, dim> force;
-      if (face.is_of_liquid)
+      if (face.is_of_liquid && face.cavity < 0)
         force = force_on_liquid(point, face, step, displacement);
       else
       {

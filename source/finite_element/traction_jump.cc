@@ -220,6 +220,10 @@ void traction_jump_indicators(const Space<dim> &space,
     velocity = space.ghosted_velocity(state.velocity);
   }
   std::vector<Vector<double>> displacements, velocities;
+  std::vector<double> port_pressures = outlet_pressures;
+  const std::vector<unsigned int> cavities = problem.cavities();
+  for (unsigned int i = 0; i < cavities.size(); ++i)
+    port_pressures[cavities[i]] = (*state.cavities)[i].pressure;
 
   std::map<std::pair<unsigned int, unsigned int>, const BoundaryCondition *> condition_of;
   for (const BoundaryCondition &condition : problem.conditions)
@@ -268,8 +272,7 @@ void traction_jump_indicators(const Space<dim> &space,
             // Only the halves that are given as a traction can be missed.
             const Tensor<1, dim> along = (present[q] * normal) * normal;
             if (condition.normal.kind == BoundaryPart::Kind::traction)
-              difference +=
-                  along + outlet_pressures[&condition - problem.conditions.data()] * normal;
+              difference += along + port_pressures[&condition - problem.conditions.data()] * normal;
             if (condition.tangential.kind == BoundaryPart::Kind::traction)
               difference += present[q] - along;
             const auto given = [&](const Point<dim> &at, const Tensor<1, dim> &of_normal)

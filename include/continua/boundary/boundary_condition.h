@@ -132,8 +132,7 @@ struct BoundaryCondition
   bool is_wall() const
   {
     const bool is_closed =
-        normal.is_fixed() || (mesh == MeshCondition::follows && mesh_velocity.empty() &&
-                              normal.kind == BoundaryPart::Kind::velocity);
+        normal.is_fixed() || (liquid_carries_mesh() && normal.kind == BoundaryPart::Kind::velocity);
     return is_closed && tangential.kind == BoundaryPart::Kind::velocity;
   }
   /// Whether the boundary encloses a volume that is given, with a pressure that is unknown.
