@@ -58,7 +58,9 @@ void check_meshes(const Model model)
       parameters.stencil_coefficient = coefficient;
       std::vector<CellOperators> operators;
       PressureClosure closure;
-      assemble_cell_operators(space, problem, conditions, parameters, operators, closure);
+      assemble_cell_operators(space, problem, conditions, parameters,
+                              std::vector<bool>(problem.materials.size(), true), operators,
+                              closure);
       DistributedVector force = space.velocity_vector(), product = force, pressure_force = force,
                         rate = space.pressure_vector(), part = rate;
       for (const CellOperators &of_region : operators)
