@@ -2,6 +2,7 @@
 
 #include <continua/linear_algebra/convergence_factor.h>
 #include <continua/linear_algebra/function_as_matrix.h>
+#include <continua/linear_algebra/gmres_data.h>
 
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
@@ -85,13 +86,10 @@ KrylovReport BlockKrylov::solve(const Product &product,
     try
     {
       if (method == Method::gmres)
-        // deal.II counts two further vectors.
-        SolverGMRES<BlockVector>(control, memory,
-                                 SolverGMRES<BlockVector>::AdditionalData(basis_size + 2, true))
+        SolverGMRES<BlockVector>(control, memory, gmres_data<BlockVector>(basis_size))
             .solve(matrix, solution, right_hand_side, preconditioner);
       else
-        SolverFGMRES<BlockVector>(control, memory,
-                                  SolverFGMRES<BlockVector>::AdditionalData(basis_size))
+        SolverFGMRES<BlockVector>(control, memory, fgmres_data<BlockVector>(basis_size))
             .solve(matrix, solution, right_hand_side, preconditioner);
     }
     catch (const SolverControl::NoConvergence &)

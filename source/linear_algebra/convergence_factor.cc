@@ -1,6 +1,7 @@
 #include <continua/linear_algebra/convergence_factor.h>
 
 #include <continua/linear_algebra/function_as_matrix.h>
+#include <continua/linear_algebra/gmres_data.h>
 
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
@@ -65,8 +66,8 @@ double convergence_factor(const LinearFunction &matrix,
   IterationNumberControl control(n_iterations, small_enough * size);
   control.enable_history_data();
   GrowingVectorMemory<DistributedVector> memory;
-  SolverFGMRES<DistributedVector> solver(
-      control, memory, SolverFGMRES<DistributedVector>::AdditionalData(n_iterations + 1));
+  SolverFGMRES<DistributedVector> solver(control, memory,
+                                         fgmres_data<DistributedVector>(n_iterations + 1));
   bool is_number = true;
   try
   {

@@ -104,10 +104,11 @@ TableEntries read_table(ParameterSection &section,
   reading.period_key = period_key;
   reading.factor_key = named(prefix, "Table factor");
   table.names.file = std::filesystem::path(table.path).filename().string();
-  for (const auto &[entry, silent_key] :
-       {std::make_pair("Before the table", &table.names.before_key),
-        std::make_pair("After the table", &table.names.after_key),
-        std::make_pair("Table period", &table.names.period_key)})
+  const std::pair<const char *, std::string *> silent_keys[] = {
+      {"Before the table", &table.names.before_key},
+      {"After the table", &table.names.after_key},
+      {"Table period", &table.names.period_key}};
+  for (const auto &[entry, silent_key] : silent_keys)
     if (!section.given(named(prefix, entry)))
       *silent_key = named(prefix, entry);
   return table;

@@ -1,3 +1,4 @@
+#include <continua/base/input_error.h>
 #include <continua/mesh/box_geometry.h>
 
 #include "../parameter_text.h"
@@ -40,6 +41,23 @@ UNIT_TEST(box_geometry)
   file.refuse_unknown();
   check::is_true("grading by its entries", given.grading == std::vector<double>({0.5, 3.}));
   check::is_true("origin", (box.mesh.get_vertices()[0] - dealii::Point<2>(-1., 2.)).norm() < 1e-14);
+
+  const auto refused =
+      [](const std::string &name, const std::string &size, const std::string &pattern)
+  {
+    check::throws<InputError>(
+        name,
+        [&size]
+        {
+          ParameterFile wrong =
+              parameters_of("subsection Geometry\nset Size = " + size + "\nend\n");
+          BoxGeometry<2>::Parameters::read(wrong.root().subsection("Geometry"),
+                                           wrong.root().subsection("Mesh"), false);
+        },
+        pattern);
+  };
+  refused("one length", "2 m", "prm:2: 'Geometry/Size': the list has 1 entry, not 2.*Give 2, one");
+  refused("three lengths", "2 m, 3 m, 4 m", "the list has 3 entries, not 2");
 
   plane.rotation = M_PI / 6.;
   const measures::Measures<2> turned(BoxGeometry<2>(plane, false));
