@@ -113,6 +113,12 @@ void check_filled_cavities(const Problem &problem,
                      "empty, with walls that are solids, or a liquid with an opening",
                      "Give the part of the liquid a condition of its own, with Boundary and "
                      "Region");
+    if (std::count_if(bodies.begin(), bodies.end(),
+                      [number = number](const ConnectedBody &body)
+                      { return body.conditions.count(number) > 0; }) > 1)
+      section.refuse("Type",
+                     "it opens several bodies of liquid that do not touch, and gives one volume",
+                     "Give each of them a boundary of its own, with Boundary and Region");
     for (const ConnectedBody &body : bodies)
     {
       if (body.conditions.count(number) == 0)

@@ -681,8 +681,8 @@ MeshQuality MeshMotion<dim>::quality(const DistributedVector &mesh_displacement)
       {
         const double ratio =
             Kinematics(gradient(points, of_points, cell_displacement, q)).volume_ratio();
-        // What is no number fails the comparison.
-        if (!(ratio >= least))
+        // What is no number fails the comparison, and is kept.
+        if (!std::isnan(least) && !(ratio >= least))
         {
           least = ratio;
           worst = &cell;

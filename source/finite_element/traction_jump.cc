@@ -265,6 +265,9 @@ void traction_jump_indicators(const Space<dim> &space,
           }
           for (const unsigned int q : values.quadrature_point_indices())
           {
+            // The axis has no area.
+            if (!(here.weight(q) > 0.))
+              continue;
             const Tensor<1, dim> &normal = here.normal(q),
                                  &normal_at_rest = values.normal_vector(q);
             const Point<dim> &place = values.quadrature_point(q);

@@ -392,8 +392,8 @@ void VertexMotion<dim>::measure_quality()
       double ratio = volume_at_corner<dim>(present_ones, v) / volume_at_corner<dim>(at_rest, v);
       if (space.is_axisymmetric() && at_rest[v][1] > 0.)
         ratio *= present_ones[v][1] / at_rest[v][1];
-      // What is no number fails the comparison.
-      if (!(ratio >= least))
+      // What is no number fails the comparison, and is kept.
+      if (!std::isnan(least) && !(ratio >= least))
       {
         least = ratio;
         worst = &volume;

@@ -70,7 +70,7 @@ void MultigridSolver::solve(DistributedVector &solution,
     text << "conjugate gradients for the motion of the mesh left " << error.last_residual / size
          << " of the right-hand side after " << error.last_step
          << " iterations; use Linear solver/Type = direct";
-    throw RunError(text.str());
+    throw StepFailure(text.str());
   }
   if (!is_used)
     first_iterations = control.last_step();

@@ -25,7 +25,8 @@ void MassRecord<dim>::open(ContinuumSolver<dim> &solver,
                            const bool /*is_due*/)
 {
   run_table.open(output_file(folder, mass_table), header());
-  at_start = solver.liquid_mass().present;
+  // A search before the start has an inflow of its own.
+  at_start = solver.liquid_mass();
 }
 
 template <int dim>
@@ -42,9 +43,10 @@ void MassRecord<dim>::record(const RecordedStep<dim> &step)
   if (!step.is_due)
     return;
   const LiquidMass mass = step.solver.liquid_mass();
-  const double difference = mass.present - at_start - mass.inflow;
+  const double inflow = mass.inflow - at_start.inflow,
+               difference = mass.present - at_start.present - inflow;
   largest_difference = std::max(largest_difference, std::abs(difference));
-  row.assign({step.time, mass.present, mass.inflow, difference});
+  row.assign({step.time, mass.present, inflow, difference});
   run_table.row(row);
 }
 
@@ -52,8 +54,8 @@ template <int dim>
 void MassRecord<dim>::finish(const RecordedEnd<dim> &end)
 {
   run_table.flush();
-  if (at_start > 0.)
-    end.summary.add({residual_name, largest_difference / at_start, "1", ""});
+  if (at_start.present > 0.)
+    end.summary.add({residual_name, largest_difference / at_start.present, "1", ""});
 }
 
 template <int dim>
@@ -65,17 +67,18 @@ void MassRecord<dim>::name_quantities(QuantityNames &names)
 template <int dim>
 void MassRecord<dim>::save(ArchiveWriter &archive) const
 {
-  archive.add(archive_name, std::vector<double>{at_start, largest_difference});
+  archive.add(archive_name,
+              std::vector<double>{at_start.present, at_start.inflow, largest_difference});
 }
 
 template <int dim>
 void MassRecord<dim>::load(const ArchiveReader &archive)
 {
   const std::vector<double> values = archive.values(archive_name);
-  if (values.size() != 2)
+  if (values.size() != 3)
     throw RunError("the checkpoint's record of the mass is that of another version of the program");
-  at_start = values[0];
-  largest_difference = values[1];
+  at_start = {values[0], values[1]};
+  largest_difference = values[2];
 }
 
 template class MassRecord<2>;

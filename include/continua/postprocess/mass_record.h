@@ -35,7 +35,7 @@ public:
 
 private:
   RunTable run_table;
-  double at_start = 0.;           ///< the mass [kg]
+  LiquidMass at_start;            ///< [kg]
   double largest_difference = 0.; ///< mass - mass at the start - inflow [kg]
   std::vector<double> row;
 
