@@ -24,12 +24,12 @@ ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space,
            problem,
            QGauss<dim>((3 * space.degree() + 2 + (space.is_axisymmetric() ? 1 : 0)) / 2),
            RegionModel::flow),
-      carries(problem.convection.is_on ? 1. : 0.),
       inflow_terms(space, problem),
       streamline_terms(space, problem, quadrature),
+      assembly(cells),
+      product(space, problem, instruction_set),
       follower_pressure(space, problem),
-      body_force(space, problem, quadrature),
-      instruction_set(instruction_set)
+      body_force(space, problem, quadrature)
 {
   const unsigned int n_velocity = dim * cells.n_functions(), n_pressure = cells.n_pressures();
   for (Vector<double> *vector : {&cell_velocity, &cell_acceleration, &cell_inflow,
@@ -39,13 +39,6 @@ ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space,
     forces.reinit(n_velocity);
   for (Vector<double> *vector : {&cell_pressure, &cell_pressure_rate, &cell_volume})
     vector->reinit(n_pressure);
-  functions.gradients.resize(cells.n_functions());
-  functions.pressure_gradients.resize(n_pressure);
-  along.resize(cells.n_functions());
-  for (std::vector<double> *derivatives : {&traces, &sources})
-    derivatives->resize(n_velocity);
-  for (std::vector<double> *derivatives : {&pressure_sources, &densities})
-    derivatives->resize(n_pressure);
 }
 
 template <int dim>
@@ -63,84 +56,23 @@ void ConvectiveTerms<dim>::reinit()
 }
 
 template <int dim>
-void ConvectiveTerms<dim>::make_product()
-{
-  typename Product::Input input(space.mapping, space.velocity_dofs, space.velocity_hanging);
-  input.is_axisymmetric = space.is_axisymmetric();
-  input.is_skew = problem.convection.term == ConvectiveTerm::skew;
-  input.constant_viscosity = problem.convection.constant_viscosity();
-  has_compressible_liquid = false;
-  for (unsigned int region = 0; region < problem.materials.size(); ++region)
-  {
-    const Material &of_region = problem.materials[region];
-    typename Product::Liquid liquid;
-    liquid.density = of_region.density;
-    liquid.viscosity = of_region.shear.viscosity;
-    liquid.volume_law = of_region.volume_law();
-    liquid.flow_curve = of_region.shear.flow_curve;
-    input.liquids.push_back(liquid);
-    if (Base::are_of(region) && !of_region.is_incompressible())
-      has_compressible_liquid = true;
-  }
-  const unsigned int n_cells = space.triangulation.n_active_cells();
-  input.has_cell.resize(n_cells);
-  input.viscosity_over_speed.resize(n_cells);
-  input.pressure_places.resize(std::size_t(n_cells) * Product::n_pressures);
-  some_cells_have_matrices = false;
-  for (const Cell &cell : cells.all())
-    if (inflow_terms.has_face(cell.pressure_cell))
-      some_cells_have_matrices = true;
-    else
-    {
-      const unsigned int index = cell.velocity_cell->active_cell_index();
-      input.has_cell[index] = true;
-      input.viscosity_over_speed[index] = problem.convection.viscosity_over_speed(
-          problem.materials[cell.region].density, cell.size);
-      std::copy(cell.pressure_places.begin(), cell.pressure_places.end(),
-                input.pressure_places.begin() + std::size_t(index) * Product::n_pressures);
-    }
-  some_cells_have_matrices =
-      Utilities::MPI::max(some_cells_have_matrices ? 1 : 0, space.communicator) > 0;
-  product = make_matrix_free_convection<dim>(*instruction_set, input);
-  of_product.volume.assign(input.pressure_places.size(), 0.);
-  for (typename Product::Vector *const vector :
-       {&of_product.state.velocity, &of_product.state.acceleration, &of_product.velocity,
-        &of_product.momentum})
-    product->initialise(*vector);
-}
-
-template <int dim>
 void ConvectiveTerms<dim>::forget_derivative()
 {
-  product = nullptr;
+  product.forget();
   Base::forget_derivative();
 }
 
 template <int dim>
 void ConvectiveTerms<dim>::keep_derivative(const BalancedStep &state, const KeptDerivative form)
 {
-  if (form == KeptDerivative::matrices || !instruction_set || streamline_terms.are_on())
-    product = nullptr;
-  else if (product == nullptr)
-    make_product();
+  if (form == KeptDerivative::matrices || streamline_terms.are_on())
+    product.forget();
+  else
+    product.make(cells,
+                 [this](const Cell &cell) { return !inflow_terms.has_face(cell.pressure_cell); });
   Base::keep_derivative(state, form);
-  if (product == nullptr)
-    return;
-  typename Product::State &kept = of_product.state;
-  std::copy(state.velocity.begin(), state.velocity.end(), kept.velocity.begin());
-  kept.velocity.update_ghost_values();
-  if (has_compressible_liquid)
-  {
-    std::copy(state.acceleration.begin(), state.acceleration.end(), kept.acceleration.begin());
-    kept.acceleration.update_ghost_values();
-    // With the ghost entries, which end() leaves out.
-    const unsigned int n_entries = pressure.trilinos_vector().MyLength();
-    kept.pressure.assign(pressure.begin(), pressure.begin() + n_entries);
-    kept.pressure_rate.assign(pressure_rate.begin(), pressure_rate.begin() + n_entries);
-  }
-  kept.acceleration_by_velocity = step.a0;
-  kept.pressure_rate_by_pressure = 1. / step.pressure_time;
-  product->set(&kept);
+  if (product.exists())
+    product.set(state, pressure, pressure_rate);
 }
 
 template <int dim>
@@ -149,26 +81,12 @@ void ConvectiveTerms<dim>::add_derivative_product(const DistributedVector &of_ve
                                                   DistributedVector &momentum,
                                                   DistributedVector &volume)
 {
-  if (product == nullptr || some_cells_have_matrices)
+  if (!product.exists() || product.leaves_cells())
     Base::add_derivative_product(of_velocity, of_pressure, momentum, volume);
   else
     space.copy_pressure(of_pressure, pressure_work, pressure);
-  if (product == nullptr)
-    return;
-  std::copy(of_velocity.begin(), of_velocity.end(), of_product.velocity.begin());
-  product->multiply(of_product.momentum, of_product.volume, of_product.velocity, pressure.begin());
-  for (unsigned int i = 0; i < momentum.locally_owned_size(); ++i)
-    momentum.begin()[i] += of_product.momentum.local_element(i);
-  for (const Cell &cell : cells.all())
-    if (!needs_matrix(cell))
-    {
-      const double *const rows =
-          &of_product
-               .volume[std::size_t(cell.velocity_cell->active_cell_index()) * Product::n_pressures];
-      std::copy(rows, rows + Product::n_pressures, cell_volume.begin());
-      space.pressure_hanging.distribute_local_to_global(cell_volume, cell.pressure_indices, volume);
-    }
-  volume.compress(VectorOperation::add);
+  if (product.exists())
+    product.add(of_velocity, pressure, cells, momentum, volume);
 }
 
 template <int dim>
@@ -178,22 +96,16 @@ std::vector<double> ConvectiveTerms<dim>::grad_div_viscosities(const BalancedSte
     return {};
   take(state);
   std::vector<double> result(space.triangulation.n_active_cells(), 0.);
-  const unsigned int n_functions = cells.n_functions();
   for (const Cell &cell : cells.all())
   {
     visit(cell);
     double integral = 0., volume = 0.;
     for (unsigned int q = 0; q < cells.n_points(); ++q)
     {
-      Tensor<1, dim> here;
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int a = 0; a < n_functions; ++a)
-          here[c] += cell_velocity[c * n_functions + a] * cells.values(q)[a];
-      integral += cell.points[q].weight * viscosity_over_speed() * here.norm();
+      integral += cell.points[q].weight * point(q).gamma();
       volume += cell.points[q].weight;
     }
-    result[cell.velocity_cell->active_cell_index()] =
-        problem.convection.constant_viscosity() + integral / volume;
+    result[cell.velocity_cell->active_cell_index()] = integral / volume;
   }
   return result;
 }
@@ -202,6 +114,12 @@ template <int dim>
 void ConvectiveTerms<dim>::take(const BalancedStep &state)
 {
   step = state.step;
+  scheme.carries = problem.convection.is_on ? 1. : 0.;
+  scheme.skew =
+      problem.convection.is_on && problem.convection.term == ConvectiveTerm::skew ? 0.5 : 0.;
+  scheme.grad_div_viscosity = problem.convection.constant_viscosity();
+  scheme.rate_by_velocity = step.a0;
+  scheme.pressure_rate_by_pressure = 1. / step.pressure_time;
   take(state.velocity, state.pressure);
   space.copy_velocity(state.acceleration, velocity_work, acceleration);
   space.copy_pressure(state.pressure_rate, pressure_work, pressure_rate);
@@ -255,22 +173,12 @@ void ConvectiveTerms<dim>::move_points()
 }
 
 template <int dim>
-double ConvectiveTerms<dim>::viscosity_over_speed() const
-{
-  return problem.convection.viscosity_over_speed(material().density, present->size);
-}
-
-template <int dim>
-typename ConvectiveTerms<dim>::Point ConvectiveTerms<dim>::point(const unsigned int q) const
+void ConvectiveTerms<dim>::set_velocity(const unsigned int q, Point &point) const
 {
   const typename Cell::Point &geometry = geometry_at(q);
   const std::size_t n_functions = cells.n_functions();
-  const double *const values = cells.values(q), *const pressure_values = cells.pressure_values(q);
-  const Tensor<1, dim> *const gradients = cells.gradients(q), *const pressure_gradients =
-                                                                  cells.pressure_gradients(q);
-  Point point;
-  point.weight = geometry.weight;
-  point.hoop = geometry.hoop;
+  const double *const values = cells.values(q);
+  const Tensor<1, dim> *const gradients = cells.gradients(q);
   for (unsigned int c = 0; c < dim; ++c)
   {
     const double *const velocities = cell_velocity.begin() + c * n_functions,
@@ -286,11 +194,41 @@ typename ConvectiveTerms<dim>::Point ConvectiveTerms<dim>::point(const unsigned 
     point.velocity[c] = of_velocity;
     point.acceleration[c] = of_acceleration;
     point.velocity_gradient[c] = slope * geometry.inverse_jacobian;
-    point.carrier[c] = carries * of_velocity;
+    point.carrier[c] = scheme.carries * of_velocity;
     for (unsigned int a = 0; problem.mesh_moves && a < n_functions; ++a)
       point.carrier[c] -= cell_mesh_velocity[c * n_functions + a] * values[a];
   }
-  point.divergence = trace(point.velocity_gradient) + point.hoop * point.velocity[1];
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::set_material(Point &point) const
+{
+  const Material &liquid = material();
+  const VolumeLaw law = liquid.volume_law();
+  point.density = liquid.density * law.density_ratio(point.pressure);
+  point.compressibility = law.compressibility(point.pressure);
+  point.compressibility_slope = law.compressibility_slope(point.pressure);
+  point.grad_div_over_speed =
+      problem.convection.viscosity_over_speed(liquid.density, present->size);
+  const Shear &shear = liquid.shear;
+  point.viscosity = shear.viscosity;
+  if (!shear.flow_curve)
+    return;
+  const double rate = point.shear_rate();
+  point.viscosity = shear.flow_curve->viscosity(rate);
+  point.viscosity_slope = shear.flow_curve->slope_over_rate(rate);
+}
+
+template <int dim>
+typename ConvectiveTerms<dim>::Point ConvectiveTerms<dim>::point(const unsigned int q)
+{
+  const typename Cell::Point &geometry = geometry_at(q);
+  const double *const pressure_values = cells.pressure_values(q);
+  const Tensor<1, dim> *const pressure_gradients = cells.pressure_gradients(q);
+  Point point;
+  point.scheme = scheme;
+  point.hoop = geometry.hoop;
+  set_velocity(q, point);
   Tensor<1, dim> slope;
   for (unsigned int k = 0; k < cells.n_pressures(); ++k)
   {
@@ -299,125 +237,16 @@ typename ConvectiveTerms<dim>::Point ConvectiveTerms<dim>::point(const unsigned 
     slope += cell_pressure[k] * pressure_gradients[k];
   }
   point.pressure_gradient = slope * geometry.inverse_jacobian;
-  set_strain_rate(point);
+  point.set_strain_rate();
+  set_material(point);
+  point.finish();
   return point;
 }
 
 template <int dim>
-void ConvectiveTerms<dim>::set_strain_rate(Point &point) const
+double ConvectiveTerms<dim>::integrate(const bool by_term)
 {
-  const double mean = point.divergence / 3.;
-  for (unsigned int c = 0; c < dim; ++c)
-    for (unsigned int d = 0; d < dim; ++d)
-      point.strain_rate[c][d] =
-          0.5 * (point.velocity_gradient[c][d] + point.velocity_gradient[d][c]) -
-          (c == d ? mean : 0.);
-  if (dim == 2)
-    point.across = point.velocity[1] * point.hoop - mean;
-  point.shear_rate =
-      std::sqrt(2. * (point.strain_rate.norm_square() + point.across * point.across));
-}
-
-template <int dim>
-void ConvectiveTerms<dim>::set_functions(const unsigned int q)
-{
-  const typename Cell::Point &geometry = geometry_at(q);
-  const std::size_t n_functions = cells.n_functions();
-  functions.values = cells.values(q);
-  functions.pressure_values = cells.pressure_values(q);
-  for (unsigned int a = 0; a < n_functions; ++a)
-    functions.gradients[a] = cells.gradients(q)[a] * geometry.inverse_jacobian;
-  for (unsigned int k = 0; k < cells.n_pressures(); ++k)
-    functions.pressure_gradients[k] = cells.pressure_gradients(q)[k] * geometry.inverse_jacobian;
-  for (unsigned int c = 0; c < dim; ++c)
-    for (unsigned int a = 0; a < n_functions; ++a)
-      traces[c * n_functions + a] =
-          functions.gradients[a][c] + (c == 1 ? geometry.hoop * functions.values[a] : 0.);
-}
-
-template <int dim>
-double ConvectiveTerms<dim>::shear(const Point &point,
-                                   const unsigned int component,
-                                   const unsigned int function) const
-{
-  double sum = point.strain_rate[component] * functions.gradients[function];
-  if (component == 1)
-    sum += point.across * point.hoop * functions.values[function];
-  return sum;
-}
-
-template <int dim>
-double ConvectiveTerms<dim>::viscosity_at(const Point &here) const
-{
-  const Shear &shear = material().shear;
-  return shear.flow_curve ? shear.flow_curve->viscosity(here.shear_rate) : shear.viscosity;
-}
-
-template <int dim>
-typename ConvectiveTerms<dim>::Tested ConvectiveTerms<dim>::viscous(const Point &here) const
-{
-  const double factor = 2. * here.weight * viscosity_at(here);
-  Tested tested;
-  tested.by_gradient = factor * here.strain_rate;
-  tested.by_value[1] = factor * here.across * here.hoop;
-  return tested;
-}
-
-template <int dim>
-void ConvectiveTerms<dim>::add_derivative_of_viscosity(const Point &here,
-                                                       FullMatrix<double> &matrix) const
-{
-  const std::optional<FlowCurve> &curve = material().shear.flow_curve;
-  const double factor = 2. * here.weight * viscosity_at(here),
-               slope = curve ? 4. * here.weight * curve->slope_over_rate(here.shear_rate) : 0.;
-  const std::size_t n_functions = cells.n_functions();
-  for (unsigned int c = 0; c < dim; ++c)
-    for (unsigned int a = 0; a < n_functions; ++a)
-    {
-      const unsigned int i = c * n_functions + a;
-      const Tensor<1, dim> &test = functions.gradients[a];
-      const double sheared = curve ? slope * shear(here, c, a) : 0.;
-      for (unsigned int d = 0; d < dim; ++d)
-        for (unsigned int b = 0; b < n_functions; ++b)
-        {
-          const unsigned int j = d * n_functions + b;
-          const Tensor<1, dim> &trial = functions.gradients[b];
-          double same = 0.5 * ((c == d ? test * trial : 0.) + test[d] * trial[c]) -
-                        traces[i] * traces[j] / 3.;
-          if (c == 1 && d == 1)
-            same += here.hoop * here.hoop * functions.values[a] * functions.values[b];
-          matrix(i, j) += factor * same + (curve ? sheared * shear(here, d, b) : 0.);
-        }
-    }
-}
-
-template <int dim>
-void ConvectiveTerms<dim>::add_tested(const Tested &tested,
-                                      const unsigned int q,
-                                      Vector<double> &rows) const
-{
-  const std::size_t n_functions = cells.n_functions();
-  const double *const values = cells.values(q);
-  const Tensor<1, dim> *const gradients = cells.gradients(q);
-  for (unsigned int c = 0; c < dim; ++c)
-  {
-    const double by_value = tested.by_value[c];
-    // By the gradient on the reference cell.
-    const Tensor<1, dim> by_gradient = geometry_at(q).inverse_jacobian * tested.by_gradient[c];
-    double *const of_component = rows.begin() + c * n_functions;
-    for (unsigned int a = 0; a < n_functions; ++a)
-      of_component[a] += by_value * values[a] + by_gradient * gradients[a];
-  }
-}
-
-template <int dim>
-double ConvectiveTerms<dim>::integrate(const bool by_kind)
-{
-  const Material &liquid = material();
-  const VolumeLaw law = liquid.volume_law();
-  const bool is_skew = carries > 0. && problem.convection.term == ConvectiveTerm::skew;
-  const double constant_gamma = problem.convection.constant_viscosity(),
-               gamma_over_speed = viscosity_over_speed();
+  const VolumeLaw law = material().volume_law();
   if (streamline_terms.are_on())
     streamline_terms.visit(present->velocity_cell, step);
   double least_stiffening = 1.;
@@ -427,45 +256,32 @@ double ConvectiveTerms<dim>::integrate(const bool by_kind)
   cell_volume = 0.;
   for (unsigned int q = 0; q < cells.n_points(); ++q)
   {
-    const Point here = point(q);
+    const typename Cell::Point &geometry = geometry_at(q);
+    Point here = point(q);
     least_stiffening = std::min(least_stiffening, law.stiffening(here.pressure));
-    const double density = liquid.density * law.density_ratio(here.pressure);
-    const double source = law.compressibility(here.pressure) *
-                              (here.pressure_rate + here.carrier * here.pressure_gradient) +
-                          here.divergence;
-    std::array<Tested, n_kinds> tested;
-    tested[inertia].by_value = here.weight * density * here.acceleration;
-    tested[convection].by_value =
-        here.weight * density *
-        (here.velocity_gradient * here.carrier + (is_skew ? 0.5 * source : 0.) * here.velocity);
-    const double gamma = constant_gamma + gamma_over_speed * here.velocity.norm();
-    const double second_pressure = here.weight * gamma * source;
-    for (unsigned int c = 0; c < dim; ++c)
-    {
-      tested[stabilisation].by_gradient[c][c] = second_pressure;
-      tested[compression].by_gradient[c][c] = -here.weight * here.pressure;
-    }
-    tested[stabilisation].by_value[1] = second_pressure * here.hoop;
-    tested[compression].by_value[1] = -here.weight * here.pressure * here.hoop;
     if (streamline_terms.are_on())
-      tested[stabilisation].by_gradient +=
-          outer_product(streamline_terms.force(here, q, cell_state()), here.carrier);
-    tested[viscosity] = viscous(here);
-    if (by_kind)
-      for (unsigned int kind = 0; kind < n_kinds; ++kind)
-        add_tested(tested[kind], q, cell_forces[kind]);
+      streamline_terms.set_point(q, cell_state(), here);
+    Tested<dim> sum;
+    if (by_term)
+    {
+      unsigned int number = 0;
+      StreamlineFlowTerms::for_each(
+          [&](const auto term)
+          {
+            Tested<dim> tested;
+            term.add(here, tested);
+            assembly.add_momentum(q, geometry.inverse_jacobian, geometry.weight, tested,
+                                  cell_forces[number++]);
+          });
+    }
     else
     {
-      Tested sum;
-      for (const Tested &part : tested)
-      {
-        sum.by_value += part.by_value;
-        sum.by_gradient += part.by_gradient;
-      }
-      add_tested(sum, q, cell_forces[0]);
+      FlowTerms::add(here, sum);
+      if (streamline_terms.are_on())
+        Streamline::add(here, sum);
+      assembly.add_momentum(q, geometry.inverse_jacobian, geometry.weight, sum, cell_forces[0]);
+      assembly.add_volume(q, geometry.weight, sum, cell_volume);
     }
-    for (unsigned int k = 0; k < cells.n_pressures(); ++k)
-      cell_volume[k] += here.weight * source * cells.pressure_values(q)[k];
   }
   if (inflow_terms.has_face(present->pressure_cell))
     inflow_terms.add(present->pressure_cell, cell_state(), cell_inflow);
@@ -501,6 +317,13 @@ void ConvectiveTerms<dim>::add(const BalancedStep &state,
   }
   momentum.compress(VectorOperation::add);
   volume.compress(VectorOperation::add);
+  refuse_softening(least_stiffening, softest);
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::refuse_softening(const double least_stiffening,
+                                            unsigned int softest) const
+{
   const auto least = Utilities::MPI::min_max_avg(least_stiffening, space.communicator);
   if (least.min > 0.)
     return;
@@ -519,27 +342,26 @@ void ConvectiveTerms<dim>::set_forces_of(const unsigned int region,
                                          const BalancedStep &state,
                                          NonlinearForces &forces)
 {
-  const std::array<std::pair<const Vector<double> *, DistributedVector *>, 6> parts = {
-      {{&cell_forces[inertia], &forces.inertia},
-       {&cell_forces[convection], &forces.convection},
-       {&cell_forces[stabilisation], &forces.stabilisation},
-       {&cell_forces[viscosity], &forces.viscosity},
-       {&cell_forces[compression], &forces.compression},
-       {&cell_inflow, &forces.inflow}}};
-  for (const auto &part : parts)
-    *part.second = 0.;
+  const auto kinds = StreamlineFlowTerms::forces();
+  for (DistributedVector *const part : {&forces.inertia, &forces.convection, &forces.stabilisation,
+                                        &forces.viscosity, &forces.compression, &forces.inflow})
+    *part = 0.;
   take(state);
   for (const Cell &cell : cells.all())
     if (cell.region == region)
     {
       visit(cell);
       integrate(true);
-      for (const auto &part : parts)
-        space.velocity_hanging.distribute_local_to_global(*part.first, cell.velocity_indices,
-                                                          *part.second);
+      for (std::size_t k = 0; k < kinds.size(); ++k)
+        if (kinds[k] != nullptr)
+          space.velocity_hanging.distribute_local_to_global(cell_forces[k], cell.velocity_indices,
+                                                            forces.*kinds[k]);
+      space.velocity_hanging.distribute_local_to_global(cell_inflow, cell.velocity_indices,
+                                                        forces.inflow);
     }
-  for (const auto &part : parts)
-    part.second->compress(VectorOperation::add);
+  for (DistributedVector *const part : {&forces.inertia, &forces.convection, &forces.stabilisation,
+                                        &forces.viscosity, &forces.compression, &forces.inflow})
+    part->compress(VectorOperation::add);
 }
 
 template <int dim>
@@ -581,7 +403,6 @@ template <int dim>
 NonlinearEnergy ConvectiveTerms<dim>::energy_of(const unsigned int region, const State &state)
 {
   NonlinearEnergy energy;
-  const double density = problem.materials[region].density;
   const VolumeLaw law = problem.materials[region].volume_law();
   take(state.velocity, state.pressure);
   if (problem.mesh_moves)
@@ -593,105 +414,41 @@ NonlinearEnergy ConvectiveTerms<dim>::energy_of(const unsigned int region, const
       for (unsigned int q = 0; q < cells.n_points(); ++q)
       {
         const Point here = point(q);
-        energy.kinetic += here.weight * 0.5 * density * law.density_ratio(here.pressure) *
-                          here.velocity.norm_square();
-        energy.compressive += here.weight * law.energy(here.pressure);
+        energy.kinetic += geometry_at(q).weight * FlowInertia::energy(here);
+        energy.compressive += geometry_at(q).weight * law.energy(here.pressure);
       }
     }
   return energy;
 }
 
 template <int dim>
-void ConvectiveTerms<dim>::integrate_derivative(FullMatrix<double> &matrix)
-{
-  const Material &liquid = material();
-  const VolumeLaw law = liquid.volume_law();
-  const double skew = carries > 0. && problem.convection.term == ConvectiveTerm::skew ? 0.5 : 0.;
-  const double constant_gamma = problem.convection.constant_viscosity(),
-               gamma_over_speed = viscosity_over_speed();
-  if (streamline_terms.are_on())
-    streamline_terms.visit(present->velocity_cell, step);
-  const double rate_by_pressure = 1. / step.pressure_time;
-  const std::size_t n_functions = cells.n_functions(), n_velocity = dim * n_functions,
-                    n_pressure = cells.n_pressures();
-  matrix.reinit(n_velocity + n_pressure, n_velocity + n_pressure);
-  for (unsigned int q = 0; q < cells.n_points(); ++q)
-  {
-    const Point here = point(q);
-    set_functions(q);
-    const double *const values = functions.values;
-    const double density = liquid.density * law.density_ratio(here.pressure);
-    const double compressibility = law.compressibility(here.pressure);
-    const double slope = law.compressibility_slope(here.pressure);
-    const double motion = here.pressure_rate + here.carrier * here.pressure_gradient;
-    const double source = compressibility * motion + here.divergence;
-    const Tensor<1, dim> inertial = here.acceleration + here.velocity_gradient * here.carrier;
-    const double speed = here.velocity.norm();
-    const double gamma = constant_gamma + gamma_over_speed * speed;
-    // Of gamma times the source by the velocity; at rest the speed has no derivative.
-    const Tensor<1, dim> gamma_slope =
-        speed > 0. ? gamma_over_speed / speed * source * here.velocity : Tensor<1, dim>();
-    for (unsigned int b = 0; b < n_functions; ++b)
-      along[b] = here.carrier * functions.gradients[b];
-    for (unsigned int d = 0; d < dim; ++d)
-      for (unsigned int b = 0; b < n_functions; ++b)
-        sources[d * n_functions + b] =
-            carries * compressibility * here.pressure_gradient[d] * values[b] +
-            traces[d * n_functions + b];
-    for (unsigned int l = 0; l < n_pressure; ++l)
-    {
-      const double shape = functions.pressure_values[l];
-      const double moved =
-          rate_by_pressure * shape + here.carrier * functions.pressure_gradients[l];
-      pressure_sources[l] = slope * shape * motion + compressibility * moved;
-      densities[l] = density * compressibility * shape;
-    }
-    // Of the acceleration and of the velocity that the flow carries along, by that velocity.
-    const double carried = density * step.a0 + skew * density * source;
-    for (unsigned int c = 0; c < dim; ++c)
-      for (unsigned int a = 0; a < n_functions; ++a)
-      {
-        const unsigned int i = c * n_functions + a;
-        const double test = here.weight * values[a];
-        const double by_trace = here.weight * traces[i];
-        const double by_source = test * skew * density * here.velocity[c] + gamma * by_trace;
-        for (unsigned int d = 0; d < dim; ++d)
-        {
-          double *const row = &matrix(i, d * n_functions);
-          const double *const of_source = &sources[d * n_functions];
-          const double by_value = carries * test * density * here.velocity_gradient[c][d] +
-                                  by_trace * gamma_slope[d] + (c == d ? test * carried : 0.);
-          for (unsigned int b = 0; b < n_functions; ++b)
-            row[b] += by_value * values[b] + by_source * of_source[b];
-          if (c == d)
-            for (unsigned int b = 0; b < n_functions; ++b)
-              row[b] += test * density * along[b];
-        }
-        const double by_density = test * (inertial[c] + skew * source * here.velocity[c]);
-        for (unsigned int l = 0; l < n_pressure; ++l)
-          matrix(i, n_velocity + l) += by_density * densities[l] + by_source * pressure_sources[l] -
-                                       by_trace * functions.pressure_values[l];
-      }
-    if (streamline_terms.are_on())
-      streamline_terms.add_derivative(here, functions, q, cell_state(), matrix);
-    if (liquid.shear.viscosity > 0.)
-      add_derivative_of_viscosity(here, matrix);
-    for (unsigned int k = 0; k < n_pressure; ++k)
-    {
-      const double test = -here.weight * functions.pressure_values[k];
-      for (unsigned int j = 0; j < n_velocity; ++j)
-        matrix(n_velocity + k, j) += test * sources[j];
-      for (unsigned int l = 0; l < n_pressure; ++l)
-        matrix(n_velocity + k, n_velocity + l) += test * pressure_sources[l];
-    }
-  }
-}
-
-template <int dim>
 void ConvectiveTerms<dim>::set_derivative(const Cell &cell, FullMatrix<double> &matrix)
 {
   visit(cell);
-  integrate_derivative(matrix);
+  typename CellAssembly<dim>::Directions directions;
+  directions.pressure_gradient = couples_pressures(cell);
+  if (streamline_terms.are_on())
+  {
+    streamline_terms.visit(cell.velocity_cell, step);
+    directions.pressure_gradient = true;
+    directions.viscous_forces = &streamline_terms.viscous_forces();
+  }
+  for (unsigned int q = 0; q < cells.n_points(); ++q)
+  {
+    const typename Cell::Point &geometry = geometry_at(q);
+    Point here = point(q);
+    if (streamline_terms.are_on())
+      streamline_terms.set_point(q, cell_state(), here);
+    assembly.take_derivative(q, geometry.inverse_jacobian, geometry.weight, directions,
+                             [&](const PointChange<dim> &of_unknowns, Tested<dim> &tested)
+                             {
+                               const FlowChange<dim> change(here, of_unknowns);
+                               FlowTerms::add_derivative(here, change, tested);
+                               if (streamline_terms.are_on())
+                                 Streamline::add_derivative(here, change, tested);
+                             });
+  }
+  assembly.finish_matrix(matrix);
   if (inflow_terms.has_face(cell.pressure_cell))
     inflow_terms.add_derivative(cell.pressure_cell, cell_state(), matrix);
 }

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 namespace Continua
@@ -22,7 +23,6 @@ using namespace dealii;
 
 namespace
 {
-const SymmetricTensor<2, 3> unit = unit_symmetric_tensor<3>();
 /// Of the terms of a stress at rest, which cancel: what of them a residual keeps is far below.
 constexpr double share_of_rest = 0.1;
 } // namespace
@@ -33,6 +33,7 @@ DeformationTerms<dim>::DeformationTerms(const Space<dim> &space,
                                         MetricHistory<dim> *const metrics)
     // As the linear stress, to which the terms come close where the deformation is small.
     : Base(space, problem, QGauss<dim>(space.n_quadrature_points()), RegionModel::finite_solid),
+      assembly(cells),
       metrics(metrics),
       heat(problem.regions.size(), 0.),
       follower_pressure(space, problem),
@@ -44,8 +45,7 @@ DeformationTerms<dim>::DeformationTerms(const Space<dim> &space,
                                  [](const Material &of_region)
                                  { return of_region.prestretch.exists(); }))
 {
-  const unsigned int n_functions = cells.n_functions(), n_velocity = dim * n_functions,
-                     n_pressure = cells.n_pressures();
+  const unsigned int n_velocity = dim * cells.n_functions(), n_pressure = cells.n_pressures();
   for (Vector<double> *vector : {&cell_velocity, &cell_displacement, &cell_unloaded,
                                  &cell_potentials, &cell_acceleration, &cell_load})
     vector->reinit(n_velocity);
@@ -53,10 +53,6 @@ DeformationTerms<dim>::DeformationTerms(const Space<dim> &space,
     forces.reinit(n_velocity);
   for (Vector<double> *vector : {&cell_pressure, &cell_pressure_rate, &cell_volume})
     vector->reinit(n_pressure);
-  slopes.resize(n_functions);
-  reference_slopes.resize(n_functions);
-  hoops.resize(n_functions);
-  reference_hoops.resize(n_functions);
 }
 
 template <int dim>
@@ -139,7 +135,10 @@ template <int dim>
 void DeformationTerms<dim>::take(const BalancedStep &state)
 {
   step = state.step;
-  displacement_by_velocity = step.branch(std::numeric_limits<double>::infinity()).velocity;
+  scheme.displacement_by_velocity = step.branch(std::numeric_limits<double>::infinity()).velocity;
+  scheme.rate_by_velocity = step.a0;
+  scheme.pressure_rate_by_pressure = 1. / step.pressure_time;
+  scheme.volume_is_rate = step.extrapolate;
   take(state.velocity, state.pressure);
   space.copy_pressure(state.pressure_rate, Base::pressure_work, pressure_rate);
   if (step.finds_unloaded_shape)
@@ -167,6 +166,11 @@ template <int dim>
 void DeformationTerms<dim>::visit(const Cell &cell)
 {
   present = &cell;
+  const Material &solid = material();
+  scheme.density = solid.density;
+  scheme.viscosity = step.is_towards_rest || step.finds_unloaded_shape ? 0. : solid.shear.viscosity;
+  scheme.inverse_bulk_modulus = solid.inverse_bulk_modulus();
+  scheme.has_own_mean_stress = solid.strain_law->has_own_mean_stress();
   Base::set_entries(cell.velocity_places, velocity, cell_velocity);
   Base::set_entries(cell.velocity_places, displacement, cell_displacement);
   Base::set_entries(cell.velocity_places, acceleration, cell_acceleration);
@@ -204,21 +208,39 @@ Tensor<2, 3> DeformationTerms<dim>::gradient(const Vector<double> &entries,
 }
 
 template <int dim>
-typename DeformationTerms<dim>::Point DeformationTerms<dim>::point(const unsigned int q) const
+typename DeformationTerms<dim>::Point DeformationTerms<dim>::point(const unsigned int q,
+                                                                   const Stress of_law)
 {
-  const double *const pressure_values = cells.pressure_values(q);
-  Point point{Kinematics(gradient(cell_displacement, q)),
-              {},
-              present->points[q].weight,
-              0.,
-              0.,
-              rest_states.empty() ? 1. : rest_states[present - cells.all().data()][q].volume_ratio};
+  const std::size_t n_functions = cells.n_functions();
+  const double *const values = cells.values(q), *const pressure_values = cells.pressure_values(q);
+  Point point(scheme, Kinematics(gradient(cell_displacement, q)));
+  point.hoop = present->points[q].hoop * point.kinematics.inverse()[2][2];
+  for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int a = 0; a < n_functions; ++a)
+    {
+      point.velocity[c] += cell_velocity[c * n_functions + a] * values[a];
+      point.acceleration[c] += cell_acceleration[c * n_functions + a] * values[a];
+    }
   point.velocity_gradient = point.kinematics.gradient(gradient(cell_velocity, q));
   for (unsigned int k = 0; k < cells.n_pressures(); ++k)
   {
     point.pressure += cell_pressure[k] * pressure_values[k];
     point.pressure_rate += cell_pressure_rate[k] * pressure_values[k];
   }
+  if (!rest_states.empty())
+    point.rest_ratio = rest_states[present - cells.all().data()][q].volume_ratio;
+  // A step that finds the unloaded shape ends at rest, whatever the mass on the way there.
+  point.mass_ratio = step.finds_unloaded_shape ? 1. : point.rest_ratio;
+  if (!(std::min(point.volume_ratio(), point.rest_ratio) > 0.))
+    return point;
+  set_strain(point, q);
+  if (of_law == Stress::alone)
+    set_stress(q, point);
+  else if (of_law == Stress::with_tangent)
+    set_tangent(q, point);
+  if (of_law != Stress::none && scheme.has_own_mean_stress)
+    material().strain_law->set_mean_stress(strain_at_point, point.mean_stress,
+                                           point.mean_stress_slope);
   return point;
 }
 
@@ -226,7 +248,7 @@ template <int dim>
 void DeformationTerms<dim>::set_strain(const Point &here, const unsigned int q)
 {
   strain_at_point.gradient = here.kinematics.deformation_gradient();
-  strain_at_point.determinant = here.kinematics.volume_ratio();
+  strain_at_point.determinant = here.volume_ratio();
   if (rest_states.empty())
     return;
   const RestState &rest = rest_states[present - cells.all().data()][q];
@@ -236,30 +258,44 @@ void DeformationTerms<dim>::set_strain(const Point &here, const unsigned int q)
 }
 
 template <int dim>
-void DeformationTerms<dim>::set_functions(const Point &here, const unsigned int q)
+void DeformationTerms<dim>::set_stress(const unsigned int q, Point &here) const
 {
-  const typename Cell::Point &geometry = present->points[q];
-  const Tensor<2, 3> &inverse = here.kinematics.inverse();
-  for (unsigned int a = 0; a < cells.n_functions(); ++a)
+  material().strain_law->set_stress(strain_at_point, here.stress);
+  if (relaxes())
   {
-    const Tensor<1, dim> slope = cells.gradients(q)[a] * geometry.inverse_jacobian;
-    for (unsigned int d = 0; d < dim; ++d)
-      reference_slopes[a][d] = slope[d];
-    slopes[a] = reference_slopes[a] * inverse;
-    reference_hoops[a] = geometry.hoop * cells.values(q)[a];
-    hoops[a] = reference_hoops[a] * inverse[2][2];
+    SymmetricTensor<2, 3> of_branches;
+    MetricStress(metrics->predicted(cell_number(), q)).set_stress(strain_at_point, of_branches);
+    here.stress += of_branches;
   }
+  here.stress *= here.rest_ratio;
 }
 
 template <int dim>
-void DeformationTerms<dim>::add_metric_stress(const unsigned int q,
-                                              SymmetricTensor<2, 3> &stress) const
+void DeformationTerms<dim>::set_tangent(const unsigned int q, Point &here) const
 {
-  if (!relaxes())
-    return;
-  SymmetricTensor<2, 3> of_branches;
-  MetricStress(metrics->predicted(cell_number(), q)).set_stress(strain_at_point, of_branches);
-  stress += of_branches;
+  material().strain_law->set_tangent(strain_at_point, here.stress, here.tangent);
+  if (relaxes())
+  {
+    SymmetricTensor<2, 3> of_branches;
+    SymmetricTensor<4, 3> tangent_of_branches;
+    MetricStress(metrics->predicted(cell_number(), q))
+        .set_tangent(strain_at_point, of_branches, tangent_of_branches);
+    here.stress += of_branches;
+    here.tangent += tangent_of_branches;
+  }
+  here.stress *= here.rest_ratio;
+  here.tangent *= here.rest_ratio;
+}
+
+template <int dim>
+Tensor<2, dim> DeformationTerms<dim>::present_jacobian(const Point &here,
+                                                       const unsigned int q) const
+{
+  Tensor<2, dim> inverse;
+  for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int d = 0; d < dim; ++d)
+      inverse[c][d] = here.kinematics.inverse()[c][d];
+  return present->points[q].inverse_jacobian * inverse;
 }
 
 template <int dim>
@@ -274,8 +310,7 @@ void DeformationTerms<dim>::visit_relaxing_points(const DistributedVector &of_di
       visit(cell);
       for (unsigned int q = 0; q < cells.n_points(); ++q)
       {
-        set_strain(point(q), q);
-        visit_point(q);
+        visit_point(q, point(q, Stress::none));
       }
     }
 }
@@ -286,7 +321,7 @@ void DeformationTerms<dim>::start_from(const DistributedVector &of_displacement)
   if (metrics == nullptr)
     return;
   visit_relaxing_points(
-      of_displacement, [this](const unsigned int q)
+      of_displacement, [this](const unsigned int q, const Point &)
       { metrics->start(cell_number(), q, inverse_isochoric_metric(strain_at_point)); });
 }
 
@@ -297,15 +332,15 @@ void DeformationTerms<dim>::finish_step(const BalancedStep &balanced, const Stat
     return;
   std::fill(heat.begin(), heat.end(), 0.);
   visit_relaxing_points(balanced.displacement,
-                        [this](const unsigned int q)
+                        [this](const unsigned int q, const Point &here)
                         {
                           heat[present->region] +=
-                              present->points[q].weight * point(q).rest_ratio *
+                              present->points[q].weight * here.rest_ratio *
                               metrics->dissipation(present->region, cell_number(), q,
                                                    strain_at_point);
                         });
   visit_relaxing_points(state.history.displacement(),
-                        [this](const unsigned int q)
+                        [this](const unsigned int q, const Point &)
                         {
                           metrics->advance(present->region, cell_number(), q,
                                            inverse_isochoric_metric(strain_at_point));
@@ -313,129 +348,41 @@ void DeformationTerms<dim>::finish_step(const BalancedStep &balanced, const Stat
 }
 
 template <int dim>
-SymmetricTensor<2, 3> DeformationTerms<dim>::viscous_stress(const Point &here) const
+double DeformationTerms<dim>::integrate(const bool by_term)
 {
-  return 2. * acting_viscosity() * here.kinematics.volume_ratio() *
-         deviator(symmetrize(here.velocity_gradient));
-}
-
-template <int dim>
-void DeformationTerms<dim>::add_stress(const SymmetricTensor<2, 3> &stress,
-                                       const double weight,
-                                       Vector<double> &rows) const
-{
-  const std::size_t n_functions = cells.n_functions();
-  for (unsigned int c = 0; c < dim; ++c)
-  {
-    Tensor<1, 3> by_slope;
-    for (unsigned int d = 0; d < 3; ++d)
-      by_slope[d] = weight * stress[c][d];
-    const double by_hoop = c == 1 ? weight * stress[2][2] : 0.;
-    double *const of_component = rows.begin() + c * n_functions;
-    for (unsigned int a = 0; a < n_functions; ++a)
-      of_component[a] += by_slope * slopes[a] + by_hoop * hoops[a];
-  }
-}
-
-template <int dim>
-void DeformationTerms<dim>::add_inertia(const Point &here,
-                                        const unsigned int q,
-                                        Vector<double> &rows) const
-{
-  const std::size_t n_functions = cells.n_functions();
-  const double *const values = cells.values(q);
-  const double of_mass = mass(here);
-  for (unsigned int c = 0; c < dim; ++c)
-  {
-    const double *const of_component = cell_acceleration.begin() + c * n_functions;
-    double of_point = 0.;
-    for (unsigned int a = 0; a < n_functions; ++a)
-      of_point += of_component[a] * values[a];
-    for (unsigned int a = 0; a < n_functions; ++a)
-      rows[c * n_functions + a] += of_mass * of_point * values[a];
-  }
-}
-
-template <int dim>
-void DeformationTerms<dim>::add_derivative_of_inertia(const Point &here,
-                                                      const unsigned int q,
-                                                      FullMatrix<double> &matrix) const
-{
-  const std::size_t n_functions = cells.n_functions();
-  const double *const values = cells.values(q);
-  const double factor = mass(here) * step.a0;
-  for (unsigned int a = 0; a < n_functions; ++a)
-    for (unsigned int f = 0; f < n_functions; ++f)
-      for (unsigned int c = 0; c < dim; ++c)
-        matrix(c * n_functions + a, c * n_functions + f) += factor * values[a] * values[f];
-}
-
-template <int dim>
-double DeformationTerms<dim>::volume_row(const Point &here) const
-{
-  const StrainLaw &law = *material().strain_law;
-  const double inverse_bulk_modulus = material().inverse_bulk_modulus();
-  if (law.has_own_mean_stress())
-  {
-    double mean_stress = 0.;
-    SymmetricTensor<2, 3> derivative;
-    law.set_mean_stress(strain_at_point, mean_stress, derivative);
-    return step.extrapolate
-               ? inverse_bulk_modulus *
-                     (here.pressure_rate + derivative * symmetrize(here.velocity_gradient))
-               : inverse_bulk_modulus * (here.pressure + mean_stress) / displacement_by_velocity;
-  }
-  if (step.extrapolate)
-    return trace(here.velocity_gradient) + inverse_bulk_modulus * here.pressure_rate;
-  const double strain = std::log1p(here.kinematics.volume_change()) - std::log(here.rest_ratio);
-  return (strain + inverse_bulk_modulus * here.pressure) / displacement_by_velocity;
-}
-
-template <int dim>
-double DeformationTerms<dim>::integrate(const bool by_kind)
-{
-  const StrainLaw &law = *material().strain_law;
-  const bool is_viscous = acting_viscosity() != 0. && !step.finds_unloaded_shape;
   for (Vector<double> &forces : cell_forces)
     forces = 0.;
   cell_volume = 0.;
   double least_ratio = std::numeric_limits<double>::max();
-  SymmetricTensor<2, 3> stress;
   for (unsigned int q = 0; q < cells.n_points(); ++q)
   {
-    const Point here = point(q);
-    const double ratio = here.kinematics.volume_ratio(), least = std::min(ratio, here.rest_ratio);
+    const Point here = point(q, Stress::alone);
+    const double least = std::min(here.volume_ratio(), here.rest_ratio);
     // What is no number fails the comparisons.
     if (!(least >= least_ratio))
       least_ratio = least;
     if (!(least > 0.))
       continue;
-    set_strain(here, q);
-    set_functions(here, q);
-    law.set_stress(strain_at_point, stress);
-    add_metric_stress(q, stress);
-    stress *= here.rest_ratio;
-    sizes.stress = std::max(sizes.stress, stress.norm() + std::abs(ratio * here.pressure));
-    const SymmetricTensor<2, 3> of_pressure = -ratio * here.pressure * unit;
-    if (by_kind)
+    sizes.stress =
+        std::max(sizes.stress, here.stress.norm() + std::abs(here.volume_ratio() * here.pressure));
+    const double weight = present->points[q].weight;
+    const Tensor<2, dim> jacobian = present_jacobian(here, q);
+    if (by_term)
     {
-      add_stress(stress, here.weight, cell_forces[strain]);
-      if (is_viscous)
-        add_stress(viscous_stress(here), here.weight, cell_forces[viscosity]);
-      add_stress(of_pressure, here.weight, cell_forces[compression]);
-      add_inertia(here, q, cell_forces[inertia]);
+      unsigned int number = 0;
+      SolidTerms::for_each(
+          [&](const auto term)
+          {
+            Tested<dim> tested;
+            term.add(here, tested);
+            assembly.add_momentum(q, jacobian, weight, tested, cell_forces[number++]);
+          });
+      continue;
     }
-    else
-    {
-      stress += of_pressure;
-      if (is_viscous)
-        stress += viscous_stress(here);
-      add_stress(stress, here.weight, cell_forces[0]);
-      add_inertia(here, q, cell_forces[0]);
-    }
-    const double row = here.weight * ratio * volume_row(here);
-    for (unsigned int k = 0; k < cells.n_pressures(); ++k)
-      cell_volume[k] += row * cells.pressure_values(q)[k];
+    Tested<dim> sum;
+    SolidTerms::add(here, sum);
+    assembly.add_momentum(q, jacobian, weight, sum, cell_forces[0]);
+    assembly.add_volume(q, weight, sum, cell_volume);
   }
   return least_ratio;
 }
@@ -481,7 +428,8 @@ void DeformationTerms<dim>::add(const BalancedStep &state,
   momentum.compress(VectorOperation::add);
   volume.compress(VectorOperation::add);
   sizes.stress = Utilities::MPI::max(sizes.stress, space.communicator);
-  sizes.velocity = Utilities::MPI::max(largest_way, space.communicator) / displacement_by_velocity;
+  sizes.velocity =
+      Utilities::MPI::max(largest_way, space.communicator) / scheme.displacement_by_velocity;
   refuse_inversion(least_ratio, worst);
 }
 
@@ -523,31 +471,57 @@ void DeformationTerms<dim>::set_forces_of(const unsigned int region,
                                           const BalancedStep &state,
                                           NonlinearForces &forces)
 {
-  const std::array<DistributedVector *, n_kinds> targets = {
-      {&forces.strain, &forces.viscosity, &forces.compression, &forces.inertia}};
-  for (DistributedVector *const target : targets)
-    *target = 0.;
+  const auto kinds = SolidTerms::forces();
+  for (const auto kind : kinds)
+    if (kind != nullptr)
+      forces.*kind = 0.;
   take(state);
   for (const Cell &cell : cells.all())
     if (cell.region == region)
     {
       visit(cell);
       integrate(true);
-      for (unsigned int kind = 0; kind < n_kinds; ++kind)
-        space.velocity_hanging.distribute_local_to_global(cell_forces[kind], cell.velocity_indices,
-                                                          *targets[kind]);
+      for (std::size_t k = 0; k < kinds.size(); ++k)
+        if (kinds[k] != nullptr)
+          space.velocity_hanging.distribute_local_to_global(cell_forces[k], cell.velocity_indices,
+                                                            forces.*kinds[k]);
     }
-  for (DistributedVector *const target : targets)
-    target->compress(VectorOperation::add);
+  for (const auto kind : kinds)
+    if (kind != nullptr)
+      (forces.*kind).compress(VectorOperation::add);
+}
+
+template <int dim>
+NonlinearEnergy DeformationTerms<dim>::energy_at(const unsigned int q)
+{
+  const StrainLaw &law = *material().strain_law;
+  const double inverse_bulk_modulus = scheme.inverse_bulk_modulus;
+  const Point here = point(q, Stress::alone);
+  const double weight = present->points[q].weight, rest_weight = weight * here.rest_ratio;
+  NonlinearEnergy energy;
+  energy.kinetic = weight * SolidInertia::energy(here);
+  energy.strain = rest_weight * law.energy(strain_at_point);
+  if (relaxes())
+    energy.strain +=
+        rest_weight * metrics->energy(present->region, cell_number(), q, strain_at_point);
+  if (law.has_own_mean_stress())
+  {
+    // The pressure is not -s at each point, but in the mean over its shape functions.
+    const double rest = here.mean_stress + here.pressure;
+    energy.strain -= weight * here.volume_ratio() * 0.5 * inverse_bulk_modulus * rest * rest;
+  }
+  // K (J ln J - J + 1) by the pressure, whose J is exp(-p/K).
+  const double log_ratio = -inverse_bulk_modulus * here.pressure;
+  if (inverse_bulk_modulus > 0. && !law.has_own_mean_stress())
+    energy.compressive = rest_weight * (log_ratio * std::exp(log_ratio) - std::expm1(log_ratio)) /
+                         inverse_bulk_modulus;
+  return energy;
 }
 
 template <int dim>
 NonlinearEnergy DeformationTerms<dim>::energy_of(const unsigned int region, const State &state)
 {
   NonlinearEnergy energy;
-  const Material &of_region = problem.materials[region];
-  const StrainLaw &law = *of_region.strain_law;
-  const double inverse_bulk_modulus = of_region.inverse_bulk_modulus();
   take(state.velocity, state.pressure);
   space.copy_velocity(state.history.displacement(), velocity_work, displacement);
   pressure_rate = 0.;
@@ -557,33 +531,10 @@ NonlinearEnergy DeformationTerms<dim>::energy_of(const unsigned int region, cons
       visit(cell);
       for (unsigned int q = 0; q < cells.n_points(); ++q)
       {
-        const Point here = point(q);
-        Tensor<1, dim> of_velocity;
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int a = 0; a < cells.n_functions(); ++a)
-            of_velocity[c] += cell_velocity[c * cells.n_functions() + a] * cells.values(q)[a];
-        const double rest_weight = here.weight * here.rest_ratio;
-        energy.kinetic += rest_weight * 0.5 * of_region.density * of_velocity.norm_square();
-        set_strain(here, q);
-        energy.strain += rest_weight * law.energy(strain_at_point);
-        if (relaxes())
-          energy.strain += rest_weight * metrics->energy(region, cell_number(), q, strain_at_point);
-        if (law.has_own_mean_stress())
-        {
-          // The pressure is not -s at each point, but in the mean over its shape functions.
-          double mean_stress = 0.;
-          SymmetricTensor<2, 3> unused;
-          law.set_mean_stress(strain_at_point, mean_stress, unused);
-          const double rest = mean_stress + here.pressure;
-          energy.strain -= here.weight * here.kinematics.volume_ratio() * 0.5 *
-                           inverse_bulk_modulus * rest * rest;
-        }
-        // K (J ln J - J + 1) by the pressure, whose J is exp(-p/K).
-        const double log_ratio = -inverse_bulk_modulus * here.pressure;
-        if (inverse_bulk_modulus > 0. && !law.has_own_mean_stress())
-          energy.compressive += rest_weight *
-                                (log_ratio * std::exp(log_ratio) - std::expm1(log_ratio)) /
-                                inverse_bulk_modulus;
+        const NonlinearEnergy of_point = energy_at(q);
+        energy.kinetic += of_point.kinetic;
+        energy.strain += of_point.strain;
+        energy.compressive += of_point.compressive;
       }
     }
   return energy;
@@ -619,185 +570,28 @@ template <int dim>
 void DeformationTerms<dim>::set_derivative(const Cell &cell, FullMatrix<double> &matrix)
 {
   visit(cell);
-  if (step.finds_unloaded_shape)
-  {
-    integrate_unloading_derivative(matrix);
-    return;
-  }
-  integrate_derivative(matrix);
-  if (follower_pressure.has_face(cell.velocity_cell))
-    follower_pressure.subtract_derivative(cell.velocity_cell, step, cell_displacement,
-                                          displacement_by_velocity, matrix);
-  if (body_force.has_changes(cell.region))
-    body_force.subtract_derivative(cells, cell, step, cell_displacement, displacement_by_velocity,
-                                   matrix);
-}
-
-template <int dim>
-void DeformationTerms<dim>::integrate_derivative(FullMatrix<double> &matrix)
-{
-  const StrainLaw &law = *material().strain_law;
-  const double viscosity = acting_viscosity(),
-               inverse_bulk_modulus = material().inverse_bulk_modulus();
-  const double b = displacement_by_velocity, rate_by_pressure = 1. / step.pressure_time;
-  const unsigned int n_functions = cells.n_functions(), n_velocity = dim * n_functions,
-                     n_pressure = cells.n_pressures();
-  matrix.reinit(n_velocity + n_pressure, n_velocity + n_pressure);
-  SymmetricTensor<2, 3> stress, metric_stress, mean_derivative;
-  SymmetricTensor<4, 3> tangent, metric_tangent;
-  const SymmetricTensor<4, 3> of_pressure = outer_product(unit, unit) - 2. * identity_tensor<3>();
   for (unsigned int q = 0; q < cells.n_points(); ++q)
   {
-    const Point here = point(q);
-    const double ratio = here.kinematics.volume_ratio();
-    set_strain(here, q);
-    set_functions(here, q);
-    law.set_tangent(strain_at_point, stress, tangent);
-    if (relaxes())
+    Point here = point(q, Stress::with_tangent);
+    std::optional<RightStretch> unloading;
+    if (step.finds_unloaded_shape)
     {
-      MetricStress(metrics->predicted(cell_number(), q))
-          .set_tangent(strain_at_point, metric_stress, metric_tangent);
-      stress += metric_stress;
-      tangent += metric_tangent;
+      unloading.emplace(Tensor<2, 3>(unit_symmetric_tensor<3>()) + gradient(cell_unloaded, q));
+      here.unloading = &*unloading;
     }
-    stress *= here.rest_ratio;
-    tangent *= here.rest_ratio;
-    const double scaled_pressure = ratio * here.pressure;
-    stress -= scaled_pressure * unit;
-    tangent -= scaled_pressure * of_pressure;
-    const auto whole_stress = static_cast<Tensor<2, 3>>(stress);
-    const SymmetricTensor<2, 3> viscous =
-        viscosity != 0. ? viscous_stress(here) : SymmetricTensor<2, 3>();
-    double mean_stress = 0.;
-    if (law.has_own_mean_stress())
-      law.set_mean_stress(strain_at_point, mean_stress, mean_derivative);
-    const double row = volume_row(here);
-    for (unsigned int d = 0; d < dim; ++d)
-      for (unsigned int f = 0; f < n_functions; ++f)
-      {
-        const unsigned int j = d * n_functions + f;
-        // The gradient of the change of place by this unknown.
-        Tensor<2, 3> change;
-        change[d] = slopes[f];
-        if (d == 1)
-          change[2][2] += hoops[f];
-        const SymmetricTensor<2, 3> strain_change = symmetrize(change);
-        const double divergence = trace(change);
-        // What acts on the gradients of test functions.
-        Tensor<2, 3> acting = static_cast<Tensor<2, 3>>(tangent * strain_change);
-        acting[d] += slopes[f] * whole_stress;
-        if (d == 1)
-          acting[2] += hoops[f] * whole_stress[2];
-        acting *= b;
-        if (viscosity != 0.)
-        {
-          const Tensor<2, 3> rate = change - b * here.velocity_gradient * change;
-          acting += static_cast<Tensor<2, 3>>(2. * viscosity * ratio * deviator(symmetrize(rate)));
-          acting += b * (divergence * static_cast<Tensor<2, 3>>(viscous) -
-                         static_cast<Tensor<2, 3>>(viscous) * transpose(change));
-        }
-        acting *= here.weight;
-        for (unsigned int c = 0; c < dim; ++c)
-        {
-          const double by_hoop = c == 1 ? acting[2][2] : 0.;
-          for (unsigned int a = 0; a < n_functions; ++a)
-            matrix(c * n_functions + a, j) += acting[c] * slopes[a] + by_hoop * hoops[a];
-        }
-        double row_change = b * row * divergence;
-        if (law.has_own_mean_stress())
-          // In the middle of a step without the change of the derivative itself, which the rate
-          // multiplies.
-          row_change +=
-              inverse_bulk_modulus *
-              (mean_derivative * (step.extrapolate
-                                      ? symmetrize(change - b * here.velocity_gradient * change)
-                                      : strain_change));
-        else if (step.extrapolate)
-          row_change +=
-              divergence - b * double_contract<0, 1, 1, 0>(here.velocity_gradient, change);
-        else
-          row_change += divergence;
-        const double by_velocity = here.weight * ratio * row_change;
-        for (unsigned int k = 0; k < n_pressure; ++k)
-          matrix(n_velocity + k, j) -= by_velocity * cells.pressure_values(q)[k];
-        const double by_pressure = -here.weight * ratio * divergence;
-        for (unsigned int k = 0; k < n_pressure; ++k)
-          matrix(j, n_velocity + k) += by_pressure * cells.pressure_values(q)[k];
-      }
-    add_derivative_of_inertia(here, q, matrix);
-    const double row_by_pressure =
-        here.weight * ratio * inverse_bulk_modulus * (step.extrapolate ? rate_by_pressure : 1. / b);
-    for (unsigned int k = 0; k < n_pressure; ++k)
-      for (unsigned int l = 0; l < n_pressure; ++l)
-        matrix(n_velocity + k, n_velocity + l) -=
-            row_by_pressure * cells.pressure_values(q)[k] * cells.pressure_values(q)[l];
+    assembly.take_derivative(
+        q, present_jacobian(here, q), cell.points[q].weight, {},
+        [&here](const PointChange<dim> &of_unknowns, Tested<dim> &tested)
+        { SolidTerms::add_derivative(here, SolidChange<dim>(here, of_unknowns), tested); });
   }
-}
-
-template <int dim>
-void DeformationTerms<dim>::integrate_unloading_derivative(FullMatrix<double> &matrix)
-{
-  const StrainLaw &law = *material().strain_law;
-  const double inverse_bulk_modulus = material().inverse_bulk_modulus(),
-               b = displacement_by_velocity;
-  const unsigned int n_functions = cells.n_functions(), n_velocity = dim * n_functions,
-                     n_pressure = cells.n_pressures();
-  matrix.reinit(n_velocity + n_pressure, n_velocity + n_pressure);
-  SymmetricTensor<2, 3> stress, mean_derivative;
-  SymmetricTensor<4, 3> tangent;
-  for (unsigned int q = 0; q < cells.n_points(); ++q)
-  {
-    const Point here = point(q);
-    const Tensor<2, 3> unit_tensor = unit;
-    const RightStretch unloading(unit_tensor + gradient(cell_unloaded, q));
-    set_strain(here, q);
-    set_functions(here, q);
-    law.set_tangent(strain_at_point, stress, tangent);
-    const auto whole_stress = static_cast<Tensor<2, 3>>(stress);
-    double mean_stress = 0.;
-    if (law.has_own_mean_stress())
-      law.set_mean_stress(strain_at_point, mean_stress, mean_derivative);
-    for (unsigned int d = 0; d < dim; ++d)
-      for (unsigned int f = 0; f < n_functions; ++f)
-      {
-        const unsigned int j = d * n_functions + f;
-        // D0 = -D, and dFe Fe^-1 = -U0^-1 dU0 of the elastic deformation Fe = U0^-1 times what is
-        // known.
-        Tensor<2, 3> change;
-        change[d] = reference_slopes[f];
-        if (d == 1)
-          change[2][2] += reference_hoops[f];
-        change = unloading.inverse() * unloading.change(change);
-        const double divergence = trace(change);
-        // Of det F0 tau, whose volume at rest changes, too.
-        const Tensor<2, 3> acting =
-            (here.weight * here.rest_ratio * b) *
-            (static_cast<Tensor<2, 3>>(tangent * symmetrize(change)) + change * whole_stress +
-             whole_stress * transpose(change) - divergence * whole_stress);
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int a = 0; a < n_functions; ++a)
-            matrix(c * n_functions + a, j) +=
-                acting[c] * reference_slopes[a] + (c == 1 ? acting[2][2] * reference_hoops[a] : 0.);
-        const double row_change =
-            law.has_own_mean_stress()
-                ? inverse_bulk_modulus * (mean_derivative * symmetrize(change))
-                : divergence;
-        const double reference_divergence =
-            reference_slopes[f][d] + (d == 1 ? reference_hoops[f] : 0.);
-        for (unsigned int k = 0; k < n_pressure; ++k)
-        {
-          matrix(n_velocity + k, j) -= here.weight * row_change * cells.pressure_values(q)[k];
-          matrix(j, n_velocity + k) -=
-              here.weight * reference_divergence * cells.pressure_values(q)[k];
-        }
-      }
-    add_derivative_of_inertia(here, q, matrix);
-    const double row_by_pressure = here.weight * inverse_bulk_modulus / b;
-    for (unsigned int k = 0; k < n_pressure; ++k)
-      for (unsigned int l = 0; l < n_pressure; ++l)
-        matrix(n_velocity + k, n_velocity + l) -=
-            row_by_pressure * cells.pressure_values(q)[k] * cells.pressure_values(q)[l];
-  }
+  assembly.finish_matrix(matrix);
+  if (step.finds_unloaded_shape)
+    return;
+  const double b = scheme.displacement_by_velocity;
+  if (follower_pressure.has_face(cell.velocity_cell))
+    follower_pressure.subtract_derivative(cell.velocity_cell, step, cell_displacement, b, matrix);
+  if (body_force.has_changes(cell.region))
+    body_force.subtract_derivative(cells, cell, step, cell_displacement, b, matrix);
 }
 
 template class DeformationTerms<2>;

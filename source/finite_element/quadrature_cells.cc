@@ -43,20 +43,25 @@ QuadratureCells<dim>::QuadratureCells(const Space<dim> &space,
     : space(space), quadrature(quadrature), takes(takes)
 {
   const FE_Q<dim> velocity(space.degree()), pressure(space.degree() - 1);
-  const auto set =
-      [&](const FE_Q<dim> &element, Table<2, double> &values, Table<2, Tensor<1, dim>> &gradients)
+  const auto set = [&](const FE_Q<dim> &element, Table<2, double> &values,
+                       Table<2, Tensor<1, dim>> &gradients, Table<2, double> &both)
   {
-    values.reinit(quadrature.size(), element.n_dofs_per_cell());
-    gradients.reinit(quadrature.size(), element.n_dofs_per_cell());
+    const unsigned int n_functions = element.n_dofs_per_cell();
+    values.reinit(quadrature.size(), n_functions);
+    gradients.reinit(quadrature.size(), n_functions);
+    both.reinit(quadrature.size(), (dim + 1) * n_functions);
     for (unsigned int q = 0; q < quadrature.size(); ++q)
-      for (unsigned int a = 0; a < element.n_dofs_per_cell(); ++a)
+      for (unsigned int a = 0; a < n_functions; ++a)
       {
         values(q, a) = element.shape_value(a, quadrature.point(q));
         gradients(q, a) = element.shape_grad(a, quadrature.point(q));
+        both(q, a) = values(q, a);
+        for (unsigned int c = 0; c < dim; ++c)
+          both(q, (c + 1) * n_functions + a) = gradients(q, a)[c];
       }
   };
-  set(velocity, shapes, slopes);
-  set(pressure, pressure_shapes, pressure_slopes);
+  set(velocity, shapes, slopes, values_and_slopes);
+  set(pressure, pressure_shapes, pressure_slopes, pressure_values_and_slopes);
 }
 
 template <int dim>

@@ -3,10 +3,12 @@
 
 #include <continua/continuum/kinematics.h>
 #include <continua/continuum/rest_state.h>
+#include <continua/finite_element/assembly/cell_assembly.h>
 #include <continua/finite_element/follower_pressure.h>
 #include <continua/finite_element/metric_history.h>
 #include <continua/finite_element/moved_body_force.h>
 #include <continua/finite_element/nonlinear_cell_terms.h>
+#include <continua/finite_element/terms/solid_terms.h>
 #include <continua/finite_element/wall_potentials.h>
 #include <continua/materials/strain_law.h>
 
@@ -19,8 +21,8 @@
 namespace Continua
 {
 /**
- * The solids in finite deformation. For test functions v and q, on the reference mesh with
- * gradients by the present place,
+ * The regions of RegionModel::finite_solid: the SolidTerms. For test functions v and q, on the
+ * reference mesh with gradients by the present place,
  *
  *   int rho0 v . dU/dt dV + int ( tau(F) + J 2 eta dev sym grad U - J p I ) : grad v dV
  *   int q (1/b) ( ln J + p/K ) J dV
@@ -86,24 +88,16 @@ private:
   using typename Base::Cell;
   using typename Base::Sizes;
 
-  /// The state at a quadrature point.
-  struct Point
+  using Point = SolidPoint<dim>;
+  /// What a point has of its law.
+  enum class Stress
   {
-    Kinematics kinematics;
-    dealii::Tensor<2, 3> velocity_gradient; ///< grad U [1/s]
-    double weight, pressure, pressure_rate;
-    double rest_ratio; ///< RestState::volume_ratio [1]
-  };
-  /// The kinds of NonlinearForces.
-  enum Kind
-  {
-    strain,
-    viscosity,
-    compression,
-    inertia,
-    n_kinds
+    none,
+    alone,
+    with_tangent
   };
 
+  CellAssembly<dim> assembly;
   MetricHistory<dim> *const metrics;
   std::vector<double> heat; ///< relaxation_power() by region
   FollowerPressure<dim> follower_pressure;
@@ -111,15 +105,16 @@ private:
   WallPotentials<dim> potentials;
   // Of the state, with ghost entries.
   DistributedVector displacement, pressure_rate, acceleration;
-  DistributedVector unloaded;           ///< D0, a part of the state where it is looked for [m]
-  DistributedVector ghosted_unloaded;   ///< of which the states at rest are made
-  double displacement_by_velocity = 0.; ///< b [s]
+  DistributedVector unloaded;         ///< D0, a part of the state where it is looked for [m]
+  DistributedVector ghosted_unloaded; ///< of which the states at rest are made
+  SolidScheme scheme;                 ///< of the present cell
   Sizes sizes;
   // Of the present cell; vectors component by component.
   const Cell *present = nullptr;
   dealii::Vector<double> cell_velocity, cell_displacement, cell_pressure, cell_pressure_rate;
   dealii::Vector<double> cell_unloaded, cell_potentials, cell_acceleration, cell_volume, cell_load;
-  std::array<dealii::Vector<double>, n_kinds> cell_forces;
+  /// Of each of the SolidTerms, or their sum in the first one.
+  std::array<dealii::Vector<double>, SolidTerms::size> cell_forces;
   PointStrain strain_at_point;
   /// Of each cell and point, where a material has fibres or a prestretch, or the unloaded shape is
   /// another than the mesh's; else empty.
@@ -127,10 +122,6 @@ private:
   double prestretch_share = 1.; ///< of which they are made
   /// Whether the volume at rest is another than that of the mesh.
   const bool has_other_rest;
-  /// The shape functions of a component at a point: gradients by the present place [1/m], and those
-  /// along the circumference, of the radial component alone.
-  std::vector<dealii::Tensor<1, 3>> slopes, reference_slopes;
-  std::vector<double> hoops, reference_hoops;
 
   void take(const BalancedStep &state) override;
   void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix) override;
@@ -138,27 +129,22 @@ private:
   void set_rest_states();
   void visit(const Cell &cell);
   const Material &material() const { return problem.materials[present->region]; }
-  /// The shear viscosity that acts in the step [Pa s].
-  double acting_viscosity() const { return step.is_towards_rest ? 0. : material().shear.viscosity; }
-  Point point(unsigned int q) const;
+  /// The state at a quadrature point of the present cell; without stress where it is turned inside
+  /// out. Makes `strain_at_point` that of the point.
+  Point point(unsigned int q, Stress of_law);
   /// Of a vector of the present cell, by the reference place.
   dealii::Tensor<2, 3> gradient(const dealii::Vector<double> &entries, unsigned int q) const;
-  /// Makes `strain_at_point` that of the point.
   void set_strain(const Point &point, unsigned int q);
-  void set_functions(const Point &point, unsigned int q);
-  /// Adds what the branches that relax have of it; after set_strain().
-  void add_metric_stress(unsigned int q, dealii::SymmetricTensor<2, 3> &stress) const;
+  void set_stress(unsigned int q, Point &point) const;
+  void set_tangent(unsigned int q, Point &point) const;
+  /// The inverse Jacobian of the present place.
+  dealii::Tensor<2, dim> present_jacobian(const Point &point, unsigned int q) const;
   bool relaxes() const { return metrics != nullptr && metrics->relaxes(present->region); }
   /// The number of the present cell among the active ones.
   unsigned int cell_number() const { return present->velocity_cell->active_cell_index(); }
   /// Calls visit(q) at each point of the cells that relax, with its strain by this displacement.
   template <typename Visit>
   void visit_relaxing_points(const DistributedVector &of_displacement, const Visit &visit_point);
-  dealii::SymmetricTensor<2, 3> viscous_stress(const Point &point) const;
-  /// Adds rows of momentum: of a stress per reference volume [Pa].
-  void add_stress(const dealii::SymmetricTensor<2, 3> &stress,
-                  double weight,
-                  dealii::Vector<double> &rows) const;
   /// Whether the loads on a cell change as it moves.
   bool has_load_changes(const Cell &cell) const
   {
@@ -166,24 +152,10 @@ private:
   }
   /// Sets cell_load to these loads less those of the body at rest; the cell is the present one.
   void set_load_changes(const Cell &cell);
-  /// Sets the rows of the present cell without its loads: cell_volume, and cell_forces by kind, or
+  /// Sets the rows of the present cell without its loads: cell_volume, and cell_forces by term, or
   /// their sum in the first one. The least volume ratio.
-  double integrate(bool by_kind);
-  /// Of a point [kg]. A step that finds the unloaded shape ends at rest, whatever the mass on the
-  /// way there.
-  double mass(const Point &point) const
-  {
-    return point.weight * material().density * (step.finds_unloaded_shape ? 1. : point.rest_ratio);
-  }
-  void add_inertia(const Point &point, unsigned int q, dealii::Vector<double> &rows) const;
-  void add_derivative_of_inertia(const Point &point,
-                                 unsigned int q,
-                                 dealii::FullMatrix<double> &matrix) const;
-  /// The left side of the row of volume at a point [1/s].
-  double volume_row(const Point &point) const;
-  void integrate_derivative(dealii::FullMatrix<double> &matrix);
-  /// The same of a step that finds the unloaded shape.
-  void integrate_unloading_derivative(dealii::FullMatrix<double> &matrix);
+  double integrate(bool by_term);
+  NonlinearEnergy energy_at(unsigned int q);
   /// Throws StepFailure where a volume ratio of some rank is not positive. Collective.
   void refuse_inversion(double least_ratio, const Cell *worst) const;
 };

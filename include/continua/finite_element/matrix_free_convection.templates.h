@@ -2,6 +2,7 @@
 #define continua_finite_element_matrix_free_convection_templates_h
 
 #include <continua/finite_element/matrix_free_convection.h>
+#include <continua/finite_element/terms/flow_terms.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_dgq.h>
@@ -10,9 +11,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 namespace Continua
@@ -63,32 +62,13 @@ private:
     bool is_liquid = false, is_compressible = false, has_flow_curve = false;
   };
 
-  /// The state and the change at a point: value, and gradient [component][direction].
-  struct Point
-  {
-    Lanes hoop; ///< 1/r in axisymmetry, else 0
-    Vector1 velocity, acceleration, velocity_change;
-    Vector2 gradient, gradient_change;
-    Lanes pressure = 0., pressure_rate = 0., pressure_change = 0.;
-    Vector1 pressure_gradient, pressure_gradient_change;
-
-    Lanes divergence() const { return trace(gradient) + hoop * velocity[1]; }
-    Lanes divergence_change() const { return trace(gradient_change) + hoop * velocity_change[1]; }
-  };
-  /// What tests the rows at a point: by values, by gradients, and by the values of pressures.
-  struct Tested
-  {
-    Vector1 by_value;
-    Vector2 by_gradient;
-    Lanes of_volume = 0.;
-  };
+  using Point = FlowPoint<dim, Lanes>;
 
   /// Pressures are read by the places that are given: this is for their shape functions alone.
   dealii::DoFHandler<dim> shapes_of_pressure;
   MatrixFree matrix_free;
   const std::vector<Liquid> liquids;
-  const double skew; ///< of the terms of the skew form, 1/2 or 0
-  const double constant_viscosity;
+  FlowScheme scheme;
   const std::vector<int> pressure_places;
   dealii::AlignedVector<Batch> batches;
   const State *state = nullptr;
@@ -96,9 +76,8 @@ private:
   void make_batches(const Input &input);
   /// The values of a cell's pressures.
   void read(const Batch &batch, const double *entries, PressureCell &cell) const;
-  Tested differentiate(const Batch &batch, const Point &point) const;
-  /// Adds the viscous stress.
-  void add_viscous(const Batch &batch, const Point &point, Tested &tested) const;
+  /// Sets what the liquids of a batch are at a point.
+  void set_materials(const Batch &batch, Point &point) const;
 };
 
 template <int dim, std::size_t width, bool is_axisymmetric>
@@ -106,10 +85,10 @@ MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::MatrixFreeConvectionOf
     const Input &input)
     : shapes_of_pressure(input.dof_handler.get_triangulation()),
       liquids(input.liquids),
-      skew(input.is_skew ? 0.5 : 0.),
-      constant_viscosity(input.constant_viscosity),
       pressure_places(input.pressure_places)
 {
+  scheme.skew = input.is_skew ? 0.5 : 0.;
+  scheme.grad_div_viscosity = input.constant_viscosity;
   typename MatrixFree::AdditionalData data;
   data.tasks_parallel_scheme = MatrixFree::AdditionalData::none;
   data.mapping_update_flags =
@@ -177,99 +156,31 @@ void MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::read(const Batch 
 }
 
 template <int dim, std::size_t width, bool is_axisymmetric>
-void MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::add_viscous(const Batch &batch,
-                                                                           const Point &point,
-                                                                           Tested &tested) const
+void MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::set_materials(const Batch &batch,
+                                                                             Point &point) const
 {
-  // Deviatoric rates of strain in the plane or in space, and across the plane.
-  const auto deviator = [](const Vector2 &gradient, const Lanes mean)
-  {
-    Vector2 rate;
-    for (unsigned int c = 0; c < dim; ++c)
-      for (unsigned int d = 0; d < dim; ++d)
-        rate[c][d] = 0.5 * (gradient[c][d] + gradient[d][c]);
-    for (unsigned int c = 0; c < dim; ++c)
-      rate[c][c] -= mean;
-    return rate;
-  };
-  const Lanes mean = point.divergence() / 3., mean_change = point.divergence_change() / 3.;
-  const Vector2 rate = deviator(point.gradient, mean),
-                change = deviator(point.gradient_change, mean_change);
-  const Lanes across = dim == 2 ? point.hoop * point.velocity[1] - mean : Lanes(0.),
-              across_change =
-                  dim == 2 ? point.hoop * point.velocity_change[1] - mean_change : Lanes(0.);
-  Lanes factor = 2. * batch.viscosity, along = 0.;
-  if (batch.has_flow_curve)
-  {
-    Lanes norm_square = across * across, product = across * across_change;
-    for (unsigned int c = 0; c < dim; ++c)
-      for (unsigned int d = 0; d < dim; ++d)
-      {
-        norm_square += rate[c][d] * rate[c][d];
-        product += rate[c][d] * change[c][d];
-      }
-    const Lanes shear_rate = std::sqrt(2. * norm_square);
-    Lanes slope = 0.;
-    for (unsigned int lane = 0; lane < width; ++lane)
-      if (batch.liquids[lane] != nullptr && batch.liquids[lane]->flow_curve)
-      {
-        const FlowCurve &curve = *batch.liquids[lane]->flow_curve;
-        factor[lane] = 2. * curve.viscosity(shear_rate[lane]);
-        slope[lane] = 4. * curve.slope_over_rate(shear_rate[lane]);
-      }
-    along = slope * product;
-  }
-  tested.by_gradient += factor * change + along * rate;
-  tested.by_value[1] += point.hoop * (factor * across_change + along * across);
-}
-
-template <int dim, std::size_t width, bool is_axisymmetric>
-typename MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::Tested
-MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::differentiate(const Batch &batch,
-                                                                        const Point &point) const
-{
-  Lanes density = batch.density, compressibility = 0., compressibility_slope = 0.;
+  point.density = batch.density;
+  point.viscosity = batch.viscosity;
+  point.grad_div_over_speed = batch.viscosity_over_speed;
   if (batch.is_compressible)
     for (unsigned int lane = 0; lane < width; ++lane)
       if (batch.liquids[lane] != nullptr)
       {
         const VolumeLaw &law = batch.liquids[lane]->volume_law;
-        density[lane] *= law.density_ratio(point.pressure[lane]);
-        compressibility[lane] = law.compressibility(point.pressure[lane]);
-        compressibility_slope[lane] = law.compressibility_slope(point.pressure[lane]);
+        point.density[lane] *= law.density_ratio(point.pressure[lane]);
+        point.compressibility[lane] = law.compressibility(point.pressure[lane]);
+        point.compressibility_slope[lane] = law.compressibility_slope(point.pressure[lane]);
       }
-  const Vector1 &velocity = point.velocity, &change = point.velocity_change;
-  const Lanes motion = point.pressure_rate + velocity * point.pressure_gradient;
-  const Lanes source = compressibility * motion + point.divergence();
-  const Lanes pressure_rate_change = state->pressure_rate_by_pressure * point.pressure_change;
-  const Lanes motion_change = pressure_rate_change + change * point.pressure_gradient +
-                              velocity * point.pressure_gradient_change;
-  const Lanes divergence_change = point.divergence_change();
-  const Lanes source_change = compressibility_slope * point.pressure_change * motion +
-                              compressibility * motion_change + divergence_change;
-  const Lanes density_change = density * compressibility * point.pressure_change;
-
-  Tested tested;
-  const Lanes skew_source = skew * source;
-  tested.by_value = density * (point.gradient * change + point.gradient_change * velocity) +
-                    (density * state->acceleration_by_velocity + density * skew_source) * change +
-                    density_change * (point.acceleration + point.gradient * velocity) +
-                    (density_change * skew_source + density * skew * source_change) * velocity;
-  // At rest the speed has no derivative.
-  const Lanes speed = velocity.norm();
-  const Lanes along_flow = dealii::compare_and_apply_mask<dealii::SIMDComparison::greater_than>(
-      speed, Lanes(0.),
-      velocity * change / std::max(speed, Lanes(std::numeric_limits<double>::min())), Lanes(0.));
-  // With the pressure, and grad-div.
-  const Lanes mean_stress =
-      (constant_viscosity + batch.viscosity_over_speed * speed) * source_change +
-      batch.viscosity_over_speed * source * along_flow - point.pressure_change;
-  for (unsigned int c = 0; c < dim; ++c)
-    tested.by_gradient[c][c] = mean_stress;
-  tested.by_value[1] += point.hoop * mean_stress;
-  add_viscous(batch, point, tested);
-  tested.of_volume = source_change;
-  return tested;
+  if (!batch.has_flow_curve)
+    return;
+  const Lanes shear_rate = point.shear_rate();
+  for (unsigned int lane = 0; lane < width; ++lane)
+    if (batch.liquids[lane] != nullptr && batch.liquids[lane]->flow_curve)
+    {
+      const FlowCurve &curve = *batch.liquids[lane]->flow_curve;
+      point.viscosity[lane] = curve.viscosity(shear_rate[lane]);
+      point.viscosity_slope[lane] = curve.slope_over_rate(shear_rate[lane]);
+    }
 }
 
 template <int dim, std::size_t width, bool is_axisymmetric>
@@ -315,8 +226,11 @@ void MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::multiply(
           for (unsigned int q = 0; q < of_change.n_q_points; ++q)
           {
             Point point;
+            PointChange<dim, Lanes> of_unknowns;
+            point.scheme = scheme;
+            point.scheme.rate_by_velocity = state->acceleration_by_velocity;
+            point.scheme.pressure_rate_by_pressure = state->pressure_rate_by_pressure;
             Lanes factor = batch.share;
-            point.hoop = 0.;
             if constexpr (is_axisymmetric)
             {
               const Lanes radius = of_change.quadrature_point(q)[1];
@@ -324,19 +238,24 @@ void MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::multiply(
               factor *= 2. * dealii::numbers::PI * radius;
             }
             point.velocity = of_state.get_value(q);
-            point.gradient = of_state.get_gradient(q);
-            point.velocity_change = of_change.get_value(q);
-            point.gradient_change = of_change.get_gradient(q);
-            point.pressure_change = pressure_of_change.get_value(q);
+            point.carrier = point.velocity;
+            point.velocity_gradient = of_state.get_gradient(q);
+            of_unknowns.velocity = of_change.get_value(q);
+            of_unknowns.velocity_gradient = of_change.get_gradient(q);
+            of_unknowns.pressure = pressure_of_change.get_value(q);
             if (batch.is_compressible)
             {
               point.acceleration = of_acceleration.get_value(q);
               point.pressure = pressure_of_state.get_value(q);
               point.pressure_gradient = pressure_of_state.get_gradient(q);
               point.pressure_rate = rate_of_state.get_value(q);
-              point.pressure_gradient_change = pressure_of_change.get_gradient(q);
+              of_unknowns.pressure_gradient = pressure_of_change.get_gradient(q);
             }
-            const Tested tested = differentiate(batch, point);
+            point.set_strain_rate();
+            set_materials(batch, point);
+            point.finish();
+            Tested<dim, Lanes> tested;
+            FlowTerms::add_derivative(point, FlowChange<dim, Lanes>(point, of_unknowns), tested);
             of_change.submit_value(factor * tested.by_value, q);
             of_change.submit_gradient(factor * tested.by_gradient, q);
             pressure_of_change.submit_value(factor * tested.of_volume, q);

@@ -75,6 +75,14 @@ public:
   {
     return &pressure_slopes(q, 0);
   }
+  /// All of these, one row of n_functions() after the other: the values, then the derivatives along
+  /// each coordinate of the reference cell.
+  const double *table(const unsigned int q) const { return &values_and_slopes(q, 0); }
+  /// Likewise of the pressure, n_pressures() a row.
+  const double *pressure_table(const unsigned int q) const
+  {
+    return &pressure_values_and_slopes(q, 0);
+  }
 
 private:
   const Space<dim> &space;
@@ -83,6 +91,7 @@ private:
   // [point][function]
   dealii::Table<2, double> shapes, pressure_shapes;
   dealii::Table<2, dealii::Tensor<1, dim>> slopes, pressure_slopes;
+  dealii::Table<2, double> values_and_slopes, pressure_values_and_slopes;
   std::vector<QuadratureCell<dim>> cells;
 };
 } // namespace Continua

@@ -1,0 +1,50 @@
+#ifndef continua_finite_element_terms_term_list_h
+#define continua_finite_element_terms_term_list_h
+
+#include <continua/continuum/nonlinear_terms.h>
+
+#include <array>
+#include <cstddef>
+
+namespace Continua
+{
+/**
+ * The terms of one model of a region, as a list of types without members. A term has
+ *
+ *   force                                the kind of NonlinearForces that it belongs to
+ *   add(point, tested)                   what it gives at a point
+ *   add_derivative(point, change, tested)  the derivative of that in the direction of a change
+ *
+ * Both are templates in the number, so that one text serves the residual, the matrix of a cell and
+ * products without a matrix. A term that is no force, such as the row of volume, has `force` null.
+ */
+template <typename... Terms>
+struct TermList
+{
+  static constexpr std::size_t size = sizeof...(Terms);
+
+  template <typename Point, typename Tested>
+  static void add(const Point &point, Tested &tested)
+  {
+    (Terms::add(point, tested), ...);
+  }
+  template <typename Point, typename Change, typename Tested>
+  static void add_derivative(const Point &point, const Change &change, Tested &tested)
+  {
+    (Terms::add_derivative(point, change, tested), ...);
+  }
+  /// The kinds of force of each, null of one that is none.
+  static std::array<DistributedVector NonlinearForces::*, size> forces()
+  {
+    return {{Terms::force...}};
+  }
+  /// Calls visit(Term()) for each.
+  template <typename Visit>
+  static void for_each(const Visit &visit)
+  {
+    (visit(Terms()), ...);
+  }
+};
+} // namespace Continua
+
+#endif
