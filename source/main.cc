@@ -1,4 +1,5 @@
 #include <continua/base/atomic_file.h>
+#include <continua/base/blas_threads.h>
 #include <continua/base/command_line.h>
 #include <continua/base/command_server.h>
 #include <continua/base/input_error.h>
@@ -249,6 +250,7 @@ int run_command_line(int argc, char **argv)
   int n_names = 1;
   char **names = program_name;
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(n_names, names, 1);
+  Continua::limit_blas_threads();
   const MPI_Comm communicator = MPI_COMM_WORLD;
   const bool is_writer = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   const RankAgreement agreement(communicator);
