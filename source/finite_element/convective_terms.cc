@@ -26,19 +26,19 @@ ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space,
            RegionModel::flow),
       inflow_terms(space, problem),
       streamline_terms(space, problem, quadrature),
+      here(problem,
+           cells,
+           {velocity, acceleration, pressure, pressure_rate, mesh_displacement, mesh_velocity}),
       assembly(cells),
       product(space, problem, instruction_set),
       follower_pressure(space, problem),
       body_force(space, problem, quadrature)
 {
-  const unsigned int n_velocity = dim * cells.n_functions(), n_pressure = cells.n_pressures();
-  for (Vector<double> *vector : {&cell_velocity, &cell_acceleration, &cell_inflow,
-                                 &cell_mesh_displacement, &cell_mesh_velocity})
-    vector->reinit(n_velocity);
+  const unsigned int n_velocity = dim * cells.n_functions();
+  cell_inflow.reinit(n_velocity);
   for (Vector<double> &forces : cell_forces)
     forces.reinit(n_velocity);
-  for (Vector<double> *vector : {&cell_pressure, &cell_pressure_rate, &cell_volume})
-    vector->reinit(n_pressure);
+  cell_volume.reinit(cells.n_pressures());
 }
 
 template <int dim>
@@ -52,7 +52,6 @@ void ConvectiveTerms<dim>::reinit()
   for (DistributedVector *vector : {&mesh_displacement, &mesh_velocity})
     vector->reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
   follower_pressure.reinit();
-  moved_points.resize(quadrature.size());
 }
 
 template <int dim>
@@ -98,11 +97,11 @@ std::vector<double> ConvectiveTerms<dim>::grad_div_viscosities(const BalancedSte
   std::vector<double> result(space.triangulation.n_active_cells(), 0.);
   for (const Cell &cell : cells.all())
   {
-    visit(cell);
+    here.visit(cell);
     double integral = 0., volume = 0.;
     for (unsigned int q = 0; q < cells.n_points(); ++q)
     {
-      integral += cell.points[q].weight * point(q).gamma();
+      integral += cell.points[q].weight * here.point(q).gamma();
       volume += cell.points[q].weight;
     }
     result[cell.velocity_cell->active_cell_index()] = integral / volume;
@@ -114,12 +113,7 @@ template <int dim>
 void ConvectiveTerms<dim>::take(const BalancedStep &state)
 {
   step = state.step;
-  scheme.carries = problem.convection.is_on ? 1. : 0.;
-  scheme.skew =
-      problem.convection.is_on && problem.convection.term == ConvectiveTerm::skew ? 0.5 : 0.;
-  scheme.grad_div_viscosity = problem.convection.constant_viscosity();
-  scheme.rate_by_velocity = step.a0;
-  scheme.pressure_rate_by_pressure = 1. / step.pressure_time;
+  here.set_step(step);
   take(state.velocity, state.pressure);
   space.copy_velocity(state.acceleration, velocity_work, acceleration);
   space.copy_pressure(state.pressure_rate, pressure_work, pressure_rate);
@@ -131,124 +125,11 @@ void ConvectiveTerms<dim>::take(const BalancedStep &state)
 }
 
 template <int dim>
-void ConvectiveTerms<dim>::visit(const Cell &cell)
-{
-  present = &cell;
-  Base::set_entries(cell.velocity_places, velocity, cell_velocity);
-  Base::set_entries(cell.velocity_places, acceleration, cell_acceleration);
-  Base::set_entries(cell.pressure_places, pressure, cell_pressure);
-  Base::set_entries(cell.pressure_places, pressure_rate, cell_pressure_rate);
-  if (!problem.mesh_moves)
-    return;
-  Base::set_entries(cell.velocity_places, mesh_displacement, cell_mesh_displacement);
-  Base::set_entries(cell.velocity_places, mesh_velocity, cell_mesh_velocity);
-  move_points();
-}
-
-template <int dim>
-void ConvectiveTerms<dim>::move_points()
-{
-  const std::size_t n_functions = cells.n_functions();
-  for (unsigned int q = 0; q < moved_points.size(); ++q)
-  {
-    const typename Cell::Point &at_rest = present->points[q];
-    Tensor<2, dim> gradient;
-    double radial = 0.;
-    for (unsigned int c = 0; c < dim; ++c)
-    {
-      const double *const entries = cell_mesh_displacement.begin() + c * n_functions;
-      Tensor<1, dim> slope; // on the reference cell
-      for (unsigned int a = 0; a < n_functions; ++a)
-        slope += entries[a] * cells.gradients(q)[a];
-      gradient[c] = slope * at_rest.inverse_jacobian;
-      gradient[c][c] += 1.;
-      for (unsigned int a = 0; c == 1 && a < n_functions; ++a)
-        radial += entries[a] * cells.values(q)[a];
-    }
-    const double stretch = 1. + radial * at_rest.hoop;
-    moved_points[q].weight = at_rest.weight * determinant(gradient) * stretch;
-    moved_points[q].hoop = at_rest.hoop / stretch;
-    moved_points[q].inverse_jacobian = at_rest.inverse_jacobian * invert(gradient);
-  }
-}
-
-template <int dim>
-void ConvectiveTerms<dim>::set_velocity(const unsigned int q, Point &point) const
-{
-  const typename Cell::Point &geometry = geometry_at(q);
-  const std::size_t n_functions = cells.n_functions();
-  const double *const values = cells.values(q);
-  const Tensor<1, dim> *const gradients = cells.gradients(q);
-  for (unsigned int c = 0; c < dim; ++c)
-  {
-    const double *const velocities = cell_velocity.begin() + c * n_functions,
-                        *const accelerations = cell_acceleration.begin() + c * n_functions;
-    double of_velocity = 0., of_acceleration = 0.;
-    Tensor<1, dim> slope; // on the reference cell
-    for (unsigned int a = 0; a < n_functions; ++a)
-    {
-      of_velocity += velocities[a] * values[a];
-      of_acceleration += accelerations[a] * values[a];
-      slope += velocities[a] * gradients[a];
-    }
-    point.velocity[c] = of_velocity;
-    point.acceleration[c] = of_acceleration;
-    point.velocity_gradient[c] = slope * geometry.inverse_jacobian;
-    point.carrier[c] = scheme.carries * of_velocity;
-    for (unsigned int a = 0; problem.mesh_moves && a < n_functions; ++a)
-      point.carrier[c] -= cell_mesh_velocity[c * n_functions + a] * values[a];
-  }
-}
-
-template <int dim>
-void ConvectiveTerms<dim>::set_material(Point &point) const
-{
-  const Material &liquid = material();
-  const VolumeLaw law = liquid.volume_law();
-  point.density = liquid.density * law.density_ratio(point.pressure);
-  point.compressibility = law.compressibility(point.pressure);
-  point.compressibility_slope = law.compressibility_slope(point.pressure);
-  point.grad_div_over_speed =
-      problem.convection.viscosity_over_speed(liquid.density, present->size);
-  const Shear &shear = liquid.shear;
-  point.viscosity = shear.viscosity;
-  if (!shear.flow_curve)
-    return;
-  const double rate = point.shear_rate();
-  point.viscosity = shear.flow_curve->viscosity(rate);
-  point.viscosity_slope = shear.flow_curve->slope_over_rate(rate);
-}
-
-template <int dim>
-typename ConvectiveTerms<dim>::Point ConvectiveTerms<dim>::point(const unsigned int q)
-{
-  const typename Cell::Point &geometry = geometry_at(q);
-  const double *const pressure_values = cells.pressure_values(q);
-  const Tensor<1, dim> *const pressure_gradients = cells.pressure_gradients(q);
-  Point point;
-  point.scheme = scheme;
-  point.hoop = geometry.hoop;
-  set_velocity(q, point);
-  Tensor<1, dim> slope;
-  for (unsigned int k = 0; k < cells.n_pressures(); ++k)
-  {
-    point.pressure += cell_pressure[k] * pressure_values[k];
-    point.pressure_rate += cell_pressure_rate[k] * pressure_values[k];
-    slope += cell_pressure[k] * pressure_gradients[k];
-  }
-  point.pressure_gradient = slope * geometry.inverse_jacobian;
-  point.set_strain_rate();
-  set_material(point);
-  point.finish();
-  return point;
-}
-
-template <int dim>
 double ConvectiveTerms<dim>::integrate(const bool by_term)
 {
-  const VolumeLaw law = material().volume_law();
+  const VolumeLaw law = here.material().volume_law();
   if (streamline_terms.are_on())
-    streamline_terms.visit(present->velocity_cell, step);
+    streamline_terms.visit(here.cell().velocity_cell, step);
   double least_stiffening = 1.;
   for (Vector<double> &forces : cell_forces)
     forces = 0.;
@@ -256,11 +137,11 @@ double ConvectiveTerms<dim>::integrate(const bool by_term)
   cell_volume = 0.;
   for (unsigned int q = 0; q < cells.n_points(); ++q)
   {
-    const typename Cell::Point &geometry = geometry_at(q);
-    Point here = point(q);
-    least_stiffening = std::min(least_stiffening, law.stiffening(here.pressure));
+    const typename Cell::Point &geometry = here.points()[q];
+    Point at_point = here.point(q);
+    least_stiffening = std::min(least_stiffening, law.stiffening(at_point.pressure));
     if (streamline_terms.are_on())
-      streamline_terms.set_point(q, cell_state(), here);
+      streamline_terms.set_point(q, here.state(), at_point);
     Tested<dim> sum;
     if (by_term)
     {
@@ -269,22 +150,22 @@ double ConvectiveTerms<dim>::integrate(const bool by_term)
           [&](const auto term)
           {
             Tested<dim> tested;
-            term.add(here, tested);
+            term.add(at_point, tested);
             assembly.add_momentum(q, geometry.inverse_jacobian, geometry.weight, tested,
                                   cell_forces[number++]);
           });
     }
     else
     {
-      FlowTerms::add(here, sum);
+      FlowTerms::add(at_point, sum);
       if (streamline_terms.are_on())
-        Streamline::add(here, sum);
+        Streamline::add(at_point, sum);
       assembly.add_momentum(q, geometry.inverse_jacobian, geometry.weight, sum, cell_forces[0]);
       assembly.add_volume(q, geometry.weight, sum, cell_volume);
     }
   }
-  if (inflow_terms.has_face(present->pressure_cell))
-    inflow_terms.add(present->pressure_cell, cell_state(), cell_inflow);
+  if (inflow_terms.has_face(here.cell().pressure_cell))
+    inflow_terms.add(here.cell().pressure_cell, here.state(), cell_inflow);
   return least_stiffening;
 }
 
@@ -298,7 +179,7 @@ void ConvectiveTerms<dim>::add(const BalancedStep &state,
   unsigned int softest = 0;
   for (const Cell &cell : cells.all())
   {
-    visit(cell);
+    here.visit(cell);
     const double stiffening = integrate(false);
     if (!(stiffening >= least_stiffening))
     {
@@ -350,7 +231,7 @@ void ConvectiveTerms<dim>::set_forces_of(const unsigned int region,
   for (const Cell &cell : cells.all())
     if (cell.region == region)
     {
-      visit(cell);
+      here.visit(cell);
       integrate(true);
       for (std::size_t k = 0; k < kinds.size(); ++k)
         if (kinds[k] != nullptr)
@@ -376,9 +257,9 @@ void ConvectiveTerms<dim>::set_load_changes(const Cell &cell)
 {
   cell_inflow = 0.;
   if (follower_pressure.has_face(cell.velocity_cell))
-    follower_pressure.add(cell.velocity_cell, step, cell_mesh_displacement, cell_inflow);
+    follower_pressure.add(cell.velocity_cell, step, here.mesh_displacement(), cell_inflow);
   if (body_force.has_changes(cell.region))
-    body_force.add(cells, cell, moved_points, step, cell_mesh_displacement, cell_inflow);
+    body_force.add(cells, cell, here.points(), step, here.mesh_displacement(), cell_inflow);
 }
 
 template <int dim>
@@ -392,7 +273,7 @@ void ConvectiveTerms<dim>::add_loads(const BalancedStep &state,
   for (const Cell &cell : cells.all())
     if ((!region || cell.region == *region) && has_load_changes(cell))
     {
-      visit(cell);
+      here.visit(cell);
       set_load_changes(cell);
       space.velocity_hanging.distribute_local_to_global(cell_inflow, cell.velocity_indices, forces);
     }
@@ -410,12 +291,12 @@ NonlinearEnergy ConvectiveTerms<dim>::energy_of(const unsigned int region, const
   for (const Cell &cell : cells.all())
     if (cell.region == region)
     {
-      visit(cell);
+      here.visit(cell);
       for (unsigned int q = 0; q < cells.n_points(); ++q)
       {
-        const Point here = point(q);
-        energy.kinetic += geometry_at(q).weight * FlowInertia::energy(here);
-        energy.compressive += geometry_at(q).weight * law.energy(here.pressure);
+        const Point at_point = here.point(q);
+        energy.kinetic += here.points()[q].weight * FlowInertia::energy(at_point);
+        energy.compressive += here.points()[q].weight * law.energy(at_point.pressure);
       }
     }
   return energy;
@@ -424,7 +305,7 @@ NonlinearEnergy ConvectiveTerms<dim>::energy_of(const unsigned int region, const
 template <int dim>
 void ConvectiveTerms<dim>::set_derivative(const Cell &cell, FullMatrix<double> &matrix)
 {
-  visit(cell);
+  here.visit(cell);
   typename CellAssembly<dim>::Directions directions;
   directions.pressure_gradient = couples_pressures(cell);
   if (streamline_terms.are_on())
@@ -435,22 +316,22 @@ void ConvectiveTerms<dim>::set_derivative(const Cell &cell, FullMatrix<double> &
   }
   for (unsigned int q = 0; q < cells.n_points(); ++q)
   {
-    const typename Cell::Point &geometry = geometry_at(q);
-    Point here = point(q);
+    const typename Cell::Point &geometry = here.points()[q];
+    Point at_point = here.point(q);
     if (streamline_terms.are_on())
-      streamline_terms.set_point(q, cell_state(), here);
+      streamline_terms.set_point(q, here.state(), at_point);
     assembly.take_derivative(q, geometry.inverse_jacobian, geometry.weight, directions,
                              [&](const PointChange<dim> &of_unknowns, Tested<dim> &tested)
                              {
-                               const FlowChange<dim> change(here, of_unknowns);
-                               FlowTerms::add_derivative(here, change, tested);
+                               const FlowChange<dim> change(at_point, of_unknowns);
+                               FlowTerms::add_derivative(at_point, change, tested);
                                if (streamline_terms.are_on())
-                                 Streamline::add_derivative(here, change, tested);
+                                 Streamline::add_derivative(at_point, change, tested);
                              });
   }
   assembly.finish_matrix(matrix);
   if (inflow_terms.has_face(cell.pressure_cell))
-    inflow_terms.add_derivative(cell.pressure_cell, cell_state(), matrix);
+    inflow_terms.add_derivative(cell.pressure_cell, here.state(), matrix);
 }
 
 template class ConvectiveTerms<2>;

@@ -15,14 +15,6 @@ using namespace dealii;
 
 namespace
 {
-void set_entries(const std::vector<int> &places,
-                 const DistributedVector &vector,
-                 Vector<double> &of)
-{
-  for (unsigned int i = 0; i < of.size(); ++i)
-    of[i] = vector.begin()[places[i]];
-}
-
 /// rho of a material [kg/m^3].
 double density_at(const Material &material, const Vector<double> &pressures, const double *values)
 {

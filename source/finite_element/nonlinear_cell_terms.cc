@@ -64,16 +64,6 @@ void NonlinearCellTerms<dim>::take(const DistributedVector &of_velocity,
 }
 
 template <int dim>
-void NonlinearCellTerms<dim>::set_entries(const std::vector<int> &places,
-                                          const DistributedVector &from,
-                                          Vector<double> &values)
-{
-  const double *const entries = from.begin();
-  for (std::size_t i = 0; i < places.size(); ++i)
-    values[i] = entries[places[i]];
-}
-
-template <int dim>
 void NonlinearCellTerms<dim>::add_derivative(const BalancedStep &state,
                                              const AffineConstraints<double> &constraints,
                                              Triplets &matrix)

@@ -1,5 +1,6 @@
 #include <continua/finite_element/quadrature_cells.h>
 
+#include <continua/continuum/kinematics.h>
 #include <continua/mesh/cells_in_tree_order.h>
 
 #include <deal.II/fe/fe_values.h>
@@ -23,6 +24,15 @@ std::vector<int> places_of(const std::vector<types::global_dof_index> &indices,
   return places;
 }
 } // namespace
+
+void set_entries(const std::vector<int> &places,
+                 const DistributedVector &from,
+                 Vector<double> &values)
+{
+  const double *const entries = from.begin();
+  for (std::size_t i = 0; i < places.size(); ++i)
+    values[i] = entries[places[i]];
+}
 
 template <int dim>
 QuadratureCells<dim>::QuadratureCells(const Space<dim> &space,
@@ -109,6 +119,29 @@ void QuadratureCells<dim>::reinit()
       kept.points[q].inverse_jacobian = Tensor<2, dim>(geometry.inverse_jacobian(q));
     }
   }
+}
+
+template <int dim>
+Tensor<2, 3> QuadratureCells<dim>::gradient(const QuadratureCell<dim> &cell,
+                                            const Vector<double> &entries,
+                                            const unsigned int q) const
+{
+  const typename QuadratureCell<dim>::Point &geometry = cell.points[q];
+  const std::size_t n = n_functions();
+  const Tensor<1, dim> *const of_functions = gradients(q);
+  Tensor<2, dim> result;
+  for (unsigned int c = 0; c < dim; ++c)
+  {
+    const double *const of_component = entries.begin() + c * n;
+    Tensor<1, dim> slope; // on the reference cell
+    for (unsigned int a = 0; a < n; ++a)
+      slope += of_component[a] * of_functions[a];
+    result[c] = slope * geometry.inverse_jacobian;
+  }
+  double radial = 0.;
+  for (unsigned int a = 0; geometry.hoop != 0. && a < n; ++a)
+    radial += entries[n + a] * values(q)[a];
+  return whole_gradient<dim>(result, radial * geometry.hoop);
 }
 
 template class QuadratureCells<2>;

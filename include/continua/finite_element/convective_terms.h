@@ -6,6 +6,7 @@
 #include <continua/continuum/nonlinear_terms.h>
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/assembly/cell_assembly.h>
+#include <continua/finite_element/assembly/flow_cell.h>
 #include <continua/finite_element/assembly/flow_product.h>
 #include <continua/finite_element/follower_pressure.h>
 #include <continua/finite_element/inflow_terms.h>
@@ -88,6 +89,7 @@ private:
 
   InflowTerms<dim> inflow_terms;
   StreamlineTerms<dim> streamline_terms;
+  FlowCell<dim> here; ///< the state in the present cell
   CellAssembly<dim> assembly;
   FlowProduct<dim> product;
   // Of the state, with ghost entries.
@@ -95,13 +97,7 @@ private:
   DistributedVector mesh_displacement, mesh_velocity; ///< empty where the mesh stays
   FollowerPressure<dim> follower_pressure;            ///< likewise without faces
   MovedBodyForce<dim> body_force;
-  // Of the present cell; velocities component by component.
-  const Cell *present = nullptr;
-  FlowScheme scheme;
-  dealii::Vector<double> cell_velocity, cell_acceleration, cell_pressure, cell_pressure_rate;
-  dealii::Vector<double> cell_volume, cell_inflow, cell_mesh_displacement, cell_mesh_velocity;
-  /// The geometry of the present cell, on a mesh that moves.
-  std::vector<typename Cell::Point> moved_points;
+  dealii::Vector<double> cell_volume, cell_inflow; ///< rows of the present cell
   /// Of each of the StreamlineFlowTerms, or their sum in the first one.
   std::array<dealii::Vector<double>, StreamlineFlowTerms::size> cell_forces;
 
@@ -115,27 +111,10 @@ private:
   {
     return !product.exists() || inflow_terms.has_face(cell.pressure_cell);
   }
-  /// Makes the state's entries those of the cell.
-  void visit(const Cell &cell);
-  void move_points();
-  const typename Cell::Point &geometry_at(const unsigned int q) const
-  {
-    return problem.mesh_moves ? moved_points[q] : present->points[q];
-  }
-  const Material &material() const { return problem.materials[present->region]; }
-  CellState<dim> cell_state() const
-  {
-    return {cell_velocity, cell_pressure, problem.mesh_moves ? &cell_mesh_displacement : nullptr,
-            problem.mesh_moves ? &cell_mesh_velocity : nullptr};
-  }
   /// Whether the loads on a cell change as it moves.
   bool has_load_changes(const Cell &cell) const;
   /// Sets cell_inflow to these loads less those of the body at rest; the cell is the present one.
   void set_load_changes(const Cell &cell);
-  /// The state at a quadrature point of the present cell.
-  Point point(unsigned int q);
-  void set_velocity(unsigned int q, Point &point) const;
-  void set_material(Point &point) const;
   /// Sets the rows of the present cell: cell_volume, cell_inflow, and cell_forces by term, or their
   /// sum in the first one. The least of VolumeLaw::stiffening().
   double integrate(bool by_term);

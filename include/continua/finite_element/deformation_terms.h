@@ -1,19 +1,17 @@
 #ifndef continua_finite_element_deformation_terms_h
 #define continua_finite_element_deformation_terms_h
 
-#include <continua/continuum/kinematics.h>
-#include <continua/continuum/rest_state.h>
 #include <continua/finite_element/assembly/cell_assembly.h>
+#include <continua/finite_element/assembly/rest_states.h>
+#include <continua/finite_element/assembly/solid_cell.h>
 #include <continua/finite_element/follower_pressure.h>
 #include <continua/finite_element/metric_history.h>
 #include <continua/finite_element/moved_body_force.h>
 #include <continua/finite_element/nonlinear_cell_terms.h>
 #include <continua/finite_element/terms/solid_terms.h>
-#include <continua/finite_element/wall_potentials.h>
-#include <continua/materials/strain_law.h>
 
-#include <deal.II/base/symmetric_tensor.h>
-#include <deal.II/base/tensor.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
 
 #include <array>
 #include <vector>
@@ -59,15 +57,15 @@ public:
                  std::optional<unsigned int> region,
                  DistributedVector &forces) override;
   void start_from(const DistributedVector &displacement) override;
-  void visit_state(StateVisitor &visitor) override;
-  void take_own_state() override;
+  void visit_state(StateVisitor &visitor) override { rest_states.visit_state(visitor); }
+  void take_own_state() override { rest_states.take_state(); }
   const DistributedVector *unloaded_displacement() const override
   {
-    return problem.finds_unloaded_shape() ? &unloaded : nullptr;
+    return rest_states.unloaded_displacement();
   }
   const DistributedVector *wall_potentials() const override
   {
-    return potentials.exist() ? &potentials.potentials() : nullptr;
+    return rest_states.wall_potentials();
   }
   void set_unloaded_displacement(const DistributedVector &of_unloaded) override;
   void finish_step(const BalancedStep &balanced, const State &state) override;
@@ -89,60 +87,26 @@ private:
   using typename Base::Sizes;
 
   using Point = SolidPoint<dim>;
-  /// What a point has of its law.
-  enum class Stress
-  {
-    none,
-    alone,
-    with_tangent
-  };
+  using Stress = typename SolidCell<dim>::Stress;
 
+  RestStates<dim> rest_states;
+  SolidCell<dim> here; ///< the state in the present cell
   CellAssembly<dim> assembly;
   MetricHistory<dim> *const metrics;
   std::vector<double> heat; ///< relaxation_power() by region
   FollowerPressure<dim> follower_pressure;
   MovedBodyForce<dim> body_force;
-  WallPotentials<dim> potentials;
   // Of the state, with ghost entries.
   DistributedVector displacement, pressure_rate, acceleration;
-  DistributedVector unloaded;         ///< D0, a part of the state where it is looked for [m]
-  DistributedVector ghosted_unloaded; ///< of which the states at rest are made
-  SolidScheme scheme;                 ///< of the present cell
   Sizes sizes;
-  // Of the present cell; vectors component by component.
-  const Cell *present = nullptr;
-  dealii::Vector<double> cell_velocity, cell_displacement, cell_pressure, cell_pressure_rate;
-  dealii::Vector<double> cell_unloaded, cell_potentials, cell_acceleration, cell_volume, cell_load;
+  dealii::Vector<double> cell_volume, cell_load; ///< rows of the present cell
   /// Of each of the SolidTerms, or their sum in the first one.
   std::array<dealii::Vector<double>, SolidTerms::size> cell_forces;
-  PointStrain strain_at_point;
-  /// Of each cell and point, where a material has fibres or a prestretch, or the unloaded shape is
-  /// another than the mesh's; else empty.
-  std::vector<std::vector<RestState>> rest_states;
-  double prestretch_share = 1.; ///< of which they are made
-  /// Whether the volume at rest is another than that of the mesh.
-  const bool has_other_rest;
 
   void take(const BalancedStep &state) override;
   void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix) override;
   bool couples_pressures(const Cell &) const override { return true; }
-  void set_rest_states();
-  void visit(const Cell &cell);
-  const Material &material() const { return problem.materials[present->region]; }
-  /// The state at a quadrature point of the present cell; without stress where it is turned inside
-  /// out. Makes `strain_at_point` that of the point.
-  Point point(unsigned int q, Stress of_law);
-  /// Of a vector of the present cell, by the reference place.
-  dealii::Tensor<2, 3> gradient(const dealii::Vector<double> &entries, unsigned int q) const;
-  void set_strain(const Point &point, unsigned int q);
-  void set_stress(unsigned int q, Point &point) const;
-  void set_tangent(unsigned int q, Point &point) const;
-  /// The inverse Jacobian of the present place.
-  dealii::Tensor<2, dim> present_jacobian(const Point &point, unsigned int q) const;
-  bool relaxes() const { return metrics != nullptr && metrics->relaxes(present->region); }
-  /// The number of the present cell among the active ones.
-  unsigned int cell_number() const { return present->velocity_cell->active_cell_index(); }
-  /// Calls visit(q) at each point of the cells that relax, with its strain by this displacement.
+  /// Calls visit(q, point) at each point of the cells that relax, by this displacement.
   template <typename Visit>
   void visit_relaxing_points(const DistributedVector &of_displacement, const Visit &visit_point);
   /// Whether the loads on a cell change as it moves.

@@ -141,10 +141,6 @@ protected:
   virtual bool needs_matrix(const Cell & /*cell*/) const { return true; }
 
   void take(const DistributedVector &of_velocity, const DistributedVector &of_pressure);
-  /// The entries of a vector with ghosts at a cell's places.
-  static void set_entries(const std::vector<int> &places,
-                          const DistributedVector &from,
-                          dealii::Vector<double> &values);
 
 private:
   /// The kept derivative of each cell that needs one, and work space for its product. In single

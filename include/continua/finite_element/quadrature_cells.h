@@ -9,6 +9,7 @@
 #include <deal.II/base/tensor.h>
 #include <deal.II/base/types.h>
 #include <deal.II/dofs/dof_handler.h>
+#include <deal.II/lac/vector.h>
 
 #include <functional>
 #include <vector>
@@ -37,6 +38,11 @@ struct QuadratureCell
   std::vector<int> velocity_places, pressure_places;
   std::vector<Point> points;
 };
+
+/// The entries of a vector with ghosts at a cell's places.
+void set_entries(const std::vector<int> &places,
+                 const DistributedVector &from,
+                 dealii::Vector<double> &values);
 
 /**
  * The owned cells of some regions, such as those of one model, with all that integrals over them
@@ -83,6 +89,11 @@ public:
   {
     return &pressure_values_and_slopes(q, 0);
   }
+  /// The 3x3 gradient by the reference place of a vector with these entries in a cell, component by
+  /// component: in axisymmetry with its radial component over the radius.
+  dealii::Tensor<2, 3> gradient(const QuadratureCell<dim> &cell,
+                                const dealii::Vector<double> &entries,
+                                unsigned int q) const;
 
 private:
   const Space<dim> &space;

@@ -1,0 +1,160 @@
+#include <continua/finite_element/assembly/solid_cell.h>
+
+#include <continua/materials/metric_stress.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+namespace Continua
+{
+using namespace dealii;
+
+template <int dim>
+SolidCell<dim>::SolidCell(const Problem &problem,
+                          const QuadratureCells<dim> &cells,
+                          const RestStates<dim> &rest_states,
+                          const MetricHistory<dim> *const metrics,
+                          const Vectors &vectors)
+    : problem(problem), cells(cells), rest_states(rest_states), metrics(metrics), vectors(vectors)
+{
+  for (Vector<double> *of_cell : {&velocities, &displacements, &accelerations, &unloaded})
+    of_cell->reinit(dim * cells.n_functions());
+  for (Vector<double> *of_cell : {&pressures, &pressure_rates})
+    of_cell->reinit(cells.n_pressures());
+}
+
+template <int dim>
+void SolidCell<dim>::set_step(const Step &step)
+{
+  is_towards_rest = step.is_towards_rest;
+  finds_unloaded_shape = step.finds_unloaded_shape;
+  scheme.displacement_by_velocity = step.branch(std::numeric_limits<double>::infinity()).velocity;
+  scheme.rate_by_velocity = step.a0;
+  scheme.pressure_rate_by_pressure = 1. / step.pressure_time;
+  scheme.volume_is_rate = step.extrapolate;
+}
+
+template <int dim>
+void SolidCell<dim>::visit(const Cell &cell)
+{
+  present = &cell;
+  const Material &solid = material();
+  scheme.density = solid.density;
+  scheme.viscosity = is_towards_rest || finds_unloaded_shape ? 0. : solid.shear.viscosity;
+  scheme.inverse_bulk_modulus = solid.inverse_bulk_modulus();
+  scheme.has_own_mean_stress = solid.strain_law->has_own_mean_stress();
+  set_entries(cell.velocity_places, vectors.velocity, velocities);
+  set_entries(cell.velocity_places, vectors.displacement, displacements);
+  set_entries(cell.velocity_places, vectors.acceleration, accelerations);
+  set_entries(cell.pressure_places, vectors.pressure, pressures);
+  set_entries(cell.pressure_places, vectors.pressure_rate, pressure_rates);
+  if (finds_unloaded_shape)
+    rest_states.set_unloaded(cell, unloaded);
+}
+
+template <int dim>
+double SolidCell<dim>::largest_displacement() const
+{
+  return (finds_unloaded_shape ? unloaded : displacements).linfty_norm();
+}
+
+template <int dim>
+SolidPoint<dim> SolidCell<dim>::point(const unsigned int q, const Stress of_law)
+{
+  const std::size_t n_functions = cells.n_functions();
+  const double *const values = cells.values(q), *const pressure_values = cells.pressure_values(q);
+  SolidPoint<dim> point(scheme, Kinematics(cells.gradient(*present, displacements, q)));
+  point.hoop = present->points[q].hoop * point.kinematics.inverse()[2][2];
+  for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int a = 0; a < n_functions; ++a)
+    {
+      point.velocity[c] += velocities[c * n_functions + a] * values[a];
+      point.acceleration[c] += accelerations[c * n_functions + a] * values[a];
+    }
+  point.velocity_gradient = point.kinematics.gradient(cells.gradient(*present, velocities, q));
+  for (unsigned int k = 0; k < cells.n_pressures(); ++k)
+  {
+    point.pressure += pressures[k] * pressure_values[k];
+    point.pressure_rate += pressure_rates[k] * pressure_values[k];
+  }
+  const RestState *const rest = rest_states.at(*present, q);
+  if (rest != nullptr)
+    point.rest_ratio = rest->volume_ratio;
+  // A step that finds the unloaded shape ends at rest, whatever the mass on the way there.
+  point.mass_ratio = finds_unloaded_shape ? 1. : point.rest_ratio;
+  if (!(std::min(point.volume_ratio(), point.rest_ratio) > 0.))
+    return point;
+  set_strain(rest, point);
+  if (of_law == Stress::alone)
+    set_stress(q, point);
+  else if (of_law == Stress::with_tangent)
+    set_tangent(q, point);
+  if (of_law != Stress::none && scheme.has_own_mean_stress)
+    material().strain_law->set_mean_stress(strain_at_point, point.mean_stress,
+                                           point.mean_stress_slope);
+  if (of_law == Stress::with_tangent && finds_unloaded_shape)
+  {
+    unloading.emplace(Tensor<2, 3>(unit_symmetric_tensor<3>()) +
+                      cells.gradient(*present, unloaded, q));
+    point.unloading = &*unloading;
+  }
+  return point;
+}
+
+template <int dim>
+void SolidCell<dim>::set_strain(const RestState *const rest, const SolidPoint<dim> &point)
+{
+  strain_at_point.gradient = point.kinematics.deformation_gradient();
+  strain_at_point.determinant = point.volume_ratio();
+  if (rest == nullptr)
+    return;
+  strain_at_point.fibres = rest->fibres;
+  strain_at_point.gradient = strain_at_point.gradient * rest->prestretch;
+  strain_at_point.determinant /= rest->volume_ratio;
+}
+
+template <int dim>
+void SolidCell<dim>::set_stress(const unsigned int q, SolidPoint<dim> &point) const
+{
+  material().strain_law->set_stress(strain_at_point, point.stress);
+  if (relaxes())
+  {
+    SymmetricTensor<2, 3> of_branches;
+    MetricStress(metrics->predicted(number(), q)).set_stress(strain_at_point, of_branches);
+    point.stress += of_branches;
+  }
+  point.stress *= point.rest_ratio;
+}
+
+template <int dim>
+void SolidCell<dim>::set_tangent(const unsigned int q, SolidPoint<dim> &point) const
+{
+  material().strain_law->set_tangent(strain_at_point, point.stress, point.tangent);
+  if (relaxes())
+  {
+    SymmetricTensor<2, 3> of_branches;
+    SymmetricTensor<4, 3> tangent_of_branches;
+    MetricStress(metrics->predicted(number(), q))
+        .set_tangent(strain_at_point, of_branches, tangent_of_branches);
+    point.stress += of_branches;
+    point.tangent += tangent_of_branches;
+  }
+  point.stress *= point.rest_ratio;
+  point.tangent *= point.rest_ratio;
+}
+
+template <int dim>
+Tensor<2, dim> SolidCell<dim>::inverse_jacobian(const SolidPoint<dim> &point,
+                                                const unsigned int q) const
+{
+  Tensor<2, dim> inverse;
+  for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int d = 0; d < dim; ++d)
+      inverse[c][d] = point.kinematics.inverse()[c][d];
+  return present->points[q].inverse_jacobian * inverse;
+}
+
+template class SolidCell<2>;
+template class SolidCell<3>;
+} // namespace Continua
