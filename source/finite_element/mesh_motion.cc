@@ -65,7 +65,8 @@ MeshMotion<dim>::MeshMotion(const Space<dim> &space, const Problem &problem)
       problem(problem),
       kind(problem.mesh_motion),
       cells(space, problem, QGauss<dim>(space.n_quadrature_points()), RegionModel::flow),
-      corners(space, problem, QTrapezoid<dim>(), RegionModel::flow)
+      corners(space, problem, QTrapezoid<dim>(), RegionModel::flow),
+      assembly(cells, false)
 {
   for (Vector<double> *vector : {&cell_displacement, &cell_rows})
     vector->reinit(dim * cells.n_functions());
@@ -238,32 +239,6 @@ void MeshMotion<dim>::make_multigrid()
 }
 
 template <int dim>
-Tensor<2, 3> MeshMotion<dim>::gradient(const QuadratureCells<dim> &points,
-                                       const Cell &cell,
-                                       const Vector<double> &entries,
-                                       const unsigned int q) const
-{
-  const typename Cell::Point &geometry = cell.points[q];
-  const std::size_t n_functions = points.n_functions();
-  Tensor<2, dim> result;
-  double radial = 0.;
-  for (unsigned int c = 0; c < dim; ++c)
-  {
-    Tensor<1, dim> slope; // on the reference cell
-    for (unsigned int a = 0; a < n_functions; ++a)
-    {
-      slope += entries[c * n_functions + a] * points.gradients(q)[a];
-      if (c == 1)
-        radial += entries[c * n_functions + a] * points.values(q)[a];
-    }
-    result[c] = slope * geometry.inverse_jacobian;
-  }
-  // On the axis the hoop strain is the radial one.
-  return whole_gradient<dim>(result,
-                             std::isfinite(geometry.hoop) ? radial * geometry.hoop : result[1][1]);
-}
-
-template <int dim>
 void MeshMotion<dim>::set_stiffness()
 {
   // The nodes of the faces that move, on all ranks.
@@ -319,48 +294,28 @@ void MeshMotion<dim>::set_stiffness()
 }
 
 template <int dim>
-void MeshMotion<dim>::set_operator(const Cell &cell,
-                                   const double cell_stiffness,
-                                   FullMatrix<double> &matrix) const
+void MeshMotion<dim>::integrate(const Cell &cell,
+                                const double cell_stiffness,
+                                FullMatrix<double> &matrix)
 {
-  const std::size_t n_functions = cells.n_functions();
-  matrix.reinit(dim * n_functions, dim * n_functions);
-  std::vector<Tensor<1, 3>> slopes(n_functions);
-  std::vector<double> hoops(n_functions);
+  cell_rows = 0.;
+  MeshPoint point;
+  point.is_hyperelastic = kind == MeshMotionKind::hyperelastic;
   for (unsigned int q = 0; q < cells.n_points(); ++q)
   {
     const typename Cell::Point &geometry = cell.points[q];
-    for (unsigned int a = 0; a < n_functions; ++a)
-    {
-      const Tensor<1, dim> slope = cells.gradients(q)[a] * geometry.inverse_jacobian;
-      for (unsigned int d = 0; d < dim; ++d)
-        slopes[a][d] = slope[d];
-      hoops[a] = geometry.hoop * cells.values(q)[a];
-    }
-    const Tensor<2, 3> inverse = Kinematics(gradient(cells, cell, cell_displacement, q)).inverse();
-    for (unsigned int d = 0; d < dim; ++d)
-      for (unsigned int b = 0; b < n_functions; ++b)
-      {
-        Tensor<2, 3> change;
-        change[d] = slopes[b];
-        if (d == 1)
-          change[2][2] += hoops[b];
-        Tensor<2, 3> stress = change;
-        if (kind == MeshMotionKind::elastic)
-        {
-          stress += transpose(change);
-          for (unsigned int e = 0; e < 3; ++e)
-            stress[e][e] += 2. * trace(change);
-        }
-        else
-          stress += transpose(inverse * change * inverse);
-        stress *= geometry.weight * cell_stiffness;
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int a = 0; a < n_functions; ++a)
-            matrix(c * n_functions + a, d * n_functions + b) +=
-                stress[c] * slopes[a] + (c == 1 ? stress[2][2] * hoops[a] : 0.);
-      }
+    point.displacement_gradient = cells.gradient(cell, cell_displacement, q);
+    point.inverse = Kinematics(point.displacement_gradient).inverse();
+    point.hoop = geometry.hoop;
+    const double weight = geometry.weight * cell_stiffness;
+    assembly.take_derivative(q, geometry.inverse_jacobian, weight, {},
+                             [&point](const PointChange<dim> &change, Tested<dim> &tested)
+                             { MeshStress::add_derivative(point, change, tested); });
+    Tested<dim> tested;
+    MeshStress::add(point, tested);
+    assembly.add_momentum(q, geometry.inverse_jacobian, -weight, tested, cell_rows);
   }
+  assembly.finish_matrix(matrix);
 }
 
 template <int dim>
@@ -418,13 +373,11 @@ void MeshMotion<dim>::linearise()
   }
   else
     begin_triplets(triplets);
-  const std::size_t n_functions = cells.n_functions();
   for (std::size_t k = 0; k < matrices.size(); ++k)
   {
     const Cell &cell = cells.all()[k];
-    for (unsigned int i = 0; i < cell_displacement.size(); ++i)
-      cell_displacement[i] = ghosted.begin()[cell.velocity_places[i]];
-    set_operator(cell, stiffness[k], matrices[k]);
+    set_entries(cell.velocity_places, ghosted, cell_displacement);
+    integrate(cell, stiffness[k], matrices[k]);
     if (multigrid != nullptr)
       constraints.distribute_local_to_global(matrices[k], cell.velocity_indices,
                                              multigrid->matrix());
@@ -432,24 +385,6 @@ void MeshMotion<dim>::linearise()
       add_triplets(cell, matrices[k], triplets);
     if (kind == MeshMotionKind::elastic)
       continue;
-    // The residual, P = F - F^-T.
-    cell_rows = 0.;
-    for (unsigned int q = 0; q < cells.n_points(); ++q)
-    {
-      const typename Cell::Point &geometry = cell.points[q];
-      const Kinematics motion(gradient(cells, cell, cell_displacement, q));
-      const Tensor<2, 3> stress = (geometry.weight * stiffness[k]) *
-                                  (motion.deformation_gradient() - transpose(motion.inverse()));
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int a = 0; a < n_functions; ++a)
-        {
-          const Tensor<1, dim> slope = cells.gradients(q)[a] * geometry.inverse_jacobian;
-          double sum = c == 1 ? stress[2][2] * geometry.hoop * cells.values(q)[a] : 0.;
-          for (unsigned int d = 0; d < dim; ++d)
-            sum += stress[c][d] * slope[d];
-          cell_rows[c * n_functions + a] -= sum;
-        }
-    }
     space.velocity_hanging.distribute_local_to_global(cell_rows, cell.velocity_indices, right_side);
   }
   right_side.compress(VectorOperation::add);
@@ -460,8 +395,11 @@ void MeshMotion<dim>::linearise()
     return;
   }
   if (factor == nullptr)
+  {
     factor = make_symmetric_factor(DirectSolver::automatic, true, triplets.values.size(),
                                    space.communicator);
+    factor->keeps_analysis = kind == MeshMotionKind::hyperelastic;
+  }
   factor->factorize(std::move(triplets), owned);
 }
 
@@ -680,7 +618,7 @@ MeshQuality MeshMotion<dim>::quality(const DistributedVector &mesh_displacement)
       for (unsigned int q = 0; q < points.n_points(); ++q)
       {
         const double ratio =
-            Kinematics(gradient(points, of_points, cell_displacement, q)).volume_ratio();
+            Kinematics(points.gradient(of_points, cell_displacement, q)).volume_ratio();
         // What is no number fails the comparison, and is kept.
         if (!std::isnan(least) && !(ratio >= least))
         {

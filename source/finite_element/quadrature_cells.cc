@@ -7,6 +7,8 @@
 
 #include <Epetra_BlockMap.h>
 
+#include <cmath>
+
 namespace Continua
 {
 using namespace dealii;
@@ -141,7 +143,9 @@ Tensor<2, 3> QuadratureCells<dim>::gradient(const QuadratureCell<dim> &cell,
   double radial = 0.;
   for (unsigned int a = 0; geometry.hoop != 0. && a < n; ++a)
     radial += entries[n + a] * values(q)[a];
-  return whole_gradient<dim>(result, radial * geometry.hoop);
+  // On the axis the hoop strain is the radial one.
+  return whole_gradient<dim>(result,
+                             std::isfinite(geometry.hoop) ? radial * geometry.hoop : result[1][1]);
 }
 
 template class QuadratureCells<2>;

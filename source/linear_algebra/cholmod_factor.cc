@@ -16,6 +16,7 @@ struct CholmodFactor::Data
   cholmod_common common;
   cholmod_factor *factor = nullptr;
   std::vector<int> owned;
+  std::vector<int> starts, rows; ///< of the matrix that was analysed, if it is kept
   // Kept between solves, so that CHOLMOD allocates them in the first one only.
   std::vector<double> right_hand_side;
   cholmod_dense *solution = nullptr;
@@ -47,6 +48,23 @@ struct CholmodFactor::Data
 
   Data(const Data &) = delete;
   Data &operator=(const Data &) = delete;
+
+  /// Whether the factor has the order of a matrix with these places.
+  bool is_analysed(const cholmod_sparse &matrix) const
+  {
+    const auto *const its_starts = static_cast<const int *>(matrix.p);
+    const auto *const its_rows = static_cast<const int *>(matrix.i);
+    return factor != nullptr && starts.size() == matrix.ncol + 1 &&
+           std::equal(starts.begin(), starts.end(), its_starts) &&
+           std::equal(rows.begin(), rows.end(), its_rows);
+  }
+  void keep_places(const cholmod_sparse &matrix)
+  {
+    const auto *const its_starts = static_cast<const int *>(matrix.p);
+    const auto *const its_rows = static_cast<const int *>(matrix.i);
+    starts.assign(its_starts, its_starts + matrix.ncol + 1);
+    rows.assign(its_rows, its_rows + starts.back());
+  }
 
   void check(const std::string &phase) const
   {
@@ -97,7 +115,8 @@ void CholmodFactor::factorize(SymmetricTriplets matrix, const std::vector<int> &
   if (owned.size() != static_cast<std::size_t>(matrix.n))
     throw std::invalid_argument("CholmodFactor works on one rank only, which owns every index");
 
-  data = std::make_unique<Data>();
+  if (!keeps_analysis)
+    data = std::make_unique<Data>();
   Data &d = *data;
   d.owned = owned;
   const std::size_t n = matrix.n;
@@ -120,9 +139,13 @@ void CholmodFactor::factorize(SymmetricTriplets matrix, const std::vector<int> &
   const std::unique_ptr<cholmod_sparse, decltype(free_sparse)> sparse(
       cholmod_triplet_to_sparse(&triplets, n_triplets, &d.common), free_sparse);
   d.check("sorting the entries");
+  if (!d.is_analysed(*sparse))
   {
+    cholmod_free_factor(&d.factor, &d.common);
     const KeptSignalAction kept;
     d.factor = cholmod_analyze(sparse.get(), &d.common);
+    if (keeps_analysis)
+      d.keep_places(*sparse);
   }
   // An entry is a number and the place of its row.
   if (announce && d.common.status == CHOLMOD_OK)

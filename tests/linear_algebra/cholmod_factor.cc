@@ -35,6 +35,23 @@ UNIT_TEST(cholmod_factor)
   check::is_true("a second factor is bit-equal", problems::solve(again, b) == first);
   check::is_true("memory", factor.memory() > 12 * factor.n_entries());
 
+  // The order of the unknowns is kept for other values at the same places, and not for others.
+  CholmodFactor keeping;
+  keeping.keeps_analysis = true;
+  problems::factorize(keeping, problems::saddle_point(24, 1e2, 1e-3, false));
+  problems::factorize(keeping, saddle);
+  check::is_true("with a kept analysis bit-equal", problems::solve(keeping, b) == first);
+  check::absolute("with a kept analysis, entries", keeping.n_entries(), again.n_entries(), 0);
+  check::throws<RunError>(
+      "with a kept analysis, singular",
+      [&]() { problems::factorize(keeping, problems::laplacian(20, 0.)); }, "CHOLMOD.*singular");
+  check::absolute("with a kept analysis, after a singular matrix",
+                  problems::relative_residual(keeping, problems::laplacian(20, 1.)), 0, 1e-10);
+  problems::factorize(keeping, problems::five_points(20, 0.1234));
+  CholmodFactor fresh;
+  problems::factorize(fresh, problems::five_points(20, 0.1234));
+  check::absolute("with a kept analysis, other places", keeping.n_entries(), fresh.n_entries(), 0);
+
   for (const double shift : {0., 0.1234, 1.234, 5.678})
   {
     CholmodFactor counting;

@@ -5,8 +5,10 @@
 #include <continua/continuum/kinematics.h>
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state_visitor.h>
+#include <continua/finite_element/assembly/cell_assembly.h>
 #include <continua/finite_element/quadrature_cells.h>
 #include <continua/finite_element/space.h>
+#include <continua/finite_element/terms/mesh_stress.h>
 #include <continua/linear_algebra/multigrid_solver.h>
 #include <continua/linear_algebra/symmetric_factor.h>
 
@@ -97,6 +99,7 @@ private:
   QuadratureCells<dim> cells;
   /// The vertices of the reference cell, as a quadrature.
   QuadratureCells<dim> corners;
+  CellAssembly<dim> assembly;
   dealii::AffineConstraints<double> constraints; ///< of the mesh, homogeneous
   std::vector<bool> is_of_solid;                 ///< whether an owned entry of d is that of D
   /// An owned entry of d that follows a prescribed motion.
@@ -132,9 +135,8 @@ private:
   void make_multigrid();
   /// Sets k.
   void set_stiffness();
-  /// Sets the matrix of a cell at a displacement.
-  void
-  set_operator(const Cell &cell, double cell_stiffness, dealii::FullMatrix<double> &matrix) const;
+  /// Sets the matrix of a cell at its displacement, and cell_rows to less its residual.
+  void integrate(const Cell &cell, double cell_stiffness, dealii::FullMatrix<double> &matrix);
   /// Sets d to that at the start of the step and what follows of the change of D.
   void extend(const DistributedVector &solid_displacement, DistributedVector &mesh_displacement);
   void solve_by_factor(DistributedVector &rows);
@@ -145,10 +147,6 @@ private:
                     SymmetricTriplets &triplets) const;
   /// Takes the operator's product with `known` from rows, in which hanging nodes are condensed.
   void subtract_known(DistributedVector &rows);
-  dealii::Tensor<2, 3> gradient(const QuadratureCells<dim> &points,
-                                const Cell &cell,
-                                const dealii::Vector<double> &entries,
-                                unsigned int q) const;
 };
 } // namespace Continua
 

@@ -43,6 +43,10 @@ public:
   std::function<void(const FactorEstimate &)> announce;
   /// Whether n_negative_pivots() will be asked for; set before factorize().
   bool counts_pivots = false;
+  /// Whether the order of the unknowns that an analysis has found is used again for a matrix with
+  /// entries at the same places, where the solver can; set before factorize(). The factor is the
+  /// same. It takes the memory of these places.
+  bool keeps_analysis = false;
 
   /**
    * Analyses and factors. `owned` are the global indices whose right-hand side and solution entries

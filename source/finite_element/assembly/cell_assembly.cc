@@ -75,13 +75,14 @@ void CellAssembly<dim>::add_volume(const unsigned int q,
 template <int dim>
 void CellAssembly<dim>::set_rows_of_point(const unsigned int q, const Directions &directions)
 {
-  const unsigned int n_functions = cells.n_functions(), n_pressures = cells.n_pressures(),
-                     n_velocity = dim * n_functions, n_unknowns = n_velocity + n_pressures;
-  if (of_volume.empty())
+  const unsigned int n_functions = cells.n_functions(), n_velocity = dim * n_functions,
+                     n_unknowns = n_velocity + n_pressures;
+  if (of_momentum[0].empty())
   {
     for (FullMatrix<double> &rows : of_momentum)
       rows.reinit((dim + 1) * cells.n_points(), n_unknowns);
-    of_volume.reinit(cells.n_points(), n_unknowns);
+    if (n_pressures > 0)
+      of_volume.reinit(cells.n_points(), n_unknowns);
   }
   const double *const table = cells.table(q), *const pressure_table = cells.pressure_table(q);
   std::array<double, dim + 1> factors;
@@ -117,13 +118,14 @@ void CellAssembly<dim>::set_rows_of_point(const unsigned int q, const Directions
     for (unsigned int s = 0; s <= dim; ++s)
       set_row(&of_momentum[c]((dim + 1) * q + s, 0),
               [c, s](const Column &column) { return column.of_momentum[c][s]; });
-  set_row(&of_volume(q, 0), [](const Column &column) { return -column.of_volume; });
+  if (n_pressures > 0)
+    set_row(&of_volume(q, 0), [](const Column &column) { return -column.of_volume; });
 }
 
 template <int dim>
 void CellAssembly<dim>::finish_matrix(FullMatrix<double> &matrix)
 {
-  const unsigned int n_functions = cells.n_functions(), n_unknowns = of_volume.n();
+  const unsigned int n_functions = cells.n_functions(), n_unknowns = of_momentum[0].n();
   if (matrix.m() != n_unknowns || matrix.n() != n_unknowns)
     matrix.reinit(n_unknowns, n_unknowns, true);
   // Sums over the points of values and derivatives of test functions times these rows. For BLAS,
@@ -138,7 +140,8 @@ void CellAssembly<dim>::finish_matrix(FullMatrix<double> &matrix)
   };
   for (unsigned int c = 0; c < dim; ++c)
     multiply(cells.table(0), n_functions, of_momentum[c], &matrix(c * n_functions, 0));
-  multiply(cells.pressure_values(0), cells.n_pressures(), of_volume, &matrix(dim * n_functions, 0));
+  if (n_pressures > 0)
+    multiply(cells.pressure_values(0), n_pressures, of_volume, &matrix(dim * n_functions, 0));
 }
 
 template class CellAssembly<2>;

@@ -36,8 +36,12 @@ public:
     const std::vector<dealii::Tensor<1, dim>> *viscous_forces = nullptr;
   };
 
-  /// The cells must outlive it.
-  explicit CellAssembly(const QuadratureCells<dim> &cells) : cells(cells) {}
+  /// The cells must outlive it. Without pressures the unknowns of a cell are velocities alone, or
+  /// what stands in their place.
+  explicit CellAssembly(const QuadratureCells<dim> &cells, const bool has_pressures = true)
+      : cells(cells), n_pressures(has_pressures ? cells.n_pressures() : 0)
+  {
+  }
 
   /// Adds to rows of momentum what a point gives, times its weight; velocities component by
   /// component.
@@ -77,7 +81,7 @@ public:
           change.velocity_gradient[d] = inverse_jacobian[k - 1];
         take(change, by_velocity[d][k]);
       }
-    for (unsigned int k = 0; k <= (directions.pressure_gradient ? dim : 0); ++k)
+    for (unsigned int k = 0; n_pressures > 0 && k <= (directions.pressure_gradient ? dim : 0); ++k)
     {
       PointChange<dim> change;
       if (k == 0)
@@ -107,6 +111,7 @@ private:
   };
 
   const QuadratureCells<dim> &cells;
+  const unsigned int n_pressures; ///< of a cell
   // Of the present point: by the value (0) or a derivative (1 ...) of a component.
   std::array<std::array<Column, dim + 1>, dim> by_velocity;
   std::array<Column, dim + 1> by_pressure;
@@ -114,7 +119,8 @@ private:
   /// Of all points: what each trial function gives (a column of the matrix) by the value and the
   /// derivatives of a test function, for each component of momentum; dim + 1 rows a point.
   std::array<dealii::FullMatrix<double>, dim> of_momentum;
-  dealii::FullMatrix<double> of_volume; ///< likewise by its value, a row a point, times -1
+  dealii::FullMatrix<double>
+      of_volume; ///< likewise by its value, a row a point, times -1; without pressures empty
 
   static void set_column(const Jacobian &inverse_jacobian,
                          double weight,
