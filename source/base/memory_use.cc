@@ -25,14 +25,32 @@ void return_freed_memory()
 #endif
 }
 
+std::vector<MemoryUse::Part>::iterator MemoryUse::find(const std::string &part)
+{
+  return std::find_if(bytes_of_parts.begin(), bytes_of_parts.end(),
+                      [&](const Part &entry) { return entry.first == part; });
+}
+
 void MemoryUse::mark(const std::string &part)
 {
   return_freed_memory();
   const double now = memory_held();
-  auto place = std::find_if(bytes_of_parts.begin(), bytes_of_parts.end(),
-                            [&](const auto &entry) { return entry.first == part; });
+  auto place = find(part);
   if (place == bytes_of_parts.end())
     place = bytes_of_parts.insert(bytes_of_parts.end(), {part, 0.});
+  place->second += now - last;
+  last = now;
+}
+
+void MemoryUse::mark_again(const std::string &part)
+{
+  const auto place = find(part);
+  if (place == bytes_of_parts.end())
+  {
+    mark(part);
+    return;
+  }
+  const double now = memory_held();
   place->second += now - last;
   last = now;
 }

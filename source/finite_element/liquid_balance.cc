@@ -124,7 +124,6 @@ LiquidMass LiquidBalance<dim>::mass(const State &state)
 {
   space.copy_velocity(*state.mesh_displacement, velocity_work, displacement);
   space.copy_pressure(state.pressure, pressure_work, pressure);
-  const std::size_t n_functions = cells.n_functions();
   double sum = 0.;
   for (const Cell &cell : cells.all())
   {
@@ -133,22 +132,8 @@ LiquidMass LiquidBalance<dim>::mass(const State &state)
     set_entries(cell.pressure_places, pressure, cell_pressure);
     for (unsigned int q = 0; q < cells.n_points(); ++q)
     {
-      const typename Cell::Point &point = cell.points[q];
-      Tensor<2, dim> gradient;
-      double radial = 0.;
-      for (unsigned int c = 0; c < dim; ++c)
-      {
-        Tensor<1, dim> slope; // on the reference cell
-        for (unsigned int a = 0; a < n_functions; ++a)
-        {
-          slope += cell_displacement[c * n_functions + a] * cells.gradients(q)[a];
-          if (c == 1)
-            radial += cell_displacement[c * n_functions + a] * cells.values(q)[a];
-        }
-        gradient[c] = slope * point.inverse_jacobian;
-      }
-      sum += point.weight *
-             Kinematics(whole_gradient<dim>(gradient, radial * point.hoop)).volume_ratio() *
+      const Kinematics motion(cells.gradient(cell, cell_displacement, q));
+      sum += cell.points[q].weight * motion.volume_ratio() *
              density_at(material, cell_pressure, cells.pressure_values(q));
     }
   }

@@ -66,7 +66,7 @@ void NonlinearCellTerms<dim>::take(const DistributedVector &of_velocity,
 template <int dim>
 void NonlinearCellTerms<dim>::add_derivative(const BalancedStep &state,
                                              const AffineConstraints<double> &constraints,
-                                             Triplets &matrix)
+                                             EntrySums &matrix)
 {
   take(state);
   const int first_pressure = static_cast<int>(space.velocity_dofs.n_dofs());
@@ -87,11 +87,7 @@ void NonlinearCellTerms<dim>::add_derivative(const BalancedStep &state,
       for (unsigned int j = 0; j < (i < n_velocity || has_pressures ? local.n() : n_velocity); ++j)
         for (const auto &[row, row_weight] : masters[i])
           for (const auto &[column, column_weight] : masters[j])
-          {
-            matrix.rows.push_back(row);
-            matrix.columns.push_back(column);
-            matrix.values.push_back(row_weight * column_weight * local(i, j));
-          }
+            matrix.add(row, column, row_weight * column_weight * local(i, j));
   }
 }
 

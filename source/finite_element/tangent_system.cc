@@ -3,11 +3,15 @@
 #include <continua/base/input_error.h>
 #include <continua/finite_element/condensed_system.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <stdexcept>
 
 namespace Continua
 {
+using namespace dealii;
+
 template <int dim>
 TangentSystem<dim>::TangentSystem(const Space<dim> &space,
                                   const std::vector<RegionOperators> &operators,
@@ -21,6 +25,7 @@ template <int dim>
 void TangentSystem<dim>::reinit()
 {
   made_factor = nullptr;
+  entries.forget();
   packed.resize(space.velocity_owned.n_elements() + space.pressure_owned.n_elements());
 }
 
@@ -36,20 +41,21 @@ void TangentSystem<dim>::factorize(const SystemCoefficients &coefficients,
   for (const auto index : space.pressure_owned)
     owned.push_back(space.velocity_dofs.n_dofs() + index);
   const SymmetricTriplets lower = condensed_triplets(space, operators, constraints, coefficients);
-  Triplets matrix;
-  matrix.n = lower.n;
-  matrix.rows = lower.rows;
-  matrix.columns = lower.columns;
-  matrix.values = lower.values;
-  for (std::size_t k = 0; k < lower.values.size(); ++k)
-    if (lower.rows[k] != lower.columns[k])
+  // Adding the terms is collective, and so is adding them once more.
+  bool is_summed = false;
+  while (!is_summed)
+  {
+    entries.begin(lower.n);
+    for (std::size_t k = 0; k < lower.values.size(); ++k)
     {
-      matrix.rows.push_back(lower.columns[k]);
-      matrix.columns.push_back(lower.rows[k]);
-      matrix.values.push_back(lower.values[k]);
+      entries.add(lower.rows[k], lower.columns[k], lower.values[k]);
+      if (lower.rows[k] != lower.columns[k])
+        entries.add(lower.columns[k], lower.rows[k], lower.values[k]);
     }
-  for (const auto &of_model : terms)
-    of_model->add_derivative(state, constraints.all(), matrix);
+    for (const auto &of_model : terms)
+      of_model->add_derivative(state, constraints.all(), entries);
+    is_summed = Utilities::MPI::min(entries.finish() ? 1 : 0, space.communicator) == 1;
+  }
   try
   {
     if (!made_factor)
@@ -59,7 +65,7 @@ void TangentSystem<dim>::factorize(const SystemCoefficients &coefficients,
   {
     throw RunError(error.what());
   }
-  made_factor->factorize(matrix, owned);
+  made_factor->factorize(entries.matrix(), owned);
 }
 
 template <int dim>

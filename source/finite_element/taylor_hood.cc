@@ -606,7 +606,7 @@ bool TaylorHood<dim>::linearise(const BalancedStep &state)
   }
   const bool is_first = tangent.factor() == nullptr;
   tangent.factorize(system.present_coefficients(), state, terms);
-  log.memory_use().mark("factor");
+  log.memory_use().mark_again("factor");
   if (is_first)
     log.detail("Linear solver: direct, of the tangent, as " + system.choice().reason + "; " +
                tangent.factor()->name());

@@ -5,8 +5,11 @@
 
 #include <array>
 #include <cassert>
+#include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <umfpack.h>
+#include <utility>
 
 namespace Continua
 {
@@ -36,8 +39,27 @@ struct Columns
   std::vector<double> values;
 };
 
+/// Of entries that are sorted by columns, and in a column by rows, each place once; else nothing.
+std::optional<Columns> columns_of_sorted(const Triplets &matrix)
+{
+  for (std::size_t k = 1; k < matrix.rows.size(); ++k)
+    if (std::make_pair(matrix.columns[k - 1], matrix.rows[k - 1]) >=
+        std::make_pair(matrix.columns[k], matrix.rows[k]))
+      return std::nullopt;
+  Columns result;
+  result.starts.assign(matrix.n + 1, 0);
+  for (const int column : matrix.columns)
+    ++result.starts[column + 1];
+  std::partial_sum(result.starts.begin(), result.starts.end(), result.starts.begin());
+  result.rows.assign(matrix.rows.begin(), matrix.rows.end());
+  result.values = matrix.values;
+  return result;
+}
+
 Columns sorted_by_columns(const Triplets &matrix)
 {
+  if (std::optional<Columns> sorted = columns_of_sorted(matrix))
+    return std::move(*sorted);
   const std::vector<Index> rows(matrix.rows.begin(), matrix.rows.end());
   const std::vector<Index> columns(matrix.columns.begin(), matrix.columns.end());
   Columns result;

@@ -48,11 +48,19 @@ UNIT_TEST(memory_use)
   check::absolute("what is given back no longer counts", bytes_of(use, "first") / size, 0., 0.03);
   use.mark("nothing");
   check::absolute("nothing was taken", bytes_of(use, "nothing") / size, 0., 0.03);
+  std::vector<char> third(size, 'c');
+  use.mark_again("third");
+  check::relative("a part that is made over and over", bytes_of(use, "third"), size, 0.03);
+  std::vector<char> fourth(size, 'd');
+  use.mark_again("third");
+  check::relative("its second time counts", bytes_of(use, "third"), 2. * size, 0.03);
   double sum = 0.;
   for (const auto &part : use.parts())
     sum += part.second;
   check::relative("the parts are the whole", sum, memory_held(), 0.03);
-  check::is_true("the blocks are there", second.back() == 'b' && sum > at_start + 1.9 * size);
+  check::is_true("the blocks are there", second.back() == 'b' &&
+                                             third.back() + fourth.back() == 'c' + 'd' &&
+                                             sum > at_start + 1.9 * size);
   check::equal("in the order of their first marks",
                use.parts()[1].first + ", " + use.parts()[2].first, std::string("first, second"));
 }

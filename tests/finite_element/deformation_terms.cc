@@ -227,8 +227,11 @@ void check_derivative(const std::string &name,
   const double h = 1e-5;
   const std::vector<double> above = rows_of(space, terms, changed(state, change, h)),
                             below = rows_of(space, terms, changed(state, change, -h));
-  Triplets matrix;
-  terms.add_derivative(state, space.velocity_hanging, matrix);
+  EntrySums sums;
+  sums.begin(static_cast<int>(change.size()));
+  terms.add_derivative(state, space.velocity_hanging, sums);
+  sums.finish();
+  const Triplets &matrix = sums.matrix();
   std::vector<double> product(change.size(), 0.);
   for (std::size_t k = 0; k < matrix.values.size(); ++k)
     product[matrix.rows[k]] += matrix.values[k] * change[matrix.columns[k]];

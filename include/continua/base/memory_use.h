@@ -24,13 +24,20 @@ public:
   /// The growth since the last mark, or since the start of the process, belongs to `part`. Memory
   /// that was freed goes back to the system first.
   void mark(const std::string &part);
+  /// Likewise of a part that is made over and over, such as a factor: only the first time memory
+  /// goes back. Later the next one is made in it, without a fault for each of its pages.
+  void mark_again(const std::string &part);
   /// In the order of their first marks; negative where a part has freed more than it has taken
   /// [bytes].
   const std::vector<std::pair<std::string, double>> &parts() const { return bytes_of_parts; }
 
 private:
+  using Part = std::pair<std::string, double>;
+
   double last = 0.; ///< [bytes]
-  std::vector<std::pair<std::string, double>> bytes_of_parts;
+  std::vector<Part> bytes_of_parts;
+
+  std::vector<Part>::iterator find(const std::string &part);
 };
 } // namespace Continua
 

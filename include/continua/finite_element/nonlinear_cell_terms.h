@@ -8,7 +8,7 @@
 #include <continua/continuum/state_visitor.h>
 #include <continua/finite_element/quadrature_cells.h>
 #include <continua/finite_element/space.h>
-#include <continua/linear_algebra/unsymmetric_factor.h>
+#include <continua/linear_algebra/entry_sums.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
@@ -90,7 +90,7 @@ public:
   /// and columns of what they constrain stay empty.
   void add_derivative(const BalancedStep &state,
                       const dealii::AffineConstraints<double> &constraints,
-                      Triplets &matrix);
+                      EntrySums &matrix);
   /// Adds products of that derivative, without constraints, with a velocity that is zero in all but
   /// a few cells [m/s]: to rows of momentum [N] and of volume [m^3/s], and those of its transposed
   /// to `of_velocity` and `of_pressure`, whose scalar product with a change is the power of that

@@ -6,6 +6,7 @@
 #include <continua/finite_element/nonlinear_cell_terms.h>
 #include <continua/finite_element/region_operators.h>
 #include <continua/finite_element/space.h>
+#include <continua/linear_algebra/entry_sums.h>
 #include <continua/linear_algebra/unsymmetric_factor.h>
 
 #include <memory>
@@ -50,6 +51,7 @@ private:
   const std::vector<RegionOperators> &operators;
   const BoundaryConstraints<dim> &constraints;
   DirectSolver direct_solver;
+  EntrySums entries; ///< of the matrix
   std::unique_ptr<UnsymmetricFactor> made_factor;
   std::vector<double> packed; ///< velocities, then pressures
 };
