@@ -18,6 +18,7 @@ void OutletCoupling::initialise()
   models.clear();
   for (const Outlet &outlet : problem.outlets)
     models.emplace_back(outlet);
+  present_flow_rates_of_mesh.assign(present_flow_rates_of_mesh.size(), 0.);
   inputs_are_current = false;
 }
 
@@ -81,6 +82,7 @@ void OutletCoupling::build()
   pressures.resize(n);
   flow_rates.resize(n);
   flow_rates_of_mesh.assign(n, 0.);
+  present_flow_rates_of_mesh.resize(n, 0.);
   if (problem.mesh_moves)
     section = operators.velocity_vector();
   inputs_are_current = false;
@@ -252,12 +254,21 @@ void OutletCoupling::take_sections(const DistributedVector &mesh_displacement)
   }
 }
 
-std::vector<double> OutletCoupling::present_flow_rates(const DistributedVector &velocity) const
+std::vector<double> OutletCoupling::present_flow_rates(const DistributedVector &velocity)
 {
   std::vector<double> flows;
   for (const Port &port : ports)
-    flows.push_back(product(port.flow, velocity));
+    if (problem.mesh_moves)
+    {
+      // The ports have the sections of the level that the last step balanced.
+      operators.set_flow_of_velocities(port.condition, *operators.mesh_displacement(), section);
+      flows.push_back(product(sparse(section), velocity));
+    }
+    else
+      flows.push_back(product(port.flow, velocity));
   Utilities::MPI::sum(flows, problem.communicator, flows);
+  for (unsigned int i = 0; i < ports.size(); ++i)
+    flows[i] -= present_flow_rates_of_mesh[i];
   return flows;
 }
 
@@ -360,8 +371,6 @@ void OutletCoupling::predict(const Step &step, const DistributedVector &velocity
 {
   if (is_empty())
     return;
-  if (problem.mesh_moves)
-    take_sections(*operators.mesh_displacement());
   const std::vector<double> flows = present_flow_rates(velocity_old);
   for (unsigned int o = 0; o < models.size(); ++o)
   {
@@ -384,6 +393,15 @@ void OutletCoupling::finish_step(const Step &step)
 {
   for (unsigned int o = 0; o < models.size(); ++o)
     models[o].advance(step, &flow_rates[first_port[o]]);
+  for (unsigned int i = 0; i < ports.size(); ++i)
+    present_flow_rates_of_mesh[i] = step.extrapolate
+                                        ? 2. * flow_rates_of_mesh[i] - present_flow_rates_of_mesh[i]
+                                        : flow_rates_of_mesh[i];
+}
+
+void OutletCoupling::start_from_rest()
+{
+  present_flow_rates_of_mesh.assign(ports.size(), 0.);
 }
 
 void OutletCoupling::couple_steady(const double time,
@@ -443,7 +461,7 @@ double OutletCoupling::energy() const
 }
 
 std::vector<double> OutletCoupling::present_pressures(const double time,
-                                                      const DistributedVector &velocity) const
+                                                      const DistributedVector &velocity)
 {
   std::vector<double> of_conditions(problem.conditions.size(), 0.);
   const std::vector<double> flows = present_flow_rates(velocity);
@@ -458,7 +476,7 @@ std::vector<double> OutletCoupling::present_pressures(const double time,
 
 void OutletCoupling::add_present_forces(const double time,
                                         const DistributedVector &velocity,
-                                        DistributedVector &forces) const
+                                        DistributedVector &forces)
 {
   if (is_empty())
     return;
@@ -485,5 +503,8 @@ void OutletCoupling::visit(StateVisitor &visitor)
 {
   for (unsigned int o = 0; o < models.size(); ++o)
     models[o].visit(visitor, o);
+  for (unsigned int i = 0; i < ports.size(); ++i)
+    if (ports[i].moves_with_mesh)
+      visitor.value({"flow of the mesh at port", i}, present_flow_rates_of_mesh[i]);
 }
 } // namespace Continua

@@ -93,6 +93,7 @@ void TimeStepping::start_from_present_state()
   newton.forget_factor();
   operators.forget_linearisation();
   ledger.forget_forces();
+  outlets.start_from_rest();
   operators.start_from(present());
 }
 

@@ -793,6 +793,13 @@ void TaylorHood<dim>::set_unloaded_displacement(const DistributedVector &displac
 }
 
 template <int dim>
+void TaylorHood<dim>::start_from(const State & /*state*/)
+{
+  if (mesh_motion)
+    mesh_motion->begin_run();
+}
+
+template <int dim>
 void TaylorHood<dim>::begin_step(const Step &step, const State & /*start*/)
 {
   if (metrics != nullptr)

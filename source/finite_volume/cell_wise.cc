@@ -568,7 +568,6 @@ void CellWise<dim>::start_from(const State &state)
   if (vertex_motion)
   {
     vertex_motion->start_from(state);
-    vertex_motion->check();
     take_shapes();
   }
   set_dilatation_rate(state);

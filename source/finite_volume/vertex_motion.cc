@@ -328,6 +328,10 @@ void VertexMotion<dim>::start_from(const State &state)
   extend(followed);
   present.equ(1., next);
   older.equ(1., next);
+  // Steps before the start do not count.
+  check();
+  last.time = 0.;
+  worst_of_steps = last;
 }
 
 template <int dim>

@@ -94,6 +94,8 @@ public:
                               DistributedVector &pressure) const;
   /// Moves the states on to the end of the step, by the flow rates of the last couple().
   void finish_step(const Step &step);
+  /// The run begins from a state at rest that was searched for: the mesh stays there.
+  void start_from_rest();
   /// Completes a steady flow, with Z(0). Throws RunError if an outlet lets no steady flow pass.
   void couple_steady(double time, DistributedVector &velocity, DistributedVector &pressure);
 
@@ -117,11 +119,10 @@ public:
   }
   /// The ports' pressures at the present time with the velocity there, by condition; 0 of
   /// conditions that are no port [Pa].
-  std::vector<double> present_pressures(double time, const DistributedVector &velocity) const;
+  std::vector<double> present_pressures(double time, const DistributedVector &velocity);
   /// Adds the forces of these pressures at ports whose traction is given [N].
-  void add_present_forces(double time,
-                          const DistributedVector &velocity,
-                          DistributedVector &forces) const;
+  void
+  add_present_forces(double time, const DistributedVector &velocity, DistributedVector &forces);
   /// Whether the pressure behind an outlet jumps between the two times [s].
   bool jumps(double begin, double end) const;
 
@@ -156,6 +157,8 @@ private:
   bool inputs_are_current = false;
   std::vector<double> pressures, flow_rates; ///< by port, at the balanced level [Pa], [m^3/s]
   std::vector<double> flow_rates_of_mesh;    ///< q . W, which is no part of them [m^3/s]
+  /// The same at the present time: from step to step as the velocities go on.
+  std::vector<double> present_flow_rates_of_mesh;
   // Work space of the step.
   std::vector<double> sums;
   DistributedVector section;
@@ -165,9 +168,8 @@ private:
   static double product(const Sparse &sparse, const DistributedVector &vector);
   /// Takes the ports' sections at a displacement of the mesh.
   void take_sections(const DistributedVector &mesh_displacement);
-  /// The flow rates of a velocity through the sections at the present time, by port. The motion of
-  /// a mesh is left out: no step with such a mesh looks at the flow rates of its start.
-  std::vector<double> present_flow_rates(const DistributedVector &velocity) const;
+  /// The flow rates of a velocity through the sections at the present time, past the mesh, by port.
+  std::vector<double> present_flow_rates(const DistributedVector &velocity);
   /// This rank's part of what a port gives back.
   double output(const Port &port,
                 const DistributedVector &velocity,

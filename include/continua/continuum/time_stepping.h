@@ -73,10 +73,7 @@ public:
   State state();
   double time() const { return present_time; }
   /// The pressures of the outlets' ports at the present time, by boundary condition [Pa].
-  std::vector<double> port_pressures() const
-  {
-    return outlets.present_pressures(present_time, velocity);
-  }
+  std::vector<double> port_pressures() { return outlets.present_pressures(present_time, velocity); }
   /// To be changed by a shape of vibration.
   DistributedVector &present_velocity() { return velocity; }
   DistributedVector &present_displacement() { return history.displacement(); }

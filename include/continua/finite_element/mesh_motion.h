@@ -78,6 +78,9 @@ public:
   void finish_step(const BalancedStep &balanced);
   /// Takes the present displacement of the solids for the start [m]. Collective.
   void start_from(const DistributedVector &displacement);
+  /// The run begins at the present shape: steps before it, to find that shape or a mesh, do not
+  /// count. Collective.
+  void begin_run() { worst_of_steps = quality(present); }
   /// Hands over the part of the state.
   void visit(StateVisitor &visitor);
   /// That part was read from a checkpoint or carried over to another mesh. Collective.
@@ -87,7 +90,8 @@ public:
   const DistributedVector &displacement() const { return present; }
   /// Of a displacement of the mesh [m]. Collective.
   MeshQuality quality(const DistributedVector &mesh_displacement);
-  /// The worst of all steps that have ended; the place is known since the run began or went on.
+  /// The worst of the run's start and of all steps that have ended; the place is known since the
+  /// run began or went on.
   const MeshQuality &worst() const { return worst_of_steps; }
 
 private:

@@ -198,6 +198,7 @@ public:
   const DistributedVector *wall_potentials() const override;
   const DistributedVector *unloaded_displacement() const override;
   void set_unloaded_displacement(const DistributedVector &displacement) override;
+  void start_from(const State &state) override;
   void begin_step(const Step &step, const State &start) override;
   void finish_step(const BalancedStep &balanced, const State &state) override;
 
