@@ -19,17 +19,17 @@ namespace Continua
  *
  *   f - A U - G p - N_u(U, p) = 0,     g - B U - C p - N_p(U, p) = 0,
  *
- * with the tangent's factor kept over iterations and steps. When the residual falls too slowly, a
- * new one is made, which is then the exact derivative at that iterate; or the step goes on with
- * GMRES and the exact derivative, preconditioned with the kept factor, which is made anew when
- * GMRES needs too many iterations. The iteration ends when the
- * residuals of momentum and of volume are small against the largest ones met in the step, or at the
- * round-off of the terms that cancel in them: a body at rest starts there. In a body that comes to
- * rest under a large pressure the round-off of that pressure remains in the residual of volume. The
- * iteration ends there, too: when momentum is at round-off, a correction with the exact derivative
- * has not halved the residual of volume, and what it leaves in a step is below 1e-12 of the volume
- * of each pressure. The volume of a cavity must differ from the one given by the same fraction at
- * most.
+ * (see NewtonResidual; NewtonConvergence judges the iterates) with the tangent's factor kept over
+ * iterations and steps. When the residual falls too slowly, a new one is made, which is then the
+ * exact derivative at that iterate; or the step goes on with GMRES and the exact derivative,
+ * preconditioned with the kept factor, which is made anew when GMRES needs too many iterations. The
+ * iteration ends when the residuals of momentum and of volume are small against the largest ones
+ * met in the step, or at the round-off of the terms that cancel in them: a body at rest starts
+ * there. In a body that comes to rest under a large pressure the round-off of that pressure remains
+ * in the residual of volume. The iteration ends there, too: when momentum is at round-off, a
+ * correction with the exact derivative has not halved the residual of volume, and what it leaves in
+ * a step is below 1e-12 of the volume of each pressure. The volume of a cavity must differ from the
+ * one given by the same fraction at most.
  *
  * Outlets are linear. Each iteration solves without the forces of their ports and adds the body's
  * responses, as a linear step does. The volumes of cavities are equations of their own, whose
