@@ -11,7 +11,7 @@
 #include <continua/base/parameter_file.h>
 #include <continua/boundary/boundary_condition.h>
 #include <continua/finite_element/condensed_system.h>
-#include <continua/finite_element/iterative_step_solver.h>
+#include <continua/finite_element/solvers/iterative/iterative_step_solver.h>
 #include <continua/finite_element/step_system.h>
 #include <continua/linear_algebra/matrix_product.h>
 

@@ -6,6 +6,7 @@
 #include <continua/continuum/state.h>
 #include <continua/continuum/stress_and_strain.h>
 #include <continua/finite_element/field_samples.h>
+#include <continua/finite_element/looking/probe_values.h>
 #include <continua/finite_element/section_flow.h>
 #include <continua/finite_element/space.h>
 #include <continua/mesh/plane_section.h>
@@ -63,7 +64,7 @@ private:
   bool needs_samples(const ProbeRequest<dim> &request,
                      const FieldDefinition<dim> &field) const override;
   void begin_samples(unsigned int probe) override;
-  void end_samples() override { samples_to_fill = nullptr; }
+  void end_samples() override { probe_values.fill(nullptr); }
   bool follows_mesh(const ProbeRequest<dim> &request,
                     const FieldDefinition<dim> &field) const override;
   void take_state(const State &state) override;
@@ -73,23 +74,6 @@ private:
   /// Whether the face of the cell is one of the boundaries or of the interface.
   bool
   has_face(const ProbeRequest<dim> &request, const CellIterator &cell, unsigned int face) const;
-  /// Adds the field at points of the unit cell, and at a quadrature point, times weights; `normal`:
-  /// out of the cell, for fields of walls.
-  void add_values(const FieldDefinition<dim> &field,
-                  const CellIterator &cell,
-                  const dealii::Quadrature<dim> &points,
-                  const std::vector<double> &weights,
-                  Collector &collector,
-                  const std::vector<SampledShare> &shares) const;
-  void add_value(const FieldDefinition<dim> &field,
-                 const CellIterator &cell,
-                 const dealii::FEValuesBase<dim> &values,
-                 const dealii::FEValuesBase<dim> &pressure_values,
-                 unsigned int q,
-                 double weight,
-                 Collector &collector,
-                 const SampledShare &share,
-                 const dealii::Tensor<1, dim> &normal = dealii::Tensor<1, dim>()) const;
   /// Of a probe that follows the mesh, else at rest; of a line the direction is that of the rim's
   /// normal in its plane.
   SampledShare share(const ProbeRequest<dim> &request,
@@ -107,6 +91,7 @@ private:
   using FieldProbes<dim>::problem;
   const Space<dim> &space;
   const MetricHistory<dim> *metrics;
+  ProbeValues<dim> probe_values; ///< with samples while a probe that has them is set up
   SampledState<dim> sampled_state;
   bool has_sampled_state = false; ///< with vectors of the present mesh
   /// Of a mesh that moves, with ghosts; empty before a state is taken [m].
@@ -114,7 +99,6 @@ private:
   /// By probe: on a mesh that moves they are asked for again and again.
   mutable std::map<unsigned int, std::unique_ptr<SectionFlow<dim>>> flows_of_probes;
   std::map<unsigned int, Samples> samples_of_probes;
-  FieldSamples<dim> *samples_to_fill = nullptr; ///< while a probe with samples is set up
 };
 } // namespace Continua
 

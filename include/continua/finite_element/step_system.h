@@ -4,10 +4,10 @@
 #include <continua/base/memory_use.h>
 #include <continua/finite_element/boundary_constraints.h>
 #include <continua/finite_element/condensed_system.h>
-#include <continua/finite_element/iterative_step_solver.h>
 #include <continua/finite_element/linear_solver_parameters.h>
 #include <continua/finite_element/region_operators.h>
 #include <continua/finite_element/solver_choice.h>
+#include <continua/finite_element/solvers/iterative/iterative_step_solver.h>
 #include <continua/finite_element/space.h>
 #include <continua/linear_algebra/block_krylov.h>
 #include <continua/linear_algebra/single_precision_factor.h>

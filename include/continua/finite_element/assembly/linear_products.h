@@ -1,0 +1,80 @@
+#ifndef continua_finite_element_assembly_linear_products_h
+#define continua_finite_element_assembly_linear_products_h
+
+#include <continua/continuum/operators.h>
+#include <continua/continuum/problem.h>
+#include <continua/finite_element/region_operators.h>
+#include <continua/finite_element/space.h>
+#include <continua/linear_algebra/distributed_vector.h>
+
+#include <vector>
+
+namespace Continua
+{
+/// The products of the linear terms with the matrices of a region. What a method does is said in
+/// Operators under the same name. G = -B^T.
+template <int dim>
+class LinearProducts
+{
+public:
+  /// All must outlive it.
+  LinearProducts(const Space<dim> &space,
+                 const Problem &problem,
+                 const std::vector<RegionOperators> &operators);
+
+  /// The matrices are those of a new mesh. Collective.
+  void reinit();
+
+  std::vector<unsigned int> pressures_without_history() const;
+  void multiply_mass(const unsigned int region,
+                     DistributedVector &momentum,
+                     const DistributedVector &velocity) const
+  {
+    operators[region].multiply_mass(momentum, velocity);
+  }
+  void multiply_stiffness(const unsigned int region,
+                          DistributedVector &force,
+                          const DistributedVector &mixture) const
+  {
+    operators[region].multiply_stiffness(force, mixture);
+  }
+  void multiply_gradient(unsigned int region,
+                         DistributedVector &force,
+                         const DistributedVector &pressure) const;
+  void multiply_divergence(unsigned int region,
+                           DistributedVector &rate,
+                           const DistributedVector &velocity) const;
+  void multiply_pressure_mass(unsigned int region,
+                              DistributedVector &product,
+                              const DistributedVector &pressure) const;
+  void multiply_support_stiffness(unsigned int region,
+                                  DistributedVector &force,
+                                  const DistributedVector &displacement) const;
+  void multiply_support_damping(unsigned int region,
+                                DistributedVector &force,
+                                const DistributedVector &velocity) const;
+  double pressure_power(unsigned int region,
+                        const DistributedVector &velocity,
+                        const DistributedVector &pressure);
+  double
+  pressure_product(unsigned int region, const DistributedVector &p, const DistributedVector &q);
+  double divergence(const DistributedVector &velocity);
+
+  /// The largest row of B^T p of pressures, and of B U of velocities, by the largest stress [Pa]
+  /// and the largest velocity [m/s].
+  ResidualScales scales(const double stress, const double velocity) const
+  {
+    return {gradient_norm * stress, divergence_norm * velocity};
+  }
+
+private:
+  const Space<dim> &space;
+  const Problem &problem;
+  const std::vector<RegionOperators> &operators;
+  DistributedVector pressure_work;
+  /// Of B U by the largest velocity [m^2], and of B^T p by the largest pressure [m^2].
+  double divergence_norm = 0., gradient_norm = 0.;
+};
+} // namespace Continua
+
+#endif

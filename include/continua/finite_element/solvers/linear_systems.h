@@ -1,0 +1,109 @@
+#ifndef continua_finite_element_solvers_linear_systems_h
+#define continua_finite_element_solvers_linear_systems_h
+
+#include <continua/base/log.h>
+#include <continua/continuum/operators.h>
+#include <continua/continuum/problem.h>
+#include <continua/finite_element/assembly/region_terms.h>
+#include <continua/finite_element/boundary_constraints.h>
+#include <continua/finite_element/linear_solver_parameters.h>
+#include <continua/finite_element/region_operators.h>
+#include <continua/finite_element/solver_choice.h>
+#include <continua/finite_element/space.h>
+#include <continua/finite_element/step_system.h>
+#include <continua/finite_element/tangent_system.h>
+#include <continua/linear_algebra/distributed_vector.h>
+
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * The linear system of a step: the StepSystem where all regions are linear, else that of a step of
+ * Newton's iteration, which has the derivative of the terms of the regions, too. The latter is a
+ * TangentSystem with a factor, or products with the iterative solver of the StepSystem. What a
+ * method does is said in Operators under the same name.
+ */
+template <int dim>
+class LinearSystems
+{
+public:
+  /// All but the parameters and the outlook must outlive it.
+  LinearSystems(const Space<dim> &space,
+                const Problem &problem,
+                const std::vector<RegionOperators> &operators,
+                const BoundaryConstraints<dim> &constraints,
+                RegionTerms<dim> &terms,
+                const LinearSolverParameters &parameters,
+                const SolverOutlook &outlook,
+                Log &log);
+
+  /// Frees the derivative of the terms: the mesh changes.
+  void forget_derivative();
+  /// Forgets the factors: mesh or constraints have changed. Collective.
+  void reinit();
+
+  /// Whether mass and stiffness are products without a matrix on this mesh.
+  bool has_products_without_matrix() const;
+  /// Whether the steps of Newton's iteration have the iterative solver on this mesh.
+  bool has_iterative_tangent() const;
+
+  SystemChange prepare(const SystemCoefficients &coefficients);
+  void eliminate_prescribed(const DistributedVector &prescribed,
+                            DistributedVector &momentum,
+                            DistributedVector &mass);
+  void solve(const DistributedVector &prescribed,
+             DistributedVector &momentum,
+             DistributedVector &mass,
+             DistributedVector &velocity,
+             DistributedVector &pressure,
+             StepReport &report);
+  bool linearise(const BalancedStep &state);
+  void keep_derivative(const BalancedStep &state);
+  void forget_linearisation() { tangent.forget_analysis(); }
+  void restrict_residuals(DistributedVector &momentum, DistributedVector &mass) const;
+  void clear_prescribed(DistributedVector &velocity) const
+  {
+    constraints.set_constrained(velocity, zero_velocity);
+  }
+  void add_velocity_product(const DistributedVector &velocity, DistributedVector &result)
+  {
+    system.add_velocity_product(velocity, result);
+  }
+  void add_divergence(const DistributedVector &velocity, DistributedVector &result)
+  {
+    system.add_divergence(1., velocity, result);
+  }
+
+  /// Sets what is known of the solver in use.
+  void set_sizes(SolverSizes &sizes) const;
+  /// See StepSystem.
+  void free_work_space() { system.free_work_space(); }
+  /// Of the linear terms; for vibrations.
+  StepSystem<dim> &step_system() { return system; }
+
+private:
+  const Space<dim> &space;
+  const Problem &problem;
+  const BoundaryConstraints<dim> &constraints;
+  RegionTerms<dim> &terms;
+  const LinearSolverParameters parameters;
+  Log &log;
+  StepSystem<dim> system;
+  TangentSystem<dim> tangent;        ///< in the system's place where there are such terms
+  bool derivative_is_marked = false; ///< in MemoryUse, on this mesh
+  std::string linear_solver_reported;
+  DistributedVector zero_velocity, velocity_work;
+  // Of products with the tangent.
+  DistributedVector tangent_change, tangent_momentum, tangent_mass;
+
+  void solve_iterative_tangent(DistributedVector &momentum,
+                               DistributedVector &mass,
+                               DistributedVector &velocity,
+                               DistributedVector &pressure);
+  void report_linear_solver();
+};
+} // namespace Continua
+
+#endif
