@@ -86,7 +86,7 @@ collect_nodes(const Space<dim> &space, const std::vector<BoundaryCondition> &con
 
   // The support points of the face are its quadrature points, so that the normals are the ones at
   // the nodes.
-  const FE_Q<dim> scalar_element(space.degree());
+  const FiniteElement<dim> &scalar_element = space.scalar_element();
   const Quadrature<dim - 1> nodes_of_face(scalar_element.get_unit_face_support_points());
   FEFaceValues<dim> values(space.mapping, scalar_element, nodes_of_face,
                            update_quadrature_points | update_normal_vectors);

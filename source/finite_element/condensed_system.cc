@@ -5,7 +5,6 @@
 #include <continua/mesh/cells_in_tree_order.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/full_matrix.h>
 
@@ -318,7 +317,7 @@ void assemble_volumetric_stiffness(const Space<dim> &space,
     volumetric.matrices.back().copy_from(operators[region].stiffness);
     volumetric.matrices.back() = 0.;
   }
-  const QGauss<dim> quadrature(space.n_quadrature_points());
+  const Quadrature<dim> quadrature = space.quadrature(space.n_quadrature_points());
   FEValues<dim> values(space.mapping, space.velocity_element, quadrature,
                        update_values | update_gradients | update_quadrature_points |
                            update_JxW_values);

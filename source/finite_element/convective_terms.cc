@@ -22,7 +22,7 @@ ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space,
     // density and compressibility are constant.
     : Base(space,
            problem,
-           QGauss<dim>((3 * space.degree() + 2 + (space.is_axisymmetric() ? 1 : 0)) / 2),
+           space.quadrature((3 * space.degree() + 2 + (space.is_axisymmetric() ? 1 : 0)) / 2),
            RegionModel::flow),
       inflow_terms(space, problem),
       streamline_terms(space, problem, quadrature),

@@ -3,7 +3,6 @@
 #include <continua/base/input_error.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <array>
@@ -26,7 +25,8 @@ DeformationTerms<dim>::DeformationTerms(const Space<dim> &space,
                                         const Problem &problem,
                                         MetricHistory<dim> *const metrics)
     // As the linear stress, to which the terms come close where the deformation is small.
-    : Base(space, problem, QGauss<dim>(space.n_quadrature_points()), RegionModel::finite_solid),
+    : Base(
+          space, problem, space.quadrature(space.n_quadrature_points()), RegionModel::finite_solid),
       rest_states(space, problem, quadrature, cells),
       here(problem,
            cells,

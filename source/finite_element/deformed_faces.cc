@@ -2,7 +2,6 @@
 
 #include <continua/mesh/cells_in_tree_order.h>
 
-#include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <cstddef>
@@ -43,7 +42,9 @@ DeformedFaces<dim>::DeformedFaces(const Space<dim> &space,
 
 template <int dim>
 DeformedFaces<dim>::DeformedFaces(const Space<dim> &space, const SetOfFace &set_of_face)
-    : space(space), set_of_face(set_of_face), quadrature(space.n_quadrature_points() + 1)
+    : space(space),
+      set_of_face(set_of_face),
+      quadrature(space.face_quadrature(space.n_quadrature_points() + 1))
 {
 }
 
@@ -55,7 +56,7 @@ void DeformedFaces<dim>::reinit()
     return;
   ghosted.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
   displacement_work = space.velocity_vector();
-  const FE_Q<dim> element(space.degree());
+  const FiniteElement<dim> &element = space.scalar_element();
   const std::size_t n_functions = element.n_dofs_per_cell();
   of_cell.reinit(dim * n_functions);
   FEFaceValues<dim> values(space.mapping, element, quadrature,

@@ -6,7 +6,6 @@
 #include <continua/mesh/cells_in_tree_order.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/hp/fe_values.h>
 
@@ -176,7 +175,7 @@ double FieldEvaluation<dim>::add_boundary(const ProbeRequest<dim> &request,
                                           const FieldDefinition<dim> &field,
                                           Collector &collector) const
 {
-  const QGauss<dim - 1> quadrature(space.n_quadrature_points());
+  const Quadrature<dim - 1> quadrature = space.face_quadrature(space.n_quadrature_points());
   FEFaceValues<dim> values(space.mapping, space.velocity_element, quadrature,
                            update_values | update_gradients | update_quadrature_points |
                                update_JxW_values | update_normal_vectors);
@@ -240,7 +239,7 @@ double FieldEvaluation<dim>::add_volume(const ProbeRequest<dim> &request,
                                         const FieldDefinition<dim> &field,
                                         Collector &collector) const
 {
-  const QGauss<dim> quadrature(space.n_quadrature_points());
+  const Quadrature<dim> quadrature = space.quadrature(space.n_quadrature_points());
   FEValues<dim> values(space.mapping, space.velocity_element, quadrature,
                        update_values | update_gradients | update_quadrature_points |
                            update_JxW_values);
@@ -271,7 +270,7 @@ double FieldEvaluation<dim>::add_interface(const ProbeRequest<dim> &request,
                                            Collector &collector) const
 {
   FEFaceValues<dim> values(
-      space.mapping, space.velocity_element, QGauss<dim - 1>(space.n_quadrature_points()),
+      space.mapping, space.velocity_element, space.face_quadrature(space.n_quadrature_points()),
       update_values | update_normal_vectors | update_quadrature_points | update_JxW_values);
   std::vector<types::global_dof_index> indices(space.velocity_element.n_dofs_per_cell());
   double area = 0.;

@@ -6,7 +6,6 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature.h>
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/hp/fe_values.h>
 
@@ -66,8 +65,8 @@ FieldOutput<dim>::FieldOutput(const Space<dim> &space,
       metrics(metrics),
       names(cell_field_names<dim>()),
       units(names.size(), "Pa"),
-      cell_element(FE_DGQ<dim>(space.degree() - 1),
-                   names.size() + further_cell_fields<dim>(problem).size()),
+      cell_element(space.broken_element(space.degree() - 1,
+                                        names.size() + further_cell_fields<dim>(problem).size())),
       cell_dofs(space.triangulation),
       node_dofs(space.triangulation)
 {

@@ -4,7 +4,6 @@
 #include <continua/mesh/coordinates.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
 namespace Continua
@@ -16,12 +15,12 @@ std::map<types::global_dof_index, std::vector<double>>
 nodal_flow_shapes(const Space<dim> &space, const BoundaryCondition &condition)
 {
   const FlowProfile &profile = *condition.normal.flow;
-  const FE_Q<dim> scalar_element(space.degree());
+  const FiniteElement<dim> &scalar_element = space.scalar_element();
   const Quadrature<dim - 1> nodes_of_face(scalar_element.get_unit_face_support_points());
   FEFaceValues<dim> node_values(space.mapping, scalar_element, nodes_of_face,
                                 update_quadrature_points);
   FEFaceValues<dim> values(space.mapping, space.velocity_element,
-                           QGauss<dim - 1>(space.n_quadrature_points() + 1),
+                           space.face_quadrature(space.n_quadrature_points() + 1),
                            update_values | update_quadrature_points | update_JxW_values);
   std::vector<types::global_dof_index> face_dofs(space.velocity_element.n_dofs_per_face());
   std::vector<types::global_dof_index> cell_dofs(space.velocity_element.n_dofs_per_cell());

@@ -15,7 +15,7 @@ FollowerPressure<dim>::FollowerPressure(const Space<dim> &space, const Problem &
     : space(space),
       problem(problem),
       // As the loads of the body at rest, which are taken off.
-      quadrature(space.n_quadrature_points() + 1)
+      quadrature(space.face_quadrature(space.n_quadrature_points() + 1))
 {
 }
 
@@ -23,7 +23,7 @@ template <int dim>
 void FollowerPressure<dim>::reinit()
 {
   faces_of_cells.clear();
-  const FE_Q<dim> element(space.degree());
+  const FiniteElement<dim> &element = space.scalar_element();
   FEFaceValues<dim> values(space.mapping, element, quadrature,
                            update_values | update_gradients | update_quadrature_points |
                                update_normal_vectors | update_JxW_values);

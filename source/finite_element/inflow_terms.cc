@@ -12,9 +12,9 @@ template <int dim>
 InflowTerms<dim>::InflowTerms(const Space<dim> &space, const Problem &problem)
     : space(space),
       problem(problem),
-      scalar_element(space.degree()),
+      scalar_element(space.scalar_element()),
       // Products of four functions.
-      quadrature(space.n_quadrature_points() + 2),
+      quadrature(space.face_quadrature(space.n_quadrature_points() + 2)),
       values(space.mapping,
              scalar_element,
              quadrature,

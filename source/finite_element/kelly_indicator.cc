@@ -3,7 +3,6 @@
 #include <continua/finite_element/kinematics_at.h>
 #include <continua/finite_element/present_diameter.h>
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/hp/fe_values.h>
 
@@ -35,25 +34,25 @@ public:
         dofs(dofs),
         field(field),
         mesh_displacement(mesh_displacement),
-        n_points(QGauss<dim - 1>(space.degree() + 1).size()),
+        n_points(space.face_quadrature(space.degree() + 1).size()),
         n_components(dofs.get_fe(0).n_components()),
         face_values(space.mappings,
                     dofs.get_fe_collection(),
-                    hp::QCollection<dim - 1>(QGauss<dim - 1>(space.degree() + 1)),
+                    hp::QCollection<dim - 1>(space.face_quadrature(space.degree() + 1)),
                     update_gradients | update_quadrature_points | update_JxW_values |
                         update_normal_vectors),
         subface_values(space.mappings,
                        dofs.get_fe_collection(),
-                       hp::QCollection<dim - 1>(QGauss<dim - 1>(space.degree() + 1)),
+                       hp::QCollection<dim - 1>(space.face_quadrature(space.degree() + 1)),
                        update_gradients | update_quadrature_points | update_JxW_values |
                            update_normal_vectors),
         motion_face_values(space.mapping,
                            space.velocity_element,
-                           QGauss<dim - 1>(space.degree() + 1),
+                           space.face_quadrature(space.degree() + 1),
                            flags_of_motion),
         motion_subface_values(space.mapping,
                               space.velocity_element,
-                              QGauss<dim - 1>(space.degree() + 1),
+                              space.face_quadrature(space.degree() + 1),
                               flags_of_motion),
         indices(space.velocity_element.n_dofs_per_cell()),
         gradients(n_points, std::vector<Tensor<1, dim>>(n_components)),

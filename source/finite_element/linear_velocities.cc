@@ -1,9 +1,7 @@
 #include <continua/finite_element/linear_velocities.h>
 #include <continua/finite_element/velocity_nodes.h>
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
@@ -41,7 +39,7 @@ LinearVelocities<dim>::LinearVelocities(const Space<dim> &space,
                                         const std::vector<bool> &stiff)
     : space(space),
       constraints(constraints),
-      element(FE_Q<dim>(1), dim),
+      element(space.linear_element()),
       dof_handler(space.triangulation)
 {
   dof_handler.distribute_dofs(element);
@@ -220,7 +218,8 @@ void LinearVelocities<dim>::assemble(
   matrix.reinit(owned, owned, pattern, space.communicator);
 
   // In axisymmetry 1/r has no exact integral: the points are those of the quadratic velocities.
-  const QGauss<dim> quadrature(space.is_axisymmetric() ? space.n_quadrature_points() : 2);
+  const Quadrature<dim> quadrature =
+      space.quadrature(space.is_axisymmetric() ? space.n_quadrature_points() : 2);
   FEValues<dim> values(space.mapping, element, quadrature,
                        update_values | update_gradients | update_quadrature_points |
                            update_JxW_values);

@@ -1,8 +1,6 @@
 #include <continua/finite_element/liquid_balance.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
@@ -29,7 +27,7 @@ template <int dim>
 LiquidBalance<dim>::LiquidBalance(const Space<dim> &space, const Problem &problem)
     : space(space),
       problem(problem),
-      cells(space, problem, QGauss<dim>(space.n_quadrature_points() + 1), RegionModel::flow)
+      cells(space, problem, space.quadrature(space.n_quadrature_points() + 1), RegionModel::flow)
 {
   for (Vector<double> *vector : {&cell_displacement, &cell_velocity})
     vector->reinit(dim * cells.n_functions());
@@ -46,8 +44,9 @@ void LiquidBalance<dim>::reinit()
   velocity_work = space.velocity_vector();
   pressure_work.reinit(space.pressure_owned, space.communicator);
   faces.clear();
-  const FE_Q<dim> element(space.degree()), pressure_element(space.degree() - 1);
-  const QGauss<dim - 1> quadrature(space.n_quadrature_points() + 1);
+  const FiniteElement<dim> &element = space.scalar_element();
+  const FiniteElement<dim> &pressure_element = space.scalar_pressure_element();
+  const Quadrature<dim - 1> quadrature = space.face_quadrature(space.n_quadrature_points() + 1);
   FEFaceValues<dim> values(space.mapping, element, quadrature,
                            update_values | update_gradients | update_quadrature_points |
                                update_normal_vectors | update_JxW_values),

@@ -2,7 +2,6 @@
 #include <continua/mesh/cells_in_tree_order.h>
 #include <continua/mesh/coordinates.h>
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
 namespace Continua
@@ -37,8 +36,9 @@ void Loads<dim>::integrate(const Item &item,
 {
   const unsigned int n_velocity = space.velocity_element.n_dofs_per_cell();
   // Loads are given functions, so one point more than the operators have.
-  const QGauss<dim> cell_quadrature(space.n_quadrature_points() + 1);
-  const QGauss<dim - 1> face_quadrature(space.n_quadrature_points() + 1);
+  const Quadrature<dim> cell_quadrature = space.quadrature(space.n_quadrature_points() + 1);
+  const Quadrature<dim - 1> face_quadrature =
+      space.face_quadrature(space.n_quadrature_points() + 1);
   const UpdateFlags flags = update_values | update_quadrature_points | update_JxW_values;
   FEValues<dim> cell_values(space.mapping, space.velocity_element, cell_quadrature, flags);
   FEFaceValues<dim> face_values(space.mapping, space.velocity_element, face_quadrature,

@@ -9,7 +9,6 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/numerics/rtree.h>
 
@@ -37,7 +36,7 @@ int axis_of_plane(const Space<dim> &space,
                   const Problem &problem,
                   const BoundaryCondition &condition)
 {
-  FEFaceValues<dim> values(space.mapping, space.velocity_element, QGauss<dim - 1>(2),
+  FEFaceValues<dim> values(space.mapping, space.velocity_element, space.face_quadrature(2),
                            update_normal_vectors);
   double tilts[dim] = {};
   for (const auto &cell : space.velocity_dofs.active_cell_iterators())
@@ -64,7 +63,7 @@ MeshMotion<dim>::MeshMotion(const Space<dim> &space, const Problem &problem)
     : space(space),
       problem(problem),
       kind(problem.mesh_motion),
-      cells(space, problem, QGauss<dim>(space.n_quadrature_points()), RegionModel::flow),
+      cells(space, problem, space.quadrature(space.n_quadrature_points()), RegionModel::flow),
       corners(space, problem, QTrapezoid<dim>(), RegionModel::flow),
       assembly(cells, false)
 {
@@ -144,7 +143,7 @@ void MeshMotion<dim>::find_followers()
 {
   followers.clear();
   // The support points of the face are its quadrature points.
-  const FE_Q<dim> scalar_element(space.degree());
+  const FiniteElement<dim> &scalar_element = space.scalar_element();
   FEFaceValues<dim> values(space.mapping, scalar_element,
                            Quadrature<dim - 1>(scalar_element.get_unit_face_support_points()),
                            update_quadrature_points);
@@ -242,7 +241,7 @@ template <int dim>
 void MeshMotion<dim>::set_stiffness()
 {
   // The nodes of the faces that move, on all ranks.
-  const FE_Q<dim> scalar_element(space.degree());
+  const FiniteElement<dim> &scalar_element = space.scalar_element();
   FEFaceValues<dim> values(space.mapping, scalar_element,
                            Quadrature<dim - 1>(scalar_element.get_unit_face_support_points()),
                            update_quadrature_points);

@@ -2,11 +2,8 @@
 
 #include <continua/continuum/stress_and_strain.h>
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_renumbering.h>
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/fe_dgq.h>
-#include <deal.II/fe/fe_nothing.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +37,7 @@ std::unique_ptr<MetricHistory<dim>> MetricHistory<dim>::make(const Space<dim> &s
 template <int dim>
 MetricHistory<dim>::MetricHistory(const Space<dim> &space, const Problem &problem)
     : space(space),
-      n_points(QGauss<dim>(space.n_quadrature_points()).size()),
+      n_points(space.quadrature(space.n_quadrature_points()).size()),
       dof_handler(space.triangulation)
 {
   std::size_t n_branches = 0;
@@ -55,9 +52,8 @@ MetricHistory<dim>::MetricHistory(const Space<dim> &space, const Problem &proble
   }
   step_weights = balanced_weights;
   metrics.resize(n_branches);
-  elements.push_back(FESystem<dim>(FE_Nothing<dim>(), n_stresses<dim>()));
-  elements.push_back(FESystem<dim>(
-      FE_DGQArbitraryNodes<dim>(QGauss<1>(space.n_quadrature_points())), n_stresses<dim>()));
+  elements.push_back(space.no_element(n_stresses<dim>()));
+  elements.push_back(space.element_at_points(space.n_quadrature_points(), n_stresses<dim>()));
 }
 
 template <int dim>
@@ -249,7 +245,7 @@ void MetricHistory<dim>::finish_transfer(const std::vector<DistributedVector *> 
 template <int dim>
 void MetricHistory<dim>::restore_positivity(DistributedVector &vector) const
 {
-  const QGauss<dim> quadrature(space.n_quadrature_points());
+  const Quadrature<dim> quadrature = space.quadrature(space.n_quadrature_points());
   for (unsigned int cell = 0; cell < places.size(); ++cell)
   {
     if (places[cell].empty())

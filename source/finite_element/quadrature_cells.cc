@@ -54,8 +54,7 @@ QuadratureCells<dim>::QuadratureCells(const Space<dim> &space,
                                       const std::function<bool(unsigned int)> &takes)
     : space(space), quadrature(quadrature), takes(takes)
 {
-  const FE_Q<dim> velocity(space.degree()), pressure(space.degree() - 1);
-  const auto set = [&](const FE_Q<dim> &element, Table<2, double> &values,
+  const auto set = [&](const FiniteElement<dim> &element, Table<2, double> &values,
                        Table<2, Tensor<1, dim>> &gradients, Table<2, double> &both)
   {
     const unsigned int n_functions = element.n_dofs_per_cell();
@@ -72,8 +71,9 @@ QuadratureCells<dim>::QuadratureCells(const Space<dim> &space,
           both(q, (c + 1) * n_functions + a) = gradients(q, a)[c];
       }
   };
-  set(velocity, shapes, slopes, values_and_slopes);
-  set(pressure, pressure_shapes, pressure_slopes, pressure_values_and_slopes);
+  set(space.scalar_element(), shapes, slopes, values_and_slopes);
+  set(space.scalar_pressure_element(), pressure_shapes, pressure_slopes,
+      pressure_values_and_slopes);
 }
 
 template <int dim>
@@ -82,8 +82,7 @@ void QuadratureCells<dim>::reinit()
   const DistributedVector velocity(space.velocity_owned, space.velocity_relevant,
                                    space.communicator),
       pressure(space.pressure_owned, space.pressure_relevant, space.communicator);
-  const FE_Q<dim> element(space.degree());
-  FEValues<dim> geometry(space.mapping, element, quadrature,
+  FEValues<dim> geometry(space.mapping, space.scalar_element(), quadrature,
                          update_quadrature_points | update_JxW_values | update_inverse_jacobians);
   std::vector<types::global_dof_index> indices(space.velocity_element.n_dofs_per_cell());
   cells.clear();

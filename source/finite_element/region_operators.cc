@@ -3,7 +3,6 @@
 
 #include <continua/mesh/cells_in_tree_order.h>
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/hp/fe_values.h>
 #include <deal.II/lac/full_matrix.h>
@@ -119,8 +118,8 @@ public:
 private:
   const Space<dim> &space;
   /// The velocity's shape functions are those of one scalar element, once for each component.
-  const FE_Q<dim> scalar_element;
-  const QGauss<dim> quadrature;
+  const FiniteElement<dim> &scalar_element;
+  const Quadrature<dim> quadrature;
   FEValues<dim> values;
   hp::FEValues<dim> hp_pressure_values;
   /// place[c][a]: the cell's dof of component c and scalar function a.
@@ -135,8 +134,8 @@ private:
 template <int dim>
 CellMatrices<dim>::CellMatrices(const Space<dim> &space)
     : space(space),
-      scalar_element(space.degree()),
-      quadrature(space.n_quadrature_points()),
+      scalar_element(space.scalar_element()),
+      quadrature(space.quadrature(space.n_quadrature_points())),
       values(space.mapping,
              scalar_element,
              quadrature,

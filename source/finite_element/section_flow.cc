@@ -3,7 +3,6 @@
 #include <continua/mesh/cells_in_tree_order.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/hp/fe_values.h>
 #include <deal.II/lac/lapack_full_matrix.h>
@@ -164,7 +163,7 @@ void SectionFlow<dim>::for_cells(const Ramps &ramps,
                                  const bool with_gradients,
                                  const Add &add) const
 {
-  const QGauss<dim> quadrature(space.n_quadrature_points());
+  const Quadrature<dim> quadrature = space.quadrature(space.n_quadrature_points());
   FEValues<dim> velocity(space.mapping, space.velocity_element, quadrature,
                          update_values | update_quadrature_points | update_JxW_values |
                              (with_gradients ? update_gradients : update_default));

@@ -1,6 +1,5 @@
 #include <continua/finite_element/solid_motion.h>
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
@@ -16,7 +15,7 @@ SolidMotion<dim>::SolidMotion(const Space<dim> &space, const Problem &problem)
     : space(space),
       problem(problem),
       cells(space,
-            QGauss<dim>(space.degree()),
+            space.quadrature(space.degree()),
             [&problem](const unsigned int region) { return problem.materials[region].is_solid(); })
 {
 }
@@ -86,9 +85,10 @@ template <int dim>
 void SolidMotion<dim>::measure_liquid()
 {
   const unsigned int n_points = space.n_quadrature_points();
-  FEValues<dim> values(space.mapping, space.velocity_element, QGauss<dim>(n_points),
+  FEValues<dim> values(space.mapping, space.velocity_element, space.quadrature(n_points),
                        update_JxW_values | update_quadrature_points);
-  FEFaceValues<dim> face_values(space.mapping, space.velocity_element, QGauss<dim - 1>(n_points),
+  FEFaceValues<dim> face_values(space.mapping, space.velocity_element,
+                                space.face_quadrature(n_points),
                                 update_JxW_values | update_quadrature_points);
   const auto size_of = [this](const FEValuesBase<dim> &present)
   {

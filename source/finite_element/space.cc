@@ -3,9 +3,12 @@
 #include <continua/base/words.h>
 
 #include <deal.II/base/numbers.h>
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_renumbering.h>
 #include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_nothing.h>
+#include <deal.II/fe/fe_q.h>
 
 namespace Continua
 {
@@ -93,6 +96,44 @@ void Space<dim>::distribute()
 
   hanging_velocities = owned_and_constrained(velocity_owned, velocity_hanging);
   hanging_pressures = owned_and_constrained(pressure_owned, pressure_hanging);
+}
+
+template <int dim>
+FESystem<dim> Space<dim>::linear_element() const
+{
+  return FESystem<dim>(FE_Q<dim>(1), dim);
+}
+
+template <int dim>
+FESystem<dim> Space<dim>::broken_element(const unsigned int degree,
+                                         const unsigned int n_components) const
+{
+  return FESystem<dim>(FE_DGQ<dim>(degree), n_components);
+}
+
+template <int dim>
+FESystem<dim> Space<dim>::element_at_points(const unsigned int n_points,
+                                            const unsigned int n_components) const
+{
+  return FESystem<dim>(FE_DGQArbitraryNodes<dim>(QGauss<1>(n_points)), n_components);
+}
+
+template <int dim>
+FESystem<dim> Space<dim>::no_element(const unsigned int n_components) const
+{
+  return FESystem<dim>(FE_Nothing<dim>(), n_components);
+}
+
+template <int dim>
+Quadrature<dim> Space<dim>::quadrature(const unsigned int n_points) const
+{
+  return QGauss<dim>(n_points);
+}
+
+template <int dim>
+Quadrature<dim - 1> Space<dim>::face_quadrature(const unsigned int n_points) const
+{
+  return QGauss<dim - 1>(n_points);
 }
 
 template <int dim>

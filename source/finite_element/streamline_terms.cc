@@ -17,9 +17,8 @@ StreamlineTerms<dim>::StreamlineTerms(const Space<dim> &space,
                                       const Quadrature<dim> &quadrature)
     : space(space),
       problem(problem),
-      scalar_element(space.degree()),
       values(space.mapping,
-             scalar_element,
+             space.scalar_element(),
              quadrature,
              update_values | update_gradients | update_hessians | update_quadrature_points),
       forces(space.velocity_element.n_dofs_per_cell())
@@ -81,7 +80,7 @@ void StreamlineTerms<dim>::set_viscous_forces(const unsigned int q, const CellSt
   size = size_at_rest;
   if (state.mesh_displacement == nullptr)
   {
-    for (unsigned int a = 0; a < scalar_element.n_dofs_per_cell(); ++a)
+    for (unsigned int a = 0; a < space.scalar_element().n_dofs_per_cell(); ++a)
       set_viscous_forces_of(a, state, values.shape_value(a, q), values.shape_grad(a, q),
                             values.shape_hessian(a, q));
     return;
@@ -90,7 +89,7 @@ void StreamlineTerms<dim>::set_viscous_forces(const unsigned int q, const CellSt
   Tensor<2, dim> deformation = unit_symmetric_tensor<dim>();
   std::array<Tensor<2, dim>, dim> second_of_place;
   for (unsigned int c = 0; c < dim; ++c)
-    for (unsigned int a = 0; a < scalar_element.n_dofs_per_cell(); ++a)
+    for (unsigned int a = 0; a < space.scalar_element().n_dofs_per_cell(); ++a)
     {
       const double entry = displacement[state.place(c, a)];
       place[c] += entry * values.shape_value(a, q);
@@ -99,7 +98,7 @@ void StreamlineTerms<dim>::set_viscous_forces(const unsigned int q, const CellSt
     }
   const Tensor<2, dim> inverse = invert(deformation);
   size *= std::pow(determinant(deformation), 1. / dim);
-  for (unsigned int a = 0; a < scalar_element.n_dofs_per_cell(); ++a)
+  for (unsigned int a = 0; a < space.scalar_element().n_dofs_per_cell(); ++a)
   {
     const Tensor<1, dim> first = values.shape_grad(a, q) * inverse;
     // The derivative of F^-1 takes off what the curvature of the motion makes of the gradient.

@@ -2,7 +2,6 @@
 
 #include <continua/mesh/cells_in_tree_order.h>
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
@@ -39,7 +38,7 @@ public:
   explicit FaceMatrices(const Space<dim> &space)
       : space(space),
         // The normal of a curved face is not polynomial: one point more than products need.
-        quadrature(space.n_quadrature_points() + 1),
+        quadrature(space.face_quadrature(space.n_quadrature_points() + 1)),
         values(space.mapping,
                space.velocity_element,
                quadrature,
@@ -94,7 +93,7 @@ public:
 
 private:
   const Space<dim> &space;
-  const QGauss<dim - 1> quadrature;
+  const Quadrature<dim - 1> quadrature;
   FEFaceValues<dim> values;
   std::vector<unsigned int> local; ///< the same in the cell's numbering
 };

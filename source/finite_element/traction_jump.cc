@@ -6,7 +6,6 @@
 #include <continua/finite_element/present_diameter.h>
 #include <continua/mesh/coordinates.h>
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/hp/fe_values.h>
 
@@ -36,7 +35,7 @@ public:
         problem(problem),
         state(state),
         samples(space, problem, metrics),
-        quadrature(space.degree() + 1),
+        quadrature(space.face_quadrature(space.degree() + 1)),
         face_values(space.mapping, space.velocity_element, quadrature, flags),
         subface_values(space.mapping, space.velocity_element, quadrature, flags),
         pressure_face_values(space.mappings,
@@ -86,7 +85,7 @@ private:
   const Problem &problem;
   const SampledState<dim> &state;
   FieldSamples<dim> samples;
-  QGauss<dim - 1> quadrature;
+  Quadrature<dim - 1> quadrature;
   FEFaceValues<dim> face_values;
   FESubfaceValues<dim> subface_values;
   hp::FEFaceValues<dim> pressure_face_values;

@@ -3,7 +3,6 @@
 #include <continua/base/input_error.h>
 
 #include <deal.II/base/function.h>
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/component_mask.h>
 #include <deal.II/fe/fe_values.h>
@@ -92,7 +91,7 @@ void WallPotentials<dim>::reinit()
   DistributedVector right_side = space.velocity_vector();
 
   FEValues<dim> values(space.mapping, space.velocity_element,
-                       QGauss<dim>(space.n_quadrature_points()),
+                       space.quadrature(space.n_quadrature_points()),
                        update_gradients | update_quadrature_points | update_JxW_values);
   const unsigned int n = space.velocity_element.n_dofs_per_cell();
   FullMatrix<double> of_cell(n, n);

@@ -1,5 +1,6 @@
 #include <continua/base/input_error.h>
 #include <continua/mesh/distortion.h>
+#include <continua/mesh/quadratic_cell_manifold.h>
 
 #include <deal.II/base/geometry_info.h>
 
@@ -43,6 +44,11 @@ void distort_coarse_mesh(dealii::Triangulation<dim> &triangulation, const double
   if (distortion == 0.)
     return;
 
+  const auto refuse = []
+  {
+    throw InputError(Origin(), "Mesh/Distortion", "a cell would be turned inside out",
+                     "Give a smaller number");
+  };
   const std::vector<double> largest = mobility(triangulation);
   std::vector<bool> is_moved(triangulation.n_vertices(), false);
   // The generator's numbers are standardised, those of the standard library's distributions are
@@ -64,14 +70,25 @@ void distort_coarse_mesh(dealii::Triangulation<dim> &triangulation, const double
 
   for (const auto &cell : triangulation.cell_iterators_on_level(0))
   {
+    if (const auto *curved =
+            dynamic_cast<const QuadraticCellManifold<dim> *>(&cell->get_manifold()))
+    {
+      std::vector<dealii::Point<dim>> corners;
+      for (const unsigned int v : cell->vertex_indices())
+        corners.push_back(cell->vertex(v));
+      const QuadraticCellManifold<dim> distorted = curved->with_corners(corners);
+      triangulation.set_manifold(cell->manifold_id(), distorted);
+      if (distorted.range_of_determinants().first <= 0.)
+        refuse();
+      continue;
+    }
     dealii::Point<dim> vertices[dealii::GeometryInfo<dim>::vertices_per_cell];
     dealii::Tensor<0, dim> determinants[dealii::GeometryInfo<dim>::vertices_per_cell];
     for (const unsigned int v : cell->vertex_indices())
       vertices[v] = cell->vertex(v);
     dealii::GeometryInfo<dim>::alternating_form_at_vertices(vertices, determinants);
     if (*std::min_element(std::begin(determinants), std::end(determinants)) <= 0.)
-      throw InputError(Origin(), "Mesh/Distortion", "a cell would be turned inside out",
-                       "Give a smaller number");
+      refuse();
   }
 }
 

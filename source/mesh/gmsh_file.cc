@@ -70,12 +70,12 @@ public:
     return static_cast<int>(value);
   }
 
-  /// The same of the tag of a node, of which there may be more.
-  std::size_t node_tag(const double value) const
+  /// The same of the tag of a node or an element, of which there may be more.
+  std::size_t mesh_tag(const double value) const
   {
     constexpr double largest = 9007199254740992.; // 2^53: beyond it a double skips whole numbers
     if (!(value >= 0. && value <= largest) || value != std::floor(value))
-      refuse_as_damaged("'" + text + "' should have the tags of nodes, whole numbers");
+      refuse_as_damaged("'" + text + "' should have the tags of nodes and elements, whole numbers");
     return static_cast<std::size_t>(value);
   }
 
@@ -246,7 +246,7 @@ void read_lines_of_points(Reader &reader,
   for (int i = 0; i < n_points; ++i)
   {
     const std::vector<double> values = reader.numbers(4);
-    places[reader.node_tag(values[0])] = points.size();
+    places[reader.mesh_tag(values[0])] = points.size();
     add_point(values, 1, points);
   }
 }
@@ -267,28 +267,30 @@ Places read_points(Reader &reader, const Version version, std::vector<dealii::Po
       continue;
     }
     for (int i = 0; i < n_points; ++i)
-      places[reader.node_tag(reader.numbers(1)[0])] = points.size() + i;
+      places[reader.mesh_tag(reader.numbers(1)[0])] = points.size() + i;
     for (int i = 0; i < n_points; ++i)
       add_point(reader.numbers(3), 0, points);
   }
   return places;
 }
 
-/// The places of the vertices of an element, whose tags begin at `first` in the present line.
-std::vector<unsigned int> read_vertices(const Reader &reader,
-                                        const std::vector<double> &tags,
-                                        const std::size_t first,
-                                        const Places &places)
+/// The element of the present line, whose tag is the first number; the tags of its nodes begin at
+/// `first`.
+GmshFile::Element read_element(const Reader &reader,
+                               const std::vector<double> &tags,
+                               const std::size_t first,
+                               const Places &places)
 {
-  std::vector<unsigned int> vertices;
+  GmshFile::Element element;
+  element.tag = reader.mesh_tag(tags[0]);
   for (std::size_t v = first; v < tags.size(); ++v)
   {
-    const auto place = places.find(reader.node_tag(tags[v]));
+    const auto place = places.find(reader.mesh_tag(tags[v]));
     if (place == places.end())
       reader.refuse_as_damaged("an element has a node that is not in the file");
-    vertices.push_back(place->second);
+    element.nodes.push_back(place->second);
   }
-  return vertices;
+  return element;
 }
 
 /// Elements by their entity: versions 4.0 and 4.1.
@@ -314,8 +316,8 @@ std::vector<GmshFile::Block> read_blocks(Reader &reader,
     if (entity != groups.end())
       block.groups = entity->second;
     for (int j = 0; j < n_elements; ++j)
-      // TAG, TAGS OF THE VERTICES
-      block.elements.push_back(read_vertices(reader, reader.numbers(2), 1, places));
+      // TAG, TAGS OF THE NODES
+      block.elements.push_back(read_element(reader, reader.numbers(2), 1, places));
     // The tag of a ghost entity may be that of a declared entity of another dimension.
     if (entity != groups.end() || ghosts.count(block.entity) == 0)
       blocks.push_back(block);
@@ -367,8 +369,8 @@ read_lines_of_elements(Reader &reader, const Version version, const Places &plac
       groups.clear(); // 0 stands for no group
     const Entity entity{dimension_of_type(type),
                         n_tags > 1 ? reader.whole_number(values[tags + 1], negative) : 0};
-    std::vector<unsigned int> vertices = read_vertices(reader, values, first, places);
-    std::vector<unsigned int> ordered = vertices;
+    GmshFile::Element element = read_element(reader, values, first, places);
+    std::vector<unsigned int> ordered = element.nodes;
     std::sort(ordered.begin(), ordered.end());
     const auto [earlier, is_new] =
         known.emplace(std::make_pair(entity, ordered), std::make_pair(0, 0));
@@ -379,17 +381,17 @@ read_lines_of_elements(Reader &reader, const Version version, const Places &plac
       if (groups.empty() || std::find(all.begin(), all.end(), groups.front()) != all.end())
         continue; // the same element once more
       all.push_back(groups.front());
-      vertices = blocks[block].elements[place];
-      blocks[block].elements[place].clear();
+      element = blocks[block].elements[place];
+      blocks[block].elements[place].nodes.clear();
       groups = all;
     }
     const std::size_t block = block_of(entity, type, groups);
     earlier->second = {block, blocks[block].elements.size()};
-    blocks[block].elements.push_back(vertices);
+    blocks[block].elements.push_back(element);
   }
   for (GmshFile::Block &block : blocks)
     block.elements.erase(std::remove_if(block.elements.begin(), block.elements.end(),
-                                        [](const auto &element) { return element.empty(); }),
+                                        [](const auto &each) { return each.nodes.empty(); }),
                          block.elements.end());
   blocks.erase(std::remove_if(blocks.begin(), blocks.end(),
                               [](const auto &block) { return block.elements.empty(); }),

@@ -1,5 +1,6 @@
 #include <continua/base/input_file.h>
 #include <continua/base/quoted_name.h>
+#include <continua/mesh/gmsh_element_type.h>
 #include <continua/mesh/gmsh_file.h>
 #include <continua/mesh/gmsh_geometry.h>
 #include <continua/mesh/gmsh_mesher.h>
@@ -19,57 +20,7 @@ namespace Continua
 {
 namespace
 {
-/// The shapes of gmsh's element types, of any order.
-enum class Shape
-{
-  line,
-  triangle,
-  quadrilateral,
-  tetrahedron,
-  hexahedron,
-  prism,
-  pyramid,
-  other
-};
-
-/// Shape and number of nodes of an element type (gmsh reference manual 4.8, section 9.1, and
-/// GmshDefines.h for the higher orders). The corners come first.
-std::pair<Shape, unsigned int> shape_of_type(const unsigned int type)
-{
-  static const std::map<unsigned int, std::pair<Shape, unsigned int>> table = {
-      {1, {Shape::line, 2}},
-      {8, {Shape::line, 3}},
-      {26, {Shape::line, 4}},
-      {27, {Shape::line, 5}},
-      {28, {Shape::line, 6}},
-      {2, {Shape::triangle, 3}},
-      {9, {Shape::triangle, 6}},
-      {21, {Shape::triangle, 10}},
-      {3, {Shape::quadrilateral, 4}},
-      {10, {Shape::quadrilateral, 9}},
-      {16, {Shape::quadrilateral, 8}},
-      {36, {Shape::quadrilateral, 16}},
-      {37, {Shape::quadrilateral, 25}},
-      {38, {Shape::quadrilateral, 36}},
-      {39, {Shape::quadrilateral, 12}},
-      {40, {Shape::quadrilateral, 16}},
-      {4, {Shape::tetrahedron, 4}},
-      {11, {Shape::tetrahedron, 10}},
-      {29, {Shape::tetrahedron, 20}},
-      {5, {Shape::hexahedron, 8}},
-      {12, {Shape::hexahedron, 27}},
-      {17, {Shape::hexahedron, 20}},
-      {92, {Shape::hexahedron, 64}},
-      {93, {Shape::hexahedron, 125}},
-      {6, {Shape::prism, 6}},
-      {13, {Shape::prism, 18}},
-      {18, {Shape::prism, 15}},
-      {7, {Shape::pyramid, 5}},
-      {14, {Shape::pyramid, 14}},
-      {19, {Shape::pyramid, 13}}};
-  const auto found = table.find(type);
-  return found == table.end() ? std::make_pair(Shape::other, 0u) : found->second;
-}
+using Shape = GmshElementType::Shape;
 
 std::string plural(const Shape shape)
 {
@@ -125,9 +76,10 @@ std::vector<unsigned int> in_rows(std::vector<unsigned int> circle)
   return circle;
 }
 
-/// Makes the cell positively oriented; false if it is twisted, not convex or has no volume.
+/// Of a straight cell, as SecondOrderNodes::orientation().
 template <int dim>
-bool orient(const std::vector<dealii::Point<dim>> &points, std::vector<unsigned int> &cell)
+int straight_orientation(const std::vector<dealii::Point<dim>> &points,
+                         const std::vector<unsigned int> &cell)
 {
   constexpr unsigned int n = dealii::GeometryInfo<dim>::vertices_per_cell;
   dealii::Point<dim> vertices[n];
@@ -137,14 +89,28 @@ bool orient(const std::vector<dealii::Point<dim>> &points, std::vector<unsigned 
   dealii::GeometryInfo<dim>::alternating_form_at_vertices(vertices, determinants);
   const auto is_positive = [](const double determinant) { return determinant > 0.; };
   const auto is_negative = [](const double determinant) { return determinant < 0.; };
-  if (std::all_of(determinants, determinants + n, is_negative))
-  {
-    // A surface whose loop runs clockwise: exchange the two directions.
-    for (unsigned int v = 0; v < n; v += 4)
+  return std::all_of(determinants, determinants + n, is_positive)   ? 1
+         : std::all_of(determinants, determinants + n, is_negative) ? -1
+                                                                    : 0;
+}
+
+/// Makes the cell positively oriented; false if it is twisted, not convex or has no volume.
+template <int dim>
+bool orient(const std::vector<dealii::Point<dim>> &points,
+            const SecondOrderNodes<dim> &curved_cells,
+            std::vector<unsigned int> &cell)
+{
+  int orientation = curved_cells.empty() ? straight_orientation<dim>(points, cell)
+                                         : curved_cells.orientation(cell, points);
+  // deal.II takes no cell whose corners alone have a negative volume.
+  if (!curved_cells.empty() &&
+      orientation * dealii::GridTools::cell_measure<dim>(points, cell) < 0.)
+    orientation = 0;
+  // A surface whose loop runs clockwise: exchange the two directions.
+  if (orientation < 0)
+    for (unsigned int v = 0; v < cell.size(); v += 4)
       std::swap(cell[v + 1], cell[v + 2]);
-    return true;
-  }
-  return std::all_of(determinants, determinants + n, is_positive);
+  return orientation != 0;
 }
 
 /// The names of the groups of a dimension: those of the file, then the numbers of those without
@@ -216,11 +182,10 @@ GmshGeometry<dim>::Parameters::read(ParameterSection geometry, ParameterSection,
   geometry.add("Ungrouped faces", parameters.ungrouped_faces,
                "The boundary of the faces on the outside that belong to no physical group; empty: "
                "each must belong to one");
-  geometry.add(
-      "Straighten curved elements", parameters.straightens,
-      "Whether of elements of second or higher order the corners are taken, between which "
-      "the cells are straight; the nodes between the corners are left out. Without it such "
-      "elements are refused");
+  geometry.add("Straighten curved elements", parameters.straightens,
+               "Whether of elements of second or higher order the corners alone are taken, between "
+               "which the cells are straight; the nodes between the corners are left out. Without "
+               "it cells of second order keep their shape, and those of higher order are refused");
   return parameters;
 }
 
@@ -241,11 +206,12 @@ GmshGeometry<dim>::GmshGeometry(const Parameters &parameters, const bool axisymm
   ignore_groups(file);
   check_elements(file);
   set_vertices(file, axisymmetric);
+  leave_corners(file);
   take_once(file, dim);
   take_once(file, dim - 1);
   set_cells(file);
   set_faces(file);
-  dealii::GridTools::delete_unused_vertices(vertices, cells, faces);
+  delete_unused_vertices();
   dealii::GridTools::consistently_order_cells(cells);
 }
 
@@ -281,6 +247,7 @@ void GmshGeometry<dim>::create(dealii::Triangulation<dim> &triangulation) const
     for (const auto &face : cell->face_iterators())
       if (face->at_boundary())
         face->set_all_boundary_ids(face->boundary_id());
+  curved_cells.attach(triangulation);
 }
 
 template <int dim>
@@ -305,9 +272,9 @@ void GmshGeometry<dim>::leave_ungrouped_out(GmshFile &file)
   const auto rest = std::stable_partition(file.blocks.begin(), file.blocks.end(), stays);
   for (auto block = rest; block != file.blocks.end(); ++block)
     if (block->dimension == dim)
-      for (const std::vector<unsigned int> &element : block->elements)
-        for (const unsigned int vertex : element)
-          left_out[vertex].push_back(sorted(element));
+      for (const GmshFile::Element &element : block->elements)
+        for (const unsigned int vertex : element.nodes)
+          left_out[vertex].push_back(sorted(element.nodes));
   file.blocks.erase(rest, file.blocks.end());
 }
 
@@ -358,21 +325,20 @@ void GmshGeometry<dim>::ignore_groups(GmshFile &file) const
 }
 
 template <int dim>
-void GmshGeometry<dim>::check_elements(GmshFile &file) const
+void GmshGeometry<dim>::check_elements(const GmshFile &file) const
 {
-  bool has_cells = false;
-  for (GmshFile::Block &block : file.blocks)
+  unsigned int order_of_cells = 0;
+  for (const GmshFile::Block &block : file.blocks)
   {
     if (block.dimension > dim)
       refuse(block.line, "the mesh is three-dimensional, the Model is not",
              "Set Model = three-dimensional, or mesh with gmsh -2");
     if (block.dimension + 1 < dim)
       continue;
-    has_cells = has_cells || block.dimension == dim;
     const std::string where =
         " (" + entity_name(block.dimension) + " " + std::to_string(block.entity) + ")";
-    const auto [shape, n_nodes] = shape_of_type(block.type);
-    if (const std::string unfit = plural(shape); !unfit.empty())
+    const GmshElementType type = GmshElementType::of(block.type);
+    if (const std::string unfit = plural(type.shape); !unfit.empty())
       refuse(block.line,
              "the mesh has " + unfit + where + "; Continua needs " +
                  (dim == 2 ? "quadrilaterals" : "hexahedra"),
@@ -384,29 +350,35 @@ void GmshGeometry<dim>::check_elements(GmshFile &file) const
     const Shape wanted = block.dimension == 1   ? Shape::line
                          : block.dimension == 2 ? Shape::quadrilateral
                                                 : Shape::hexahedron;
-    // A copy: a lambda cannot capture what a structured binding names.
-    const unsigned int n_in_file = n_nodes;
-    if (shape != wanted ||
+    if (type.shape != wanted ||
         std::any_of(block.elements.begin(), block.elements.end(),
-                    [n_in_file](const auto &element) { return element.size() != n_in_file; }))
+                    [&type](const auto &element) { return element.nodes.size() != type.n_nodes; }))
       refuse(block.line,
              "the mesh has elements of gmsh's type " + std::to_string(block.type) + where +
                  ", which Continua does not know",
-             "Write the file with gmsh again, with elements of first order");
-    const std::size_t n_vertices = std::size_t(1) << block.dimension;
-    if (n_nodes == n_vertices)
-      continue;
-    if (!parameters.straightens)
+             "Write the file with gmsh again, with elements of first or second order");
+    if (parameters.straightens)
+      order_of_cells = 1;
+    else if (type.order > 2)
       refuse(block.line,
              "the mesh has elements of gmsh's type " + std::to_string(block.type) + where +
-                 ", which are not straight-sided (of first order)",
-             "Set 'Straighten curved elements = true': the cells are straight between the corners, "
-             "and small cells follow a curved wall. With the .geo file: remove "
-             "'Mesh.ElementOrder' or set it to 1");
-    for (std::vector<unsigned int> &element : block.elements)
-      element.resize(n_vertices);
+                 ", which are of an order above the second",
+             "Set 'Mesh.ElementOrder = 2;' in the .geo file, or 'Straighten curved elements = "
+             "true': the cells are straight between the corners, and small cells follow a curved "
+             "wall");
+    else if (block.dimension == dim)
+    {
+      if (order_of_cells > 0 && type.order != order_of_cells)
+        refuse(block.line,
+               "the mesh has cells of first and of second order" + where +
+                   ", whose sides do not fit each other",
+               "Mesh all of it with one order (Mesh.ElementOrder in the .geo file), or set "
+               "'Straighten curved elements = true'");
+      order_of_cells = type.order;
+    }
   }
-  if (!has_cells)
+  if (std::none_of(file.blocks.begin(), file.blocks.end(),
+                   [](const auto &block) { return block.dimension == dim; }))
     refuse(0,
            "the mesh has no " +
                std::string(dim == 2 ? "quadrilaterals (surfaces)" : "hexahedra (volumes)") +
@@ -414,6 +386,26 @@ void GmshGeometry<dim>::check_elements(GmshFile &file) const
            "Declare Physical " + entity_name(dim) + "(\"NAME\") = {...}; and mesh with gmsh -" +
                std::to_string(dim) + ", or choose another Model than a " + in_dimensions(dim) +
                " one");
+}
+
+template <int dim>
+void GmshGeometry<dim>::leave_corners(GmshFile &file)
+{
+  for (GmshFile::Block &block : file.blocks)
+    for (GmshFile::Element &element : block.elements)
+    {
+      const std::size_t n_corners = std::size_t(1) << block.dimension;
+      if (element.nodes.size() <= n_corners)
+        continue;
+      if (block.dimension == dim && !parameters.straightens)
+        if (const auto unlike = curved_cells.add(element.nodes, vertices); !unlike.empty())
+          refuse(block.line,
+                 "the element " + std::to_string(element.tag) + " has another node between " +
+                     "the corners around " + middle(unlike) +
+                     " than its neighbour has: a gap or an overlap lies between the two",
+                 "Mesh the geometry again, or set 'Straighten curved elements = true'");
+      element.nodes.resize(n_corners);
+    }
 }
 
 template <int dim>
@@ -429,15 +421,15 @@ void GmshGeometry<dim>::take_once(GmshFile &file, const unsigned int dimension) 
       if (block.dimension != dimension || block.groups.empty() == is_grouped)
         continue;
       const int group = is_grouped ? block.groups.front() : 0;
-      const auto is_copy = [&](const std::vector<unsigned int> &element)
+      const auto is_copy = [&](const GmshFile::Element &element)
       {
-        const auto [earlier, is_new] = group_of.emplace(sorted(element), group);
+        const auto [earlier, is_new] = group_of.emplace(sorted(element.nodes), group);
         if (!is_new && is_grouped && earlier->second != group)
         {
           const std::string &first = names[place_of_tag.at(earlier->second)],
                             &second = names[place_of_tag.at(group)];
           refuse(block.line,
-                 "the element at " + middle(element) +
+                 "the element at " + middle(element.nodes) +
                      " stands there twice, in the physical group '" + first + "' and in '" +
                      second + "'",
                  "Keep it in one of them: set 'Ignored groups = " + quoted_name(second, "#,") +
@@ -473,7 +465,7 @@ std::vector<std::string> GmshGeometry<dim>::names(const GmshFile &file,
     if (block.dimension == dimension && !block.elements.empty())
     {
       const std::string where = " (" + entity_name(dimension) + " " + std::to_string(block.entity) +
-                                ", at " + middle(block.elements.front()) + ")";
+                                ", at " + middle(block.elements.front().nodes) + ")";
       if (block.groups.empty() && dimension == dim && !names_the_rest)
         refuse(block.line, "a cell belongs to no physical group" + where,
                "Declare " + kind + "(\"NAME\") = {" + std::to_string(block.entity) +
@@ -538,12 +530,12 @@ void GmshGeometry<dim>::set_vertices(const GmshFile &file, const bool axisymmetr
   }
   for (const GmshFile::Block &block : file.blocks)
     if (dim == 2 && block.dimension == dim)
-      for (const auto &element : block.elements)
-        for (const unsigned int v : element)
+      for (const GmshFile::Element &element : block.elements)
+        for (const unsigned int v : element.nodes)
         {
           // Round-off of the drawing program.
           const double tolerance =
-              1e-10 * (file.points[element[0]] - file.points[element[2]]).norm();
+              1e-10 * (file.points[element.nodes[0]] - file.points[element.nodes[2]]).norm();
           if (std::abs(file.points[v][2]) > tolerance)
             refuse(block.line,
                    "the mesh does not lie in the plane z = 0 (z = " +
@@ -563,13 +555,18 @@ void GmshGeometry<dim>::set_cells(const GmshFile &file)
   region_names = names(file, dim, region_of_tag);
   for (const GmshFile::Block &block : file.blocks)
     if (block.dimension == dim)
-      for (const std::vector<unsigned int> &element : block.elements)
+      for (const GmshFile::Element &element : block.elements)
       {
-        std::vector<unsigned int> rows = in_rows<dim>(element);
-        if (!orient<dim>(vertices, rows))
+        std::vector<unsigned int> rows = in_rows<dim>(element.nodes);
+        if (!orient<dim>(vertices, curved_cells, rows))
           refuse(block.line,
-                 "the cell at " + middle(element) + " is degenerate, not convex or twisted",
-                 "Look at the mesh with gmsh, and make it better there");
+                 "the cell at " + middle(element.nodes) + " (element " +
+                     std::to_string(element.tag) + ") is degenerate, not convex or twisted" +
+                     (curved_cells.empty() ? "" : ", or its curved sides meet"),
+                 "Look at the mesh with gmsh, and make it better there" +
+                     std::string(curved_cells.empty()
+                                     ? ""
+                                     : ", with smaller cells or 'Mesh.HighOrderOptimize = 2;'"));
         dealii::CellData<dim> cell;
         cell.vertices.assign(rows.begin(), rows.end());
         // What is in no group has the last name.
@@ -630,16 +627,16 @@ void GmshGeometry<dim>::set_faces(const GmshFile &file)
   std::vector<std::map<std::pair<unsigned int, unsigned int>, unsigned int>> inside(groups.size());
   for (const GmshFile::Block &block : file.blocks)
     if (block.dimension == dim - 1 && !block.groups.empty())
-      for (const std::vector<unsigned int> &element : block.elements)
+      for (const GmshFile::Element &element : block.elements)
       {
         const unsigned int group = place_of_tag.at(block.groups.front());
-        const auto found = faces_of_body.find(sorted(element));
+        const auto found = faces_of_body.find(sorted(element.nodes));
         const bool is_outside = found != faces_of_body.end() && found->second.n_cells == 1;
         if (!is_outside && (found == faces_of_body.end() || found->second.regions.size() == 1))
           refuse(block.line,
                  "the physical group '" + groups[group] +
-                     "' is neither on the outside nor between two regions (at " + middle(element) +
-                     ")",
+                     "' is neither on the outside nor between two regions (at " +
+                     middle(element.nodes) + ")",
                  "Set 'Ignored groups = " + quoted_name(groups[group], "#,") + "', or take the " +
                      entity_name(dim - 1) + " " + std::to_string(block.entity) +
                      " out of the group in the .geo file");
@@ -652,7 +649,7 @@ void GmshGeometry<dim>::set_faces(const GmshFile &file)
                  "the physical group '" + groups[group] +
                      "' is partly on the outside and partly between two regions (here " +
                      (is_outside ? "on the outside" : "between two regions") + ", at " +
-                     middle(element) + ")",
+                     middle(element.nodes) + ")",
                  "Make two groups of it in the .geo file, or set 'Ignored groups = " +
                      quoted_name(groups[group], "#,") + "' and 'Ungrouped faces = NAME'");
         faces_of_body.erase(found);
@@ -700,6 +697,18 @@ void GmshGeometry<dim>::set_faces(const GmshFile &file)
     has_rest = true;
     add_boundary_face(face.rows, boundary_names.size() - 1);
   }
+}
+
+template <int dim>
+void GmshGeometry<dim>::delete_unused_vertices()
+{
+  const std::vector<dealii::CellData<dim>> before = cells;
+  dealii::GridTools::delete_unused_vertices(vertices, cells, faces);
+  std::map<unsigned int, unsigned int> new_numbers;
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    for (std::size_t v = 0; v < cells[c].vertices.size(); ++v)
+      new_numbers[before[c].vertices[v]] = cells[c].vertices[v];
+  curved_cells.renumber(new_numbers);
 }
 
 template <int dim>

@@ -1,4 +1,5 @@
 #include <continua/mesh/kept_corners.h>
+#include <continua/mesh/quadratic_cell_manifold.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -18,6 +19,19 @@ namespace
 using Surface = std::pair<unsigned int, unsigned int>;
 constexpr unsigned int outside = numbers::invalid_unsigned_int;
 
+/// The unit normal of the face of a curved cell at a place of it, out of the cell.
+template <int dim>
+Tensor<1, dim> normal_of(const QuadraticCellManifold<dim> &curved,
+                         const unsigned int face,
+                         const Point<dim> &place)
+{
+  const Tensor<2, dim> gradient = curved.push_forward_gradient(curved.pull_back(place));
+  Tensor<1, dim> in_chart;
+  in_chart[face / 2] = face % 2 == 0 ? -1. : 1.;
+  const Tensor<1, dim> normal = transpose(invert(gradient)) * in_chart;
+  return normal / normal.norm();
+}
+
 /// The unit normal of a straight face, away from a cell of it.
 template <int dim>
 Tensor<1, dim> normal_of(const typename Triangulation<dim>::cell_iterator &cell,
@@ -31,6 +45,12 @@ Tensor<1, dim> normal_of(const typename Triangulation<dim>::cell_iterator &cell,
   if (normal * (face->center() - cell->center()) < 0.)
     normal = -normal;
   return normal / normal.norm();
+}
+
+template <int dim>
+const QuadraticCellManifold<dim> *as_curved(const Manifold<dim> &manifold)
+{
+  return dynamic_cast<const QuadraticCellManifold<dim> *>(&manifold);
 }
 } // namespace
 
@@ -50,8 +70,12 @@ std::vector<KeptCorner<dim>> kept_corners(const Triangulation<dim> &coarse_mesh,
     for (const unsigned int f : cell->face_indices())
     {
       const auto face = cell->face(f);
-      if (face->manifold_id() != numbers::flat_manifold_id ||
-          cell->manifold_id() != numbers::flat_manifold_id)
+      const auto *curved = as_curved<dim>(cell->get_manifold());
+      // A straight cell may have a curved one as its neighbour.
+      const bool is_straight = cell->manifold_id() == numbers::flat_manifold_id &&
+                               (face->manifold_id() == numbers::flat_manifold_id ||
+                                as_curved<dim>(face->get_manifold()) != nullptr);
+      if (curved == nullptr && !is_straight)
         continue;
       Surface surface(outside, face->boundary_id());
       if (!cell->at_boundary(f))
@@ -61,11 +85,11 @@ std::vector<KeptCorner<dim>> kept_corners(const Triangulation<dim> &coarse_mesh,
           continue;
         surface = {cell->material_id(), cell->neighbor(f)->material_id()};
       }
-      const Tensor<1, dim> normal = normal_of<dim>(cell, face);
       const auto add = [&](const unsigned int index, const Point<dim> &place)
       {
         Ridge &ridge = ridges[{surface, index}];
-        ridge.normals.push_back(normal);
+        ridge.normals.push_back(curved != nullptr ? normal_of<dim>(*curved, f, place)
+                                                  : normal_of<dim>(cell, face));
         ridge.place = place;
       };
       if constexpr (dim == 2)
@@ -73,7 +97,7 @@ std::vector<KeptCorner<dim>> kept_corners(const Triangulation<dim> &coarse_mesh,
           add(face->vertex_index(v), face->vertex(v));
       else
         for (const unsigned int l : face->line_indices())
-          add(face->line_index(l), face->line(l)->center());
+          add(face->line_index(l), face->line(l)->center(true));
     }
 
   std::map<Surface, KeptCorner<dim>> largest;
@@ -111,8 +135,7 @@ std::string warning_of(const std::vector<KeptCorner<dim>> &corners)
     return "";
   std::ostringstream text;
   text.precision(3);
-  text << "the coarse mesh has straight faces, and division of the cells keeps the corners between "
-          "them: ";
+  text << "the faces of the coarse mesh meet at corners, and division of the cells keeps these: ";
   for (std::size_t k = 0; k < corners.size(); ++k)
   {
     text << (k == 0 ? "" : "; ") << corners[k].surface << " up to "
@@ -125,9 +148,10 @@ std::string warning_of(const std::vector<KeptCorner<dim>> &corners)
     text << ") m";
   }
   text << ". If they stand for a curve, finer cells go to the polygon and not to the curve, and "
-          "stresses at corners that point into the body grow without bound: make the cells of the "
-          "mesh "
-          "file small instead, with Mesh/Refinements = 0 and without Adaptivity";
+          "stresses at corners that point into the body grow without bound: mesh with curved cells "
+          "(Mesh.ElementOrder = 2 in gmsh) that are small enough, or make the cells of the mesh "
+          "file small instead, with "
+          "Mesh/Refinements = 0 and without Adaptivity";
   return text.str();
 }
 

@@ -21,8 +21,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_
       Fuzz::require(std::isfinite(point.norm_square()) || point.norm_square() > 0.,
                     "a point has no place");
     for (const GmshFile::Block &block : file.blocks)
-      for (const std::vector<unsigned int> &element : block.elements)
-        for (const unsigned int vertex : element)
+      for (const GmshFile::Element &element : block.elements)
+        for (const unsigned int vertex : element.nodes)
           Fuzz::require(vertex < file.points.size(), "an element has a point that is not there");
   }
   catch (const InputError &)

@@ -39,7 +39,8 @@ UNIT_TEST(gmsh_file)
   check::is_true("block",
                  block.dimension == 1 && block.entity == 2 && block.type == 1 && block.line == 47);
   check::is_true("a group with a minus sign", block.groups == std::vector<int>{3});
-  check::is_true("vertices", file.blocks[6].elements[0] == std::vector<unsigned int>({1, 4, 5, 2}));
+  check::is_true("vertices",
+                 file.blocks[6].elements[0].nodes == std::vector<unsigned int>({1, 4, 5, 2}));
   check::is_true("no group", file.blocks[4].groups.empty());
 
   std::string windows;
@@ -67,7 +68,7 @@ UNIT_TEST(gmsh_file)
                                                       second.blocks[2].elements.size() == 4);
   check::is_true("MSH 2: no group", second.blocks[3].groups.empty());
   check::is_true("MSH 2: further tags",
-                 second.blocks[4].elements[0] == std::vector<unsigned int>({0, 1, 4, 3}));
+                 second.blocks[4].elements[0].nodes == std::vector<unsigned int>({0, 1, 4, 3}));
   // gmsh writes the elements of an entity once for each of its groups.
   const GmshFile twice = read(
       meshes::with(meshes::with(meshes::squares_2, "$Elements\n9\n", "$Elements\n10\n"),
@@ -96,12 +97,12 @@ UNIT_TEST(gmsh_file)
        {std::make_pair("MSH 4.0", meshes::square_4), std::make_pair("MSH 1", meshes::square_1)})
   {
     const GmshFile old = read(text);
-    check::is_true(name, old.points.size() == 4 && old.points[2][1] == 1. &&
-                             old.blocks.size() == 2 && old.blocks[0].elements.size() == 4 &&
-                             old.blocks[0].groups == std::vector<int>{3} &&
-                             old.blocks[1].groups == std::vector<int>{100} &&
-                             old.blocks[1].entity == 6 &&
-                             old.blocks[1].elements[0] == std::vector<unsigned int>({0, 1, 2, 3}));
+    check::is_true(name,
+                   old.points.size() == 4 && old.points[2][1] == 1. && old.blocks.size() == 2 &&
+                       old.blocks[0].elements.size() == 4 &&
+                       old.blocks[0].groups == std::vector<int>{3} &&
+                       old.blocks[1].groups == std::vector<int>{100} && old.blocks[1].entity == 6 &&
+                       old.blocks[1].elements[0].nodes == std::vector<unsigned int>({0, 1, 2, 3}));
   }
   // Two partitions: the lines of the points have three coordinates, those of the others six.
   const std::string pieces =

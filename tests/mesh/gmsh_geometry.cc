@@ -1,6 +1,7 @@
 #include <continua/mesh/gmsh_geometry.h>
 
 #include "../unit_test.h"
+#include "curved_measures.h"
 #include "gmsh_meshes.h"
 #include "mesh_measures.h"
 
@@ -43,6 +44,115 @@ GmshGeometry<2> make_with(const std::string &text,
   return GmshGeometry<2>(
       {"x.msh", 1., 600., ignored_groups, ungrouped_cells, ungrouped_faces, straightens}, false);
 }
+
+/// The cuboid of `meshes::block` with 27 or 20 nodes, of which the middle of the floor and that of
+/// its side at y = 0 lie deeper. The nodes stand in the order of gmsh's reference manual.
+std::string curved_block(const unsigned int n_nodes)
+{
+  const std::vector<std::string> middles = {
+      "0.5 0 -0.2", "0 1 0",   "0 0 1.5",   "1 1 0",   "1 0 1.5",  "0.5 2 0",    "1 2 1.5",
+      "0 2 1.5",    "0.5 0 3", "0 1 3",     "1 1 3",   "0.5 2 3",  "0.5 1 -0.3", "0.5 0 1.5",
+      "0 1 1.5",    "1 1 1.5", "0.5 2 1.5", "0.5 1 3", "0.5 1 1.5"};
+  std::string nodes, tags;
+  for (unsigned int node = 0; node + 8 < n_nodes; ++node)
+  {
+    nodes += std::to_string(node + 9) + " " + middles[node] + "\n";
+    tags += " " + std::to_string(node + 9);
+  }
+  const std::string corners =
+      "1 0 0 0\n2 1 0 0\n3 1 2 0\n4 0 2 0\n5 0 0 3\n6 1 0 3\n7 1 2 3\n8 0 2 3\n";
+  return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" + std::to_string(n_nodes) + "\n" +
+         corners + nodes + "$EndNodes\n$Elements\n2\n1 3 2 1 1 1 2 3 4\n2 " +
+         (n_nodes == 27 ? "12" : "17") + " 2 1 1 1 2 3 4 5 6 7 8" + tags + "\n$EndElements\n";
+}
+
+/// Refined so that hanging nodes lie on curved sides.
+template <int dim>
+void refine_first_cell(dealii::Triangulation<dim> &mesh)
+{
+  mesh.begin_active()->set_refine_flag();
+  mesh.execute_coarsening_and_refinement();
+  mesh.begin_active(1)->set_refine_flag();
+  mesh.execute_coarsening_and_refinement();
+}
+
+void check_second_order()
+{
+  const GmshGeometry<2> geometry = make<2>(meshes::curved_squares, 0.1);
+  dealii::Triangulation<2> mesh;
+  geometry.create(mesh);
+  for (const std::string stage : {"", ", refined"})
+  {
+    // A parabola over a chord c with the height h holds 2/3 c h.
+    const measures::CurvedMeasures<2> curved(geometry, mesh, 2);
+    check::relative("9 nodes" + stage, curved.volumes.at("fluid"), 1e-2 * (1. + 2. / 3. * 0.4),
+                    1e-13);
+    check::relative("8 nodes" + stage, curved.volumes.at("wall"), 1e-2 * (1. + 2. / 3. * 0.2),
+                    1e-13);
+    check::relative("the whole by its surface" + stage, curved.flux, 2.4e-2, 1e-13);
+    if (stage.empty())
+      refine_first_cell(mesh);
+  }
+  mesh.refine_global(1);
+  const auto has = [&mesh](const dealii::Point<2> &place)
+  {
+    return std::any_of(mesh.get_vertices().begin(), mesh.get_vertices().end(),
+                       [&](const auto &vertex) { return vertex.distance(place) < 1e-14; });
+  };
+  check::is_true("the middle in the file", has({0.055, 0.05}));
+  // -1/4 of the corners and 1/2 of the nodes between them.
+  check::is_true("the middle of an incomplete element", has({0.155, 0.055}));
+
+  for (const unsigned int n_nodes : {27u, 20u})
+  {
+    std::ofstream("x.msh") << curved_block(n_nodes);
+    const GmshGeometry<3> block({"x.msh", 1., 600., {}, "", "rest"}, false);
+    dealii::Triangulation<3> mesh_in_space;
+    block.create(mesh_in_space);
+    refine_first_cell(mesh_in_space);
+    const measures::CurvedMeasures<3> curved(block, mesh_in_space, 2);
+    // The floor is deeper by the polynomials of its middle and of the middle of its side, whose
+    // means are 4/9 and 1/9; that of the 20 nodes has half the depth of the side in its middle.
+    const double middle = n_nodes == 27 ? 0.3 : 0.1;
+    const std::string name = std::to_string(n_nodes) + " nodes";
+    check::relative(name, curved.volume(), 6. + 2. * (4. / 9. * middle + 1. / 9. * 0.2), 1e-13);
+    check::relative(name + ", by the surface", curved.flux, curved.volume(), 1e-13);
+  }
+
+  // Straight cells stay as they are, with the warning of their corners.
+  std::string straight = meshes::curved_squares;
+  for (const auto &[curved, middle] :
+       std::vector<std::pair<std::string, std::string>>{{"0.5 -0.1 0", "0.5 0 0"},
+                                                        {"1.5 -0.1 0", "1.5 0 0"},
+                                                        {"1.5 1.2 0", "1.5 1 0"},
+                                                        {"0.5 1.2 0", "0.5 1 0"},
+                                                        {"1.1 0.5 0", "1 0.5 0"},
+                                                        {"0.55 0.5 0", "0.5 0.5 0"}})
+    straight = with(straight, curved, middle);
+  dealii::Triangulation<2> flat;
+  make<2>(straight).create(flat);
+  check::is_true("straight cells are no manifolds",
+                 flat.get_manifold_ids() ==
+                     std::vector<dealii::types::manifold_id>{dealii::numbers::flat_manifold_id});
+
+  refused("a side below its other side", with(meshes::curved_squares, "0.5 1.2 0", "0.5 -0.2 0"),
+          "x = 0.5, y = 0.5 .element 8..*curved sides meet.*HighOrderOptimize");
+  refused(
+      "first and second order",
+      with(meshes::curved_squares, "9 16 2 8 2 12 15 16 13 27 24 23 22", "9 3 2 8 2 12 15 16 13"),
+      "first and of second order .Surface 2");
+  refused("another node between the same corners",
+          with(with(with(meshes::curved_squares, "14\n11", "15\n11"), "28 0.55 0.5 0\n",
+                    "28 0.55 0.5 0\n29 1.05 0.5 0\n"),
+               "13 27 24", "13 29 24"),
+          "element 9 has another node .*x = 1, y = 0.5.*neighbour");
+  refused("third order",
+          with(meshes::curved_squares, "8 10 4 7 1 1 2 11 12 15 14 21 27 25 26 28",
+               "8 39 2 7 1 11 12 15 14 21 21 27 27 25 25 26 26"),
+          "type 39 .Surface 1.*above the second.*ElementOrder = 2");
+  refused("a node with a negative radius", meshes::curved_squares,
+          "negative radius.*x = 0.5, y = -0.1", true);
+}
 } // namespace
 
 UNIT_TEST(gmsh_geometry)
@@ -75,9 +185,7 @@ UNIT_TEST(gmsh_geometry)
           "triangles .Surface 1.*quadrilaterals.*RecombineAll.*SubdivisionAlgorithm = 1");
   refused<3>("tetrahedra", with(meshes::block, "3 1 5 1\n8 1 2 3 4 5 6 7 8", "3 1 4 1\n8 1 2 3 5"),
              "tetrahedra .Volume 1.*hexahedra.*SubdivisionAlgorithm = 2");
-  refused("second order",
-          with(squares, "2 1 3 1\n9 11 12 15 14", "2 1 10 1\n9 11 12 15 14 11 12 15 14 11"),
-          "type 10.*'Straighten curved elements = true'");
+  check_second_order();
   refused("volumes in the plane", meshes::block, "Model");
   refused<3>("no volumes", squares, "no hexahedra.*Physical Volume.*gmsh -3");
   refused("cell without group", with(squares, "1 0 0 0 1 1 0 1 7 0", "1 0 0 0 1 1 0 0 0"),

@@ -107,6 +107,48 @@ $Elements
 $EndElements
 )";
 
+/// As `squares_2`, of second order: `fluid` of 9 nodes and `wall` of 8, clockwise. The sides along
+/// x rise by -0.1 (below) and 0.2, the side between the cells by 0.1 to the right.
+inline const std::string curved_squares = R"($MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+3
+1 3 "below"
+2 7 "fluid"
+2 8 "wall"
+$EndPhysicalNames
+$Nodes
+14
+11 0 0 0
+12 1 0 0
+13 2 0 0
+14 0 1 0
+15 1 1 0
+16 2 1 0
+21 0.5 -0.1 0
+22 1.5 -0.1 0
+23 2 0.5 0
+24 1.5 1.2 0
+25 0.5 1.2 0
+26 0 0.5 0
+27 1.1 0.5 0
+28 0.55 0.5 0
+$EndNodes
+$Elements
+9
+1 8 2 3 1 11 12 21
+2 8 2 3 2 12 13 22
+3 8 2 4 3 13 16 23
+4 8 2 4 3 16 15 24
+5 8 2 4 3 15 14 25
+6 8 2 4 3 14 11 26
+7 8 2 0 4 12 15 27
+8 10 4 7 1 1 2 11 12 15 14 21 27 25 26 28
+9 16 2 8 2 12 15 16 13 27 24 23 22
+$EndElements
+)";
+
 /// The first of the squares alone in MSH 4.0.
 inline const std::string square_4 = R"($MeshFormat
 4 0 8

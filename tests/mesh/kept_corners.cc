@@ -4,8 +4,10 @@
 #include "../unit_test.h"
 
 #include <continua/mesh/kept_corners.h>
+#include <continua/mesh/quadratic_cell_manifold.h>
 
 #include <deal.II/base/numbers.h>
+#include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/grid_generator.h>
 
 #include <cmath>
@@ -63,6 +65,36 @@ UNIT_TEST(kept_corners)
   dealii::GridGenerator::hyper_shell(round, dealii::Point<2>(), 1., 3., 24);
   check::equal("a manifold rounds them",
                std::to_string(kept_corners<2>(round, regions, boundaries).size()), "0");
+
+  // Curved cells of second order through points of a circle with the half angle a: the parabola
+  // leaves its end at the angle atan(2 h/l) to the chord, where h = 1 - cos a is its height and l =
+  // sin a half of the chord; the corner is twice of what is missing to a.
+  const auto curve = [](dealii::Triangulation<2> &mesh)
+  {
+    for (const auto &cell : mesh.active_cell_iterators())
+    {
+      const dealii::MappingQ<2> mapping(2);
+      QuadraticCellManifold<2>::Nodes nodes;
+      for (unsigned int node = 0; node < nodes.size(); ++node)
+        nodes[node] =
+            mapping.transform_unit_to_real_cell(cell, {0.5 * (node % 3), 0.5 * (node / 3)});
+      const unsigned int id = 1 + cell->index();
+      cell->set_all_manifold_ids(id);
+      mesh.set_manifold(id, QuadraticCellManifold<2>(nodes));
+    }
+  };
+  for (const unsigned int n : {6u, 24u})
+  {
+    dealii::Triangulation<2> curved;
+    dealii::GridGenerator::hyper_shell(curved, dealii::Point<2>(), 1., 3., n);
+    curve(curved);
+    const double a = dealii::numbers::PI / n;
+    const double angle = 2. * (std::atan(2. * (1. - std::cos(a)) / std::sin(a)) - a);
+    const auto corners = kept_corners<2>(curved, regions, boundaries);
+    check::is_true("curved cells, " + std::to_string(n), corners.size() == (n == 6 ? 1 : 0));
+    for (const auto &corner : corners)
+      check::relative("their angle", corner.angle, std::abs(angle), 1e-9);
+  }
 
   dealii::Triangulation<2> box;
   dealii::GridGenerator::subdivided_hyper_rectangle(box, {4, 4}, dealii::Point<2>(),

@@ -5,7 +5,7 @@
 #include <continua/finite_element/deformed_face_point.h>
 #include <continua/finite_element/space.h>
 
-#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/quadrature.h>
 #include <deal.II/base/types.h>
 #include <deal.II/lac/vector.h>
 
@@ -52,8 +52,8 @@ public:
 
 private:
   const Space<dim> &space;
-  const SetOfFace set_of_face;              ///< empty: there are none
-  const dealii::QGauss<dim - 1> quadrature; ///< as that of FollowerPressure
+  const SetOfFace set_of_face;                  ///< empty: there are none
+  const dealii::Quadrature<dim - 1> quadrature; ///< as that of FollowerPressure
   std::vector<Face> faces;
   DistributedVector displacement_work, ghosted;
   dealii::Vector<double> of_cell;

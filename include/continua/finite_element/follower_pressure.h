@@ -6,7 +6,7 @@
 #include <continua/finite_element/space.h>
 #include <continua/time_integration/step.h>
 
-#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/quadrature.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
@@ -66,7 +66,7 @@ private:
 
   const Space<dim> &space;
   const Problem &problem;
-  const dealii::QGauss<dim - 1> quadrature;
+  const dealii::Quadrature<dim - 1> quadrature;
   std::map<std::pair<int, int>, std::vector<Face>> faces_of_cells; ///< by level and index
   std::vector<double> cavity_pressures;
 

@@ -4,7 +4,7 @@
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/space.h>
 
-#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/quadrature.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/hp/fe_values.h>
 #include <deal.II/lac/full_matrix.h>
@@ -76,8 +76,8 @@ private:
 
   const Space<dim> &space;
   const Problem &problem;
-  const dealii::FE_Q<dim> scalar_element;
-  const dealii::QGauss<dim - 1> quadrature;
+  const dealii::FiniteElement<dim> &scalar_element;
+  const dealii::Quadrature<dim - 1> quadrature;
   dealii::FEFaceValues<dim> values;
   dealii::hp::FEFaceValues<dim> hp_pressure_values;
   const dealii::FEFaceValues<dim> *pressure_values = nullptr; ///< on the present face

@@ -7,6 +7,7 @@
 #include <continua/materials/model.h>
 
 #include <deal.II/base/index_set.h>
+#include <deal.II/base/quadrature.h>
 #include <deal.II/distributed/tria_base.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
@@ -47,6 +48,9 @@ struct SpaceParameters
  * are doubled and hanging nodes are constrained inside each region only. Velocity is not part of
  * it: in one common hp system deal.II 9.4 pins interface pressures to zero where the interface has
  * hanging nodes.
+ *
+ * Elements, quadratures and mappings for this mesh are made here, so that what depends on the shape
+ * of the cells stands in one place.
  */
 template <int dim>
 class Space
@@ -93,6 +97,27 @@ public:
   /// Gauss points a direction that integrate the products of shape functions exactly on
   /// parallelograms.
   unsigned int n_quadrature_points() const { return degree() + 1 + (axisymmetric ? 1 : 0); }
+
+  /// The element of one component of the velocity, and of the pressure in one region.
+  const dealii::FiniteElement<dim> &scalar_element() const
+  {
+    return velocity_element.base_element(0);
+  }
+  const dealii::FiniteElement<dim> &scalar_pressure_element() const
+  {
+    return pressure_elements[0].base_element(0);
+  }
+  /// A velocity of degree 1.
+  dealii::FESystem<dim> linear_element() const;
+  /// That many components that jump between cells, of that degree.
+  dealii::FESystem<dim> broken_element(unsigned int degree, unsigned int n_components) const;
+  /// That many components whose values are those at the points of quadrature(n_points).
+  dealii::FESystem<dim> element_at_points(unsigned int n_points, unsigned int n_components) const;
+  /// That many components without unknowns, for cells that have none of a field.
+  dealii::FESystem<dim> no_element(unsigned int n_components) const;
+  /// Gauss points of the unit cell and of its face, that many a direction.
+  dealii::Quadrature<dim> quadrature(unsigned int n_points) const;
+  dealii::Quadrature<dim - 1> face_quadrature(unsigned int n_points) const;
 
   MPI_Comm communicator;
   dealii::parallel::TriangulationBase<dim> &triangulation;

@@ -45,7 +45,6 @@ public:
 private:
   const Space<dim> &space;
   const Problem &problem;
-  const dealii::FE_Q<dim> scalar_element;
   dealii::FEValues<dim> values;
   Step step;
   unsigned int region = 0;

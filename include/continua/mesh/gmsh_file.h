@@ -3,6 +3,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -26,15 +27,21 @@ struct GmshFile
     unsigned int line = 0; ///< of the file
   };
 
+  struct Element
+  {
+    std::size_t tag = 0;             ///< its number in the file
+    std::vector<unsigned int> nodes; ///< their places in `points`, in gmsh's order
+  };
+
   /// The elements of one type on one geometrical entity (a curve, a surface, ...).
   struct Block
   {
     unsigned int dimension = 0;
-    int entity = 0;                                  ///< tag of the geometrical entity
-    unsigned int type = 0;                           ///< gmsh's number of the element type
-    std::vector<int> groups;                         ///< tags of the entity's physical groups
-    std::vector<std::vector<unsigned int>> elements; ///< places of the vertices in `points`
-    unsigned int line = 0;                           ///< of the file
+    int entity = 0;          ///< tag of the geometrical entity
+    unsigned int type = 0;   ///< gmsh's number of the element type
+    std::vector<int> groups; ///< tags of the entity's physical groups
+    std::vector<Element> elements;
+    unsigned int line = 0; ///< of the file
   };
 
   std::vector<Group> groups; ///< in the order of the file

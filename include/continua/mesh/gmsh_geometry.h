@@ -2,6 +2,7 @@
 #define continua_mesh_gmsh_geometry_h
 
 #include <continua/mesh/geometry.h>
+#include <continua/mesh/second_order_nodes.h>
 
 #include <deal.II/grid/tria_description.h>
 
@@ -17,7 +18,8 @@ struct GmshFile;
  * which is meshed by the library of gmsh. The regions are the physical groups of dimension dim, the
  * boundaries and the named interfaces those of dimension dim - 1: first those with a name, in the
  * order of the file, then those whose name is their number, in its order. In axisymmetry x is the
- * axial and y >= 0 the radial coordinate. Faces stay straight under refinement.
+ * axial and y >= 0 the radial coordinate. Cells of first order stay straight under refinement;
+ * cells of second order (8 or 9, in three dimensions 20 or 27 nodes) keep the shape of the file.
  */
 template <int dim>
 class GmshGeometry : public Geometry<dim>
@@ -31,7 +33,7 @@ public:
     std::vector<std::string> ignored_groups = {}; ///< by name, of regions and boundaries
     std::string ungrouped_cells = {};             ///< how cells in no group are called; empty: no
     std::string ungrouped_faces = {};             ///< the same of faces on the outside
-    bool straightens = false; ///< whether the corners of a curved element are taken
+    bool straightens = false; ///< whether the corners alone of a curved element are taken
 
     /// Throws InputError.
     static Parameters read(ParameterSection geometry, ParameterSection mesh, bool axisymmetric);
@@ -51,8 +53,9 @@ private:
   [[noreturn]] void
   refuse(unsigned int line, const std::string &problem, const std::string &remedy) const;
   /// Throws InputError if an element type or the dimension of the mesh is none for this model.
-  /// Leaves the corners of curved elements, if these are to be taken.
-  void check_elements(GmshFile &file) const;
+  void check_elements(const GmshFile &file) const;
+  /// Moves the nodes between the corners from the elements to `curved_cells`.
+  void leave_corners(GmshFile &file);
   /// As gmsh writes a mesh of a geometry: where there are physical groups, what is in none is left
   /// out, but for cells that are to be a region.
   void leave_ungrouped_out(GmshFile &file);
@@ -84,6 +87,7 @@ private:
   Faces faces_of_cells() const;
   void add_boundary_face(const std::vector<unsigned int> &rows, unsigned int boundary);
   void set_faces(const GmshFile &file);
+  void delete_unused_vertices();
   /// "x = 1, y = 2": the middle of some vertices, in the unit of the file.
   std::string middle(const std::vector<unsigned int> &indices) const;
 
@@ -94,6 +98,7 @@ private:
   std::vector<dealii::Point<dim>> vertices; ///< [m]
   std::vector<dealii::CellData<dim>> cells;
   dealii::SubCellData faces;
+  SecondOrderNodes<dim> curved_cells;
   /// Of each vertex: the cells that are left out, by their vertices in increasing order.
   std::map<unsigned int, std::vector<std::vector<unsigned int>>> left_out;
 };

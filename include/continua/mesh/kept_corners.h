@@ -9,7 +9,7 @@
 
 namespace Continua
 {
-/// The largest angle at which straight faces of one surface of a coarse mesh meet.
+/// The largest angle at which the faces of one surface of a coarse mesh meet.
 template <int dim>
 struct KeptCorner
 {
@@ -21,8 +21,9 @@ struct KeptCorner
 /**
  * The corners that division of the cells keeps: on the boundaries and interfaces of a mesh from a
  * file a curve is a row of straight faces, and new vertices come into the middle of these. A finer
- * mesh then goes to the polygon and not to the curve. Faces that know their curve (a manifold) do
- * not count, since their new vertices lie on it.
+ * mesh then goes to the polygon and not to the curve. Curved cells of second order meet at a
+ * smaller angle, which falls with the third power of their size. Faces that know their curve
+ * (another manifold) do not count, since their new vertices lie on it.
  *
  * An angle between faces of one name counts from `smallest_curved` to `largest_curved`: less is
  * round-off or nearly straight, more is taken for a corner that is meant; so are edges where the

@@ -1,6 +1,5 @@
 #include <continua/finite_element/assembly/rest_states.h>
 
-#include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
@@ -90,8 +89,7 @@ void RestStates<dim>::set_states()
     return;
   const DistributedVector ghosted_potentials =
       potentials.exist() ? space.ghosted_velocity(potentials.potentials()) : DistributedVector();
-  const FE_Q<dim> element(space.degree());
-  FEValues<dim> places(space.mapping, element, quadrature, update_quadrature_points);
+  FEValues<dim> places(space.mapping, space.scalar_element(), quadrature, update_quadrature_points);
   Vector<double> cell_unloaded(dim * cells.n_functions()), cell_potentials(cell_unloaded.size());
   for (const Cell &cell : cells.all())
   {

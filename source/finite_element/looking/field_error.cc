@@ -29,7 +29,7 @@ FieldError<dim>::FieldError(const Space<dim> &space,
       vectors(std::move(vectors)),
       // Well above the degree of the fields, so that the number is the error and not the
       // quadrature's.
-      quadrature(space.degree() + 3),
+      quadrature(space.quadrature(space.degree() + 3)),
       values(space.mapping,
              space.velocity_element,
              quadrature,

@@ -7,7 +7,7 @@
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/signal/expression.h>
 
-#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/quadrature.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/hp/fe_values.h>
 #include <deal.II/lac/vector.h>
@@ -45,7 +45,7 @@ private:
   const bool moves;
   const DistributedVector pressure, displacement; ///< with ghost entries
   const std::vector<DistributedVector> vectors;
-  const dealii::QGauss<dim> quadrature;
+  const dealii::Quadrature<dim> quadrature;
   dealii::FEValues<dim> values;
   dealii::hp::FEValues<dim> hp_pressure_values;
   // Of the present cell, at its points:

@@ -1,0 +1,23 @@
+// The membrane of nafems-le1.geo with 24 x 16 curved cells of second order (9 nodes), in metres.
+n_along = 24; n_across = 16;
+Point(1) = {2, 0, 0};
+Point(2) = {3.25, 0, 0};
+Point(3) = {0, 2.75, 0};
+Point(4) = {0, 1, 0};
+Point(5) = {0, 0, 0};
+Line(1) = {1, 2};
+Ellipse(2) = {2, 5, 2, 3};
+Line(3) = {3, 4};
+Ellipse(4) = {4, 5, 1, 1};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+Transfinite Curve{1, 3} = n_across + 1;
+Transfinite Curve{2, 4} = n_along + 1;
+Transfinite Surface{1};
+Recombine Surface{1};
+Physical Surface("membrane") = {1};
+Physical Curve("side DC") = {1};
+Physical Curve("outer edge") = {2};
+Physical Curve("side AB") = {3};
+Physical Curve("hole") = {4};
+Mesh.ElementOrder = 2;

@@ -1,0 +1,26 @@
+// A quarter of a thick pipe, radii 1 and 2, length 0.5: hexahedra with 20 nodes.
+Point(9) = {0, 0, 0};
+Point(1) = {1, 0, 0};
+Point(2) = {0, 1, 0};
+Point(3) = {2, 0, 0};
+Point(4) = {0, 2, 0};
+Circle(1) = {1, 9, 2};
+Circle(2) = {3, 9, 4};
+Line(3) = {1, 3};
+Line(4) = {2, 4};
+Curve Loop(1) = {3, 2, -4, -1};
+Plane Surface(1) = {1};
+Transfinite Curve{1, 2} = 7;
+Transfinite Curve{3, 4} = 7;
+Transfinite Surface{1};
+Recombine Surface{1};
+body[] = Extrude{0, 0, 0.5}{ Surface{1}; Layers{1}; Recombine; };
+Physical Volume("wall") = {body[1]};
+Physical Surface("back") = {1};
+Physical Surface("front") = {body[0]};
+Physical Surface("symmetry y") = {body[2]};
+Physical Surface("outside") = {body[3]};
+Physical Surface("symmetry x") = {body[4]};
+Physical Surface("inside") = {body[5]};
+Mesh.ElementOrder = 2;
+Mesh.SecondOrderIncomplete = 1;

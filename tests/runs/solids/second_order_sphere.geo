@@ -1,0 +1,23 @@
+// The axial section of half a hollow sphere, radii 1 and 2: quadrilaterals with 8 nodes. x is the axis.
+Point(9) = {0, 0, 0};
+Point(1) = {1, 0, 0};
+Point(2) = {0, 1, 0};
+Point(3) = {2, 0, 0};
+Point(4) = {0, 2, 0};
+Circle(1) = {1, 9, 2};
+Circle(2) = {3, 9, 4};
+Line(3) = {1, 3};
+Line(4) = {2, 4};
+Curve Loop(1) = {3, 2, -4, -1};
+Plane Surface(1) = {1};
+Transfinite Curve{1, 2} = 5;
+Transfinite Curve{3, 4} = 5;
+Transfinite Surface{1};
+Recombine Surface{1};
+Physical Surface("wall") = {1};
+Physical Curve("inside") = {1};
+Physical Curve("outside") = {2};
+Physical Curve("axis") = {3};
+Physical Curve("middle plane") = {4};
+Mesh.ElementOrder = 2;
+Mesh.SecondOrderIncomplete = 1;
