@@ -142,10 +142,10 @@ class Slots:
 class Suite:
     """The tests of a build, and the file of results, which is written after each step."""
 
-    def __init__(self, contents, build, path, jobs, exclude, most_seconds, say):
+    def __init__(self, contents, build, path, jobs, exclude, most_seconds, least_time_limit, say):
         self.mutants = contents["mutants"]
         self.path, self.jobs, self.say = path, jobs, say
-        self.processor_seconds = {}
+        self.processor_seconds, self.least_time_limit = {}, least_time_limit
         self.result = {"build": build, "mutants": self.mutants, "plain": {}, "left out": {}, "unreliable": {}, "outcomes": {}}
         if os.path.exists(path):
             before = read_json(path)
@@ -223,6 +223,10 @@ class Suite:
         self.say(f"without a mutant: {test.name}: {result}, {seconds:.1f} s, {len(reached)} sites")
         self.save()
 
+    def time_limit(self, name):
+        """Of a test with a mutant."""
+        return max(self.least_time_limit, 10. * self.result["plain"][name]["seconds"])
+
     def reaching(self, number):
         """The tests that reach a mutant, or that use what such a test set up; the cheapest first."""
         plain = self.result["plain"]
@@ -249,7 +253,7 @@ class Suite:
                 break
             # A test that fails by chance, or on a busy machine, kills nothing.
             test = self.tests[killer[0]]
-            again, _ = run_test(test, {}, test.time_limit)
+            again, _ = run_test(test, {}, self.time_limit(test.name))
             if again != "passed":
                 reason = f"{again} when it ran once more without a mutant"
                 self.result["unreliable"][test.name] = self.result["left out"][test.name] = reason
@@ -273,8 +277,7 @@ class Suite:
         def run(name):
             if stopped.is_set():
                 return
-            limit = max(10., 10. * self.result["plain"][name]["seconds"])
-            result, _ = run_test(self.tests[name], {"CONTINUA_MUTANT": number}, limit, stopped)
+            result, _ = run_test(self.tests[name], {"CONTINUA_MUTANT": number}, self.time_limit(name), stopped)
             if result in ("failed", "timeout"):
                 stopped.set()
                 failures.append((name, result))
