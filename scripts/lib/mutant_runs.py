@@ -60,6 +60,16 @@ def read_tests(build):
     return tests, left_out
 
 
+def last_time(build, name):
+    """Processor seconds that a test took when it ran last in this build (tests/measured.c), or 0 if it did not run."""
+    try:
+        with open(os.path.join(build, "test_times", name + ".time"), encoding="utf-8") as stream:
+            user, system, _ = map(float, stream.read().split())
+    except (OSError, ValueError):
+        return 0.
+    return user + system
+
+
 def end_all(mark):
     """Ends the processes of one test, also those that left its process group. Again, for those that started meanwhile."""
     found = True
@@ -132,20 +142,24 @@ class Slots:
 class Suite:
     """The tests of a build, and the file of results, which is written after each step."""
 
-    def __init__(self, contents, build, path, jobs, exclude, say):
+    def __init__(self, contents, build, path, jobs, exclude, most_seconds, least_time_limit, say):
         self.mutants = contents["mutants"]
         self.path, self.jobs, self.say = path, jobs, say
-        tests, left_out = read_tests(build)
-        for test in tests:
-            if exclude and re.search(exclude, test.name):
-                left_out[test.name] = "excluded by --exclude"
-        self.tests = {test.name: test for test in tests if test.name not in left_out}
+        self.processor_seconds, self.least_time_limit = {}, least_time_limit
         self.result = {"build": build, "mutants": self.mutants, "plain": {}, "left out": {}, "unreliable": {}, "outcomes": {}}
         if os.path.exists(path):
             before = read_json(path)
             if before.get("mutants") != self.mutants or before.get("build") != build:
                 raise MutantsError(f"{path} has results of other mutants or of another build; give --result another name")
             self.result = before
+        tests, left_out = read_tests(build)
+        for test in tests:
+            self.processor_seconds[test.name] = last_time(build, test.name)
+            if exclude and re.search(exclude, test.name):
+                left_out[test.name] = "excluded by --exclude"
+            elif not test.sets_up and test.name not in self.result["plain"] and self.processor_seconds[test.name] > most_seconds:
+                left_out[test.name] = "takes longer than --at-most"
+        self.tests = {test.name: test for test in tests if test.name not in left_out}
         # What is left out may differ from call to call, but for the tests that failed without a mutant.
         failed = {name: f"{plain['result']} without a mutant" for name, plain in self.result["plain"].items()
                   if plain["result"] != "passed"}
@@ -164,7 +178,7 @@ class Suite:
         for mutant in self.mutants:
             number = str(mutant["id"])
             outcome = self.result["outcomes"].setdefault(number, {"passed": []})
-            if "state" not in outcome:
+            if outcome.get("state") != "killed" and ("state" not in outcome or set(self.reaching(number)) - set(outcome["passed"])):
                 self.judge(number, outcome)
             self.say(f"mutant {number}, {mutant['file']}:{mutant['line']}: {in_words(outcome)}")
 
@@ -174,8 +188,8 @@ class Suite:
             if test.sets_up:
                 self.run_one_plainly(test)
         others = [test for test in self.tests.values() if not test.sets_up and test.name not in self.result["plain"]]
-        # The longest first, as far as is known: those of several ranks.
-        others.sort(key=lambda test: -test.processors)
+        # Those of several ranks first, which need all processors; then the cheapest, so that a call that is stopped has judged most.
+        others.sort(key=lambda test: (-test.processors, self.processor_seconds[test.name]))
         slots = Slots(self.jobs)
 
         def run(test):
@@ -209,6 +223,10 @@ class Suite:
         self.say(f"without a mutant: {test.name}: {result}, {seconds:.1f} s, {len(reached)} sites")
         self.save()
 
+    def time_limit(self, name):
+        """Of a test with a mutant."""
+        return max(self.least_time_limit, 10. * self.result["plain"][name]["seconds"])
+
     def reaching(self, number):
         """The tests that reach a mutant, or that use what such a test set up; the cheapest first."""
         plain = self.result["plain"]
@@ -235,7 +253,7 @@ class Suite:
                 break
             # A test that fails by chance, or on a busy machine, kills nothing.
             test = self.tests[killer[0]]
-            again, _ = run_test(test, {}, test.time_limit)
+            again, _ = run_test(test, {}, self.time_limit(test.name))
             if again != "passed":
                 reason = f"{again} when it ran once more without a mutant"
                 self.result["unreliable"][test.name] = self.result["left out"][test.name] = reason
@@ -247,8 +265,9 @@ class Suite:
             outcome.update(state="killed", by=killer[0], how=killer[1])
         else:
             outcome["state"] = "survived" if names else "not reached"
-        outcome["seconds"] = round(time.monotonic() - begin, 1)
-        del outcome["passed"]
+        outcome["seconds"] = round(outcome.get("seconds", 0.) + time.monotonic() - begin, 1)
+        if killer:
+            del outcome["passed"]
         self.save()
 
     def first_failure(self, names, number, outcome):
@@ -258,8 +277,7 @@ class Suite:
         def run(name):
             if stopped.is_set():
                 return
-            limit = max(10., 10. * self.result["plain"][name]["seconds"])
-            result, _ = run_test(self.tests[name], {"CONTINUA_MUTANT": number}, limit, stopped)
+            result, _ = run_test(self.tests[name], {"CONTINUA_MUTANT": number}, self.time_limit(name), stopped)
             if result in ("failed", "timeout"):
                 stopped.set()
                 failures.append((name, result))

@@ -95,6 +95,8 @@ UNIT_TEST(input_file)
   check::equal("empty", joined_lines(""), "");
   check::equal("letters of two, three and four bytes", joined_lines("\u00b5\u20ac\U0001f600\t"),
                "[\u00b5\u20ac\U0001f600\t]");
+  check::equal("the last letters of two, three and four bytes",
+               joined_lines("\u07ff\uffee\U0010fffd"), "[\u07ff\uffee\U0010fffd]");
   text_refused("UTF-16, little end first",
                std::string("\xff\xfe"
                            "a\0",

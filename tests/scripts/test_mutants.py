@@ -294,6 +294,19 @@ class TinyProgram(unittest.TestCase):
         n_killed = sum(outcome["state"] == "killed" for outcome in contents["outcomes"].values())
         self.assertIn(f"the old suite kills {n_killed}, the new one {n_killed - 1}", second)
 
+    def test_cheap_tests_first_and_the_others_in_a_later_call(self):
+        number, result = self.number("width * height"), os.path.join(self.folder, "cheap_first.json")
+        os.makedirs(os.path.join(self.build, "test_times"))
+        with open(os.path.join(self.build, "test_times", "area.time"), "w", encoding="utf-8") as stream:
+            stream.write("2.5 0.5 4\n")
+        cheap = self.mutants("run", self.list, "--build", self.build, "--result", result, "--at-most", "2.9")
+        self.assertIn("left out: area: takes longer than --at-most", cheap)
+        self.assertEqual(mutant_tree.read_json(result)["outcomes"][number]["state"], "not reached")
+        further = self.mutants("run", self.list, "--build", self.build, "--result", result, "--at-most", "3.1")
+        self.assertEqual(set(re.findall(r"^without a mutant: (\w+)", further, re.MULTILINE)), {"prepare", "area"})
+        outcome = mutant_tree.read_json(result)["outcomes"][number]
+        self.assertEqual((outcome["state"], outcome["by"]), ("killed", "area"))
+
     def test_wrong_input(self):
         self.assertIn("exists; remove it", self.mutants("apply", self.list, "--tree", self.tree, "--commands", self.build, status=1))
         self.assertIn("there is no such file", self.mutants("run", "/nowhere.json", "--build", self.build, status=1))

@@ -5,6 +5,7 @@
 #include <continua/studies/comparison_report.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -74,6 +75,27 @@ std::string content(const std::string &file)
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
   return text.str();
+}
+
+/// The numbers of a row of a table, by the columns' places; text cells are 0.
+std::vector<double> numbers_of_row(const std::string &table, const std::string &label)
+{
+  std::vector<double> numbers;
+  std::string cell;
+  bool is_quoted = false;
+  const std::size_t begin = table.find("\n\"" + label + "\"") + 1;
+  for (const char letter : table.substr(begin, table.find('\n', begin) + 1 - begin))
+  {
+    is_quoted = is_quoted != (letter == '"');
+    if (is_quoted || (letter != ',' && letter != '\n'))
+      cell += letter;
+    else
+    {
+      numbers.push_back(std::strtod(cell.c_str(), nullptr));
+      cell.clear();
+    }
+  }
+  return numbers;
 }
 } // namespace
 
@@ -193,6 +215,14 @@ UNIT_TEST(comparison_report)
                  table.find("\"taylor hood, mesh 0\"") != std::string::npos &&
                      table.find("\"cell-wise, mesh 3\"") != std::string::npos &&
                      table.find("\"not judged\"") != std::string::npos);
+  // The label, then of each way three values, limit, estimated error, order and the sequence's
+  // name.
+  const std::vector<double> cells = numbers_of_row(table, "tip: mean displacement y [m]");
+  check::is_true("quantities: all columns", cells.size() == 1 + 2 * 7 + 3);
+  check::absolute("quantities: limit of the first", cells.at(4), 0.2, 1e-12);
+  check::absolute("quantities: order of the first", cells.at(6), 4., 1e-6);
+  check::absolute("quantities: limit of the second", cells.at(11), 0.21, 1e-12);
+  check::absolute("quantities: order of the second", cells.at(13), 2., 1e-6);
   report.write_runs("comparison-test.csv");
   check::is_true("runs",
                  content("comparison-test.csv")
