@@ -10,9 +10,9 @@
 
 #include <continua/base/parameter_file.h>
 #include <continua/boundary/boundary_condition.h>
-#include <continua/finite_element/condensed_system.h>
+#include <continua/finite_element/solvers/condensed_system.h>
 #include <continua/finite_element/solvers/iterative/iterative_step_solver.h>
-#include <continua/finite_element/step_system.h>
+#include <continua/finite_element/solvers/step_system.h>
 #include <continua/linear_algebra/matrix_product.h>
 
 #include <deal.II/base/mpi.h>

@@ -9,9 +9,9 @@
 #include "measurement.h"
 
 #include <continua/case/case.h>
-#include <continua/finite_element/matrix_free_product.h>
-#include <continua/finite_element/region_operators.h>
-#include <continua/finite_element/space.h>
+#include <continua/finite_element/products/matrix_free_product.h>
+#include <continua/finite_element/products/region_operators.h>
+#include <continua/finite_element/space/space.h>
 #include <continua/linear_algebra/matrix_product.h>
 #include <continua/program/analyses.h>
 

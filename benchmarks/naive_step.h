@@ -1,10 +1,10 @@
 #ifndef continua_benchmarks_naive_step_h
 #define continua_benchmarks_naive_step_h
 
-#include <continua/finite_element/boundary_constraints.h>
-#include <continua/finite_element/region_operators.h>
-#include <continua/finite_element/space.h>
-#include <continua/finite_element/step_system.h>
+#include <continua/finite_element/conditions/boundary_constraints.h>
+#include <continua/finite_element/products/region_operators.h>
+#include <continua/finite_element/space/space.h>
+#include <continua/finite_element/solvers/step_system.h>
 
 #include <deal.II/lac/sparse_direct.h>
 #include <deal.II/lac/sparse_matrix.h>

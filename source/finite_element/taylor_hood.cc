@@ -1,13 +1,13 @@
 #include <continua/finite_element/taylor_hood.h>
 
 #include <continua/base/interruption.h>
-#include <continua/finite_element/initial_state.h>
-#include <continua/finite_element/kelly_indicator.h>
-#include <continua/finite_element/matrix_free_regions.h>
-#include <continua/finite_element/place_of_entry.h>
-#include <continua/finite_element/supports.h>
+#include <continua/finite_element/assembly/initial_state.h>
+#include <continua/finite_element/looking/kelly_indicator.h>
+#include <continua/finite_element/products/matrix_free_regions.h>
+#include <continua/finite_element/space/place_of_entry.h>
+#include <continua/finite_element/products/supports.h>
 #include <continua/finite_element/taylor_hood_vibration.h>
-#include <continua/finite_element/traction_jump.h>
+#include <continua/finite_element/looking/traction_jump.h>
 
 namespace Continua
 {

@@ -64,14 +64,31 @@ double SaintVenantKirchhoff::energy(const PointStrain &strain) const
   return 0.5 * lambda * trace(green) * trace(green) + modulus * (green * green);
 }
 
-void SaintVenantKirchhoff::set_mean_stress(const PointStrain &strain,
-                                           double &mean_stress,
-                                           SymmetricTensor<2, 3> &derivative) const
+void SaintVenantKirchhoff::set_mean_of(const SymmetricTensor<2, 3> &whole,
+                                       const PointStrain &strain,
+                                       double &mean_stress,
+                                       SymmetricTensor<2, 3> &derivative) const
 {
-  const SymmetricTensor<2, 3> whole = whole_stress(strain);
   mean_stress = trace(whole) / (3. * strain.determinant);
   derivative = 1. / (3. * strain.determinant) *
                    trace_derivative(left_strain(strain), whole, modulus, lambda) -
                mean_stress * unit_symmetric_tensor<3>();
+}
+
+void SaintVenantKirchhoff::set_mean_stress(const PointStrain &strain,
+                                           double &mean_stress,
+                                           SymmetricTensor<2, 3> &derivative) const
+{
+  set_mean_of(whole_stress(strain), strain, mean_stress, derivative);
+}
+
+void SaintVenantKirchhoff::set_stresses(const PointStrain &strain,
+                                        SymmetricTensor<2, 3> &stress,
+                                        double &mean_stress,
+                                        SymmetricTensor<2, 3> &derivative) const
+{
+  const SymmetricTensor<2, 3> whole = whole_stress(strain);
+  stress = deviator(whole);
+  set_mean_of(whole, strain, mean_stress, derivative);
 }
 } // namespace Continua

@@ -4,7 +4,7 @@
 // round.
 
 #include <continua/continuum/vector_numbering.h>
-#include <continua/finite_element/space.h>
+#include <continua/finite_element/space/space.h>
 #include <continua/finite_volume/cell_space.h>
 
 #include <deal.II/distributed/shared_tria.h>

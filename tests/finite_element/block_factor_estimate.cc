@@ -1,9 +1,9 @@
 // The estimate of a block's factor by the graph of its nodes beside MUMPS's analysis of the block
 // itself: of a plate and of a part of it, with hanging nodes, a fixed side and an inclined roller.
 
-#include <continua/finite_element/block_factor_estimate.h>
-#include <continua/finite_element/condensed_system.h>
-#include <continua/finite_element/velocity_nodes.h>
+#include <continua/finite_element/solvers/block_factor_estimate.h>
+#include <continua/finite_element/solvers/condensed_system.h>
+#include <continua/finite_element/space/velocity_nodes.h>
 #include <continua/linear_algebra/mumps_solver.h>
 
 #include "../unit_test.h"

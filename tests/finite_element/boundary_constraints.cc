@@ -1,6 +1,6 @@
 // u = T u_free + g(t) on straight and inclined faces, at corners, with rollers and conflicts.
 
-#include <continua/finite_element/boundary_constraints.h>
+#include <continua/finite_element/conditions/boundary_constraints.h>
 
 #include "../parameter_text.h"
 #include "../unit_test.h"

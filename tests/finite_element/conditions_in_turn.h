@@ -3,7 +3,7 @@
 
 // Boundary conditions from a text, in tests on several ranks.
 
-#include <continua/finite_element/boundary_constraints.h>
+#include <continua/finite_element/conditions/boundary_constraints.h>
 
 #include "../parameter_text.h"
 

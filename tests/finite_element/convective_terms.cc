@@ -2,7 +2,7 @@
 // power of the skew form, of a compressible liquid too, inflow at open ends, and regions that have
 // none; on hanging nodes, in axisymmetry and in space.
 
-#include <continua/finite_element/convective_terms.h>
+#include <continua/finite_element/assembly/convective_terms.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -3,7 +3,7 @@
 // energy, and the pressures, given and of a cavity, that follow a turned body; branches that relax;
 // on hanging nodes, in axisymmetry and in space.
 
-#include <continua/finite_element/deformation_terms.h>
+#include <continua/finite_element/assembly/deformation_terms.h>
 
 #include <continua/base/input_error.h>
 #include <continua/continuum/state_vectors.h>

@@ -1,9 +1,9 @@
 // Probes of fields that the spaces hold exactly: values, means, integrals and stresses, on hanging
 // nodes, at corners of cells and on either side of an interface.
 
-#include <continua/finite_element/field_evaluation.h>
-#include <continua/finite_element/region_operators.h>
-#include <continua/finite_element/traction_jump.h>
+#include <continua/finite_element/looking/field_evaluation.h>
+#include <continua/finite_element/products/region_operators.h>
+#include <continua/finite_element/looking/traction_jump.h>
 
 #include "../unit_test.h"
 #include "small_problem.h"

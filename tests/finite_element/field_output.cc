@@ -1,8 +1,8 @@
 // The fields of a picture: vorticity, Q criterion and wall shear stress, which are drawn where they
 // are asked for, and the stress of a body that is stretched far.
 
-#include <continua/finite_element/field_output.h>
-#include <continua/finite_element/region_operators.h>
+#include <continua/finite_element/looking/field_output.h>
+#include <continua/finite_element/products/region_operators.h>
 #include <continua/materials/strain_law_types.h>
 
 #include "../unit_test.h"

@@ -1,10 +1,10 @@
 // Fields of a liquid whose mesh has moved: gradients, normals, lengths, areas, volumes and places
 // of the present shape, and indicators of it, against closed forms and against deal.II's estimator.
 
-#include <continua/finite_element/field_evaluation.h>
-#include <continua/finite_element/kelly_indicator.h>
-#include <continua/finite_element/region_operators.h>
-#include <continua/finite_element/traction_jump.h>
+#include <continua/finite_element/looking/field_evaluation.h>
+#include <continua/finite_element/looking/kelly_indicator.h>
+#include <continua/finite_element/products/region_operators.h>
+#include <continua/finite_element/looking/traction_jump.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/mapping_q_eulerian.h>

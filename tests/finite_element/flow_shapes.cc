@@ -2,8 +2,8 @@
 // and for profiles that the elements do not hold; at the rim and along the boundary nothing moves.
 
 #include <continua/boundary/flow_rates.h>
-#include <continua/finite_element/boundary_constraints.h>
-#include <continua/finite_element/flow_shapes.h>
+#include <continua/finite_element/conditions/boundary_constraints.h>
+#include <continua/finite_element/conditions/flow_shapes.h>
 
 #include "../parameter_text.h"
 #include "../unit_test.h"

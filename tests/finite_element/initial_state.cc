@@ -1,6 +1,6 @@
 // The pressure in equilibrium with a displacement, on one and two regions.
 
-#include <continua/finite_element/initial_state.h>
+#include <continua/finite_element/assembly/initial_state.h>
 
 #include "../unit_test.h"
 #include "small_problem.h"

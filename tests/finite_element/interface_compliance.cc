@@ -1,7 +1,7 @@
 // The compliance of walls that are given by formulas: one that yields to every pressure alike, one
 // that yields to the mean of the pressure only, and one that moves against the pressure.
 
-#include <continua/finite_element/interface_compliance.h>
+#include <continua/finite_element/solvers/interface_compliance.h>
 
 #include "../unit_test.h"
 #include "small_problem.h"

@@ -2,7 +2,7 @@
 // a kink counts inside a region and not at an interface. By a displacement of the mesh it is that
 // of the library on the mesh that has moved.
 
-#include <continua/finite_element/kelly_indicator.h>
+#include <continua/finite_element/looking/kelly_indicator.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/numerics/error_estimator.h>

@@ -1,7 +1,7 @@
 // A mapping that keeps the support points of cells: the points of MappingQ to the last bit, without
 // a visit of the geometry; not those of a mesh that has changed; copies.
 
-#include <continua/finite_element/kept_mapping.h>
+#include <continua/finite_element/space/kept_mapping.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/manifold_lib.h>

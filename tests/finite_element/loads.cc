@@ -1,6 +1,6 @@
 // Resultants of tractions, pressure and body force on straight, inclined and axisymmetric bodies.
 
-#include <continua/finite_element/loads.h>
+#include <continua/finite_element/conditions/loads.h>
 
 #include "../parameter_text.h"
 #include "../unit_test.h"

@@ -3,7 +3,7 @@
 // without compressibility and flow curve beside a solid, cells at an open end, a liquid at rest;
 // with each set of instructions that this processor has.
 
-#include <continua/finite_element/convective_terms.h>
+#include <continua/finite_element/assembly/convective_terms.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -1,7 +1,7 @@
 // The memory of solids that relax in finite deformation: a step by hand, values at any point, and
 // refining and coarsening, which keep polynomials and positive tensors.
 
-#include <continua/finite_element/metric_history.h>
+#include <continua/finite_element/assembly/metric_history.h>
 
 #include <continua/continuum/state_vectors.h>
 

@@ -2,8 +2,8 @@
 // assemble_divergence() makes: with an inclined roller, a fixed side, hanging nodes and two regions
 // whose pressures are broken or continuous. And T u is T u + g without values.
 
-#include <continua/finite_element/condensed_system.h>
-#include <continua/finite_element/region_divergence.h>
+#include <continua/finite_element/solvers/condensed_system.h>
+#include <continua/finite_element/solvers/region_divergence.h>
 #include <continua/linear_algebra/matrix_product.h>
 
 #include "../unit_test.h"

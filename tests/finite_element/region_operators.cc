@@ -1,7 +1,7 @@
 // Energies of motions that are known: mass of a uniform motion = volume, stiffness 0 for rigid ones
 // and for pure dilatation exact, divergence of linear fields; with hanging nodes; axisymmetry.
 
-#include <continua/finite_element/region_operators.h>
+#include <continua/finite_element/products/region_operators.h>
 #include <continua/linear_algebra/matrix_product.h>
 
 #include "../unit_test.h"

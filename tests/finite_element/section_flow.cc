@@ -2,7 +2,7 @@
 // section is, on faces, inside cells, at the ends and beside hanging nodes, on one and two ranks;
 // and the flow from a point source in a cone, the same through every section.
 
-#include <continua/finite_element/section_flow.h>
+#include <continua/finite_element/looking/section_flow.h>
 #include <continua/mesh/plane_section.h>
 #include <continua/mesh/tube_geometry.h>
 

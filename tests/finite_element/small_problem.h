@@ -3,7 +3,7 @@
 
 // Small meshes and spaces for the unit tests of the finite elements.
 
-#include <continua/finite_element/space.h>
+#include <continua/finite_element/space/space.h>
 
 #include <deal.II/distributed/tria.h>
 #include <deal.II/grid/grid_generator.h>

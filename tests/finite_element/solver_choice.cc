@@ -1,7 +1,7 @@
 // The rule of Linear solver/Type = automatic, as a table: what is known of the run, and what
 // follows.
 
-#include <continua/finite_element/solver_choice.h>
+#include <continua/finite_element/solvers/solver_choice.h>
 
 #include "../unit_test.h"
 

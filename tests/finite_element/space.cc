@@ -3,7 +3,7 @@
 // pinned.
 
 #include <continua/finite_element/mesh_transfer.h>
-#include <continua/finite_element/space.h>
+#include <continua/finite_element/space/space.h>
 
 #include <deal.II/hp/fe_values.h>
 

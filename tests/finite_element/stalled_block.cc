@@ -1,6 +1,6 @@
 // Which block a solve that has not converged stalls by, and the remedy, as a table.
 
-#include <continua/finite_element/stalled_block.h>
+#include <continua/finite_element/solvers/stalled_block.h>
 
 #include "../unit_test.h"
 

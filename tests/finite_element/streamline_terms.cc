@@ -1,7 +1,7 @@
 // The terms of SUPG: zero for solutions of the momentum equation, in axisymmetry too and on a mesh
 // that has moved, and by hand for a residual that is constant.
 
-#include <continua/finite_element/convective_terms.h>
+#include <continua/finite_element/assembly/convective_terms.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -1,7 +1,7 @@
 // Supports of straight, inclined, curved and axisymmetric boundaries against integrals in closed
 // form, with hanging nodes, of one region alone.
 
-#include <continua/finite_element/supports.h>
+#include <continua/finite_element/products/supports.h>
 
 #include "../parameter_text.h"
 #include "../unit_test.h"

@@ -1,7 +1,7 @@
 // The directions of a wall: along straight and curved walls by two potentials, on hanging nodes; as
 // given functions; and where there is no direction.
 
-#include <continua/finite_element/wall_potentials.h>
+#include <continua/finite_element/assembly/wall_potentials.h>
 
 #include <continua/base/input_error.h>
 

@@ -33,9 +33,15 @@ StrainLawParameters some_law(const std::string &type)
 
 Symmetric2 stress_of(const StrainLaw &law, const PointStrain &strain)
 {
-  Symmetric2 stress;
+  Symmetric2 stress, alone, slope;
   law.set_stress(strain, stress);
-  return stress;
+  if (!law.has_own_mean_stress())
+    return stress;
+  // Together with the mean it is the same.
+  double mean;
+  alone = stress;
+  law.set_stresses(strain, stress, mean, slope);
+  return 0.5 * (alone + stress);
 }
 
 /// J s, of laws that have it.
@@ -45,7 +51,8 @@ double mean_kirchhoff_stress(const StrainLaw &law, const PointStrain &strain)
     return 0.;
   double mean;
   Symmetric2 slope;
-  law.set_mean_stress(strain, mean, slope);
+  Symmetric2 stress;
+  law.set_stresses(strain, stress, mean, slope);
   return strain.determinant * mean;
 }
 

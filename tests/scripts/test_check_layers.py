@@ -51,6 +51,18 @@ class CheckLayers(unittest.TestCase):
         self.assertEqual(status, 1)
         self.assertIn("the folder utilities is not in the list", text)
 
+    def test_rooms(self):
+        status, text = self.check({
+            "include/continua/finite_element/space/space.h": "#include <continua/finite_element/terms/tested.h>\n",
+            "include/continua/finite_element/terms/tested.h": "",
+            "include/continua/finite_element/taylor_hood.h": "#include <continua/finite_element/terms/tested.h>\n",
+            "source/finite_element/attic/a.cc": "#include <continua/finite_element/terms/tested.h>\n",
+        })
+        self.assertEqual(status, 1)
+        self.assertIn("space/space.h:1: the room space may not include terms", text)
+        self.assertIn("source/finite_element/attic/a.cc: the room attic is not in the list", text)
+        self.assertNotIn("taylor_hood", text)
+
     def test_cycle(self):
         status, text = self.check({
             "include/continua/base/a.h": "#include <continua/base/b.h>\n",

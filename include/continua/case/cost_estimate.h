@@ -1,7 +1,7 @@
 #ifndef continua_case_cost_estimate_h
 #define continua_case_cost_estimate_h
 
-#include <continua/finite_element/solver_choice.h>
+#include <continua/finite_element/solvers/solver_choice.h>
 #include <continua/mesh/mesh_extent.h>
 
 #include <string>

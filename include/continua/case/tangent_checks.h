@@ -2,7 +2,7 @@
 #define continua_case_tangent_checks_h
 
 #include <continua/base/parameter_section.h>
-#include <continua/finite_element/linear_solver_parameters.h>
+#include <continua/finite_element/space/linear_solver_parameters.h>
 
 namespace Continua
 {

@@ -1,8 +1,8 @@
 #ifndef continua_finite_element_mesh_transfer_h
 #define continua_finite_element_mesh_transfer_h
 
-#include <continua/finite_element/solution_transfer.h>
-#include <continua/finite_element/space.h>
+#include <continua/finite_element/space/solution_transfer.h>
+#include <continua/finite_element/space/space.h>
 
 #include <memory>
 #include <vector>

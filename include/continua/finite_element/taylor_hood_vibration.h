@@ -3,10 +3,10 @@
 
 #include <continua/continuum/problem.h>
 #include <continua/continuum/vibration_operator.h>
-#include <continua/finite_element/boundary_constraints.h>
-#include <continua/finite_element/region_operators.h>
-#include <continua/finite_element/space.h>
-#include <continua/finite_element/step_system.h>
+#include <continua/finite_element/conditions/boundary_constraints.h>
+#include <continua/finite_element/products/region_operators.h>
+#include <continua/finite_element/space/space.h>
+#include <continua/finite_element/solvers/step_system.h>
 
 #include <vector>
 

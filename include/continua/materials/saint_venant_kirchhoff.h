@@ -27,6 +27,10 @@ public:
   void set_mean_stress(const PointStrain &strain,
                        double &mean_stress,
                        dealii::SymmetricTensor<2, 3> &derivative) const override;
+  void set_stresses(const PointStrain &strain,
+                    dealii::SymmetricTensor<2, 3> &stress,
+                    double &mean_stress,
+                    dealii::SymmetricTensor<2, 3> &derivative) const override;
 
 private:
   double modulus; ///< mu [Pa]
@@ -34,6 +38,11 @@ private:
 
   /// T [Pa].
   dealii::SymmetricTensor<2, 3> whole_stress(const PointStrain &strain) const;
+  /// Of T at this strain.
+  void set_mean_of(const dealii::SymmetricTensor<2, 3> &whole,
+                   const PointStrain &strain,
+                   double &mean_stress,
+                   dealii::SymmetricTensor<2, 3> &derivative) const;
 };
 } // namespace Continua
 

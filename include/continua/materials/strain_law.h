@@ -51,6 +51,15 @@ public:
   virtual void set_mean_stress(const PointStrain &strain,
                                double &mean_stress,
                                dealii::SymmetricTensor<2, 3> &derivative) const;
+  /// Of such a law set_stress() and set_mean_stress() together, at the cost of one of them.
+  virtual void set_stresses(const PointStrain &strain,
+                            dealii::SymmetricTensor<2, 3> &stress,
+                            double &mean_stress,
+                            dealii::SymmetricTensor<2, 3> &derivative) const
+  {
+    set_stress(strain, stress);
+    set_mean_stress(strain, mean_stress, derivative);
+  }
 };
 } // namespace Continua
 

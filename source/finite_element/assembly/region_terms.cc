@@ -1,7 +1,7 @@
 #include <continua/finite_element/assembly/region_terms.h>
 
-#include <continua/finite_element/convective_terms.h>
-#include <continua/finite_element/deformation_terms.h>
+#include <continua/finite_element/assembly/convective_terms.h>
+#include <continua/finite_element/assembly/deformation_terms.h>
 
 #include <deal.II/base/exceptions.h>
 

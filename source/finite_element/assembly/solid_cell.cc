@@ -90,7 +90,7 @@ SolidPoint<dim> SolidCell<dim>::point(const unsigned int q, const Stress of_law)
     set_stress(q, point);
   else if (of_law == Stress::with_tangent)
     set_tangent(q, point);
-  if (of_law != Stress::none && scheme.has_own_mean_stress)
+  if (of_law == Stress::with_tangent && scheme.has_own_mean_stress)
     material().strain_law->set_mean_stress(strain_at_point, point.mean_stress,
                                            point.mean_stress_slope);
   if (of_law == Stress::with_tangent && finds_unloaded_shape)
@@ -117,7 +117,11 @@ void SolidCell<dim>::set_strain(const RestState *const rest, const SolidPoint<di
 template <int dim>
 void SolidCell<dim>::set_stress(const unsigned int q, SolidPoint<dim> &point) const
 {
-  material().strain_law->set_stress(strain_at_point, point.stress);
+  const StrainLaw &law = *material().strain_law;
+  if (scheme.has_own_mean_stress)
+    law.set_stresses(strain_at_point, point.stress, point.mean_stress, point.mean_stress_slope);
+  else
+    law.set_stress(strain_at_point, point.stress);
   if (relaxes())
   {
     SymmetricTensor<2, 3> of_branches;

@@ -1,7 +1,7 @@
 #include <continua/finite_element/looking/cell_of_point.h>
 
 #include <continua/base/collective.h>
-#include <continua/finite_element/present_cell_point.h>
+#include <continua/finite_element/motion/present_cell_point.h>
 #include <continua/mesh/cell_point.h>
 
 #include <deal.II/base/mpi.h>

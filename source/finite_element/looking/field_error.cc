@@ -1,7 +1,7 @@
 #include <continua/finite_element/looking/field_error.h>
 
 #include <continua/continuum/stress_and_strain.h>
-#include <continua/finite_element/kinematics_at.h>
+#include <continua/finite_element/motion/kinematics_at.h>
 #include <continua/mesh/cells_in_tree_order.h>
 
 #include <deal.II/base/mpi.h>

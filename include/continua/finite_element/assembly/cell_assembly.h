@@ -1,7 +1,7 @@
 #ifndef continua_finite_element_assembly_cell_assembly_h
 #define continua_finite_element_assembly_cell_assembly_h
 
-#include <continua/finite_element/quadrature_cells.h>
+#include <continua/finite_element/space/quadrature_cells.h>
 #include <continua/finite_element/terms/point_change.h>
 #include <continua/finite_element/terms/tested.h>
 

@@ -4,9 +4,9 @@
 #include <continua/base/instruction_set.h>
 #include <continua/continuum/balanced_step.h>
 #include <continua/continuum/problem.h>
-#include <continua/finite_element/matrix_free_convection.h>
-#include <continua/finite_element/quadrature_cells.h>
-#include <continua/finite_element/space.h>
+#include <continua/finite_element/products/matrix_free_convection.h>
+#include <continua/finite_element/space/quadrature_cells.h>
+#include <continua/finite_element/space/space.h>
 
 #include <deal.II/lac/vector.h>
 

@@ -3,8 +3,8 @@
 
 #include <continua/continuum/operators.h>
 #include <continua/continuum/problem.h>
-#include <continua/finite_element/region_operators.h>
-#include <continua/finite_element/space.h>
+#include <continua/finite_element/products/region_operators.h>
+#include <continua/finite_element/space/space.h>
 #include <continua/linear_algebra/distributed_vector.h>
 
 #include <vector>

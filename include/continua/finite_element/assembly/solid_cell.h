@@ -3,8 +3,8 @@
 
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/assembly/rest_states.h>
-#include <continua/finite_element/metric_history.h>
-#include <continua/finite_element/quadrature_cells.h>
+#include <continua/finite_element/assembly/metric_history.h>
+#include <continua/finite_element/space/quadrature_cells.h>
 #include <continua/finite_element/terms/solid_point.h>
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/materials/strain_law.h>

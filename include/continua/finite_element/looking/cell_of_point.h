@@ -2,7 +2,7 @@
 #define continua_finite_element_looking_cell_of_point_h
 
 #include <continua/continuum/field_probes.h>
-#include <continua/finite_element/space.h>
+#include <continua/finite_element/space/space.h>
 #include <continua/linear_algebra/distributed_vector.h>
 
 #include <deal.II/base/point.h>

@@ -3,7 +3,7 @@
 
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state.h>
-#include <continua/finite_element/space.h>
+#include <continua/finite_element/space/space.h>
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/signal/expression.h>
 

@@ -2,7 +2,7 @@
 #define continua_finite_element_looking_moving_share_h
 
 #include <continua/continuum/field_probes.h>
-#include <continua/finite_element/field_samples.h>
+#include <continua/finite_element/looking/field_samples.h>
 
 #include <deal.II/base/tensor.h>
 

@@ -3,8 +3,8 @@
 
 #include <continua/continuum/field_probes.h>
 #include <continua/continuum/problem.h>
-#include <continua/finite_element/field_samples.h>
-#include <continua/finite_element/space.h>
+#include <continua/finite_element/looking/field_samples.h>
+#include <continua/finite_element/space/space.h>
 #include <continua/linear_algebra/distributed_vector.h>
 
 #include <deal.II/base/quadrature.h>

@@ -7,9 +7,9 @@
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state.h>
 #include <continua/continuum/state_visitor.h>
-#include <continua/finite_element/liquid_balance.h>
-#include <continua/finite_element/mesh_motion.h>
-#include <continua/finite_element/space.h>
+#include <continua/finite_element/motion/liquid_balance.h>
+#include <continua/finite_element/motion/mesh_motion.h>
+#include <continua/finite_element/space/space.h>
 #include <continua/linear_algebra/distributed_vector.h>
 
 #include <memory>

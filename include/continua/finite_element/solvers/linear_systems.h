@@ -5,13 +5,13 @@
 #include <continua/continuum/operators.h>
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/assembly/region_terms.h>
-#include <continua/finite_element/boundary_constraints.h>
-#include <continua/finite_element/linear_solver_parameters.h>
-#include <continua/finite_element/region_operators.h>
-#include <continua/finite_element/solver_choice.h>
-#include <continua/finite_element/space.h>
-#include <continua/finite_element/step_system.h>
-#include <continua/finite_element/tangent_system.h>
+#include <continua/finite_element/conditions/boundary_constraints.h>
+#include <continua/finite_element/space/linear_solver_parameters.h>
+#include <continua/finite_element/products/region_operators.h>
+#include <continua/finite_element/solvers/solver_choice.h>
+#include <continua/finite_element/space/space.h>
+#include <continua/finite_element/solvers/step_system.h>
+#include <continua/finite_element/solvers/tangent_system.h>
 #include <continua/linear_algebra/distributed_vector.h>
 
 #include <string>

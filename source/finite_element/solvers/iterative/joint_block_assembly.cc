@@ -1,6 +1,6 @@
 #include <continua/finite_element/solvers/iterative/joint_block_assembly.h>
 
-#include <continua/finite_element/region_operators.h>
+#include <continua/finite_element/products/region_operators.h>
 
 #include <deal.II/lac/full_matrix.h>
 

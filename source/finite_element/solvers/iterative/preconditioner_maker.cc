@@ -1,9 +1,9 @@
 #include <continua/finite_element/solvers/iterative/preconditioner_maker.h>
 
 #include <continua/base/memory_limit.h>
-#include <continua/finite_element/condensed_system.h>
+#include <continua/finite_element/solvers/condensed_system.h>
 #include <continua/finite_element/solvers/iterative/pressure_places.h>
-#include <continua/finite_element/velocity_nodes.h>
+#include <continua/finite_element/space/velocity_nodes.h>
 #include <continua/linear_algebra/matrix_product.h>
 
 #include <deal.II/base/mpi.h>

@@ -1,6 +1,6 @@
 #include <continua/finite_element/solvers/iterative/stiff_factor_limit.h>
 
-#include <continua/finite_element/block_factor_estimate.h>
+#include <continua/finite_element/solvers/block_factor_estimate.h>
 #include <continua/linear_algebra/symmetric_factor.h>
 
 #include <cmath>

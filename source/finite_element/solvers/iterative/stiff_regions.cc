@@ -1,7 +1,7 @@
 #include <continua/finite_element/solvers/iterative/stiff_regions.h>
 
-#include <continua/finite_element/interface_compliance.h>
-#include <continua/finite_element/velocity_nodes.h>
+#include <continua/finite_element/solvers/interface_compliance.h>
+#include <continua/finite_element/space/velocity_nodes.h>
 #include <continua/linear_algebra/matrix_product.h>
 
 #include <deal.II/base/mpi.h>

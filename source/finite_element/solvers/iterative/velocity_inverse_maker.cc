@@ -1,7 +1,7 @@
 #include <continua/finite_element/solvers/iterative/velocity_inverse_maker.h>
 
-#include <continua/finite_element/chebyshev_relaxation.h>
-#include <continua/finite_element/polynomial_multigrid.h>
+#include <continua/finite_element/solvers/chebyshev_relaxation.h>
+#include <continua/finite_element/solvers/polynomial_multigrid.h>
 #include <continua/finite_element/solvers/iterative/joint_block_assembly.h>
 #include <continua/finite_element/solvers/iterative/velocity_rows.h>
 #include <continua/linear_algebra/matrix_relaxation.h>

@@ -2,9 +2,9 @@
 // roller, a jump of the stiffness by 1e9 and with incompressible regions; in a bounded number of
 // iterations, that do not grow with the mesh.
 
-#include <continua/finite_element/matrix_free_regions.h>
+#include <continua/finite_element/products/matrix_free_regions.h>
 #include <continua/finite_element/solvers/iterative/iterative_step_solver.h>
-#include <continua/finite_element/step_system.h>
+#include <continua/finite_element/solvers/step_system.h>
 
 #include "../../../unit_test.h"
 #include "../../conditions_in_turn.h"

@@ -2,7 +2,7 @@
 #define continua_finite_element_solvers_iterative_grad_div_preconditioner_h
 
 #include <continua/finite_element/solvers/iterative/step_preconditioner.h>
-#include <continua/finite_element/space.h>
+#include <continua/finite_element/space/space.h>
 
 #include <vector>
 

@@ -2,8 +2,8 @@
 #define continua_finite_element_solvers_iterative_joint_block_assembly_h
 
 #include <continua/continuum/system_coefficients.h>
-#include <continua/finite_element/boundary_constraints.h>
-#include <continua/finite_element/space.h>
+#include <continua/finite_element/conditions/boundary_constraints.h>
+#include <continua/finite_element/space/space.h>
 #include <continua/linear_algebra/saddle_point_block.h>
 
 #include <deal.II/base/types.h>

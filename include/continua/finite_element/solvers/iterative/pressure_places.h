@@ -1,7 +1,7 @@
 #ifndef continua_finite_element_solvers_iterative_pressure_places_h
 #define continua_finite_element_solvers_iterative_pressure_places_h
 
-#include <continua/finite_element/space.h>
+#include <continua/finite_element/space/space.h>
 #include <continua/linear_algebra/schur_complement.h>
 
 namespace Continua

@@ -2,12 +2,12 @@
 #define continua_finite_element_solvers_iterative_step_blocks_h
 
 #include <continua/continuum/system_coefficients.h>
-#include <continua/finite_element/boundary_constraints.h>
-#include <continua/finite_element/linear_solver_parameters.h>
-#include <continua/finite_element/matrix_free_velocity.h>
-#include <continua/finite_element/region_divergence.h>
-#include <continua/finite_element/region_operators.h>
-#include <continua/finite_element/space.h>
+#include <continua/finite_element/conditions/boundary_constraints.h>
+#include <continua/finite_element/space/linear_solver_parameters.h>
+#include <continua/finite_element/solvers/matrix_free_velocity.h>
+#include <continua/finite_element/solvers/region_divergence.h>
+#include <continua/finite_element/products/region_operators.h>
+#include <continua/finite_element/space/space.h>
 #include <continua/linear_algebra/matrix_operator.h>
 #include <continua/linear_algebra/saddle_point_solver.h>
 

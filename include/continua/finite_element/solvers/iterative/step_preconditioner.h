@@ -2,7 +2,7 @@
 #define continua_finite_element_solvers_iterative_step_preconditioner_h
 
 #include <continua/continuum/system_coefficients.h>
-#include <continua/finite_element/chebyshev_relaxation.h>
+#include <continua/finite_element/solvers/chebyshev_relaxation.h>
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/linear_algebra/schur_complement.h>
 #include <continua/linear_algebra/velocity_preconditioner.h>

@@ -1,9 +1,9 @@
 #ifndef continua_finite_element_solvers_iterative_stiff_factor_limit_h
 #define continua_finite_element_solvers_iterative_stiff_factor_limit_h
 
-#include <continua/finite_element/boundary_constraints.h>
-#include <continua/finite_element/linear_solver_parameters.h>
-#include <continua/finite_element/space.h>
+#include <continua/finite_element/conditions/boundary_constraints.h>
+#include <continua/finite_element/space/linear_solver_parameters.h>
+#include <continua/finite_element/space/space.h>
 #include <continua/linear_algebra/velocity_blocks.h>
 
 #include <optional>

@@ -2,9 +2,9 @@
 #define continua_finite_element_solvers_iterative_stiff_regions_h
 
 #include <continua/continuum/system_coefficients.h>
-#include <continua/finite_element/boundary_constraints.h>
-#include <continua/finite_element/region_operators.h>
-#include <continua/finite_element/space.h>
+#include <continua/finite_element/conditions/boundary_constraints.h>
+#include <continua/finite_element/products/region_operators.h>
+#include <continua/finite_element/space/space.h>
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/linear_algebra/velocity_blocks.h>
 #include <continua/linear_algebra/velocity_operator.h>

@@ -2,10 +2,10 @@
 #define continua_finite_element_solvers_iterative_velocity_rows_h
 
 #include <continua/continuum/system_coefficients.h>
-#include <continua/finite_element/boundary_constraints.h>
-#include <continua/finite_element/condensed_system.h>
-#include <continua/finite_element/region_operators.h>
-#include <continua/finite_element/space.h>
+#include <continua/finite_element/conditions/boundary_constraints.h>
+#include <continua/finite_element/solvers/condensed_system.h>
+#include <continua/finite_element/products/region_operators.h>
+#include <continua/finite_element/space/space.h>
 
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 

@@ -1,0 +1,126 @@
+#ifndef continua_finite_element_assembly_convective_terms_h
+#define continua_finite_element_assembly_convective_terms_h
+
+#include <continua/base/instruction_set.h>
+#include <continua/continuum/balanced_step.h>
+#include <continua/continuum/nonlinear_terms.h>
+#include <continua/continuum/problem.h>
+#include <continua/finite_element/assembly/cell_assembly.h>
+#include <continua/finite_element/assembly/flow_cell.h>
+#include <continua/finite_element/assembly/flow_product.h>
+#include <continua/finite_element/terms/follower_pressure.h>
+#include <continua/finite_element/terms/inflow_terms.h>
+#include <continua/finite_element/terms/moved_body_force.h>
+#include <continua/finite_element/assembly/nonlinear_cell_terms.h>
+#include <continua/finite_element/space/space.h>
+#include <continua/finite_element/terms/streamline_terms.h>
+#include <continua/finite_element/terms/flow_terms.h>
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * The regions of RegionModel::flow: for test functions v and q the FlowTerms
+ *
+ *   int v . ( rho dU/dt + rho (U . grad) U + s rho m U )
+ *     + int ( 2 eta dev sym grad U - p I + gamma m I ) : grad v
+ *   int q m,                                          m = c (dp/dt + U . grad p) + div U
+ *
+ * with rho(p), c(p) of the VolumeLaw, eta of the material or of its FlowCurve, gamma of Convection;
+ * InflowTerms at open ends, and Streamline where it is on.
+ *
+ * On a mesh that moves all of this is by the present place X + d, with dU/dt and dp/dt at the nodes
+ * of the mesh and U - W in the place of the U that carries, or -W without convection; the
+ * derivative is that with d and W held. Loads follow (FollowerPressure, MovedBodyForce).
+ */
+template <int dim>
+class ConvectiveTerms : public NonlinearCellTerms<dim>
+{
+public:
+  /// `instruction_set`: of products with the derivative that need no matrix; they need quadratic
+  /// velocities. Without a set, with StreamlineTerms, and in cells with InflowTerms there is a
+  /// matrix of each cell in any case. The first two must outlive it.
+  ConvectiveTerms(const Space<dim> &space,
+                  const Problem &problem,
+                  std::optional<InstructionSet> instruction_set);
+
+  void reinit() override;
+
+  /// Throws StepFailure where the exponent leaves a bulk modulus that is not positive.
+  void
+  add(const BalancedStep &state, DistributedVector &momentum, DistributedVector &volume) override;
+  void
+  set_forces_of(unsigned int region, const BalancedStep &state, NonlinearForces &forces) override;
+  /// With the density and the compressibility that follow the pressure.
+  NonlinearEnergy energy_of(unsigned int region, const State &state) override;
+  void keep_derivative(const BalancedStep &state,
+                       KeptDerivative form = KeptDerivative::matrices) override;
+  std::vector<double> grad_div_viscosities(const BalancedStep &state) override;
+  void forget_derivative() override;
+  void add_loads(const BalancedStep &state,
+                 std::optional<unsigned int> region,
+                 DistributedVector &forces) override;
+  void add_derivative_product(const DistributedVector &of_velocity,
+                              const DistributedVector &of_pressure,
+                              DistributedVector &momentum,
+                              DistributedVector &volume) override;
+
+private:
+  using Base = NonlinearCellTerms<dim>;
+  using Base::cells;
+  using Base::pressure;
+  using Base::pressure_work;
+  using Base::problem;
+  using Base::quadrature;
+  using Base::space;
+  using Base::step;
+  using Base::take;
+  using Base::velocity;
+  using Base::velocity_work;
+  using typename Base::Cell;
+  using Point = StreamlinePoint<dim>;
+
+  InflowTerms<dim> inflow_terms;
+  StreamlineTerms<dim> streamline_terms;
+  FlowCell<dim> here; ///< the state in the present cell
+  CellAssembly<dim> assembly;
+  FlowProduct<dim> product;
+  // Of the state, with ghost entries.
+  DistributedVector acceleration, pressure_rate;
+  DistributedVector mesh_displacement, mesh_velocity; ///< empty where the mesh stays
+  FollowerPressure<dim> follower_pressure;            ///< likewise without faces
+  MovedBodyForce<dim> body_force;
+  dealii::Vector<double> cell_volume, cell_inflow; ///< rows of the present cell
+  /// Of each of the StreamlineFlowTerms, or their sum in the first one.
+  std::array<dealii::Vector<double>, StreamlineFlowTerms::size> cell_forces;
+
+  void take(const BalancedStep &state) override;
+  void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix) override;
+  bool couples_pressures(const Cell &cell) const override
+  {
+    return !problem.materials[cell.region].is_incompressible();
+  }
+  bool needs_matrix(const Cell &cell) const override
+  {
+    return !product.exists() || inflow_terms.has_face(cell.pressure_cell);
+  }
+  /// Whether the loads on a cell change as it moves.
+  bool has_load_changes(const Cell &cell) const;
+  /// Sets cell_inflow to these loads less those of the body at rest; the cell is the present one.
+  void set_load_changes(const Cell &cell);
+  /// Sets the rows of the present cell: cell_volume, cell_inflow, and cell_forces by term, or their
+  /// sum in the first one. The least of VolumeLaw::stiffening().
+  double integrate(bool by_term);
+  /// Throws StepFailure where the least of VolumeLaw::stiffening() is not positive. Collective.
+  void refuse_softening(double least_stiffening, unsigned int softest) const;
+};
+} // namespace Continua
+
+#endif

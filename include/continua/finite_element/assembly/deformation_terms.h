@@ -1,0 +1,128 @@
+#ifndef continua_finite_element_assembly_deformation_terms_h
+#define continua_finite_element_assembly_deformation_terms_h
+
+#include <continua/finite_element/assembly/cell_assembly.h>
+#include <continua/finite_element/assembly/rest_states.h>
+#include <continua/finite_element/assembly/solid_cell.h>
+#include <continua/finite_element/terms/follower_pressure.h>
+#include <continua/finite_element/assembly/metric_history.h>
+#include <continua/finite_element/terms/moved_body_force.h>
+#include <continua/finite_element/assembly/nonlinear_cell_terms.h>
+#include <continua/finite_element/terms/solid_terms.h>
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <array>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * The regions of RegionModel::finite_solid: the SolidTerms. For test functions v and q, on the
+ * reference mesh with gradients by the present place,
+ *
+ *   int rho0 v . dU/dt dV + int ( tau(F) + J 2 eta dev sym grad U - J p I ) : grad v dV
+ *   int q (1/b) ( ln J + p/K ) J dV
+ *
+ * with F = I + Grad D, D = D_plus + b U, J = det F and tau the law's deviatoric Kirchhoff stress.
+ * In the middle of a step (Crank-Nicolson) the row of volume is its rate, int q ( div U + (dp/dt)/K
+ * ) J dV, which keeps the energy; the closed one keeps the volume. A law with a mean stress s of
+ * its own has (p + s(F))/K in the place of ln J + p/K. Branches that relax add to tau the stress of
+ * a metric that the step knows beforehand (MetricHistory). With a prestretch F0 the laws have the
+ * elastic deformation F F0^-1, and the volume at rest, with the mass, is det F0 dV; loads that come
+ * in steps bring it in the same share. Where the unloaded shape X + D0 is another than the mesh, F0
+ * is 1 + Grad D0. A step that finds this shape has F = 1 and D0 = -D, and the mass of the mesh's
+ * volume.
+ */
+template <int dim>
+class DeformationTerms : public NonlinearCellTerms<dim>
+{
+public:
+  /// All must outlive it; `metrics`: null where nothing relaxes.
+  DeformationTerms(const Space<dim> &space,
+                   const Problem &problem,
+                   MetricHistory<dim> *metrics = nullptr);
+
+  void reinit() override;
+
+  /// Throws StepFailure where the body is turned inside out.
+  void
+  add(const BalancedStep &state, DistributedVector &momentum, DistributedVector &volume) override;
+  void
+  set_forces_of(unsigned int region, const BalancedStep &state, NonlinearForces &forces) override;
+  /// By the law, and of the pressure K (J ln J - J + 1) with J = exp(-p/K), per reference volume.
+  NonlinearEnergy energy_of(unsigned int region, const State &state) override;
+  void add_loads(const BalancedStep &state,
+                 std::optional<unsigned int> region,
+                 DistributedVector &forces) override;
+  void start_from(const DistributedVector &displacement) override;
+  void visit_state(StateVisitor &visitor) override { rest_states.visit_state(visitor); }
+  void take_own_state() override { rest_states.take_state(); }
+  const DistributedVector *unloaded_displacement() const override
+  {
+    return rest_states.unloaded_displacement();
+  }
+  const DistributedVector *wall_potentials() const override
+  {
+    return rest_states.wall_potentials();
+  }
+  void set_unloaded_displacement(const DistributedVector &of_unloaded) override;
+  void finish_step(const BalancedStep &balanced, const State &state) override;
+  double relaxation_power(const unsigned int region) const override { return heat[region]; }
+  typename NonlinearCellTerms<dim>::Sizes sizes_of_terms() const override { return sizes; }
+
+private:
+  using Base = NonlinearCellTerms<dim>;
+  using Base::cells;
+  using Base::pressure;
+  using Base::problem;
+  using Base::quadrature;
+  using Base::space;
+  using Base::step;
+  using Base::take;
+  using Base::velocity;
+  using Base::velocity_work;
+  using typename Base::Cell;
+  using typename Base::Sizes;
+
+  using Point = SolidPoint<dim>;
+  using Stress = typename SolidCell<dim>::Stress;
+
+  RestStates<dim> rest_states;
+  SolidCell<dim> here; ///< the state in the present cell
+  CellAssembly<dim> assembly;
+  MetricHistory<dim> *const metrics;
+  std::vector<double> heat; ///< relaxation_power() by region
+  FollowerPressure<dim> follower_pressure;
+  MovedBodyForce<dim> body_force;
+  // Of the state, with ghost entries.
+  DistributedVector displacement, pressure_rate, acceleration;
+  Sizes sizes;
+  dealii::Vector<double> cell_volume, cell_load; ///< rows of the present cell
+  /// Of each of the SolidTerms, or their sum in the first one.
+  std::array<dealii::Vector<double>, SolidTerms::size> cell_forces;
+
+  void take(const BalancedStep &state) override;
+  void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix) override;
+  bool couples_pressures(const Cell &) const override { return true; }
+  /// Calls visit(q, point) at each point of the cells that relax, by this displacement.
+  template <typename Visit>
+  void visit_relaxing_points(const DistributedVector &of_displacement, const Visit &visit_point);
+  /// Whether the loads on a cell change as it moves.
+  bool has_load_changes(const Cell &cell) const
+  {
+    return follower_pressure.has_face(cell.velocity_cell) || body_force.has_changes(cell.region);
+  }
+  /// Sets cell_load to these loads less those of the body at rest; the cell is the present one.
+  void set_load_changes(const Cell &cell);
+  /// Sets the rows of the present cell without its loads: cell_volume, and cell_forces by term, or
+  /// their sum in the first one. The least volume ratio.
+  double integrate(bool by_term);
+  NonlinearEnergy energy_at(unsigned int q);
+  /// Throws StepFailure where a volume ratio of some rank is not positive. Collective.
+  void refuse_inversion(double least_ratio, const Cell *worst) const;
+};
+} // namespace Continua
+
+#endif

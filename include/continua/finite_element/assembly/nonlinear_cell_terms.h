@@ -1,0 +1,157 @@
+#ifndef continua_finite_element_assembly_nonlinear_cell_terms_h
+#define continua_finite_element_assembly_nonlinear_cell_terms_h
+
+#include <continua/continuum/balanced_step.h>
+#include <continua/continuum/nonlinear_terms.h>
+#include <continua/continuum/problem.h>
+#include <continua/continuum/state.h>
+#include <continua/continuum/state_visitor.h>
+#include <continua/finite_element/space/quadrature_cells.h>
+#include <continua/finite_element/space/space.h>
+#include <continua/linear_algebra/entry_sums.h>
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace Continua
+{
+/// How the derivative is kept for products.
+enum class KeptDerivative
+{
+  matrices,      ///< of the cells: the same on every processor
+  without_matrix ///< the state alone, where the terms can
+};
+
+/**
+ * All terms of the regions of one RegionModel that is not linear, but for loads and supports, as
+ * integrals over cells and faces: rows of momentum N_u(U, p) [N] and of volume N_p(U, p) [m^3/s],
+ * and their derivative. The part that does not depend on what is integrated: the sums over the
+ * cells, the derivative as one matrix, and as one matrix a cell for products.
+ */
+template <int dim>
+class NonlinearCellTerms
+{
+public:
+  /// The first two must outlive it.
+  NonlinearCellTerms(const Space<dim> &space,
+                     const Problem &problem,
+                     const dealii::Quadrature<dim> &quadrature,
+                     RegionModel model);
+  virtual ~NonlinearCellTerms() = default;
+
+  /// Whether they are those of a region.
+  bool are_of(const unsigned int region) const { return problem.region_model(region) == model; }
+
+  /// The mesh has changed.
+  virtual void reinit();
+
+  /// Adds the terms to the rows of momentum [N] and of volume [m^3/s], with the hanging nodes
+  /// condensed. Collective. Throws StepFailure where the state has no meaning.
+  virtual void
+  add(const BalancedStep &state, DistributedVector &momentum, DistributedVector &volume) = 0;
+  /// The terms of momentum of one region alone, by kind [N]. Collective.
+  virtual void
+  set_forces_of(unsigned int region, const BalancedStep &state, NonlinearForces &forces) = 0;
+  /// This rank's part of the energies of one region. Collective.
+  virtual NonlinearEnergy energy_of(unsigned int region, const State &state) = 0;
+  /// Adds what the loads of the step have besides those on the body at rest [N], of one region or
+  /// of all. Collective.
+  virtual void add_loads(const BalancedStep &, std::optional<unsigned int>, DistributedVector &) {}
+  /// The state of t = 0 was set. Collective.
+  virtual void start_from(const DistributedVector & /*displacement*/) {}
+  /// Hands over the terms' own part of the state.
+  virtual void visit_state(StateVisitor &) {}
+  /// That part was read from a checkpoint or carried over to another mesh. Collective.
+  virtual void take_own_state() {}
+  /// See Operators.
+  virtual const DistributedVector *wall_potentials() const { return nullptr; }
+  virtual const DistributedVector *unloaded_displacement() const { return nullptr; }
+  virtual void set_unloaded_displacement(const DistributedVector &) {}
+  /// A step has ended. Collective.
+  virtual void finish_step(const BalancedStep &, const State &) {}
+  /// This rank's part of what relaxation in a region turns into heat at the level that the last
+  /// step has balanced [W].
+  virtual double relaxation_power(unsigned int /*region*/) const { return 0.; }
+  /// Of what cancels in the rows that were added last.
+  struct Sizes
+  {
+    double stress = 0.;   ///< [Pa]
+    double velocity = 0.; ///< [m/s]
+  };
+  virtual Sizes sizes_of_terms() const { return {}; }
+
+  /// Adds the derivative by U and p, with all that follows from them as the step has it, to a
+  /// matrix whose unknowns are the velocities and then the pressures and whose rows of volume are
+  /// multiplied by -1. `constraints`: of the velocity, homogeneous, hanging nodes included; rows
+  /// and columns of what they constrain stay empty.
+  void add_derivative(const BalancedStep &state,
+                      const dealii::AffineConstraints<double> &constraints,
+                      EntrySums &matrix);
+  /// Adds products of that derivative, without constraints, with a velocity that is zero in all but
+  /// a few cells [m/s]: to rows of momentum [N] and of volume [m^3/s], and those of its transposed
+  /// to `of_velocity` and `of_pressure`, whose scalar product with a change is the power of that
+  /// velocity with the change of the rows of momentum. At the state of the last add_derivative() or
+  /// keep_derivative(), with nothing else in between. Collective.
+  void add_products_with(const DistributedVector &local_velocity,
+                         DistributedVector &momentum,
+                         DistributedVector &volume,
+                         DistributedVector &of_velocity,
+                         DistributedVector &of_pressure);
+  /// Keeps the same derivative for products, without constraints. Collective.
+  virtual void keep_derivative(const BalancedStep &state,
+                               KeptDerivative form = KeptDerivative::matrices);
+  /// The mean viscosity of grad-div in each cell, by active_cell_index(), that of cells of other
+  /// ranks zero [Pa s]; empty: there is no grad-div. Collective.
+  virtual std::vector<double> grad_div_viscosities(const BalancedStep &) { return {}; }
+  /// Frees what is kept of it.
+  virtual void forget_derivative() { cell_derivatives.clear(); }
+  /// Adds its product with changes of velocity [m/s] and pressure [Pa], which obey their
+  /// constraints, to the rows of momentum [N] and of volume [m^3/s], with the hanging nodes
+  /// condensed. Collective.
+  virtual void add_derivative_product(const DistributedVector &of_velocity,
+                                      const DistributedVector &of_pressure,
+                                      DistributedVector &momentum,
+                                      DistributedVector &volume);
+
+protected:
+  using Cell = QuadratureCell<dim>;
+
+  const Space<dim> &space;
+  const Problem &problem;
+  const RegionModel model;
+  const dealii::Quadrature<dim> quadrature;
+  QuadratureCells<dim> cells;
+  Step step; ///< of the state that was taken
+  // The velocity and the pressure with ghost entries, and work space.
+  DistributedVector velocity, pressure, velocity_work, pressure_work;
+
+  /// Takes a state, with ghost entries.
+  virtual void take(const BalancedStep &state) = 0;
+  /// The derivative of the rows of a cell at the state that was taken, velocities first, rows of
+  /// volume times -1.
+  virtual void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix) = 0;
+  /// Whether the derivative of a cell's rows of volume by its pressures is another than zero: the
+  /// same for any state, so that an analysis of the matrix can be kept.
+  virtual bool couples_pressures(const Cell &cell) const = 0;
+  /// Whether products with the derivative need the matrix of that cell.
+  virtual bool needs_matrix(const Cell & /*cell*/) const { return true; }
+
+  void take(const DistributedVector &of_velocity, const DistributedVector &of_pressure);
+
+private:
+  /// The kept derivative of each cell that needs one, and work space for its product. In single
+  /// precision the round-off of rigid motions would be as large as the stiffness of thin bodies.
+  std::vector<dealii::FullMatrix<double>> cell_derivatives;
+  dealii::Vector<double> cell_change, cell_product, cell_momentum, cell_volume;
+};
+
+/// One of them for each model of a region that the problem has and that is not linear.
+template <int dim>
+using NonlinearTerms = std::vector<std::unique_ptr<NonlinearCellTerms<dim>>>;
+} // namespace Continua
+
+#endif

@@ -1,0 +1,339 @@
+#include <continua/finite_element/assembly/convective_terms.h>
+
+#include <continua/base/input_error.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <utility>
+
+namespace Continua
+{
+using namespace dealii;
+
+template <int dim>
+ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space,
+                                      const Problem &problem,
+                                      const std::optional<InstructionSet> instruction_set)
+    // Products of three functions and of the radius are integrated exactly on parallelograms, where
+    // density and compressibility are constant.
+    : Base(space,
+           problem,
+           space.quadrature((3 * space.degree() + 2 + (space.is_axisymmetric() ? 1 : 0)) / 2),
+           RegionModel::flow),
+      inflow_terms(space, problem),
+      streamline_terms(space, problem, quadrature),
+      here(problem,
+           cells,
+           {velocity, acceleration, pressure, pressure_rate, mesh_displacement, mesh_velocity}),
+      assembly(cells),
+      product(space, problem, instruction_set),
+      follower_pressure(space, problem),
+      body_force(space, problem, quadrature)
+{
+  const unsigned int n_velocity = dim * cells.n_functions();
+  cell_inflow.reinit(n_velocity);
+  for (Vector<double> &forces : cell_forces)
+    forces.reinit(n_velocity);
+  cell_volume.reinit(cells.n_pressures());
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::reinit()
+{
+  Base::reinit();
+  acceleration.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
+  pressure_rate.reinit(space.pressure_owned, space.pressure_relevant, space.communicator);
+  if (!problem.mesh_moves)
+    return;
+  for (DistributedVector *vector : {&mesh_displacement, &mesh_velocity})
+    vector->reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
+  follower_pressure.reinit();
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::forget_derivative()
+{
+  product.forget();
+  Base::forget_derivative();
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::keep_derivative(const BalancedStep &state, const KeptDerivative form)
+{
+  if (form == KeptDerivative::matrices || streamline_terms.are_on())
+    product.forget();
+  else
+    product.make(cells,
+                 [this](const Cell &cell) { return !inflow_terms.has_face(cell.pressure_cell); });
+  Base::keep_derivative(state, form);
+  if (product.exists())
+    product.set(state, pressure, pressure_rate);
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::add_derivative_product(const DistributedVector &of_velocity,
+                                                  const DistributedVector &of_pressure,
+                                                  DistributedVector &momentum,
+                                                  DistributedVector &volume)
+{
+  if (!product.exists() || product.leaves_cells())
+    Base::add_derivative_product(of_velocity, of_pressure, momentum, volume);
+  else
+    space.copy_pressure(of_pressure, pressure_work, pressure);
+  if (product.exists())
+    product.add(of_velocity, pressure, cells, momentum, volume);
+}
+
+template <int dim>
+std::vector<double> ConvectiveTerms<dim>::grad_div_viscosities(const BalancedStep &state)
+{
+  if (problem.convection.stabilisation == ConvectionStabilisation::none)
+    return {};
+  take(state);
+  std::vector<double> result(space.triangulation.n_active_cells(), 0.);
+  for (const Cell &cell : cells.all())
+  {
+    here.visit(cell);
+    double integral = 0., volume = 0.;
+    for (unsigned int q = 0; q < cells.n_points(); ++q)
+    {
+      integral += cell.points[q].weight * here.point(q).gamma();
+      volume += cell.points[q].weight;
+    }
+    result[cell.velocity_cell->active_cell_index()] = integral / volume;
+  }
+  return result;
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::take(const BalancedStep &state)
+{
+  step = state.step;
+  here.set_step(step);
+  take(state.velocity, state.pressure);
+  space.copy_velocity(state.acceleration, velocity_work, acceleration);
+  space.copy_pressure(state.pressure_rate, pressure_work, pressure_rate);
+  if (!problem.mesh_moves)
+    return;
+  space.copy_velocity(state.mesh_displacement, velocity_work, mesh_displacement);
+  space.copy_velocity(state.mesh_velocity, velocity_work, mesh_velocity);
+  follower_pressure.set_cavity_pressures(state.cavity_pressures);
+}
+
+template <int dim>
+double ConvectiveTerms<dim>::integrate(const bool by_term)
+{
+  const VolumeLaw law = here.material().volume_law();
+  if (streamline_terms.are_on())
+    streamline_terms.visit(here.cell().velocity_cell, step);
+  double least_stiffening = 1.;
+  for (Vector<double> &forces : cell_forces)
+    forces = 0.;
+  cell_inflow = 0.;
+  cell_volume = 0.;
+  for (unsigned int q = 0; q < cells.n_points(); ++q)
+  {
+    const typename Cell::Point &geometry = here.points()[q];
+    Point at_point = here.point(q);
+    least_stiffening = std::min(least_stiffening, law.stiffening(at_point.pressure));
+    if (streamline_terms.are_on())
+      streamline_terms.set_point(q, here.state(), at_point);
+    Tested<dim> sum;
+    if (by_term)
+    {
+      unsigned int number = 0;
+      StreamlineFlowTerms::for_each(
+          [&](const auto term)
+          {
+            Tested<dim> tested;
+            term.add(at_point, tested);
+            assembly.add_momentum(q, geometry.inverse_jacobian, geometry.weight, tested,
+                                  cell_forces[number++]);
+          });
+    }
+    else
+    {
+      FlowTerms::add(at_point, sum);
+      if (streamline_terms.are_on())
+        Streamline::add(at_point, sum);
+      assembly.add_momentum(q, geometry.inverse_jacobian, geometry.weight, sum, cell_forces[0]);
+      assembly.add_volume(q, geometry.weight, sum, cell_volume);
+    }
+  }
+  if (inflow_terms.has_face(here.cell().pressure_cell))
+    inflow_terms.add(here.cell().pressure_cell, here.state(), cell_inflow);
+  return least_stiffening;
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::add(const BalancedStep &state,
+                               DistributedVector &momentum,
+                               DistributedVector &volume)
+{
+  take(state);
+  double least_stiffening = 1.;
+  unsigned int softest = 0;
+  for (const Cell &cell : cells.all())
+  {
+    here.visit(cell);
+    const double stiffening = integrate(false);
+    if (!(stiffening >= least_stiffening))
+    {
+      least_stiffening = stiffening;
+      softest = cell.region;
+    }
+    Vector<double> &sum = cell_forces[0];
+    sum += cell_inflow;
+    if (has_load_changes(cell))
+    {
+      set_load_changes(cell);
+      sum -= cell_inflow;
+    }
+    space.velocity_hanging.distribute_local_to_global(sum, cell.velocity_indices, momentum);
+    space.pressure_hanging.distribute_local_to_global(cell_volume, cell.pressure_indices, volume);
+  }
+  momentum.compress(VectorOperation::add);
+  volume.compress(VectorOperation::add);
+  refuse_softening(least_stiffening, softest);
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::refuse_softening(const double least_stiffening,
+                                            unsigned int softest) const
+{
+  const auto least = Utilities::MPI::min_max_avg(least_stiffening, space.communicator);
+  if (least.min > 0.)
+    return;
+  softest = Utilities::MPI::max(least_stiffening == least.min ? softest : 0, space.communicator);
+  std::ostringstream text;
+  text << "the pressure in the region '" << problem.regions[softest]
+       << "' is so low that its bulk modulus K + n (p - p0) is not positive: K/n is "
+       << 1. / (problem.materials[softest].volume_law().inverse_bulk_modulus *
+                problem.materials[softest].volume_law().exponent)
+       << " Pa; use smaller loads, or Volume exponent = 0";
+  throw StepFailure(text.str());
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::set_forces_of(const unsigned int region,
+                                         const BalancedStep &state,
+                                         NonlinearForces &forces)
+{
+  const auto kinds = StreamlineFlowTerms::forces();
+  for (DistributedVector *const part : {&forces.inertia, &forces.convection, &forces.stabilisation,
+                                        &forces.viscosity, &forces.compression, &forces.inflow})
+    *part = 0.;
+  take(state);
+  for (const Cell &cell : cells.all())
+    if (cell.region == region)
+    {
+      here.visit(cell);
+      integrate(true);
+      for (std::size_t k = 0; k < kinds.size(); ++k)
+        if (kinds[k] != nullptr)
+          space.velocity_hanging.distribute_local_to_global(cell_forces[k], cell.velocity_indices,
+                                                            forces.*kinds[k]);
+      space.velocity_hanging.distribute_local_to_global(cell_inflow, cell.velocity_indices,
+                                                        forces.inflow);
+    }
+  for (DistributedVector *const part : {&forces.inertia, &forces.convection, &forces.stabilisation,
+                                        &forces.viscosity, &forces.compression, &forces.inflow})
+    part->compress(VectorOperation::add);
+}
+
+template <int dim>
+bool ConvectiveTerms<dim>::has_load_changes(const Cell &cell) const
+{
+  return problem.mesh_moves &&
+         (body_force.has_changes(cell.region) || follower_pressure.has_face(cell.velocity_cell));
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::set_load_changes(const Cell &cell)
+{
+  cell_inflow = 0.;
+  if (follower_pressure.has_face(cell.velocity_cell))
+    follower_pressure.add(cell.velocity_cell, step, here.mesh_displacement(), cell_inflow);
+  if (body_force.has_changes(cell.region))
+    body_force.add(cells, cell, here.points(), step, here.mesh_displacement(), cell_inflow);
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::add_loads(const BalancedStep &state,
+                                     const std::optional<unsigned int> region,
+                                     DistributedVector &forces)
+{
+  if (!problem.mesh_moves)
+    return;
+  take(state);
+  for (const Cell &cell : cells.all())
+    if ((!region || cell.region == *region) && has_load_changes(cell))
+    {
+      here.visit(cell);
+      set_load_changes(cell);
+      space.velocity_hanging.distribute_local_to_global(cell_inflow, cell.velocity_indices, forces);
+    }
+  forces.compress(VectorOperation::add);
+}
+
+template <int dim>
+NonlinearEnergy ConvectiveTerms<dim>::energy_of(const unsigned int region, const State &state)
+{
+  NonlinearEnergy energy;
+  const VolumeLaw law = problem.materials[region].volume_law();
+  take(state.velocity, state.pressure);
+  if (problem.mesh_moves)
+    space.copy_velocity(*state.mesh_displacement, velocity_work, mesh_displacement);
+  for (const Cell &cell : cells.all())
+    if (cell.region == region)
+    {
+      here.visit(cell);
+      for (unsigned int q = 0; q < cells.n_points(); ++q)
+      {
+        const Point at_point = here.point(q);
+        energy.kinetic += here.points()[q].weight * FlowInertia::energy(at_point);
+        energy.compressive += here.points()[q].weight * law.energy(at_point.pressure);
+      }
+    }
+  return energy;
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::set_derivative(const Cell &cell, FullMatrix<double> &matrix)
+{
+  here.visit(cell);
+  typename CellAssembly<dim>::Directions directions;
+  directions.pressure_gradient = couples_pressures(cell);
+  if (streamline_terms.are_on())
+  {
+    streamline_terms.visit(cell.velocity_cell, step);
+    directions.pressure_gradient = true;
+    directions.viscous_forces = &streamline_terms.viscous_forces();
+  }
+  for (unsigned int q = 0; q < cells.n_points(); ++q)
+  {
+    const typename Cell::Point &geometry = here.points()[q];
+    Point at_point = here.point(q);
+    if (streamline_terms.are_on())
+      streamline_terms.set_point(q, here.state(), at_point);
+    assembly.take_derivative(q, geometry.inverse_jacobian, geometry.weight, directions,
+                             [&](const PointChange<dim> &of_unknowns, Tested<dim> &tested)
+                             {
+                               const FlowChange<dim> change(at_point, of_unknowns);
+                               FlowTerms::add_derivative(at_point, change, tested);
+                               if (streamline_terms.are_on())
+                                 Streamline::add_derivative(at_point, change, tested);
+                             });
+  }
+  assembly.finish_matrix(matrix);
+  if (inflow_terms.has_face(cell.pressure_cell))
+    inflow_terms.add_derivative(cell.pressure_cell, here.state(), matrix);
+}
+
+template class ConvectiveTerms<2>;
+template class ConvectiveTerms<3>;
+} // namespace Continua

@@ -1,0 +1,378 @@
+#include <continua/finite_element/assembly/deformation_terms.h>
+
+#include <continua/base/input_error.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace Continua
+{
+using namespace dealii;
+
+namespace
+{
+/// Of the terms of a stress at rest, which cancel: what of them a residual keeps is far below.
+constexpr double share_of_rest = 0.1;
+} // namespace
+
+template <int dim>
+DeformationTerms<dim>::DeformationTerms(const Space<dim> &space,
+                                        const Problem &problem,
+                                        MetricHistory<dim> *const metrics)
+    // As the linear stress, to which the terms come close where the deformation is small.
+    : Base(
+          space, problem, space.quadrature(space.n_quadrature_points()), RegionModel::finite_solid),
+      rest_states(space, problem, quadrature, cells),
+      here(problem,
+           cells,
+           rest_states,
+           metrics,
+           {velocity, displacement, acceleration, pressure, pressure_rate}),
+      assembly(cells),
+      metrics(metrics),
+      heat(problem.regions.size(), 0.),
+      follower_pressure(space, problem),
+      body_force(space, problem, quadrature)
+{
+  const unsigned int n_velocity = dim * cells.n_functions();
+  cell_load.reinit(n_velocity);
+  for (Vector<double> &forces : cell_forces)
+    forces.reinit(n_velocity);
+  cell_volume.reinit(cells.n_pressures());
+}
+
+template <int dim>
+void DeformationTerms<dim>::reinit()
+{
+  Base::reinit();
+  displacement.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
+  pressure_rate.reinit(space.pressure_owned, space.pressure_relevant, space.communicator);
+  acceleration.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
+  follower_pressure.reinit();
+  rest_states.reinit();
+}
+
+template <int dim>
+void DeformationTerms<dim>::set_unloaded_displacement(const DistributedVector &of_unloaded)
+{
+  rest_states.set_unloaded_displacement(of_unloaded);
+  // In the shape of the mesh all branches have relaxed.
+  start_from(space.velocity_vector());
+}
+
+template <int dim>
+void DeformationTerms<dim>::take(const BalancedStep &state)
+{
+  step = state.step;
+  here.set_step(step);
+  take(state.velocity, state.pressure);
+  space.copy_pressure(state.pressure_rate, Base::pressure_work, pressure_rate);
+  if (step.finds_unloaded_shape)
+  {
+    // The mesh stays, and what the displacement leads from is the unloaded shape.
+    rest_states.unload_by(state.displacement);
+    displacement = 0.;
+  }
+  else
+    space.copy_velocity(state.displacement, velocity_work, displacement);
+  follower_pressure.set_cavity_pressures(state.cavity_pressures);
+  space.copy_velocity(state.acceleration, velocity_work, acceleration);
+  rest_states.set_share(step.load_factor);
+}
+
+template <int dim>
+template <typename Visit>
+void DeformationTerms<dim>::visit_relaxing_points(const DistributedVector &of_displacement,
+                                                  const Visit &visit_point)
+{
+  space.copy_velocity(of_displacement, velocity_work, displacement);
+  for (const Cell &cell : cells.all())
+    if (metrics->relaxes(cell.region))
+    {
+      here.visit(cell);
+      for (unsigned int q = 0; q < cells.n_points(); ++q)
+        visit_point(q, here.point(q, Stress::none));
+    }
+}
+
+template <int dim>
+void DeformationTerms<dim>::start_from(const DistributedVector &of_displacement)
+{
+  if (metrics == nullptr)
+    return;
+  visit_relaxing_points(of_displacement,
+                        [this](const unsigned int q, const Point &) {
+                          metrics->start(here.number(), q, inverse_isochoric_metric(here.strain()));
+                        });
+}
+
+template <int dim>
+void DeformationTerms<dim>::finish_step(const BalancedStep &balanced, const State &state)
+{
+  if (metrics == nullptr || balanced.step.finds_unloaded_shape)
+    return;
+  std::fill(heat.begin(), heat.end(), 0.);
+  visit_relaxing_points(balanced.displacement,
+                        [this](const unsigned int q, const Point &point)
+                        {
+                          const unsigned int region = here.cell().region;
+                          heat[region] +=
+                              here.cell().points[q].weight * point.rest_ratio *
+                              metrics->dissipation(region, here.number(), q, here.strain());
+                        });
+  visit_relaxing_points(state.history.displacement(),
+                        [this](const unsigned int q, const Point &)
+                        {
+                          metrics->advance(here.cell().region, here.number(), q,
+                                           inverse_isochoric_metric(here.strain()));
+                        });
+}
+
+template <int dim>
+double DeformationTerms<dim>::integrate(const bool by_term)
+{
+  for (Vector<double> &forces : cell_forces)
+    forces = 0.;
+  cell_volume = 0.;
+  double least_ratio = std::numeric_limits<double>::max();
+  for (unsigned int q = 0; q < cells.n_points(); ++q)
+  {
+    const Point point = here.point(q, Stress::alone);
+    const double least = std::min(point.volume_ratio(), point.rest_ratio);
+    // What is no number fails the comparisons.
+    if (!(least >= least_ratio))
+      least_ratio = least;
+    if (!(least > 0.))
+      continue;
+    sizes.stress = std::max(sizes.stress,
+                            point.stress.norm() + std::abs(point.volume_ratio() * point.pressure));
+    const double weight = here.cell().points[q].weight;
+    const Tensor<2, dim> jacobian = here.inverse_jacobian(point, q);
+    if (by_term)
+    {
+      unsigned int number = 0;
+      SolidTerms::for_each(
+          [&](const auto term)
+          {
+            Tested<dim> tested;
+            term.add(point, tested);
+            assembly.add_momentum(q, jacobian, weight, tested, cell_forces[number++]);
+          });
+      continue;
+    }
+    Tested<dim> sum;
+    SolidTerms::add(point, sum);
+    assembly.add_momentum(q, jacobian, weight, sum, cell_forces[0]);
+    assembly.add_volume(q, weight, sum, cell_volume);
+  }
+  return least_ratio;
+}
+
+template <int dim>
+void DeformationTerms<dim>::add(const BalancedStep &state,
+                                DistributedVector &momentum,
+                                DistributedVector &volume)
+{
+  take(state);
+  sizes.stress = 0.;
+  double least_ratio = std::numeric_limits<double>::max(), largest_way = 0.;
+  const Cell *worst = nullptr;
+  for (const Cell &cell : cells.all())
+  {
+    here.visit(cell);
+    const double ratio = integrate(false);
+    // The round-off of a displacement is a strain, also of a body that is moved far, and a law has
+    // that of the deformation gradient 1, from which it takes its stress.
+    const StrainLaw &law = *here.material().strain_law;
+    const double way = here.largest_displacement(), of_rest = share_of_rest * cell.size;
+    sizes.stress = std::max(sizes.stress, here.material().instantaneous_shear_modulus() *
+                                              std::max(way, of_rest) / cell.size);
+    // ln J has no round-off of that kind, but ln det F0 has.
+    largest_way = std::max(largest_way, law.has_own_mean_stress() || rest_states.have_other_volume()
+                                            ? std::max(way, of_rest)
+                                            : way);
+    if (!(ratio >= least_ratio))
+    {
+      least_ratio = ratio;
+      worst = &cell;
+    }
+    Vector<double> &sum = cell_forces[0];
+    if (has_load_changes(cell))
+    {
+      set_load_changes(cell);
+      sum -= cell_load;
+    }
+    space.velocity_hanging.distribute_local_to_global(sum, cell.velocity_indices, momentum);
+    space.pressure_hanging.distribute_local_to_global(cell_volume, cell.pressure_indices, volume);
+  }
+  momentum.compress(VectorOperation::add);
+  volume.compress(VectorOperation::add);
+  sizes.stress = Utilities::MPI::max(sizes.stress, space.communicator);
+  sizes.velocity =
+      Utilities::MPI::max(largest_way, space.communicator) / here.displacement_by_velocity();
+  refuse_inversion(least_ratio, worst);
+}
+
+template <int dim>
+void DeformationTerms<dim>::refuse_inversion(const double least_ratio,
+                                             const Cell *const worst) const
+{
+  // A minimum over ranks passes over what is no number.
+  const auto over_ranks = Utilities::MPI::min_max_avg(
+      std::isnan(least_ratio) ? -std::numeric_limits<double>::max() : least_ratio,
+      space.communicator);
+  if (over_ranks.min > 0.)
+    return;
+  std::string place;
+  if (worst != nullptr)
+  {
+    std::ostringstream text;
+    text.precision(4);
+    text << "in the region '" << problem.regions[worst->region] << "' in the cell at (";
+    for (unsigned int c = 0; c < dim; ++c)
+      text << (c == 0 ? "" : ", ") << worst->velocity_cell->center()[c];
+    text << ") m";
+    place = text.str();
+  }
+  place = Utilities::MPI::broadcast(space.communicator, place, over_ranks.min_index);
+  throw StepFailure(
+      (step.finds_unloaded_shape ? "the unloaded shape is turned inside out "
+                                 : "the body is turned inside out ") +
+      place +
+      (step.finds_unloaded_shape
+           ? ": its volume is not positive there; more Steady/Load steps or a finer mesh help"
+           : ": the ratio of its volume to that at rest is not positive there; a smaller time "
+             "step, "
+             "loads that begin smoothly or a finer mesh help"));
+}
+
+template <int dim>
+void DeformationTerms<dim>::set_forces_of(const unsigned int region,
+                                          const BalancedStep &state,
+                                          NonlinearForces &forces)
+{
+  const auto kinds = SolidTerms::forces();
+  for (const auto kind : kinds)
+    if (kind != nullptr)
+      forces.*kind = 0.;
+  take(state);
+  for (const Cell &cell : cells.all())
+    if (cell.region == region)
+    {
+      here.visit(cell);
+      integrate(true);
+      for (std::size_t k = 0; k < kinds.size(); ++k)
+        if (kinds[k] != nullptr)
+          space.velocity_hanging.distribute_local_to_global(cell_forces[k], cell.velocity_indices,
+                                                            forces.*kinds[k]);
+    }
+  for (const auto kind : kinds)
+    if (kind != nullptr)
+      (forces.*kind).compress(VectorOperation::add);
+}
+
+template <int dim>
+NonlinearEnergy DeformationTerms<dim>::energy_at(const unsigned int q)
+{
+  const StrainLaw &law = *here.material().strain_law;
+  const double inverse_bulk_modulus = here.material().inverse_bulk_modulus();
+  const Point point = here.point(q, Stress::alone);
+  const double weight = here.cell().points[q].weight, rest_weight = weight * point.rest_ratio;
+  NonlinearEnergy energy;
+  energy.kinetic = weight * SolidInertia::energy(point);
+  energy.strain = rest_weight * law.energy(here.strain());
+  if (here.relaxes())
+    energy.strain +=
+        rest_weight * metrics->energy(here.cell().region, here.number(), q, here.strain());
+  if (law.has_own_mean_stress())
+  {
+    // The pressure is not -s at each point, but in the mean over its shape functions.
+    const double rest = point.mean_stress + point.pressure;
+    energy.strain -= weight * point.volume_ratio() * 0.5 * inverse_bulk_modulus * rest * rest;
+  }
+  // K (J ln J - J + 1) by the pressure, whose J is exp(-p/K).
+  const double log_ratio = -inverse_bulk_modulus * point.pressure;
+  if (inverse_bulk_modulus > 0. && !law.has_own_mean_stress())
+    energy.compressive = rest_weight * (log_ratio * std::exp(log_ratio) - std::expm1(log_ratio)) /
+                         inverse_bulk_modulus;
+  return energy;
+}
+
+template <int dim>
+NonlinearEnergy DeformationTerms<dim>::energy_of(const unsigned int region, const State &state)
+{
+  NonlinearEnergy energy;
+  take(state.velocity, state.pressure);
+  space.copy_velocity(state.history.displacement(), velocity_work, displacement);
+  pressure_rate = 0.;
+  for (const Cell &cell : cells.all())
+    if (cell.region == region)
+    {
+      here.visit(cell);
+      for (unsigned int q = 0; q < cells.n_points(); ++q)
+      {
+        const NonlinearEnergy of_point = energy_at(q);
+        energy.kinetic += of_point.kinetic;
+        energy.strain += of_point.strain;
+        energy.compressive += of_point.compressive;
+      }
+    }
+  return energy;
+}
+
+template <int dim>
+void DeformationTerms<dim>::set_load_changes(const Cell &cell)
+{
+  cell_load = 0.;
+  if (follower_pressure.has_face(cell.velocity_cell))
+    follower_pressure.add(cell.velocity_cell, step, here.displacement(), cell_load);
+  if (body_force.has_changes(cell.region))
+    body_force.add(cells, cell, cell.points, step, here.displacement(), cell_load);
+}
+
+template <int dim>
+void DeformationTerms<dim>::add_loads(const BalancedStep &state,
+                                      const std::optional<unsigned int> region,
+                                      DistributedVector &forces)
+{
+  take(state);
+  for (const Cell &cell : cells.all())
+    if ((!region || cell.region == *region) && has_load_changes(cell))
+    {
+      here.visit(cell);
+      set_load_changes(cell);
+      space.velocity_hanging.distribute_local_to_global(cell_load, cell.velocity_indices, forces);
+    }
+  forces.compress(VectorOperation::add);
+}
+
+template <int dim>
+void DeformationTerms<dim>::set_derivative(const Cell &cell, FullMatrix<double> &matrix)
+{
+  here.visit(cell);
+  for (unsigned int q = 0; q < cells.n_points(); ++q)
+  {
+    const Point point = here.point(q, Stress::with_tangent);
+    assembly.take_derivative(
+        q, here.inverse_jacobian(point, q), cell.points[q].weight, {},
+        [&point](const PointChange<dim> &of_unknowns, Tested<dim> &tested)
+        { SolidTerms::add_derivative(point, SolidChange<dim>(point, of_unknowns), tested); });
+  }
+  assembly.finish_matrix(matrix);
+  if (step.finds_unloaded_shape)
+    return;
+  const double b = here.displacement_by_velocity();
+  if (follower_pressure.has_face(cell.velocity_cell))
+    follower_pressure.subtract_derivative(cell.velocity_cell, step, here.displacement(), b, matrix);
+  if (body_force.has_changes(cell.region))
+    body_force.subtract_derivative(cells, cell, step, here.displacement(), b, matrix);
+}
+
+template class DeformationTerms<2>;
+template class DeformationTerms<3>;
+} // namespace Continua

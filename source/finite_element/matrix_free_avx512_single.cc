@@ -1,9 +1,0 @@
-// Sixteen cells at a time in single precision, in three dimensions: in two, direct solvers serve.
-#include <deal.II/base/config.h>
-#undef DEAL_II_VECTORIZATION_WIDTH_IN_BITS
-#define DEAL_II_VECTORIZATION_WIDTH_IN_BITS 512
-
-#include <continua/finite_element/matrix_free_wide.templates.h>
-
-CONTINUA_DEFINE_MATRIX_FREE_PRODUCT(matrix_free_product_avx512, 8)
-CONTINUA_INSTANTIATE_MATRIX_FREE_PRODUCT(matrix_free_product_avx512, 3, float)
