@@ -224,9 +224,10 @@ void ConvectiveTerms<dim>::set_forces_of(const unsigned int region,
                                          NonlinearForces &forces)
 {
   const auto kinds = StreamlineFlowTerms::forces();
-  for (DistributedVector *const part : {&forces.inertia, &forces.convection, &forces.stabilisation,
-                                        &forces.viscosity, &forces.compression, &forces.inflow})
-    *part = 0.;
+  for (const auto kind : kinds)
+    if (kind != nullptr)
+      forces.*kind = 0.;
+  forces.inflow = 0.;
   take(state);
   for (const Cell &cell : cells.all())
     if (cell.region == region)
@@ -240,9 +241,10 @@ void ConvectiveTerms<dim>::set_forces_of(const unsigned int region,
       space.velocity_hanging.distribute_local_to_global(cell_inflow, cell.velocity_indices,
                                                         forces.inflow);
     }
-  for (DistributedVector *const part : {&forces.inertia, &forces.convection, &forces.stabilisation,
-                                        &forces.viscosity, &forces.compression, &forces.inflow})
-    part->compress(VectorOperation::add);
+  for (const auto kind : kinds)
+    if (kind != nullptr)
+      (forces.*kind).compress(VectorOperation::add);
+  forces.inflow.compress(VectorOperation::add);
 }
 
 template <int dim>
