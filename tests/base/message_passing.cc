@@ -45,7 +45,9 @@ UNIT_TEST(message_passing)
   check::equal("alone: no folder that others share",
                value_of("OMPI_MCA_orte_create_session_dirs", {}), "0");
   check::equal("alone: no network", value_of(layer, {}), "self");
-  check::equal("alone: nobody to yield to", value_of(yields, {}), "-");
+  check::equal("alone: nobody to yield to", value_of(yields, {}), "0");
+  check::equal("alone: nobody to yield to, whatever is set", value_of(yields, {{yields, "1"}}),
+               "0");
   check::equal("what the user has set stays", value_of(layer, {{layer, "self,tcp"}}), "self,tcp");
   check::equal("a batch system's process", value_of(daemon, {{"PMI_RANK", "0"}}), "-");
 
