@@ -14,6 +14,18 @@ namespace Continua
 {
 using namespace dealii;
 
+namespace
+{
+/// Of all terms inside the cells, and of those at open ends.
+std::vector<DistributedVector NonlinearForces::*> kinds_of_flow()
+{
+  const auto kinds = StreamlineFlowTerms::forces();
+  std::vector<DistributedVector NonlinearForces::*> result(kinds.begin(), kinds.end());
+  result.push_back(&NonlinearForces::inflow);
+  return result;
+}
+} // namespace
+
 template <int dim>
 ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space,
                                       const Problem &problem,
@@ -23,22 +35,15 @@ ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space,
     : Base(space,
            problem,
            space.quadrature((3 * space.degree() + 2 + (space.is_axisymmetric() ? 1 : 0)) / 2),
-           RegionModel::flow),
+           RegionModel::flow,
+           kinds_of_flow()),
       inflow_terms(space, problem),
       streamline_terms(space, problem, quadrature),
       here(problem,
            cells,
            {velocity, acceleration, pressure, pressure_rate, mesh_displacement, mesh_velocity}),
-      assembly(cells),
-      product(space, problem, instruction_set),
-      follower_pressure(space, problem),
-      body_force(space, problem, quadrature)
+      product(space, problem, instruction_set)
 {
-  const unsigned int n_velocity = dim * cells.n_functions();
-  cell_inflow.reinit(n_velocity);
-  for (Vector<double> &forces : cell_forces)
-    forces.reinit(n_velocity);
-  cell_volume.reinit(cells.n_pressures());
 }
 
 template <int dim>
@@ -51,7 +56,6 @@ void ConvectiveTerms<dim>::reinit()
     return;
   for (DistributedVector *vector : {&mesh_displacement, &mesh_velocity})
     vector->reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
-  follower_pressure.reinit();
 }
 
 template <int dim>
@@ -133,7 +137,6 @@ double ConvectiveTerms<dim>::integrate(const bool by_term)
   double least_stiffening = 1.;
   for (Vector<double> &forces : cell_forces)
     forces = 0.;
-  cell_inflow = 0.;
   cell_volume = 0.;
   for (unsigned int q = 0; q < cells.n_points(); ++q)
   {
@@ -142,30 +145,16 @@ double ConvectiveTerms<dim>::integrate(const bool by_term)
     least_stiffening = std::min(least_stiffening, law.stiffening(at_point.pressure));
     if (streamline_terms.are_on())
       streamline_terms.set_point(q, here.state(), at_point);
-    Tested<dim> sum;
-    if (by_term)
-    {
-      unsigned int number = 0;
-      StreamlineFlowTerms::for_each(
-          [&](const auto term)
-          {
-            Tested<dim> tested;
-            term.add(at_point, tested);
-            assembly.add_momentum(q, geometry.inverse_jacobian, geometry.weight, tested,
-                                  cell_forces[number++]);
-          });
-    }
+    if (streamline_terms.are_on())
+      Base::template add_terms<StreamlineFlowTerms>(q, geometry.inverse_jacobian, geometry.weight,
+                                                    at_point, by_term);
     else
-    {
-      FlowTerms::add(at_point, sum);
-      if (streamline_terms.are_on())
-        Streamline::add(at_point, sum);
-      assembly.add_momentum(q, geometry.inverse_jacobian, geometry.weight, sum, cell_forces[0]);
-      assembly.add_volume(q, geometry.weight, sum, cell_volume);
-    }
+      Base::template add_terms<FlowTerms>(q, geometry.inverse_jacobian, geometry.weight, at_point,
+                                          by_term);
   }
   if (inflow_terms.has_face(here.cell().pressure_cell))
-    inflow_terms.add(here.cell().pressure_cell, here.state(), cell_inflow);
+    inflow_terms.add(here.cell().pressure_cell, here.state(),
+                     by_term ? cell_forces.back() : cell_forces[0]);
   return least_stiffening;
 }
 
@@ -186,15 +175,7 @@ void ConvectiveTerms<dim>::add(const BalancedStep &state,
       least_stiffening = stiffening;
       softest = cell.region;
     }
-    Vector<double> &sum = cell_forces[0];
-    sum += cell_inflow;
-    if (has_load_changes(cell))
-    {
-      set_load_changes(cell);
-      sum -= cell_inflow;
-    }
-    space.velocity_hanging.distribute_local_to_global(sum, cell.velocity_indices, momentum);
-    space.pressure_hanging.distribute_local_to_global(cell_volume, cell.pressure_indices, volume);
+    Base::distribute(cell, momentum, volume);
   }
   momentum.compress(VectorOperation::add);
   volume.compress(VectorOperation::add);
@@ -216,70 +197,6 @@ void ConvectiveTerms<dim>::refuse_softening(const double least_stiffening,
                 problem.materials[softest].volume_law().exponent)
        << " Pa; use smaller loads, or Volume exponent = 0";
   throw StepFailure(text.str());
-}
-
-template <int dim>
-void ConvectiveTerms<dim>::set_forces_of(const unsigned int region,
-                                         const BalancedStep &state,
-                                         NonlinearForces &forces)
-{
-  const auto kinds = StreamlineFlowTerms::forces();
-  for (const auto kind : kinds)
-    if (kind != nullptr)
-      forces.*kind = 0.;
-  forces.inflow = 0.;
-  take(state);
-  for (const Cell &cell : cells.all())
-    if (cell.region == region)
-    {
-      here.visit(cell);
-      integrate(true);
-      for (std::size_t k = 0; k < kinds.size(); ++k)
-        if (kinds[k] != nullptr)
-          space.velocity_hanging.distribute_local_to_global(cell_forces[k], cell.velocity_indices,
-                                                            forces.*kinds[k]);
-      space.velocity_hanging.distribute_local_to_global(cell_inflow, cell.velocity_indices,
-                                                        forces.inflow);
-    }
-  for (const auto kind : kinds)
-    if (kind != nullptr)
-      (forces.*kind).compress(VectorOperation::add);
-  forces.inflow.compress(VectorOperation::add);
-}
-
-template <int dim>
-bool ConvectiveTerms<dim>::has_load_changes(const Cell &cell) const
-{
-  return problem.mesh_moves &&
-         (body_force.has_changes(cell.region) || follower_pressure.has_face(cell.velocity_cell));
-}
-
-template <int dim>
-void ConvectiveTerms<dim>::set_load_changes(const Cell &cell)
-{
-  cell_inflow = 0.;
-  if (follower_pressure.has_face(cell.velocity_cell))
-    follower_pressure.add(cell.velocity_cell, step, here.mesh_displacement(), cell_inflow);
-  if (body_force.has_changes(cell.region))
-    body_force.add(cells, cell, here.points(), step, here.mesh_displacement(), cell_inflow);
-}
-
-template <int dim>
-void ConvectiveTerms<dim>::add_loads(const BalancedStep &state,
-                                     const std::optional<unsigned int> region,
-                                     DistributedVector &forces)
-{
-  if (!problem.mesh_moves)
-    return;
-  take(state);
-  for (const Cell &cell : cells.all())
-    if ((!region || cell.region == *region) && has_load_changes(cell))
-    {
-      here.visit(cell);
-      set_load_changes(cell);
-      space.velocity_hanging.distribute_local_to_global(cell_inflow, cell.velocity_indices, forces);
-    }
-  forces.compress(VectorOperation::add);
 }
 
 template <int dim>

@@ -5,7 +5,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -18,6 +17,12 @@ namespace
 {
 /// Of the terms of a stress at rest, which cancel: what of them a residual keeps is far below.
 constexpr double share_of_rest = 0.1;
+
+std::vector<DistributedVector NonlinearForces::*> kinds_of_solids()
+{
+  const auto kinds = SolidTerms::forces();
+  return {kinds.begin(), kinds.end()};
+}
 } // namespace
 
 template <int dim>
@@ -25,25 +30,20 @@ DeformationTerms<dim>::DeformationTerms(const Space<dim> &space,
                                         const Problem &problem,
                                         MetricHistory<dim> *const metrics)
     // As the linear stress, to which the terms come close where the deformation is small.
-    : Base(
-          space, problem, space.quadrature(space.n_quadrature_points()), RegionModel::finite_solid),
+    : Base(space,
+           problem,
+           space.quadrature(space.n_quadrature_points()),
+           RegionModel::finite_solid,
+           kinds_of_solids()),
       rest_states(space, problem, quadrature, cells),
       here(problem,
            cells,
            rest_states,
            metrics,
            {velocity, displacement, acceleration, pressure, pressure_rate}),
-      assembly(cells),
       metrics(metrics),
-      heat(problem.regions.size(), 0.),
-      follower_pressure(space, problem),
-      body_force(space, problem, quadrature)
+      heat(problem.regions.size(), 0.)
 {
-  const unsigned int n_velocity = dim * cells.n_functions();
-  cell_load.reinit(n_velocity);
-  for (Vector<double> &forces : cell_forces)
-    forces.reinit(n_velocity);
-  cell_volume.reinit(cells.n_pressures());
 }
 
 template <int dim>
@@ -53,7 +53,6 @@ void DeformationTerms<dim>::reinit()
   displacement.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
   pressure_rate.reinit(space.pressure_owned, space.pressure_relevant, space.communicator);
   acceleration.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
-  follower_pressure.reinit();
   rest_states.reinit();
 }
 
@@ -151,24 +150,8 @@ double DeformationTerms<dim>::integrate(const bool by_term)
       continue;
     sizes.stress = std::max(sizes.stress,
                             point.stress.norm() + std::abs(point.volume_ratio() * point.pressure));
-    const double weight = here.cell().points[q].weight;
-    const Tensor<2, dim> jacobian = here.inverse_jacobian(point, q);
-    if (by_term)
-    {
-      unsigned int number = 0;
-      SolidTerms::for_each(
-          [&](const auto term)
-          {
-            Tested<dim> tested;
-            term.add(point, tested);
-            assembly.add_momentum(q, jacobian, weight, tested, cell_forces[number++]);
-          });
-      continue;
-    }
-    Tested<dim> sum;
-    SolidTerms::add(point, sum);
-    assembly.add_momentum(q, jacobian, weight, sum, cell_forces[0]);
-    assembly.add_volume(q, weight, sum, cell_volume);
+    Base::template add_terms<SolidTerms>(q, here.inverse_jacobian(point, q),
+                                         here.cell().points[q].weight, point, by_term);
   }
   return least_ratio;
 }
@@ -201,14 +184,7 @@ void DeformationTerms<dim>::add(const BalancedStep &state,
       least_ratio = ratio;
       worst = &cell;
     }
-    Vector<double> &sum = cell_forces[0];
-    if (has_load_changes(cell))
-    {
-      set_load_changes(cell);
-      sum -= cell_load;
-    }
-    space.velocity_hanging.distribute_local_to_global(sum, cell.velocity_indices, momentum);
-    space.pressure_hanging.distribute_local_to_global(cell_volume, cell.pressure_indices, volume);
+    Base::distribute(cell, momentum, volume);
   }
   momentum.compress(VectorOperation::add);
   volume.compress(VectorOperation::add);
@@ -249,31 +225,6 @@ void DeformationTerms<dim>::refuse_inversion(const double least_ratio,
            : ": the ratio of its volume to that at rest is not positive there; a smaller time "
              "step, "
              "loads that begin smoothly or a finer mesh help"));
-}
-
-template <int dim>
-void DeformationTerms<dim>::set_forces_of(const unsigned int region,
-                                          const BalancedStep &state,
-                                          NonlinearForces &forces)
-{
-  const auto kinds = SolidTerms::forces();
-  for (const auto kind : kinds)
-    if (kind != nullptr)
-      forces.*kind = 0.;
-  take(state);
-  for (const Cell &cell : cells.all())
-    if (cell.region == region)
-    {
-      here.visit(cell);
-      integrate(true);
-      for (std::size_t k = 0; k < kinds.size(); ++k)
-        if (kinds[k] != nullptr)
-          space.velocity_hanging.distribute_local_to_global(cell_forces[k], cell.velocity_indices,
-                                                            forces.*kinds[k]);
-    }
-  for (const auto kind : kinds)
-    if (kind != nullptr)
-      (forces.*kind).compress(VectorOperation::add);
 }
 
 template <int dim>
@@ -323,32 +274,6 @@ NonlinearEnergy DeformationTerms<dim>::energy_of(const unsigned int region, cons
       }
     }
   return energy;
-}
-
-template <int dim>
-void DeformationTerms<dim>::set_load_changes(const Cell &cell)
-{
-  cell_load = 0.;
-  if (follower_pressure.has_face(cell.velocity_cell))
-    follower_pressure.add(cell.velocity_cell, step, here.displacement(), cell_load);
-  if (body_force.has_changes(cell.region))
-    body_force.add(cells, cell, cell.points, step, here.displacement(), cell_load);
-}
-
-template <int dim>
-void DeformationTerms<dim>::add_loads(const BalancedStep &state,
-                                      const std::optional<unsigned int> region,
-                                      DistributedVector &forces)
-{
-  take(state);
-  for (const Cell &cell : cells.all())
-    if ((!region || cell.region == *region) && has_load_changes(cell))
-    {
-      here.visit(cell);
-      set_load_changes(cell);
-      space.velocity_hanging.distribute_local_to_global(cell_load, cell.velocity_indices, forces);
-    }
-  forces.compress(VectorOperation::add);
 }
 
 template <int dim>

@@ -30,18 +30,28 @@ template <int dim>
 NonlinearCellTerms<dim>::NonlinearCellTerms(const Space<dim> &space,
                                             const Problem &problem,
                                             const Quadrature<dim> &quadrature,
-                                            const RegionModel model)
+                                            const RegionModel model,
+                                            const std::vector<ForceKind> &kinds)
     : space(space),
       problem(problem),
       model(model),
       quadrature(quadrature),
-      cells(space, problem, quadrature, model)
+      cells(space, problem, quadrature, model),
+      assembly(cells),
+      follower_pressure(space, problem),
+      body_force(space, problem, quadrature),
+      cell_forces(kinds.size()),
+      kinds(kinds)
 {
   const unsigned int n_velocity = dim * cells.n_functions(), n_pressure = cells.n_pressures();
   for (Vector<double> *vector : {&cell_change, &cell_product})
     vector->reinit(n_velocity + n_pressure);
-  cell_momentum.reinit(n_velocity);
-  cell_volume.reinit(n_pressure);
+  for (Vector<double> &forces : cell_forces)
+    forces.reinit(n_velocity);
+  for (Vector<double> *vector : {&cell_momentum, &cell_load})
+    vector->reinit(n_velocity);
+  for (Vector<double> *vector : {&cell_volume, &product_of_volume})
+    vector->reinit(n_pressure);
 }
 
 template <int dim>
@@ -53,6 +63,8 @@ void NonlinearCellTerms<dim>::reinit()
   pressure_work = space.pressure_vector();
   forget_derivative();
   cells.reinit();
+  if (loads_move())
+    follower_pressure.reinit();
 }
 
 template <int dim>
@@ -61,6 +73,73 @@ void NonlinearCellTerms<dim>::take(const DistributedVector &of_velocity,
 {
   space.copy_velocity(of_velocity, velocity_work, velocity);
   space.copy_pressure(of_pressure, pressure_work, pressure);
+}
+
+template <int dim>
+void NonlinearCellTerms<dim>::distribute(const Cell &cell,
+                                         DistributedVector &momentum,
+                                         DistributedVector &volume)
+{
+  Vector<double> &sum = cell_forces[0];
+  if (has_load_changes(cell))
+  {
+    set_load_changes(cell);
+    sum -= cell_load;
+  }
+  space.velocity_hanging.distribute_local_to_global(sum, cell.velocity_indices, momentum);
+  space.pressure_hanging.distribute_local_to_global(cell_volume, cell.pressure_indices, volume);
+}
+
+template <int dim>
+void NonlinearCellTerms<dim>::set_forces_of(const unsigned int region,
+                                            const BalancedStep &state,
+                                            NonlinearForces &forces)
+{
+  for (const ForceKind kind : kinds)
+    if (kind != nullptr)
+      forces.*kind = 0.;
+  take(state);
+  for (const Cell &cell : cells.all())
+    if (cell.region == region)
+    {
+      visit(cell);
+      integrate(true);
+      for (std::size_t k = 0; k < kinds.size(); ++k)
+        if (kinds[k] != nullptr)
+          space.velocity_hanging.distribute_local_to_global(cell_forces[k], cell.velocity_indices,
+                                                            forces.*kinds[k]);
+    }
+  for (const ForceKind kind : kinds)
+    if (kind != nullptr)
+      (forces.*kind).compress(VectorOperation::add);
+}
+
+template <int dim>
+void NonlinearCellTerms<dim>::set_load_changes(const Cell &cell)
+{
+  cell_load = 0.;
+  if (follower_pressure.has_face(cell.velocity_cell))
+    follower_pressure.add(cell.velocity_cell, step, displacement_of_cell(), cell_load);
+  if (body_force.has_changes(cell.region))
+    body_force.add(cells, cell, points_of_cell(), step, displacement_of_cell(), cell_load);
+}
+
+template <int dim>
+void NonlinearCellTerms<dim>::add_loads(const BalancedStep &state,
+                                        const std::optional<unsigned int> region,
+                                        DistributedVector &forces)
+{
+  if (!loads_move())
+    return;
+  take(state);
+  for (const Cell &cell : cells.all())
+    if ((!region || cell.region == *region) && has_load_changes(cell))
+    {
+      visit(cell);
+      set_load_changes(cell);
+      space.velocity_hanging.distribute_local_to_global(cell_load, cell.velocity_indices, forces);
+    }
+  forces.compress(VectorOperation::add);
 }
 
 template <int dim>
@@ -104,11 +183,11 @@ void NonlinearCellTerms<dim>::add_products_with(const DistributedVector &local_v
                                  DistributedVector &pressures)
   {
     std::copy_n(cell_product.begin(), cell_momentum.size(), cell_momentum.begin());
-    for (unsigned int k = 0; k < cell_volume.size(); ++k)
-      cell_volume[k] = sign * cell_product[cell_momentum.size() + k];
+    for (unsigned int k = 0; k < product_of_volume.size(); ++k)
+      product_of_volume[k] = sign * cell_product[cell_momentum.size() + k];
     space.velocity_hanging.distribute_local_to_global(cell_momentum, cell.velocity_indices,
                                                       velocities);
-    space.pressure_hanging.distribute_local_to_global(cell_volume, cell.pressure_indices,
+    space.pressure_hanging.distribute_local_to_global(product_of_volume, cell.pressure_indices,
                                                       pressures);
   };
   for (const Cell &cell : cells.all())
@@ -162,10 +241,11 @@ void NonlinearCellTerms<dim>::add_derivative_product(const DistributedVector &of
     for (unsigned int i = 0; i < n_velocity; ++i)
       cell_momentum[i] = cell_product[i];
     for (unsigned int i = 0; i < n_pressure; ++i)
-      cell_volume[i] = -cell_product[n_velocity + i];
+      product_of_volume[i] = -cell_product[n_velocity + i];
     space.velocity_hanging.distribute_local_to_global(cell_momentum, cell.velocity_indices,
                                                       momentum);
-    space.pressure_hanging.distribute_local_to_global(cell_volume, cell.pressure_indices, volume);
+    space.pressure_hanging.distribute_local_to_global(product_of_volume, cell.pressure_indices,
+                                                      volume);
   }
   momentum.compress(VectorOperation::add);
   volume.compress(VectorOperation::add);

@@ -5,21 +5,17 @@
 #include <continua/continuum/balanced_step.h>
 #include <continua/continuum/nonlinear_terms.h>
 #include <continua/continuum/problem.h>
-#include <continua/finite_element/assembly/cell_assembly.h>
 #include <continua/finite_element/assembly/flow_cell.h>
 #include <continua/finite_element/assembly/flow_product.h>
-#include <continua/finite_element/terms/follower_pressure.h>
-#include <continua/finite_element/terms/inflow_terms.h>
-#include <continua/finite_element/terms/moved_body_force.h>
 #include <continua/finite_element/assembly/nonlinear_cell_terms.h>
 #include <continua/finite_element/space/space.h>
-#include <continua/finite_element/terms/streamline_terms.h>
 #include <continua/finite_element/terms/flow_terms.h>
+#include <continua/finite_element/terms/inflow_terms.h>
+#include <continua/finite_element/terms/streamline_terms.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -56,17 +52,12 @@ public:
   /// Throws StepFailure where the exponent leaves a bulk modulus that is not positive.
   void
   add(const BalancedStep &state, DistributedVector &momentum, DistributedVector &volume) override;
-  void
-  set_forces_of(unsigned int region, const BalancedStep &state, NonlinearForces &forces) override;
   /// With the density and the compressibility that follow the pressure.
   NonlinearEnergy energy_of(unsigned int region, const State &state) override;
   void keep_derivative(const BalancedStep &state,
                        KeptDerivative form = KeptDerivative::matrices) override;
   std::vector<double> grad_div_viscosities(const BalancedStep &state) override;
   void forget_derivative() override;
-  void add_loads(const BalancedStep &state,
-                 std::optional<unsigned int> region,
-                 DistributedVector &forces) override;
   void add_derivative_product(const DistributedVector &of_velocity,
                               const DistributedVector &of_pressure,
                               DistributedVector &momentum,
@@ -74,7 +65,11 @@ public:
 
 private:
   using Base = NonlinearCellTerms<dim>;
+  using Base::assembly;
+  using Base::cell_forces;
+  using Base::cell_volume;
   using Base::cells;
+  using Base::follower_pressure;
   using Base::pressure;
   using Base::pressure_work;
   using Base::problem;
@@ -90,16 +85,10 @@ private:
   InflowTerms<dim> inflow_terms;
   StreamlineTerms<dim> streamline_terms;
   FlowCell<dim> here; ///< the state in the present cell
-  CellAssembly<dim> assembly;
   FlowProduct<dim> product;
   // Of the state, with ghost entries.
   DistributedVector acceleration, pressure_rate;
   DistributedVector mesh_displacement, mesh_velocity; ///< empty where the mesh stays
-  FollowerPressure<dim> follower_pressure;            ///< likewise without faces
-  MovedBodyForce<dim> body_force;
-  dealii::Vector<double> cell_volume, cell_inflow; ///< rows of the present cell
-  /// Of each of the StreamlineFlowTerms, or their sum in the first one.
-  std::array<dealii::Vector<double>, StreamlineFlowTerms::size> cell_forces;
 
   void take(const BalancedStep &state) override;
   void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix) override;
@@ -111,13 +100,15 @@ private:
   {
     return !product.exists() || inflow_terms.has_face(cell.pressure_cell);
   }
-  /// Whether the loads on a cell change as it moves.
-  bool has_load_changes(const Cell &cell) const;
-  /// Sets cell_inflow to these loads less those of the body at rest; the cell is the present one.
-  void set_load_changes(const Cell &cell);
-  /// Sets the rows of the present cell: cell_volume, cell_inflow, and cell_forces by term, or their
-  /// sum in the first one. The least of VolumeLaw::stiffening().
-  double integrate(bool by_term);
+  void visit(const Cell &cell) override { here.visit(cell); }
+  /// The least of VolumeLaw::stiffening().
+  double integrate(bool by_term) override;
+  const dealii::Vector<double> &displacement_of_cell() const override
+  {
+    return here.mesh_displacement();
+  }
+  const std::vector<typename Cell::Point> &points_of_cell() const override { return here.points(); }
+  bool loads_move() const override { return problem.mesh_moves; }
   /// Throws StepFailure where the least of VolumeLaw::stiffening() is not positive. Collective.
   void refuse_softening(double least_stiffening, unsigned int softest) const;
 };

@@ -1,19 +1,15 @@
 #ifndef continua_finite_element_assembly_deformation_terms_h
 #define continua_finite_element_assembly_deformation_terms_h
 
-#include <continua/finite_element/assembly/cell_assembly.h>
+#include <continua/finite_element/assembly/metric_history.h>
+#include <continua/finite_element/assembly/nonlinear_cell_terms.h>
 #include <continua/finite_element/assembly/rest_states.h>
 #include <continua/finite_element/assembly/solid_cell.h>
-#include <continua/finite_element/terms/follower_pressure.h>
-#include <continua/finite_element/assembly/metric_history.h>
-#include <continua/finite_element/terms/moved_body_force.h>
-#include <continua/finite_element/assembly/nonlinear_cell_terms.h>
 #include <continua/finite_element/terms/solid_terms.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
-#include <array>
 #include <vector>
 
 namespace Continua
@@ -49,13 +45,8 @@ public:
   /// Throws StepFailure where the body is turned inside out.
   void
   add(const BalancedStep &state, DistributedVector &momentum, DistributedVector &volume) override;
-  void
-  set_forces_of(unsigned int region, const BalancedStep &state, NonlinearForces &forces) override;
   /// By the law, and of the pressure K (J ln J - J + 1) with J = exp(-p/K), per reference volume.
   NonlinearEnergy energy_of(unsigned int region, const State &state) override;
-  void add_loads(const BalancedStep &state,
-                 std::optional<unsigned int> region,
-                 DistributedVector &forces) override;
   void start_from(const DistributedVector &displacement) override;
   void visit_state(StateVisitor &visitor) override { rest_states.visit_state(visitor); }
   void take_own_state() override { rest_states.take_state(); }
@@ -74,7 +65,12 @@ public:
 
 private:
   using Base = NonlinearCellTerms<dim>;
+  using Base::assembly;
+  using Base::body_force;
+  using Base::cell_forces;
+  using Base::cell_volume;
   using Base::cells;
+  using Base::follower_pressure;
   using Base::pressure;
   using Base::problem;
   using Base::quadrature;
@@ -91,17 +87,11 @@ private:
 
   RestStates<dim> rest_states;
   SolidCell<dim> here; ///< the state in the present cell
-  CellAssembly<dim> assembly;
   MetricHistory<dim> *const metrics;
   std::vector<double> heat; ///< relaxation_power() by region
-  FollowerPressure<dim> follower_pressure;
-  MovedBodyForce<dim> body_force;
   // Of the state, with ghost entries.
   DistributedVector displacement, pressure_rate, acceleration;
   Sizes sizes;
-  dealii::Vector<double> cell_volume, cell_load; ///< rows of the present cell
-  /// Of each of the SolidTerms, or their sum in the first one.
-  std::array<dealii::Vector<double>, SolidTerms::size> cell_forces;
 
   void take(const BalancedStep &state) override;
   void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix) override;
@@ -109,16 +99,17 @@ private:
   /// Calls visit(q, point) at each point of the cells that relax, by this displacement.
   template <typename Visit>
   void visit_relaxing_points(const DistributedVector &of_displacement, const Visit &visit_point);
-  /// Whether the loads on a cell change as it moves.
-  bool has_load_changes(const Cell &cell) const
+  void visit(const Cell &cell) override { here.visit(cell); }
+  /// The least volume ratio.
+  double integrate(bool by_term) override;
+  const dealii::Vector<double> &displacement_of_cell() const override
   {
-    return follower_pressure.has_face(cell.velocity_cell) || body_force.has_changes(cell.region);
+    return here.displacement();
   }
-  /// Sets cell_load to these loads less those of the body at rest; the cell is the present one.
-  void set_load_changes(const Cell &cell);
-  /// Sets the rows of the present cell without its loads: cell_volume, and cell_forces by term, or
-  /// their sum in the first one. The least volume ratio.
-  double integrate(bool by_term);
+  const std::vector<typename Cell::Point> &points_of_cell() const override
+  {
+    return here.cell().points;
+  }
   NonlinearEnergy energy_at(unsigned int q);
   /// Throws StepFailure where a volume ratio of some rank is not positive. Collective.
   void refuse_inversion(double least_ratio, const Cell *worst) const;

@@ -6,8 +6,12 @@
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state.h>
 #include <continua/continuum/state_visitor.h>
+#include <continua/finite_element/assembly/cell_assembly.h>
 #include <continua/finite_element/space/quadrature_cells.h>
 #include <continua/finite_element/space/space.h>
+#include <continua/finite_element/terms/follower_pressure.h>
+#include <continua/finite_element/terms/moved_body_force.h>
+#include <continua/finite_element/terms/tested.h>
 #include <continua/linear_algebra/entry_sums.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -36,11 +40,15 @@ template <int dim>
 class NonlinearCellTerms
 {
 public:
-  /// The first two must outlive it.
+  /// The kind of force of a term; null: it is no force.
+  using ForceKind = DistributedVector NonlinearForces::*;
+
+  /// The first two must outlive it. `kinds`: of what integrate() gives, in its order.
   NonlinearCellTerms(const Space<dim> &space,
                      const Problem &problem,
                      const dealii::Quadrature<dim> &quadrature,
-                     RegionModel model);
+                     RegionModel model,
+                     const std::vector<ForceKind> &kinds);
   virtual ~NonlinearCellTerms() = default;
 
   /// Whether they are those of a region.
@@ -54,13 +62,14 @@ public:
   virtual void
   add(const BalancedStep &state, DistributedVector &momentum, DistributedVector &volume) = 0;
   /// The terms of momentum of one region alone, by kind [N]. Collective.
-  virtual void
-  set_forces_of(unsigned int region, const BalancedStep &state, NonlinearForces &forces) = 0;
+  void set_forces_of(unsigned int region, const BalancedStep &state, NonlinearForces &forces);
   /// This rank's part of the energies of one region. Collective.
   virtual NonlinearEnergy energy_of(unsigned int region, const State &state) = 0;
   /// Adds what the loads of the step have besides those on the body at rest [N], of one region or
   /// of all. Collective.
-  virtual void add_loads(const BalancedStep &, std::optional<unsigned int>, DistributedVector &) {}
+  void add_loads(const BalancedStep &state,
+                 std::optional<unsigned int> region,
+                 DistributedVector &forces);
   /// The state of t = 0 was set. Collective.
   virtual void start_from(const DistributedVector & /*displacement*/) {}
   /// Hands over the terms' own part of the state.
@@ -128,9 +137,24 @@ protected:
   Step step; ///< of the state that was taken
   // The velocity and the pressure with ghost entries, and work space.
   DistributedVector velocity, pressure, velocity_work, pressure_work;
+  CellAssembly<dim> assembly;
+  FollowerPressure<dim> follower_pressure; ///< without faces where the loads stay
+  MovedBodyForce<dim> body_force;
+  // Rows of the cell that was visited last: of momentum by term, or their sum in the first one.
+  std::vector<dealii::Vector<double>> cell_forces;
+  dealii::Vector<double> cell_volume;
 
   /// Takes a state, with ghost entries.
   virtual void take(const BalancedStep &state) = 0;
+  /// Makes the state that was taken that of a cell.
+  virtual void visit(const Cell &cell) = 0;
+  /// Sets cell_volume and cell_forces, without loads. The least of what must stay positive.
+  virtual double integrate(bool by_term) = 0;
+  /// Where the loads of that cell act: its displacement at the dofs [m], and its points.
+  virtual const dealii::Vector<double> &displacement_of_cell() const = 0;
+  virtual const std::vector<typename Cell::Point> &points_of_cell() const = 0;
+  /// Whether loads follow the body or the mesh.
+  virtual bool loads_move() const { return true; }
   /// The derivative of the rows of a cell at the state that was taken, velocities first, rows of
   /// volume times -1.
   virtual void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix) = 0;
@@ -141,12 +165,49 @@ protected:
   virtual bool needs_matrix(const Cell & /*cell*/) const { return true; }
 
   void take(const DistributedVector &of_velocity, const DistributedVector &of_pressure);
+  /// Adds what a list of terms gives at a point, times its weight, to cell_forces and cell_volume.
+  template <typename List, typename Point>
+  void add_terms(const unsigned int q,
+                 const dealii::Tensor<2, dim> &inverse_jacobian,
+                 const double weight,
+                 const Point &point,
+                 const bool by_term)
+  {
+    if (by_term)
+    {
+      unsigned int number = 0;
+      List::for_each(
+          [&](const auto term)
+          {
+            Tested<dim> tested;
+            term.add(point, tested);
+            assembly.add_momentum(q, inverse_jacobian, weight, tested, cell_forces[number++]);
+          });
+      return;
+    }
+    Tested<dim> sum;
+    List::add(point, sum);
+    assembly.add_momentum(q, inverse_jacobian, weight, sum, cell_forces[0]);
+    assembly.add_volume(q, weight, sum, cell_volume);
+  }
+  /// Adds the rows of a cell, which are set, less what its loads have besides those at rest.
+  void distribute(const Cell &cell, DistributedVector &momentum, DistributedVector &volume);
 
 private:
+  const std::vector<ForceKind> kinds;
   /// The kept derivative of each cell that needs one, and work space for its product. In single
   /// precision the round-off of rigid motions would be as large as the stiffness of thin bodies.
   std::vector<dealii::FullMatrix<double>> cell_derivatives;
-  dealii::Vector<double> cell_change, cell_product, cell_momentum, cell_volume;
+  dealii::Vector<double> cell_change, cell_product, cell_momentum, product_of_volume, cell_load;
+
+  /// Whether the loads on a cell change as it moves.
+  bool has_load_changes(const Cell &cell) const
+  {
+    return loads_move() &&
+           (follower_pressure.has_face(cell.velocity_cell) || body_force.has_changes(cell.region));
+  }
+  /// Sets cell_load to these loads less those of the body at rest, of the cell that was visited.
+  void set_load_changes(const Cell &cell);
 };
 
 /// One of them for each model of a region that the problem has and that is not linear.
