@@ -56,8 +56,9 @@ void prepare_message_passing()
     // A single rank sends to itself at most.
     set_default("OMPI_MCA_pml", "ob1");
     set_default("OMPI_MCA_btl", "self");
-    // It waits for nobody. Each look of MUMPS for messages would yield, also to work of low priority: beside two
-    // such processes a run of 7 s took 72 s (Linux 6.18; findings/mumps-solve-yields.sh).
+    // It waits for nobody. Each look of MUMPS for messages would yield, also to work of low
+    // priority: beside two such processes a run of 7 s took 72 s (Linux 6.18;
+    // findings/mumps-solve-yields.sh).
     ::setenv("OMPI_MCA_mpi_yield_when_idle", "0", 1);
     // Which devices the machine has is of no use here.
     set_default("HWLOC_COMPONENTS", "-linuxio,-pci,-opencl,-cuda,-nvml,-gl");
