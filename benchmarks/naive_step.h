@@ -3,8 +3,8 @@
 
 #include <continua/finite_element/conditions/boundary_constraints.h>
 #include <continua/finite_element/products/region_operators.h>
-#include <continua/finite_element/space/space.h>
 #include <continua/finite_element/solvers/step_system.h>
+#include <continua/finite_element/space/space.h>
 
 #include <deal.II/lac/sparse_direct.h>
 #include <deal.II/lac/sparse_matrix.h>

@@ -3,11 +3,11 @@
 #include <continua/base/interruption.h>
 #include <continua/finite_element/assembly/initial_state.h>
 #include <continua/finite_element/looking/kelly_indicator.h>
-#include <continua/finite_element/products/matrix_free_regions.h>
-#include <continua/finite_element/space/place_of_entry.h>
-#include <continua/finite_element/products/supports.h>
-#include <continua/finite_element/taylor_hood_vibration.h>
 #include <continua/finite_element/looking/traction_jump.h>
+#include <continua/finite_element/products/matrix_free_regions.h>
+#include <continua/finite_element/products/supports.h>
+#include <continua/finite_element/space/place_of_entry.h>
+#include <continua/finite_element/taylor_hood_vibration.h>
 
 namespace Continua
 {

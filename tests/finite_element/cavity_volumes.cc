@@ -2,8 +2,8 @@
 // affine motions; their derivative against differences; the power of a pressure is that of the
 // volume where the motion keeps the planes that close the surface; on hanging nodes, in all models.
 
-#include <continua/finite_element/conditions/cavity_volumes.h>
 #include <continua/finite_element/assembly/deformation_terms.h>
+#include <continua/finite_element/conditions/cavity_volumes.h>
 #include <continua/materials/strain_law_types.h>
 
 #include <deal.II/base/mpi.h>

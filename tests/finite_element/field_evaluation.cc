@@ -2,8 +2,8 @@
 // nodes, at corners of cells and on either side of an interface.
 
 #include <continua/finite_element/looking/field_evaluation.h>
-#include <continua/finite_element/products/region_operators.h>
 #include <continua/finite_element/looking/traction_jump.h>
+#include <continua/finite_element/products/region_operators.h>
 
 #include "../unit_test.h"
 #include "small_problem.h"

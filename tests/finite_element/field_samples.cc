@@ -3,8 +3,8 @@
 
 #include <continua/finite_element/looking/field_evaluation.h>
 #include <continua/finite_element/looking/kelly_indicator.h>
-#include <continua/finite_element/products/region_operators.h>
 #include <continua/finite_element/looking/traction_jump.h>
+#include <continua/finite_element/products/region_operators.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/mapping_q_eulerian.h>

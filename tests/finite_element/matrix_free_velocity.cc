@@ -3,11 +3,11 @@
 // coefficients differ by 1e7; with every instruction set of the processor, of which `automatic`
 // takes the widest. Then the relaxation against its polynomial with the assembled matrix.
 
+#include <continua/finite_element/products/matrix_free_regions.h>
+#include <continua/finite_element/products/supports.h>
 #include <continua/finite_element/solvers/chebyshev_relaxation.h>
 #include <continua/finite_element/solvers/condensed_system.h>
-#include <continua/finite_element/products/matrix_free_regions.h>
 #include <continua/finite_element/solvers/matrix_free_velocity.h>
-#include <continua/finite_element/products/supports.h>
 #include <continua/linear_algebra/matrix_operator.h>
 
 #include "../parameter_text.h"

@@ -3,9 +3,9 @@
 // the cycle: symmetric, and it leaves less than 0.6 of an error where the cells are cubes. Hanging
 // nodes, inclined and curved rollers, supports, two regions of which both or one are stiff.
 
+#include <continua/finite_element/products/supports.h>
 #include <continua/finite_element/solvers/condensed_system.h>
 #include <continua/finite_element/solvers/polynomial_multigrid.h>
-#include <continua/finite_element/products/supports.h>
 #include <continua/linear_algebra/matrix_product.h>
 
 #include "../unit_test.h"

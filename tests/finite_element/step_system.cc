@@ -1,8 +1,8 @@
 // The system of a step solved for a known velocity and pressure, on hanging nodes, with an inclined
 // roller and an inclined support; and the factor's life.
 
-#include <continua/finite_element/solvers/step_system.h>
 #include <continua/finite_element/products/supports.h>
+#include <continua/finite_element/solvers/step_system.h>
 
 #include "../parameter_text.h"
 #include "../unit_test.h"

@@ -1,8 +1,8 @@
 // The wall shear stress at the nodes of a liquid's walls: boundaries and a solid, with hanging
 // nodes.
 
-#include <continua/finite_element/products/region_operators.h>
 #include <continua/finite_element/looking/wall_shear_stress.h>
+#include <continua/finite_element/products/region_operators.h>
 
 #include "../unit_test.h"
 #include "small_problem.h"

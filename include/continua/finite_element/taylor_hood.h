@@ -5,20 +5,20 @@
 #include <continua/continuum/discretisation.h>
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/assembly/linear_products.h>
+#include <continua/finite_element/assembly/metric_history.h>
 #include <continua/finite_element/assembly/region_terms.h>
 #include <continua/finite_element/conditions/boundary_constraints.h>
 #include <continua/finite_element/conditions/ends_and_cavities.h>
+#include <continua/finite_element/conditions/loads.h>
 #include <continua/finite_element/looking/field_evaluation.h>
 #include <continua/finite_element/looking/field_output.h>
-#include <continua/finite_element/conditions/loads.h>
+#include <continua/finite_element/looking/wall_shear_stress.h>
 #include <continua/finite_element/mesh_transfer.h>
-#include <continua/finite_element/assembly/metric_history.h>
 #include <continua/finite_element/motion/moving_mesh.h>
-#include <continua/finite_element/products/region_operators.h>
 #include <continua/finite_element/motion/solid_motion.h>
+#include <continua/finite_element/products/region_operators.h>
 #include <continua/finite_element/solvers/linear_systems.h>
 #include <continua/finite_element/space/space.h>
-#include <continua/finite_element/looking/wall_shear_stress.h>
 
 #include <map>
 #include <memory>

@@ -5,8 +5,8 @@
 #include <continua/continuum/vibration_operator.h>
 #include <continua/finite_element/conditions/boundary_constraints.h>
 #include <continua/finite_element/products/region_operators.h>
-#include <continua/finite_element/space/space.h>
 #include <continua/finite_element/solvers/step_system.h>
+#include <continua/finite_element/space/space.h>
 
 #include <vector>
 

@@ -1,6 +1,6 @@
-#include <continua/finite_element/space/face_pieces.h>
 #include <continua/finite_element/looking/kelly_indicator.h>
 #include <continua/finite_element/motion/kinematics_at.h>
+#include <continua/finite_element/space/face_pieces.h>
 #include <continua/finite_element/space/present_diameter.h>
 
 #include <deal.II/fe/fe_values.h>

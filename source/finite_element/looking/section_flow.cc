@@ -1,5 +1,5 @@
-#include <continua/finite_element/motion/kinematics_at.h>
 #include <continua/finite_element/looking/section_flow.h>
+#include <continua/finite_element/motion/kinematics_at.h>
 #include <continua/mesh/cells_in_tree_order.h>
 
 #include <deal.II/base/mpi.h>

@@ -1,8 +1,8 @@
 #include <continua/finite_element/looking/traction_jump.h>
 
-#include <continua/finite_element/space/face_pieces.h>
-#include <continua/finite_element/looking/field_samples.h>
 #include <continua/finite_element/conditions/loads.h>
+#include <continua/finite_element/looking/field_samples.h>
+#include <continua/finite_element/space/face_pieces.h>
 #include <continua/finite_element/space/present_diameter.h>
 #include <continua/mesh/coordinates.h>
 

@@ -2,8 +2,8 @@
 #define continua_finite_element_assembly_flow_cell_h
 
 #include <continua/continuum/problem.h>
-#include <continua/finite_element/terms/inflow_terms.h>
 #include <continua/finite_element/space/quadrature_cells.h>
+#include <continua/finite_element/terms/inflow_terms.h>
 #include <continua/finite_element/terms/streamline.h>
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/time_integration/step.h>

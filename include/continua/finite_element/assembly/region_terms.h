@@ -7,9 +7,9 @@
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state.h>
 #include <continua/continuum/state_visitor.h>
-#include <continua/finite_element/space/linear_solver_parameters.h>
 #include <continua/finite_element/assembly/metric_history.h>
 #include <continua/finite_element/assembly/nonlinear_cell_terms.h>
+#include <continua/finite_element/space/linear_solver_parameters.h>
 #include <continua/finite_element/space/space.h>
 #include <continua/linear_algebra/distributed_vector.h>
 

@@ -4,9 +4,9 @@
 #include <continua/continuum/problem.h>
 #include <continua/continuum/rest_state.h>
 #include <continua/continuum/state_visitor.h>
+#include <continua/finite_element/assembly/wall_potentials.h>
 #include <continua/finite_element/space/quadrature_cells.h>
 #include <continua/finite_element/space/space.h>
-#include <continua/finite_element/assembly/wall_potentials.h>
 #include <continua/linear_algebra/distributed_vector.h>
 
 #include <deal.II/base/quadrature.h>

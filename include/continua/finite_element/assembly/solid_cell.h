@@ -2,8 +2,8 @@
 #define continua_finite_element_assembly_solid_cell_h
 
 #include <continua/continuum/problem.h>
-#include <continua/finite_element/assembly/rest_states.h>
 #include <continua/finite_element/assembly/metric_history.h>
+#include <continua/finite_element/assembly/rest_states.h>
 #include <continua/finite_element/space/quadrature_cells.h>
 #include <continua/finite_element/terms/solid_point.h>
 #include <continua/linear_algebra/distributed_vector.h>

@@ -6,12 +6,12 @@
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/assembly/region_terms.h>
 #include <continua/finite_element/conditions/boundary_constraints.h>
-#include <continua/finite_element/space/linear_solver_parameters.h>
 #include <continua/finite_element/products/region_operators.h>
 #include <continua/finite_element/solvers/solver_choice.h>
-#include <continua/finite_element/space/space.h>
 #include <continua/finite_element/solvers/step_system.h>
 #include <continua/finite_element/solvers/tangent_system.h>
+#include <continua/finite_element/space/linear_solver_parameters.h>
+#include <continua/finite_element/space/space.h>
 #include <continua/linear_algebra/distributed_vector.h>
 
 #include <string>

@@ -3,11 +3,11 @@
 
 #include <continua/base/memory_use.h>
 #include <continua/finite_element/conditions/boundary_constraints.h>
-#include <continua/finite_element/solvers/condensed_system.h>
-#include <continua/finite_element/space/linear_solver_parameters.h>
 #include <continua/finite_element/products/region_operators.h>
-#include <continua/finite_element/solvers/solver_choice.h>
+#include <continua/finite_element/solvers/condensed_system.h>
 #include <continua/finite_element/solvers/iterative/iterative_step_solver.h>
+#include <continua/finite_element/solvers/solver_choice.h>
+#include <continua/finite_element/space/linear_solver_parameters.h>
 #include <continua/finite_element/space/space.h>
 #include <continua/linear_algebra/block_krylov.h>
 #include <continua/linear_algebra/single_precision_factor.h>

@@ -2,8 +2,8 @@
 #define continua_finite_element_solvers_tangent_system_h
 
 #include <continua/continuum/system_coefficients.h>
-#include <continua/finite_element/conditions/boundary_constraints.h>
 #include <continua/finite_element/assembly/nonlinear_cell_terms.h>
+#include <continua/finite_element/conditions/boundary_constraints.h>
 #include <continua/finite_element/products/region_operators.h>
 #include <continua/finite_element/space/space.h>
 #include <continua/linear_algebra/entry_sums.h>

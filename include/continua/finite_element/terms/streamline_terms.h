@@ -2,8 +2,8 @@
 #define continua_finite_element_terms_streamline_terms_h
 
 #include <continua/continuum/problem.h>
-#include <continua/finite_element/terms/inflow_terms.h>
 #include <continua/finite_element/space/space.h>
+#include <continua/finite_element/terms/inflow_terms.h>
 #include <continua/finite_element/terms/streamline.h>
 #include <continua/time_integration/step.h>
 

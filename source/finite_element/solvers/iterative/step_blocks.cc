@@ -1,7 +1,7 @@
 #include <continua/finite_element/solvers/iterative/step_blocks.h>
 
-#include <continua/finite_element/solvers/condensed_system.h>
 #include <continua/finite_element/products/matrix_free_regions.h>
+#include <continua/finite_element/solvers/condensed_system.h>
 
 namespace Continua
 {

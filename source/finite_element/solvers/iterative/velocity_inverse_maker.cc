@@ -1,9 +1,9 @@
 #include <continua/finite_element/solvers/iterative/velocity_inverse_maker.h>
 
 #include <continua/finite_element/solvers/chebyshev_relaxation.h>
-#include <continua/finite_element/solvers/polynomial_multigrid.h>
 #include <continua/finite_element/solvers/iterative/joint_block_assembly.h>
 #include <continua/finite_element/solvers/iterative/velocity_rows.h>
+#include <continua/finite_element/solvers/polynomial_multigrid.h>
 #include <continua/linear_algebra/matrix_relaxation.h>
 
 #include <Epetra_CrsMatrix.h>

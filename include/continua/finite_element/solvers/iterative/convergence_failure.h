@@ -2,10 +2,10 @@
 #define continua_finite_element_solvers_iterative_convergence_failure_h
 
 #include <continua/finite_element/conditions/boundary_constraints.h>
-#include <continua/finite_element/space/linear_solver_parameters.h>
 #include <continua/finite_element/solvers/iterative/step_preconditioner.h>
-#include <continua/finite_element/space/space.h>
 #include <continua/finite_element/solvers/stalled_block.h>
+#include <continua/finite_element/space/linear_solver_parameters.h>
+#include <continua/finite_element/space/space.h>
 #include <continua/linear_algebra/saddle_point_solver.h>
 
 #include <string>

@@ -4,14 +4,14 @@
 #include <continua/base/memory_use.h>
 #include <continua/continuum/system_coefficients.h>
 #include <continua/finite_element/conditions/boundary_constraints.h>
-#include <continua/finite_element/space/linear_solver_parameters.h>
 #include <continua/finite_element/products/region_operators.h>
 #include <continua/finite_element/solvers/iterative/grad_div_preconditioner.h>
 #include <continua/finite_element/solvers/iterative/preconditioner_maker.h>
 #include <continua/finite_element/solvers/iterative/step_blocks.h>
 #include <continua/finite_element/solvers/iterative/step_preconditioner.h>
-#include <continua/finite_element/space/space.h>
 #include <continua/finite_element/solvers/stalled_block.h>
+#include <continua/finite_element/space/linear_solver_parameters.h>
+#include <continua/finite_element/space/space.h>
 #include <continua/linear_algebra/saddle_point_solver.h>
 
 #include <memory>

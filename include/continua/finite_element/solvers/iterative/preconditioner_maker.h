@@ -3,7 +3,6 @@
 
 #include <continua/base/memory_use.h>
 #include <continua/finite_element/conditions/boundary_constraints.h>
-#include <continua/finite_element/space/linear_solver_parameters.h>
 #include <continua/finite_element/products/region_operators.h>
 #include <continua/finite_element/solvers/iterative/preconditioner_plan.h>
 #include <continua/finite_element/solvers/iterative/step_blocks.h>
@@ -11,6 +10,7 @@
 #include <continua/finite_element/solvers/iterative/stiff_factor_limit.h>
 #include <continua/finite_element/solvers/iterative/stiff_regions.h>
 #include <continua/finite_element/solvers/iterative/velocity_inverse_maker.h>
+#include <continua/finite_element/space/linear_solver_parameters.h>
 #include <continua/finite_element/space/space.h>
 
 #include <memory>

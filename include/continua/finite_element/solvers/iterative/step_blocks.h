@@ -3,10 +3,10 @@
 
 #include <continua/continuum/system_coefficients.h>
 #include <continua/finite_element/conditions/boundary_constraints.h>
-#include <continua/finite_element/space/linear_solver_parameters.h>
+#include <continua/finite_element/products/region_operators.h>
 #include <continua/finite_element/solvers/matrix_free_velocity.h>
 #include <continua/finite_element/solvers/region_divergence.h>
-#include <continua/finite_element/products/region_operators.h>
+#include <continua/finite_element/space/linear_solver_parameters.h>
 #include <continua/finite_element/space/space.h>
 #include <continua/linear_algebra/matrix_operator.h>
 #include <continua/linear_algebra/saddle_point_solver.h>

@@ -2,15 +2,15 @@
 #define continua_finite_element_solvers_iterative_velocity_inverse_maker_h
 
 #include <continua/finite_element/conditions/boundary_constraints.h>
-#include <continua/finite_element/solvers/condensed_system.h>
-#include <continua/finite_element/space/linear_solver_parameters.h>
 #include <continua/finite_element/products/matrix_free_product.h>
 #include <continua/finite_element/products/region_operators.h>
+#include <continua/finite_element/solvers/condensed_system.h>
 #include <continua/finite_element/solvers/iterative/preconditioner_plan.h>
 #include <continua/finite_element/solvers/iterative/step_blocks.h>
 #include <continua/finite_element/solvers/iterative/step_preconditioner.h>
 #include <continua/finite_element/solvers/iterative/stiff_factor_limit.h>
 #include <continua/finite_element/solvers/iterative/stiff_regions.h>
+#include <continua/finite_element/space/linear_solver_parameters.h>
 #include <continua/finite_element/space/space.h>
 #include <continua/linear_algebra/velocity_cycle.h>
 #include <continua/linear_algebra/velocity_relaxation.h>

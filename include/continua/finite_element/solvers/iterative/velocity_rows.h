@@ -3,8 +3,8 @@
 
 #include <continua/continuum/system_coefficients.h>
 #include <continua/finite_element/conditions/boundary_constraints.h>
-#include <continua/finite_element/solvers/condensed_system.h>
 #include <continua/finite_element/products/region_operators.h>
+#include <continua/finite_element/solvers/condensed_system.h>
 #include <continua/finite_element/space/space.h>
 
 #include <deal.II/lac/trilinos_sparse_matrix.h>
