@@ -15,11 +15,11 @@ namespace
 template <std::size_t n_rows>
 void add_rows_of_table(const std::array<double, n_rows> &factors,
                        const double *const table,
-                       const unsigned int n,
+                       const std::size_t n,
                        double *const target)
 {
   DEAL_II_OPENMP_SIMD_PRAGMA
-  for (unsigned int b = 0; b < n; ++b)
+  for (std::size_t b = 0; b < n; ++b)
   {
     double sum = factors[0] * table[b];
     for (std::size_t k = 1; k < n_rows; ++k)
@@ -54,7 +54,7 @@ void CellAssembly<dim>::add_momentum(const unsigned int q,
 {
   Column column;
   set_column(inverse_jacobian, weight, tested, column);
-  const unsigned int n_functions = cells.n_functions();
+  const std::size_t n_functions = cells.n_functions();
   for (unsigned int c = 0; c < dim; ++c)
     add_rows_of_table(column.of_momentum[c], cells.table(q), n_functions,
                       rows.begin() + c * n_functions);
@@ -75,8 +75,8 @@ void CellAssembly<dim>::add_volume(const unsigned int q,
 template <int dim>
 void CellAssembly<dim>::set_rows_of_point(const unsigned int q, const Directions &directions)
 {
-  const unsigned int n_functions = cells.n_functions(), n_velocity = dim * n_functions,
-                     n_unknowns = n_velocity + n_pressures;
+  const std::size_t n_functions = cells.n_functions(), n_velocity = dim * n_functions,
+                    n_unknowns = n_velocity + n_pressures;
   if (of_momentum[0].empty())
   {
     for (FullMatrix<double> &rows : of_momentum)
@@ -125,12 +125,12 @@ void CellAssembly<dim>::set_rows_of_point(const unsigned int q, const Directions
 template <int dim>
 void CellAssembly<dim>::finish_matrix(FullMatrix<double> &matrix)
 {
-  const unsigned int n_functions = cells.n_functions(), n_unknowns = of_momentum[0].n();
+  const std::size_t n_functions = cells.n_functions(), n_unknowns = of_momentum[0].n();
   if (matrix.m() != n_unknowns || matrix.n() != n_unknowns)
     matrix.reinit(n_unknowns, n_unknowns, true);
   // Sums over the points of values and derivatives of test functions times these rows. For BLAS,
   // which stores by columns, each of the three matrices is its transposed.
-  const auto multiply = [n_unknowns](const double *const tests, const unsigned int n_tests,
+  const auto multiply = [n_unknowns](const double *const tests, const std::size_t n_tests,
                                      const FullMatrix<double> &rows, double *const result)
   {
     const types::blas_int n_rows = rows.m(), n_columns = n_unknowns, n = n_tests;
