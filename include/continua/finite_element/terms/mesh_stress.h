@@ -23,8 +23,8 @@ struct MeshPoint
 };
 
 /**
- * int P : Grad z of MeshMotion's body with the stiffness 1 [1/Pa times P]: elastic
- * P = Grad d + (Grad d)^T + 2 div d 1, hyperelastic P = F - F^-T.
+ * int P : Grad z, the equilibrium of MeshMotion's body for k = 1: elastic
+ * P = Grad d + (Grad d)^T + 2 div d 1, hyperelastic P = F - F^-T. P has no unit.
  */
 struct MeshStress
 {
@@ -49,7 +49,7 @@ struct MeshStress
                    : elastic_stress(gradient),
                tested);
   }
-  /// Of which the hyperelastic P is the derivative, per reference volume: (tr C - 2 ln J)/2.
+  /// (tr C - 2 ln J)/2, whose derivative by F is the hyperelastic P.
   static double energy(const MeshPoint &point)
   {
     const Kinematics kinematics(point.displacement_gradient);
