@@ -16,6 +16,7 @@
 #include <continua/program/examples.h>
 #include <continua/program/parameter_catalogue.h>
 #include <continua/program/parameter_templates.h>
+#include <continua/program/several_runs.h>
 #include <continua/program/unknown_names.h>
 
 #include <deal.II/base/mpi.h>
@@ -30,6 +31,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 namespace
@@ -217,8 +219,14 @@ int perform(const CommandLine &command_line, const MPI_Comm communicator)
     if (is_writer)
       print_all(text.str());
   }
-  else if (!command_line.further_files.empty())
+  else if (!command_line.further_files.empty() && command_line.validate)
     return validate_files(command_line, communicator);
+  else if (!command_line.further_files.empty())
+    throw InputError({"command line", 0}, command_line.further_files.front(),
+                     "there are several parameter files, and a launcher of MPI has started this "
+                     "process as one of its ranks",
+                     "Give each file a launcher of its own (mpirun -n N continua FILE.prm), or "
+                     "leave the launcher out: each file is then run on one rank");
   else
     perform_file(command_line, communicator);
   return status_done;
@@ -279,6 +287,38 @@ int run_command_line(int argc, char **argv)
   }
 }
 
+/// Several files are performed by a process without MPI, which does not survive a copy. Nothing if
+/// the command line asks for something else, or is wrong: it is then performed, or refused, as
+/// ever.
+std::optional<int> perform_several_files(const int argc, const char *const *argv)
+{
+  CommandLine command_line;
+  try
+  {
+    command_line = CommandLine::parse(argc, argv);
+  }
+  catch (const Continua::InputError &)
+  {
+    return {};
+  }
+  if (command_line.further_files.empty() || command_line.validate || command_line.help ||
+      command_line.version || command_line.examples || is_launched_rank())
+    return {};
+  try
+  {
+    return SeveralRuns(command_line, run_command_line).perform();
+  }
+  catch (const Continua::InputError &error)
+  {
+    return refuse(error);
+  }
+  catch (const std::exception &error)
+  {
+    std::cerr << "error: " << printable(error.what()) << std::endl;
+    return exit_status_of_failure;
+  }
+}
+
 /// --serve: performs command lines until none has come for a minute.
 int serve(const std::string &socket_file)
 {
@@ -305,5 +345,7 @@ int main(int argc, char **argv)
     return run_gmsh_process(argc, argv);
   if (argc == 3 && argv[1] == std::string("--serve"))
     return serve(argv[2]);
+  if (const std::optional<int> status = perform_several_files(argc, argv))
+    return *status;
   return run_command_line(argc, argv);
 }

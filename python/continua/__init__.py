@@ -3,6 +3,7 @@
     import continua
 
     run = continua.run("parameter_files/thesis/chapter-4/beam.prm", sets={"Time/End time": "1 s"}, output="output/short")
+    runs = continua.run_many([{"parameter_file": ..., "sets": ..., "output": ...}, ...], jobs=2)   # many short ones
     run = continua.open("output/short")                 # the same results, later
     run.probes["tip: displacement y"].plot()            # pandas, indexed by the time in s
     run.quantity("frequency", probe="tip")              # a number of the summary, in SI units
@@ -20,7 +21,8 @@ from .errors import ContinuaError, ContinuaWarning, ProgramNotFound, ResultsErro
 from .program import find_program, run
 from .results import Results
 from .results import open_results as open  # pylint: disable=redefined-builtin
+from .server import run_many
 from .version import version as __version__
 
 __all__ = ["ContinuaError", "ContinuaWarning", "ProgramNotFound", "Results", "ResultsError", "RunFailed", "find_program", "open", "run",
-           "__version__"]
+           "run_many", "__version__"]

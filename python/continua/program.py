@@ -35,6 +35,11 @@ def find_program():
     return found
 
 
+def executable_of(program):
+    """The path of a program that is named, or of `find_program()` if it is None."""
+    return find_program() if program is None else _executable(os.fspath(program), "program=... names it")
+
+
 def _executable(path, why):
     if not (os.path.isfile(path) and os.access(path, os.X_OK)):
         raise ProgramNotFound(f"{path} is no program that can be run; {why}")
@@ -81,27 +86,29 @@ def run(parameter_file, sets=None, output=None, program=None, ranks=1, overwrite
     """
     if ranks < 1 or ranks != int(ranks):
         raise ValueError(f"ranks is {ranks!r}; it needs a whole number from 1 on")
-    if sets is not None and not isinstance(sets, collections.abc.Mapping):
-        raise TypeError(f"sets is a {type(sets).__name__}; it needs a dictionary such as {{\"Time/End time\": \"1 s\"}}")
-    parameter_file = os.fspath(parameter_file)
-    program = find_program() if program is None else _executable(os.fspath(program), "program=... names it")
-    command = [program, parameter_file]
-    for key, value in (sets or {}).items():
-        command += ["--set", f"{key}={_value_text(key, value)}"]
-    if output is None:
-        output = os.path.join("output", os.path.splitext(os.path.basename(parameter_file))[0])
-    output = os.fspath(output)
-    command += ["--output", output] + ["--overwrite"] * bool(overwrite) + ["--restart"] * bool(restart)
+    arguments, output = command_of(parameter_file, sets, output, overwrite, restart)
+    command = [executable_of(program), *arguments]
     if ranks > 1:
         command = ["mpiexec", "--bind-to", "none", "-n", str(ranks), *command]
     show = progress if callable(progress) else (lambda line: print(line, flush=True)) if progress else lambda line: None
     status, text = _perform(command, show)
     if status != 0:
-        message = _message(status, text)
-        if "--overwrite" in message:
-            message += " In Python these are overwrite=True, restart=True and output=..."
-        raise RunFailed(status, message, command, text, output)
+        raise RunFailed(status, message_of(status, text), command, text, output)
     return Results(output)
+
+
+def command_of(parameter_file, sets=None, output=None, overwrite=False, restart=False):
+    """(the command line of a run without the name of the program, the folder of its results), as for `run`."""
+    if sets is not None and not isinstance(sets, collections.abc.Mapping):
+        raise TypeError(f"sets is a {type(sets).__name__}; it needs a dictionary such as {{\"Time/End time\": \"1 s\"}}")
+    parameter_file = os.fspath(parameter_file)
+    command = [parameter_file]
+    for key, value in (sets or {}).items():
+        command += ["--set", f"{key}={_value_text(key, value)}"]
+    if output is None:
+        output = os.path.join("output", os.path.splitext(os.path.basename(parameter_file))[0])
+    output = os.fspath(output)
+    return command + ["--output", output] + ["--overwrite"] * bool(overwrite) + ["--restart"] * bool(restart), output
 
 
 def _perform(command, show):
@@ -128,10 +135,13 @@ def _perform(command, show):
     return process.returncode, "".join(lines)
 
 
-def _message(status, text):
+def message_of(status, text):
     """What the program says of its end, without what MPI adds."""
     if status < 0:
         return f"the program was ended by the signal {signal.Signals(-status).name}"
     text = re.split(r"^-{20,}$", text, maxsplit=1, flags=re.MULTILINE)[0].strip()
     _, error, message = text.rpartition("error: ")
-    return message.strip() if error else "\n".join(text.splitlines()[-3:]) or "the program printed nothing"
+    message = message.strip() if error else "\n".join(text.splitlines()[-3:]) or "the program printed nothing"
+    if "--overwrite" in message:
+        message += " In Python these are overwrite=True, restart=True and output=..."
+    return message

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 namespace Continua
 {
@@ -38,6 +39,7 @@ const std::vector<Option> &options()
                                             {"--new", Option::Value::next},
                                             {"--mesh", Option::Value::required},
                                             {"--examples", Option::Value::none},
+                                            {"--jobs", Option::Value::required},
                                             {"--serve", Option::Value::required}};
   return table;
 }
@@ -62,9 +64,11 @@ const Option &find_option(const std::string &name)
          (nearest.empty() ? "" : "Did you mean " + nearest + "? ") + "--help lists the options");
 }
 
-std::string default_output(const std::string &parameter_file)
+/// DIR/NAME for NAME.prm; DIR is output if none is given.
+std::string output_of(const std::string &folder, const std::string &parameter_file)
 {
-  return "output/" + std::filesystem::path(parameter_file).stem().string();
+  return (folder.empty() ? "output" : folder) + "/" +
+         std::filesystem::path(parameter_file).stem().string();
 }
 
 /// The argument as a shell reads it back.
@@ -107,6 +111,15 @@ void apply(CommandLine &result, const std::string &name, const std::string &valu
       refuse("--output", "the folder has no name", "Write --output DIR");
     result.output_directory = value;
   }
+  else if (name == "--jobs")
+  {
+    const bool is_number = !value.empty() && value.size() < 5 &&
+                           value.find_first_not_of("0123456789") == std::string::npos;
+    result.n_jobs = is_number ? static_cast<unsigned int>(std::stoul(value)) : 0;
+    if (result.n_jobs == 0)
+      refuse("--jobs " + value, "this is no number of runs",
+             "Write a whole number, as in --jobs 2");
+  }
   else if (name == "--print-parameters")
   {
     if (value != "prm" && value != "json" && value != "markdown")
@@ -138,6 +151,24 @@ void apply(CommandLine &result, const std::string &name, const std::string &valu
     flag = true;
   }
 }
+
+/// The results of each go into a folder with the name of its file.
+void require_folders_of_their_own(const CommandLine &command_line)
+{
+  std::map<std::string, std::string> file_of_name = {
+      {std::filesystem::path(command_line.parameter_file).stem().string(),
+       command_line.parameter_file}};
+  for (const std::string &file : command_line.further_files)
+  {
+    const std::string name = std::filesystem::path(file).stem().string();
+    const auto [earlier, is_new] = file_of_name.emplace(name, file);
+    if (!is_new)
+      refuse(file,
+             "the results of '" + earlier->second +
+                 "' would have the same folder, which is named '" + name + "' after the file",
+             "Run one of them by itself, with --output DIR");
+  }
+}
 } // namespace
 
 CommandLine CommandLine::parse(const int argc, const char *const *argv)
@@ -145,6 +176,7 @@ CommandLine CommandLine::parse(const int argc, const char *const *argv)
   CommandLine result;
   std::vector<std::string> arguments(argv, argv + argc);
   std::vector<std::string> seen;
+  result.program = arguments.empty() ? "continua" : arguments.front();
   for (std::size_t i = 0; i < arguments.size(); ++i)
     result.text += (i == 0 ? "" : " ") + shell_quoted(arguments[i]);
 
@@ -162,6 +194,7 @@ CommandLine CommandLine::parse(const int argc, const char *const *argv)
       continue;
     }
 
+    const std::size_t first = i;
     const std::size_t equals = argument.find('=');
     const std::string name = argument.substr(0, equals);
     const Option &option = find_option(name);
@@ -187,6 +220,7 @@ CommandLine CommandLine::parse(const int argc, const char *const *argv)
                : option.name == "--unset" ? "Write --unset \"Section/Key\""
                : option.name == "--mesh"  ? "Write --mesh FILE.vtu"
                : option.name == "--serve" ? "Write continua --serve SOCKET"
+               : option.name == "--jobs"  ? "Write --jobs N"
                                           : "Write --output DIR");
       value = arguments[++i];
     }
@@ -194,16 +228,20 @@ CommandLine CommandLine::parse(const int argc, const char *const *argv)
              arguments[i + 1].compare(0, 1, "-") != 0)
       value = arguments[++i];
     apply(result, option.name, value);
+    if (option.name != "--output" && option.name != "--jobs")
+      result.options.insert(result.options.end(),
+                            arguments.begin() + static_cast<std::ptrdiff_t>(first),
+                            arguments.begin() + static_cast<std::ptrdiff_t>(i + 1));
   }
 
-  if (!result.further_files.empty() && !result.validate)
-    refuse(result.further_files.front(),
-           "there are two parameter files, the other is '" + result.parameter_file + "'",
-           "Name one, unless they are only checked (--validate); an entry is set with --set "
-           "\"Section/Key=value\"");
-  for (const char *const other : {"--output", "--print-parameters"})
+  for (const char *const other : {"--new", "--mesh", "--print-parameters"})
     if (!result.further_files.empty() && std::find(seen.begin(), seen.end(), other) != seen.end())
       refuse(other, "it is for one parameter file, and there are several", "Name one");
+  if (!result.further_files.empty() && !result.validate)
+    require_folders_of_their_own(result);
+  if (result.further_files.empty() && std::find(seen.begin(), seen.end(), "--jobs") != seen.end())
+    refuse("--jobs", "it is for several parameter files, and there is one",
+           "Name several, or use mpirun -n N for one run on several ranks");
   if (result.overwrite && result.restart)
     refuse("--overwrite",
            "it excludes --restart: the one removes the checkpoint that the other needs",
@@ -222,8 +260,9 @@ CommandLine CommandLine::parse(const int argc, const char *const *argv)
       !result.examples && result.print_parameters.empty())
     refuse("", "the parameter file is missing",
            "Write continua FILE.prm; continua --new begins one, --help lists the options");
-  if (result.output_directory.empty() && !result.parameter_file.empty() && !result.new_file)
-    result.output_directory = default_output(result.parameter_file);
+  if (result.output_directory.empty() && !result.parameter_file.empty() && !result.new_file &&
+      result.further_files.empty())
+    result.output_directory = output_of("", result.parameter_file);
   return result;
 }
 
@@ -232,24 +271,34 @@ CommandLine CommandLine::with_file(const std::string &file) const
   CommandLine result = *this;
   result.parameter_file = file;
   result.further_files.clear();
-  result.output_directory = default_output(file);
+  result.output_directory = output_of(output_directory, file);
+  return result;
+}
+
+std::vector<std::string> CommandLine::arguments_with_file(const std::string &file) const
+{
+  std::vector<std::string> result = {program, file};
+  result.insert(result.end(), options.begin(), options.end());
+  result.insert(result.end(), {"--output", output_of(output_directory, file)});
   return result;
 }
 
 std::string CommandLine::usage()
 {
-  return R"(Usage: continua FILE.prm [OPTION]...
+  return R"(Usage: continua FILE.prm... [OPTION]...
        mpirun -np N continua FILE.prm [OPTION]...
        continua --validate FILE.prm...
        continua --new [NAME [FILE.prm]]
 
-Runs what the parameter file describes.
+Runs what the parameter file describes. Several files are run one after the other, each as if alone.
 
   --new                       lists the templates, one for each geometry and each analysis
   --new NAME [FILE.prm]       prints a template, or writes it to FILE.prm: a file with comments that runs
   --set "Section/Key=value"   sets an entry, over the file; as often as you like
   --unset "Section/Key"       takes out an entry or a section that the file has; as often as you like
   --output DIR                the folder of the results (default: output/<name of the file>)
+                              of several files: DIR/<name of the file>
+  --jobs N                    runs so many of several files at the same time
   --overwrite                 removes the run that the folder holds (its results only)
   --restart                   continues the run that the folder holds from its checkpoint
   --validate                  reads and checks the input, says what would be run, and stops;

@@ -23,8 +23,8 @@ bool is_set(const char *const name)
 
 bool has_launcher()
 {
-  return is_set("OMPI_COMM_WORLD_SIZE") || is_set("PMIX_RANK") || is_set("PMI_RANK") ||
-         is_set("PMI_SIZE") || is_set("SLURM_PROCID");
+  // The last one is set in the scripts of a batch system, too.
+  return is_launched_rank() || is_set("SLURM_PROCID");
 }
 
 /// Ranks on this machine; 1 if the launcher does not tell.
@@ -65,6 +65,12 @@ void prepare_message_passing()
   }
   else if (n_local_ranks() > n_cores())
     set_default("OMPI_MCA_mpi_yield_when_idle", "1");
+}
+
+bool is_launched_rank()
+{
+  return is_set("OMPI_COMM_WORLD_SIZE") || is_set("PMIX_RANK") || is_set("PMI_RANK") ||
+         is_set("PMI_SIZE");
 }
 
 bool waiting_ranks_yield()

@@ -86,17 +86,29 @@ UNIT_TEST(command_line)
   refused("short option", {"-v"}, "'-v'.*--help");
   refused("no file", {"--overwrite"}, "parameter file is missing.*continua FILE.prm");
   refused("nothing", {}, "parameter file is missing");
-  refused("two files", {"a.prm", "b.prm"}, "'b.prm'.*two parameter files.*'a.prm'");
-  refused("several outputs", {"a.prm", "b.prm", "--validate", "--output", "c"},
-          "'--output'.*for one parameter file");
-  const CommandLine several = parse({"a.prm", "--validate", "b/c.prm", "--set", "Title=d"});
-  check::is_true("several files", several.parameter_file == "a.prm" &&
+  refused("two files with one folder", {"a/b.prm", "b.prm"}, "'b.prm'.*'a/b.prm'.*same folder");
+  refused("two files and what is for one", {"a.prm", "b.prm", "--mesh=c.vtu"},
+          "'--mesh'.*for one parameter file");
+  refused("a template and a further file", {"--new", "tube", "a.prm", "b.prm"},
+          "'--new'.*for one parameter file");
+  const CommandLine several =
+      parse({"a.prm", "--set", "Title=d", "b/c.prm", "--jobs=2", "--restart", "--output", "e f"});
+  check::is_true("several files", several.parameter_file == "a.prm" && several.n_jobs == 2 &&
                                       several.further_files == std::vector<std::string>{"b/c.prm"});
   const CommandLine second = several.with_file("b/c.prm");
-  check::is_true("one of several", second.validate && second.parameter_file == "b/c.prm" &&
+  check::is_true("one of several", second.restart && second.parameter_file == "b/c.prm" &&
                                        second.further_files.empty() &&
-                                       second.output_directory == "output/c" &&
+                                       second.output_directory == "e f/c" &&
                                        second.overrides == several.overrides);
+  check::is_true("arguments of one of several",
+                 several.arguments_with_file("b/c.prm") ==
+                     std::vector<std::string>{"continua", "b/c.prm", "--set", "Title=d",
+                                              "--restart", "--output", "e f/c"});
+  check::equal("folder of one of several",
+               parse({"a.prm", "b.prm"}).with_file("b.prm").output_directory, "output/b");
+  refused("jobs of one file", {"a.prm", "--jobs", "2"}, "'--jobs'.*mpirun");
+  refused("no job", {"a.prm", "b.prm", "--jobs", "0"}, "--jobs 0.*whole number");
+  refused("jobs in words", {"a.prm", "b.prm", "--jobs=two"}, "--jobs two.*whole number");
   refused("empty argument", {""}, "empty");
   refused("exclusive options", {"a.prm", "--restart", "--overwrite"},
           "'--overwrite'.*excludes --restart");
@@ -119,7 +131,7 @@ UNIT_TEST(command_line)
   for (const char *const word :
        {"--set", "--unset", "--output", "--overwrite", "--restart", "--validate",
         "--print-parameters", "--version", "--help, -h", "--allow-mesh-commands", "--new", "--mesh",
-        "--examples", "--serve", "0 done", "1 the run failed", "2 the input is wrong"})
+        "--examples", "--serve", "--jobs", "0 done", "1 the run failed", "2 the input is wrong"})
     check::is_true(std::string("help names ") + word,
                    CommandLine::usage().find(word) != std::string::npos);
 }

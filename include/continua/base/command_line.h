@@ -16,7 +16,8 @@ struct CommandLine
   /// Empty only with --version, --help, --examples, --print-parameters and --new; with --new the
   /// file to write.
   std::string parameter_file;
-  std::vector<std::string> further_files; ///< only with --validate: they are checked, too
+  std::vector<std::string> further_files; ///< they are run, or checked, too
+  unsigned int n_jobs = 1;                ///< of --jobs: so many of several files at the same time
   std::vector<std::string> overrides;     ///< of --set
   std::string output_directory;           ///< default output/<name of the .prm>
   bool overwrite = false;
@@ -32,13 +33,21 @@ struct CommandLine
   std::string template_name;        ///< of --new; empty: list them
   std::string text; ///< the command line as typed, quoted so that a shell reads it back
 
-  /// Throws InputError for an unknown option (with the nearest one), a missing file, a second file
-  /// without --validate, or options that exclude each other.
+  /// Throws InputError for an unknown option (with the nearest one), a missing file, two files
+  /// whose results would have one folder, or options that exclude each other.
   static CommandLine parse(int argc, const char *const *argv);
-  /// The same for one of the further files.
+  /// The same for one of several files. The folder of its results is output/NAME for NAME.prm, or
+  /// DIR/NAME with --output DIR.
   CommandLine with_file(const std::string &file) const;
+  /// Its arguments as typed, the name of the program first, for one of several files: with the
+  /// folder of its results, and without --jobs.
+  std::vector<std::string> arguments_with_file(const std::string &file) const;
   /// What --help prints, with the exit statuses.
   static std::string usage();
+
+private:
+  std::string program;              ///< its name, as typed
+  std::vector<std::string> options; ///< with their values, but for --output and --jobs
 };
 } // namespace Continua
 

@@ -18,6 +18,9 @@ namespace Continua
  */
 void prepare_message_passing();
 
+/// Whether a launcher of MPI, such as mpirun or srun, has started this process as one of its ranks.
+bool is_launched_rank();
+
 /// Whether Open MPI's ranks that wait give their core to others, as the environment says.
 bool waiting_ranks_yield();
 
