@@ -117,7 +117,7 @@ void TimeStepping::keep_unloaded_shape()
 
 void TimeStepping::setup()
 {
-  TimerOutput::Scope scope(log.timer(), "setup");
+  SectionTimer::Scope scope(log.timer(), "setup");
   operators.setup();
   const DistributedVector zero_velocity = operators.velocity_vector(),
                           zero_pressure = operators.pressure_vector();
@@ -203,7 +203,7 @@ StepReport TimeStepping::advance(const Step &given_step)
   {
     throw RunError(text_of(step, error));
   }
-  TimerOutput::Scope scope(log.timer(), "update");
+  SectionTimer::Scope scope(log.timer(), "update");
   set_extremes(step, velocity, balanced.velocity, balanced.pressure, report);
   if (step.is_towards_rest)
     report.change_at_rest = change_at_rest(step);
@@ -216,7 +216,7 @@ void TimeStepping::balance(const Step &step, StepReport &report)
   deform_by_jump(step);
   const SystemChange change = prepare(step, report);
   {
-    TimerOutput::Scope scope(log.timer(), "right-hand side");
+    SectionTimer::Scope scope(log.timer(), "right-hand side");
     set_momentum(step);
     set_mass(step);
     if (!operators.is_homogeneous())
@@ -226,7 +226,7 @@ void TimeStepping::balance(const Step &step, StepReport &report)
         operators.eliminate_prescribed(balanced.prescribed, momentum, mass);
     }
   }
-  TimerOutput::Scope scope(log.timer(), "solve");
+  SectionTimer::Scope scope(log.timer(), "solve");
   if (operators.is_nonlinear())
   {
     iterate(step, change != SystemChange::none, report);
@@ -282,7 +282,7 @@ void TimeStepping::stop_finite_solids(DistributedVector &of_velocity) const
 
 SystemChange TimeStepping::prepare(const Step &step, StepReport &report)
 {
-  TimerOutput::Scope scope(log.timer(), "factor");
+  SectionTimer::Scope scope(log.timer(), "factor");
   coefficients.set(problem, step);
   // Regions that are left out change with the step, too, and the tangent with them.
   const bool is_other = !(coefficients == whole_coefficients);
@@ -562,7 +562,7 @@ void TimeStepping::solve_steady(const double time)
   const bool solid = !problem.materials.front().shear.branches.empty();
   StepReport report;
   {
-    TimerOutput::Scope scope(log.timer(), "factor");
+    SectionTimer::Scope scope(log.timer(), "factor");
     coefficients.set_steady(problem);
     if (operators.prepare(coefficients, 1.) != SystemChange::none && !solid)
       outlets.respond(report);
@@ -580,7 +580,7 @@ void TimeStepping::solve_steady(const double time)
     operators.eliminate_prescribed(balanced.prescribed, momentum, mass);
   }
   {
-    TimerOutput::Scope scope(log.timer(), "solve");
+    SectionTimer::Scope scope(log.timer(), "solve");
     velocity_work = 0.;
     operators.solve(balanced.prescribed, momentum, mass, velocity_work, pressure, report);
   }
@@ -607,7 +607,7 @@ StepError TimeStepping::step_error()
   error.is_known = kept.error_is_known();
   if (!error.is_known)
     return error;
-  TimerOutput::Scope scope(log.timer(), "step error");
+  SectionTimer::Scope scope(log.timer(), "step error");
   kept.velocity_error(velocity.begin(), velocity_work.begin(), velocity.locally_owned_size());
   // Prescribed velocities are exact, whatever is predicted of them.
   operators.clear_prescribed(velocity_work);
@@ -623,7 +623,7 @@ StepError TimeStepping::step_error()
 
 void TimeStepping::keep_state()
 {
-  TimerOutput::Scope scope(log.timer(), "step error");
+  SectionTimer::Scope scope(log.timer(), "step error");
   kept.keep();
 }
 
