@@ -22,7 +22,8 @@ CellPolynomial<dim> polynomial_of(const unsigned int degree,
                                   const std::function<double(const Point<dim> &)> &formula)
 {
   std::vector<double> values;
-  for (const Point<dim> &point : QGaussLobatto<dim>(degree + 1).get_points())
+  const QGaussLobatto<dim> nodes(degree + 1);
+  for (const Point<dim> &point : nodes.get_points())
     values.push_back(formula(point));
   CellPolynomial<dim> result(degree);
   result.set(values);
