@@ -265,7 +265,7 @@ void LinearWaveTheory<dim>::compare()
 template <int dim>
 void LinearWaveTheory<dim>::report(const std::vector<double> &times, const bool simulated)
 {
-  dealii::TimerOutput::Scope scope(run.log.timer(), "wave theory");
+  SectionTimer::Scope scope(run.log.timer(), "wave theory");
   const Case<dim> &input = run.input;
   std::vector<Histories> theoretical; // by probe
   TubeWaveCase wave_case;

@@ -105,7 +105,7 @@ std::vector<Eigenpair> Modal<dim>::solve()
   const unsigned int n = vibration->n_local_unknowns();
   if (modal.highest())
   {
-    TimerOutput::Scope scope(run.log.timer(), "eigenvalues");
+    SectionTimer::Scope scope(run.log.timer(), "eigenvalues");
     return dominant_eigenpairs([this](const std::vector<double> &x, std::vector<double> &y)
                                { vibration->accelerate(x, y); },
                                n, modal.n_modes, communicator);
@@ -113,7 +113,7 @@ std::vector<Eigenpair> Modal<dim>::solve()
   shift = std::pow(2. * numbers::PI * modal.shift, 2);
   try
   {
-    TimerOutput::Scope scope(run.log.timer(), "factor");
+    SectionTimer::Scope scope(run.log.timer(), "factor");
     vibration->set_shift(shift);
   }
   catch (const RunError &error)
@@ -123,7 +123,7 @@ std::vector<Eigenpair> Modal<dim>::solve()
                    "Modal/Shift to another, such as half of the first mode's.");
   }
   stop_if_asked("the factor");
-  TimerOutput::Scope scope(run.log.timer(), "eigenvalues");
+  SectionTimer::Scope scope(run.log.timer(), "eigenvalues");
   return ModeSearch<dim>(*vibration, motions, momenta, communicator, run.log)
       .nearest(shift, modal.n_modes);
 }

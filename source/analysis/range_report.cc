@@ -84,7 +84,7 @@ void RangeReport<dim>::Largest::take(const double candidate, const double at_tim
 template <int dim>
 void RangeReport<dim>::take(const double time)
 {
-  dealii::TimerOutput::Scope scope(run.log.timer(), "largest values");
+  SectionTimer::Scope scope(run.log.timer(), "largest values");
   const MotionExtremes extremes = run.solver->motion_extremes();
   strain.take(extremes.strain, time);
   rotation.take(extremes.rotation, time);

@@ -94,7 +94,7 @@ void Run<dim>::initialise(const std::function<void()> &make_mesh)
                                       : "nothing is computed yet, begin anew with --overwrite");
   log.memory_use().mark("coarse mesh and case");
   {
-    TimerOutput::Scope scope(log.timer(), "mesh");
+    SectionTimer::Scope scope(log.timer(), "mesh");
     if (dynamic_cast<const GmshGeometry<dim> *>(input.geometry.get()) != nullptr &&
         (input.mesh.refinements > 0 || input.adaptation.changes_mesh()))
       if (const std::string text = warning_of(kept_corners<dim>(
@@ -152,7 +152,7 @@ bool Run<dim>::flag(const double time)
 template <int dim>
 bool Run<dim>::adapt(const double time)
 {
-  TimerOutput::Scope scope(log.timer(), "adapt mesh");
+  SectionTimer::Scope scope(log.timer(), "adapt mesh");
   log.memory_use().mark("steps and output");
   const AdaptationParameters &adaptation = input.adaptation;
   const unsigned int most_changes =
@@ -173,7 +173,7 @@ bool Run<dim>::adapt(const double time)
 template <int dim>
 bool Run<dim>::adapt_before_start()
 {
-  TimerOutput::Scope scope(log.timer(), "adapt mesh");
+  SectionTimer::Scope scope(log.timer(), "adapt mesh");
   if (!flag(0.))
     return false;
   input.triangulation->execute_coarsening_and_refinement();
@@ -186,7 +186,7 @@ void Run<dim>::finish(const unsigned int n_steps, const double time)
 {
   {
     // Fits of modes to long records take longer than many a run.
-    TimerOutput::Scope scope(log.timer(), "results of probes");
+    SectionTimer::Scope scope(log.timer(), "results of probes");
     for (const std::string &text : input.probes.finish(summary))
       log.warning(text);
   }

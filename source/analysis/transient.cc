@@ -352,7 +352,7 @@ void Transient<dim>::find_jumps()
   if (time_control.n_steps() == 0 ||
       (run.input.time.scheme == Scheme::euler_implicit && !time_control.is_adaptive()))
     return;
-  TimerOutput::Scope scope(run.log.timer(), "search for jumps");
+  SectionTimer::Scope scope(run.log.timer(), "search for jumps");
   const double start = time_control.time();
   // A jump anywhere in the step: at its end it is the next step's.
   const auto jumps = [&]()
@@ -383,7 +383,7 @@ StepReport Transient<dim>::advance(const Step &part)
 template <int dim>
 void Transient<dim>::record_probes()
 {
-  TimerOutput::Scope scope(run.log.timer(), "probes");
+  SectionTimer::Scope scope(run.log.timer(), "probes");
   run.input.probes.record(time_control.time());
 }
 
@@ -459,7 +459,7 @@ bool Transient<dim>::stands()
   // save a step.
   if (time_control.n_steps() % 4 == 0 || relative() > run.input.time.error_tolerance)
   {
-    TimerOutput::Scope scope(run.log.timer(), "step error");
+    SectionTimer::Scope scope(run.log.timer(), "step error");
     scale = std::max(scale, run.solver->energy().sum());
   }
   const bool accepted =
@@ -604,7 +604,7 @@ void Transient<dim>::adapt()
 template <int dim>
 void Transient<dim>::write_checkpoint()
 {
-  TimerOutput::Scope scope(run.log.timer(), "checkpoint");
+  SectionTimer::Scope scope(run.log.timer(), "checkpoint");
   // A run that is killed goes on from here: what stands before must be on the disk.
   run.input.probes.flush_to_disk();
   beats.flush_to_disk();

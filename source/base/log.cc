@@ -40,9 +40,7 @@ struct Log::Implementation
         on_terminal(writes && isatty(STDOUT_FILENO) == 1 &&
                     std::getenv("OMPI_COMM_WORLD_RANK") == nullptr),
         progress_interval(on_terminal ? 0.2 : report_interval),
-        start(Clock::now()),
-        // Without a communicator: with one, every scope would be a barrier.
-        timer(nowhere, dealii::TimerOutput::never, dealii::TimerOutput::wall_times)
+        start(Clock::now())
   {
   }
 
@@ -97,8 +95,7 @@ struct Log::Implementation
   double first_time = 0.;
   unsigned int first_step = 0;
 
-  std::ostringstream nowhere;
-  dealii::TimerOutput timer;
+  SectionTimer timer;
   MemoryUse memory_use;
 };
 
@@ -220,15 +217,14 @@ void Log::end_progress()
   implementation->clear_progress();
 }
 
-dealii::TimerOutput &Log::timer()
+SectionTimer &Log::timer()
 {
   return implementation->timer;
 }
 
 std::map<std::string, double> Log::wall_times() const
 {
-  std::map<std::string, double> result =
-      implementation->timer.get_summary_data(dealii::TimerOutput::total_wall_time);
+  std::map<std::string, double> result = implementation->timer.wall_times();
   result["total"] = seconds_since(implementation->start);
   return result;
 }

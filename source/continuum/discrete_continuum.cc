@@ -37,6 +37,7 @@ void DiscreteContinuum<dim>::transfer()
 template <int dim>
 std::unique_ptr<VibrationOperator<dim>> DiscreteContinuum<dim>::vibration()
 {
+  stepping.share_state();
   return discretisation->vibration(
       {stepping.present_velocity(), stepping.present_displacement(), stepping.present_pressure()});
 }

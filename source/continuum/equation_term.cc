@@ -26,7 +26,10 @@ public:
       context.force.equ(1., context.nonlinear_forces.inertia);
     else
     {
-      context.operators.multiply_mass(region, context.force, step.balanced.acceleration);
+      if (context.has_products_of_step(region))
+        context.products->set_inertia(region, step.balanced.step, context.force);
+      else
+        context.operators.multiply_mass(region, context.force, step.balanced.acceleration);
       context.force *= density;
       if (context.operators.is_nonlinear_in(region))
         context.force.add(1., context.nonlinear_forces.inertia);
@@ -39,8 +42,10 @@ public:
   {
     if (context.operators.is_nonlinear_in(region))
       return context.nonlinear_energy.kinetic;
-    return 0.5 * context.problem.materials[region].density *
-           square(region, state.velocity, context);
+    const double density = context.problem.materials[region].density;
+    if (context.has_products(region))
+      return 0.5 * density * local_product(context.products->mass(region), state.velocity);
+    return 0.5 * density * square(region, state.velocity, context);
   }
 
 private:
@@ -63,6 +68,11 @@ public:
   {
     if (is_finite(region, context))
       context.force.equ(1., context.nonlinear_forces.strain);
+    else if (context.has_products(region) && context.products->is_elastic(region))
+    {
+      context.products->set_stiffness(region, step.balanced.step, context.force);
+      context.force *= context.products->spring(region);
+    }
     else if (context.history.mix_balanced(region, step.balanced.step, context.mixture))
       context.operators.set_reported_stress_force(region, step.balanced, context.mixture,
                                                   context.force);
@@ -94,6 +104,9 @@ public:
   {
     if (is_finite(region, context))
       return context.nonlinear_energy.strain;
+    if (context.has_products(region) && context.products->is_elastic(region))
+      return 0.5 * context.products->spring(region) *
+             local_product(context.products->stiffness(region), state.history.displacement());
     double sum = 0.;
     for (const Branch &branch : context.problem.materials[region].shear.branches)
     {
@@ -128,7 +141,10 @@ public:
       context.force.equ(1., context.nonlinear_forces.viscosity);
     else
     {
-      context.operators.multiply_stiffness(region, context.force, step.balanced.velocity);
+      if (context.has_products_of_step(region))
+        context.products->set_stiffness_of_velocity(region, step.balanced.step, context.force);
+      else
+        context.operators.multiply_stiffness(region, context.force, step.balanced.velocity);
       context.force *= shear.viscosity;
       if (shear.flow_curve)
         context.force.add(1., context.nonlinear_forces.viscosity);
@@ -149,6 +165,12 @@ public:
                DistributedVector *const forces) const override
   {
     const bool is_whole = context.is_whole(region);
+    if (forces == nullptr && context.products != nullptr &&
+        context.products->has_divergence(region))
+    {
+      context.products->set_divergence(region, step.balanced.step, context.dilatation);
+      return -local_product(context.dilatation, step.balanced.pressure);
+    }
     if (forces == nullptr && !is_whole)
       return context.operators.pressure_power(region, step.balanced.velocity,
                                               step.balanced.pressure);

@@ -120,12 +120,13 @@ void KeptState::give_back()
   estimate = kept_estimate;
 }
 
-void KeptState::move_older_level(const Step &step)
+bool KeptState::move_older_level(const Step &step)
 {
   if (!in_use || !estimate.wants_another_level(step))
-    return;
+    return false;
   Move move(*this, estimate.weights_of_level(step.older_distance));
   state(move);
+  return true;
 }
 
 void KeptState::advance(const Step &step)

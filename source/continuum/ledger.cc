@@ -14,11 +14,12 @@ Ledger::Ledger(const Problem &problem,
                Operators &operators,
                const OutletCoupling &outlets,
                const BranchHistory &history,
-               const BulkHistory &bulk_history)
+               const BulkHistory &bulk_history,
+               LevelProducts *const products)
     : problem(problem),
       operators(operators),
       outlets(outlets),
-      context{problem, operators, history, bulk_history}
+      context{problem, operators, history, bulk_history, products}
 {
   for (const EquationTermType &type : equation_terms(problem))
     terms.push_back(type.make());

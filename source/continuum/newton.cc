@@ -18,7 +18,7 @@ constexpr double largest_lost_volume = 1e-12;
 class FactorTime
 {
 public:
-  explicit FactorTime(dealii::TimerOutput &timer) : timer(timer)
+  explicit FactorTime(SectionTimer &timer) : timer(timer)
   {
     timer.leave_subsection("solve");
     timer.enter_subsection("factor");
@@ -32,7 +32,7 @@ public:
   FactorTime &operator=(const FactorTime &) = delete;
 
 private:
-  dealii::TimerOutput &timer;
+  SectionTimer &timer;
 };
 } // namespace
 

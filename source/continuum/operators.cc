@@ -2,6 +2,21 @@
 
 namespace Continua
 {
+void Operators::multiply_levels(const unsigned int region,
+                                const DistributedVector &velocity,
+                                const DistributedVector &displacement,
+                                DistributedVector *const mass_of_velocity,
+                                DistributedVector *const stiffness_of_velocity,
+                                DistributedVector *const stiffness_of_displacement)
+{
+  if (mass_of_velocity != nullptr)
+    multiply_mass(region, *mass_of_velocity, velocity);
+  if (stiffness_of_velocity != nullptr)
+    multiply_stiffness(region, *stiffness_of_velocity, velocity);
+  if (stiffness_of_displacement != nullptr)
+    multiply_stiffness(region, *stiffness_of_displacement, displacement);
+}
+
 void Operators::multiply_support_stiffness(unsigned int,
                                            DistributedVector &,
                                            const DistributedVector &)

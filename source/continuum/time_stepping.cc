@@ -36,7 +36,8 @@ TimeStepping::TimeStepping(const Problem &problem, Operators &operators, Log &lo
       cavities(problem, operators),
       wall_shear(problem, operators),
       newton(problem, operators, outlets, cavities, log),
-      ledger(problem, operators, outlets, history, bulk_history),
+      products(problem, operators, history, velocity, velocity_older),
+      ledger(problem, operators, outlets, history, bulk_history, &products),
       kept([this](StateVisitor &visitor) { visit(visitor); })
 {
 }
@@ -74,6 +75,7 @@ void TimeStepping::stop_solids()
   for (unsigned int i = 0; i < of_solids.size(); ++i)
     if (of_solids[i])
       velocity.begin()[i] = balanced.velocity.begin()[i] = 0.;
+  products.forget();
   ledger.forget_forces();
 }
 
@@ -92,6 +94,7 @@ void TimeStepping::start_from_present_state()
   kept.forget();
   newton.forget_factor();
   operators.forget_linearisation();
+  products.forget();
   ledger.forget_forces();
   outlets.start_from_rest();
   operators.start_from(present());
@@ -102,6 +105,7 @@ void TimeStepping::begin_unloaded_shape()
   // It goes on from the shape that is known, as on a mesh that was refined.
   history.displacement().equ(-1., *operators.unloaded_displacement());
   stop_finite_solids(velocity);
+  products.forget();
   newton.forget_factor();
   operators.forget_linearisation();
 }
@@ -117,7 +121,7 @@ void TimeStepping::keep_unloaded_shape()
 
 void TimeStepping::setup()
 {
-  TimerOutput::Scope scope(log.timer(), "setup");
+  SectionTimer::Scope scope(log.timer(), "setup");
   operators.setup();
   const DistributedVector zero_velocity = operators.velocity_vector(),
                           zero_pressure = operators.pressure_vector();
@@ -127,6 +131,7 @@ void TimeStepping::setup()
   cavities.build();
   balanced.cavity_pressures = cavities.pressures();
   wall_shear.reinit();
+  products.reinit();
   ledger.reinit();
   if (operators.is_nonlinear())
     newton.reinit();
@@ -186,8 +191,8 @@ StepReport TimeStepping::advance(const Step &given_step)
   StepReport report;
   try
   {
-    if (!operators.solves_for_displacement())
-      kept.move_older_level(step);
+    if (!operators.solves_for_displacement() && kept.move_older_level(step))
+      products.forget_older();
     operators.begin_step(step, present());
     if (operators.solves_for_displacement())
       operators.make_displacement_step(step, velocity, history.displacement(), balanced, report);
@@ -203,7 +208,7 @@ StepReport TimeStepping::advance(const Step &given_step)
   {
     throw RunError(text_of(step, error));
   }
-  TimerOutput::Scope scope(log.timer(), "update");
+  SectionTimer::Scope scope(log.timer(), "update");
   set_extremes(step, velocity, balanced.velocity, balanced.pressure, report);
   if (step.is_towards_rest)
     report.change_at_rest = change_at_rest(step);
@@ -216,7 +221,7 @@ void TimeStepping::balance(const Step &step, StepReport &report)
   deform_by_jump(step);
   const SystemChange change = prepare(step, report);
   {
-    TimerOutput::Scope scope(log.timer(), "right-hand side");
+    SectionTimer::Scope scope(log.timer(), "right-hand side");
     set_momentum(step);
     set_mass(step);
     if (!operators.is_homogeneous())
@@ -226,7 +231,7 @@ void TimeStepping::balance(const Step &step, StepReport &report)
         operators.eliminate_prescribed(balanced.prescribed, momentum, mass);
     }
   }
-  TimerOutput::Scope scope(log.timer(), "solve");
+  SectionTimer::Scope scope(log.timer(), "solve");
   if (operators.is_nonlinear())
   {
     iterate(step, change != SystemChange::none, report);
@@ -282,7 +287,7 @@ void TimeStepping::stop_finite_solids(DistributedVector &of_velocity) const
 
 SystemChange TimeStepping::prepare(const Step &step, StepReport &report)
 {
-  TimerOutput::Scope scope(log.timer(), "factor");
+  SectionTimer::Scope scope(log.timer(), "factor");
   coefficients.set(problem, step);
   // Regions that are left out change with the step, too, and the tangent with them.
   const bool is_other = !(coefficients == whole_coefficients);
@@ -314,9 +319,17 @@ void TimeStepping::set_momentum(const Step &step)
   {
     if (is_whole(region))
       continue;
-    operators.multiply_mass(region, balanced.velocity, velocity_work);
-    momentum.add(problem.materials[region].density, balanced.velocity);
-    if (history.predict(region, step, velocity, mixture))
+    const double density = problem.materials[region].density;
+    if (products.has(region))
+      momentum.add(density, products.past_inertia(region, step));
+    else
+    {
+      operators.multiply_mass(region, balanced.velocity, velocity_work);
+      momentum.add(density, balanced.velocity);
+    }
+    if (products.is_elastic(region))
+      products.add_past_stress(region, step, momentum);
+    else if (history.predict(region, step, velocity, mixture))
     {
       operators.multiply_past_stiffness(region, balanced.velocity, mixture);
       momentum.add(-1., balanced.velocity);
@@ -368,8 +381,13 @@ void TimeStepping::set_mass(const Step &step)
     if (step.divergence_old && !relaxes)
     {
       // What relaxes has the rate of the past in its own prediction.
-      operators.set_past_dilatation(region, present(), balanced.pressure);
-      mass.add(-1., balanced.pressure);
+      if (products.has(region))
+        mass.add(-1., products.divergence(region));
+      else
+      {
+        operators.set_past_dilatation(region, present(), balanced.pressure);
+        mass.add(-1., balanced.pressure);
+      }
     }
   }
   if (!operators.corrects_fluxes())
@@ -428,6 +446,7 @@ void TimeStepping::finish(const Step &step)
   cavities.finish_step(balanced);
   present_time = step.time;
   balanced.step = step;
+  products.advance();
   ledger.forget_forces();
   operators.finish_step(balanced, present());
   wall_shear.advance(step, present());
@@ -490,6 +509,7 @@ void TimeStepping::deform_massless()
   pressure.add(1., pressure_work);
   pressure_older.add(1., pressure_work);
   bulk_history.jump(pressure_work);
+  products.forget();
 }
 
 double TimeStepping::change_at_rest(const Step &step)
@@ -562,7 +582,7 @@ void TimeStepping::solve_steady(const double time)
   const bool solid = !problem.materials.front().shear.branches.empty();
   StepReport report;
   {
-    TimerOutput::Scope scope(log.timer(), "factor");
+    SectionTimer::Scope scope(log.timer(), "factor");
     coefficients.set_steady(problem);
     if (operators.prepare(coefficients, 1.) != SystemChange::none && !solid)
       outlets.respond(report);
@@ -580,7 +600,7 @@ void TimeStepping::solve_steady(const double time)
     operators.eliminate_prescribed(balanced.prescribed, momentum, mass);
   }
   {
-    TimerOutput::Scope scope(log.timer(), "solve");
+    SectionTimer::Scope scope(log.timer(), "solve");
     velocity_work = 0.;
     operators.solve(balanced.prescribed, momentum, mass, velocity_work, pressure, report);
   }
@@ -598,6 +618,7 @@ void TimeStepping::solve_steady(const double time)
   balanced.velocity.equ(1., velocity);
   balanced.pressure.equ(1., pressure);
   balanced.acceleration = 0.;
+  products.forget();
   ledger.forget_forces();
 }
 
@@ -607,7 +628,7 @@ StepError TimeStepping::step_error()
   error.is_known = kept.error_is_known();
   if (!error.is_known)
     return error;
-  TimerOutput::Scope scope(log.timer(), "step error");
+  SectionTimer::Scope scope(log.timer(), "step error");
   kept.velocity_error(velocity.begin(), velocity_work.begin(), velocity.locally_owned_size());
   // Prescribed velocities are exact, whatever is predicted of them.
   operators.clear_prescribed(velocity_work);
@@ -623,8 +644,14 @@ StepError TimeStepping::step_error()
 
 void TimeStepping::keep_state()
 {
-  TimerOutput::Scope scope(log.timer(), "step error");
+  SectionTimer::Scope scope(log.timer(), "step error");
   kept.keep();
+}
+
+void TimeStepping::return_to_kept_state()
+{
+  kept.give_back();
+  products.forget();
 }
 
 bool TimeStepping::data_jumps(const double begin, const double end) const
@@ -667,6 +694,7 @@ void TimeStepping::transfer()
     Assert(have_same_layout(*vector, velocity_work), ExcInternalError());
   for ([[maybe_unused]] const DistributedVector *vector : vectors.pressures)
     Assert(have_same_layout(*vector, pressure_work), ExcInternalError());
+  products.forget();
   deform_by_imbalance(present_time);
   wall_shear.follow_mesh(present());
 }
@@ -681,6 +709,7 @@ void TimeStepping::save(ArchiveWriter &archive) const
 void TimeStepping::load(const ArchiveReader &archive)
 {
   load_state(archive, operators.numbering(), kept);
+  products.forget();
   operators.finish_load();
 }
 } // namespace Continua

@@ -532,7 +532,7 @@ void CellWise<dim>::begin_step(const Step &step, const State &start)
 {
   if (!vertex_motion)
     return;
-  TimerOutput::Scope scope(log.timer(), "mesh motion");
+  SectionTimer::Scope scope(log.timer(), "mesh motion");
   vertex_motion->begin_step(step, start);
   vertex_motion->check();
   take_shapes();
@@ -739,15 +739,15 @@ void CellWise<dim>::make_displacement_step(const Step &step,
     displacement_levels.start(displacement, velocity, step.size());
   const auto derivatives = displacement_levels.derivatives(step, step.a2 != 0.);
   {
-    TimerOutput::Scope scope(log.timer(), "factor");
+    SectionTimer::Scope scope(log.timer(), "factor");
     if (prepare_cells(displacement_step.coefficients(derivatives)) == SystemChange::factor)
       ++report.factors;
   }
   {
-    TimerOutput::Scope scope(log.timer(), "right-hand side");
+    SectionTimer::Scope scope(log.timer(), "right-hand side");
     displacement_step.set_right_side(step, displacement_levels, derivatives, balanced);
   }
-  TimerOutput::Scope scope(log.timer(), "solve");
+  SectionTimer::Scope scope(log.timer(), "solve");
   displacement_step.solve(*cell_solve, derivatives, displacement, balanced, report);
   displacement_levels.advance(step, displacement);
 }

@@ -1,6 +1,7 @@
 #include <continua/base/input_error.h>
 #include <continua/base/kept_signal_action.h>
 #include <continua/linear_algebra/cholmod_factor.h>
+#include <continua/linear_algebra/factor_panels.h>
 #include <continua/linear_algebra/singular_matrix.h>
 
 #include <algorithm>
@@ -16,12 +17,11 @@ struct CholmodFactor::Data
   cholmod_common common;
   cholmod_factor *factor = nullptr;
   std::vector<int> owned;
-  std::vector<int> starts, rows; ///< of the matrix that was analysed, if it is kept
-  // Kept between solves, so that CHOLMOD allocates them in the first one only.
-  std::vector<double> right_hand_side;
-  cholmod_dense *solution = nullptr;
-  cholmod_dense *workspace = nullptr;
-  cholmod_dense *second_workspace = nullptr;
+  std::vector<int> starts, rows;    ///< of the matrix that was analysed, if it is kept
+  FactorPanels panels;              ///< the numbers of the factor
+  std::vector<int> places;          ///< of the owned indices in the factor's order
+  std::vector<double> in_its_order; ///< right-hand side and solution of a solve
+  std::size_t n_negative_pivots = 0;
 
   Data()
   {
@@ -40,9 +40,6 @@ struct CholmodFactor::Data
   ~Data()
   {
     cholmod_free_factor(&factor, &common);
-    cholmod_free_dense(&solution, &common);
-    cholmod_free_dense(&workspace, &common);
-    cholmod_free_dense(&second_workspace, &common);
     cholmod_finish(&common);
   }
 
@@ -103,6 +100,29 @@ struct CholmodFactor::Data
                              std::to_string(order[k]) + " lost all its digits.");
     }
   }
+
+  /// Takes the numbers of the factor over into panels; CHOLMOD keeps the order of the unknowns.
+  void take_panels()
+  {
+    const auto *const order = static_cast<const int *>(factor->Perm);
+    const auto *const its_starts = static_cast<const int *>(factor->p);
+    const auto *const values = static_cast<const double *>(factor->x);
+    const int n = static_cast<int>(factor->n);
+    n_negative_pivots = 0;
+    for (int k = 0; k < n; ++k)
+      n_negative_pivots += values[its_starts[k]] < 0. ? 1 : 0;
+    panels = FactorPanels(n, its_starts, static_cast<const int *>(factor->nz),
+                          static_cast<const int *>(factor->i), values);
+    std::vector<int> place_of_index(n);
+    for (int k = 0; k < n; ++k)
+      place_of_index[order[k]] = k;
+    places.resize(n);
+    for (int k = 0; k < n; ++k)
+      places[k] = place_of_index[owned[k]];
+    in_its_order.assign(n + 1, 0.);
+    cholmod_change_factor(CHOLMOD_PATTERN, 0, 0, 0, 0, factor, &common);
+    check("taking the factor over");
+  }
 };
 
 CholmodFactor::CholmodFactor() : data(std::make_unique<Data>()) {}
@@ -159,49 +179,23 @@ void CholmodFactor::factorize(SymmetricTriplets matrix, const std::vector<int> &
     if (matrix.rows[k] == matrix.columns[k])
       diagonal[matrix.rows[k]] += matrix.values[k];
   d.check_pivots(diagonal);
-
-  // The first solve allocates what CHOLMOD needs.
-  d.right_hand_side.assign(n, 0.);
-  std::vector<double> zero(n, 0.);
-  solve(zero);
+  d.take_panels();
 }
 
 void CholmodFactor::solve(std::vector<double> &x)
 {
   Data &d = *data;
   assert(x.size() == d.owned.size());
-  const std::size_t n = x.size();
-  for (std::size_t k = 0; k < n; ++k)
-    d.right_hand_side[d.owned[k]] = x[k];
-
-  cholmod_dense right_hand_side{};
-  right_hand_side.nrow = right_hand_side.nzmax = right_hand_side.d = n;
-  right_hand_side.ncol = 1;
-  right_hand_side.x = d.right_hand_side.data();
-  right_hand_side.xtype = CHOLMOD_REAL;
-  right_hand_side.dtype = CHOLMOD_DOUBLE;
-  if (!cholmod_solve2(CHOLMOD_A, d.factor, &right_hand_side, nullptr, &d.solution, nullptr,
-                      &d.workspace, &d.second_workspace, &d.common))
-    d.check("solution");
-
-  // CHOLMOD wants its workspace for four right-hand sides and leaves it in the shape for one; in
-  // that shape it would be allocated anew in the next solve.
-  d.workspace->nrow = d.workspace->d = d.workspace->nzmax / std::max<std::size_t>(n, 1);
-  d.workspace->ncol = n;
-
-  const auto *const solution = static_cast<const double *>(d.solution->x);
-  for (std::size_t k = 0; k < n; ++k)
-    x[k] = solution[d.owned[k]];
+  for (std::size_t k = 0; k < x.size(); ++k)
+    d.in_its_order[d.places[k]] = x[k];
+  d.panels.solve(d.in_its_order.data());
+  for (std::size_t k = 0; k < x.size(); ++k)
+    x[k] = d.in_its_order[d.places[k]];
 }
 
 std::size_t CholmodFactor::count_negative_pivots() const
 {
-  const auto *const starts = static_cast<const int *>(data->factor->p);
-  const auto *const values = static_cast<const double *>(data->factor->x);
-  std::size_t n_negative = 0;
-  for (std::size_t k = 0; k < data->factor->n; ++k)
-    n_negative += values[starts[k]] < 0.;
-  return n_negative;
+  return data->n_negative_pivots;
 }
 
 double CholmodFactor::n_entries() const
@@ -211,10 +205,8 @@ double CholmodFactor::n_entries() const
 
 double CholmodFactor::memory() const
 {
-  // Values and row indices, and per column: permutation, counts, starts, list links and two work
-  // vectors.
-  const cholmod_factor &factor = *data->factor;
-  return 12. * static_cast<double>(factor.nzmax) + 48. * static_cast<double>(factor.n);
+  // Beside the panels, per column: permutation, counts, place, and a number of a solve.
+  return static_cast<double>(data->panels.memory() + 20 * data->panels.size());
 }
 
 std::string CholmodFactor::name() const

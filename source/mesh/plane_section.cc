@@ -1,5 +1,6 @@
 #include <continua/mesh/plane_section.h>
 
+#include <continua/mesh/cell_polynomial.h>
 #include <continua/mesh/cells_in_tree_order.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -7,7 +8,6 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>
-#include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/non_matching/quadrature_generator.h>
 
@@ -77,59 +77,63 @@ class PlaneSection<dim>::CellPlane : public Function<dim>
 {
 public:
   CellPlane(const MappingQ<dim> &mapping, const Point<dim> &point, const Tensor<1, dim> &normal)
-      : element(mapping.get_degree()),
-        nodes(mapping,
+      : nodes(mapping,
               nothing,
-              Quadrature<dim>(element.get_unit_support_points()),
+              QGaussLobatto<dim>(mapping.get_degree() + 1),
               update_quadrature_points),
         point(point),
         normal(normal),
-        distances(element.n_dofs_per_cell())
+        distance(mapping.get_degree()),
+        at_nodes(distance.n_values())
   {
+    for (unsigned int d = 0; d < dim; ++d)
+      coordinates.emplace_back(mapping.get_degree());
   }
 
-  /// False if the plane misses the cell for certain.
-  bool reinit(const CellIterator &cell)
+  /// Whether the plane may cut the cell, by its corners.
+  bool is_near(const CellIterator &cell) const
   {
-    size = cell->diameter();
+    const double reach = 0.5 * cell->diameter();
     // A curved cell may reach beyond its corners.
     double lower = std::numeric_limits<double>::max(), upper = -lower;
     for (const unsigned int v : cell->vertex_indices())
     {
-      const double distance = (cell->vertex(v) - point) * normal;
-      lower = std::min(lower, distance);
-      upper = std::max(upper, distance);
+      const double of_vertex = (cell->vertex(v) - point) * normal;
+      lower = std::min(lower, of_vertex);
+      upper = std::max(upper, of_vertex);
     }
-    if (lower > 0.5 * size || upper < -0.5 * size)
-      return false;
+    return lower <= reach && upper >= -reach;
+  }
+  /// False if the plane misses the cell for certain.
+  bool reinit(const CellIterator &cell)
+  {
+    size = cell->diameter();
     nodes.reinit(cell);
-    for (unsigned int i = 0; i < distances.size(); ++i)
-      distances[i] = (nodes.quadrature_point(i) - point) * normal / size;
-    const auto range = std::minmax_element(distances.begin(), distances.end());
-    const double margin = 0.5 * (*range.second - *range.first);
-    return *range.first<margin && * range.second> - margin;
+    for (unsigned int i = 0; i < at_nodes.size(); ++i)
+      at_nodes[i] = (nodes.quadrature_point(i) - point) * normal / size;
+    distance.set(at_nodes);
+    if (!distance.may_vanish())
+      return false;
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      for (unsigned int i = 0; i < at_nodes.size(); ++i)
+        at_nodes[i] = nodes.quadrature_point(i)[d];
+      coordinates[d].set(at_nodes);
+    }
+    return true;
   }
 
   double value(const Point<dim> &unit, const unsigned int = 0) const override
   {
-    double sum = 0.;
-    for (unsigned int i = 0; i < distances.size(); ++i)
-      sum += distances[i] * element.shape_value(i, unit);
-    return sum;
+    return distance.value(unit);
   }
   Tensor<1, dim> gradient(const Point<dim> &unit, const unsigned int = 0) const override
   {
-    Tensor<1, dim> sum;
-    for (unsigned int i = 0; i < distances.size(); ++i)
-      sum += distances[i] * element.shape_grad(i, unit);
-    return sum;
+    return distance.gradient(unit);
   }
   SymmetricTensor<2, dim> hessian(const Point<dim> &unit, const unsigned int = 0) const override
   {
-    Tensor<2, dim> sum;
-    for (unsigned int i = 0; i < distances.size(); ++i)
-      sum += distances[i] * element.shape_grad_grad(i, unit);
-    return symmetrize(sum);
+    return distance.hessian(unit);
   }
   /// Length of the gradient of the distance itself [m].
   double slope(const Point<dim> &unit) const { return size * gradient(unit).norm(); }
@@ -137,22 +141,21 @@ public:
   /// The point of the body, and the derivative of the mapping [m].
   void map(const Point<dim> &unit, Point<dim> &real, Tensor<2, dim> &jacobian) const
   {
-    real = Point<dim>();
-    jacobian.clear();
-    for (unsigned int i = 0; i < distances.size(); ++i)
+    for (unsigned int d = 0; d < dim; ++d)
     {
-      real += element.shape_value(i, unit) * nodes.quadrature_point(i);
-      jacobian += outer_product(nodes.quadrature_point(i), element.shape_grad(i, unit));
+      real[d] = coordinates[d].value(unit);
+      jacobian[d] = coordinates[d].gradient(unit);
     }
   }
 
 private:
-  const FE_Q<dim> element; ///< whose support points are the mapping's
   const FE_Nothing<dim> nothing;
-  FEValues<dim> nodes;
+  FEValues<dim> nodes; ///< of the mapping
   const Point<dim> point;
   const Tensor<1, dim> normal;
-  std::vector<double> distances;
+  CellPolynomial<dim> distance;
+  std::vector<CellPolynomial<dim>> coordinates; ///< of a point of the body [m]
+  std::vector<double> at_nodes;                 ///< work space
   double size = 1.;
 };
 
@@ -165,6 +168,32 @@ PlaneSection<dim>::PlaneSection(const MappingQ<dim> &mapping,
                                 const Tensor<1, dim> &normal,
                                 const unsigned int n_points,
                                 const VesselAxis<dim> *axis)
+    : PlaneSection(mapping, triangulation, cells, regions, point, normal, n_points, axis, false)
+{
+}
+
+template <int dim>
+bool PlaneSection<dim>::exists(const MappingQ<dim> &mapping,
+                               const Triangulation<dim> &triangulation,
+                               const std::set<unsigned int> &regions,
+                               const Point<dim> &point,
+                               const Tensor<1, dim> &normal,
+                               const VesselAxis<dim> *axis)
+{
+  return PlaneSection(mapping, triangulation, Cells::coarse, regions, point, normal, 2, axis, true)
+             .area() > 0.;
+}
+
+template <int dim>
+PlaneSection<dim>::PlaneSection(const MappingQ<dim> &mapping,
+                                const Triangulation<dim> &triangulation,
+                                const Cells cells,
+                                const std::set<unsigned int> &regions,
+                                const Point<dim> &point,
+                                const Tensor<1, dim> &normal,
+                                const unsigned int n_points,
+                                const VesselAxis<dim> *axis,
+                                const bool is_first_cell)
     : mapping(mapping),
       triangulation(triangulation),
       cells(cells),
@@ -172,7 +201,8 @@ PlaneSection<dim>::PlaneSection(const MappingQ<dim> &mapping,
       point(point),
       normal(normal / normal.norm()),
       n_points(n_points),
-      axis(axis)
+      axis(axis),
+      is_first_cell(is_first_cell)
 {
   if (axis != nullptr)
     position = axis->position(point);
@@ -227,7 +257,7 @@ double PlaneSection<dim>::cut()
   double area = 0.;
   const auto cut_cell = [&](const CellIterator &cell)
   {
-    if (!counts(cell) || !plane.reinit(cell) || !is_on_axis(cell))
+    if (!counts(cell) || !plane.is_near(cell) || !is_on_axis(cell) || !plane.reinit(cell))
       return;
     generator.generate(plane, unit_cell);
     const Quadrature<dim> &surface = generator.get_surface_quadrature();
@@ -250,7 +280,11 @@ double PlaneSection<dim>::cut()
   if (cells == Cells::coarse)
   {
     for (const auto &cell : triangulation.cell_iterators_on_level(0))
+    {
       cut_cell(cell);
+      if (is_first_cell && area > 0.)
+        break;
+    }
     return area;
   }
   for (const auto &cell : cells_in_tree_order(triangulation))

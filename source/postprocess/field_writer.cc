@@ -168,7 +168,7 @@ void FieldWriter<dim>::record(const RecordedStep<dim> &step)
 {
   if (!step.is_due)
     return;
-  dealii::TimerOutput::Scope scope(step.log.timer(), "fields");
+  SectionTimer::Scope scope(step.log.timer(), "fields");
   write(step.solver, step.time);
 }
 

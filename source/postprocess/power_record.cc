@@ -103,7 +103,7 @@ void PowerRecord<dim>::resume(ContinuumSolver<dim> & /*solver*/,
 template <int dim>
 void PowerRecord<dim>::record(const RecordedStep<dim> &step)
 {
-  dealii::TimerOutput::Scope scope(step.log.timer(), "power ledger");
+  SectionTimer::Scope scope(step.log.timer(), "power ledger");
   record(step.solver, step.part, step.is_due);
 }
 

@@ -788,10 +788,8 @@ void ProbeEntries<dim>::check_section(const std::string &entry,
                                       const ProbeRequest<dim> &of_section,
                                       const dealii::Triangulation<dim> &coarse_mesh) const
 {
-  if (PlaneSection<dim>(dealii::MappingQ<dim>(degree_of_coarse_cells), coarse_mesh,
-                        PlaneSection<dim>::Cells::coarse, of_section.region_ids, of_section.point,
-                        of_section.normal, 2)
-          .area() == 0.)
+  if (!PlaneSection<dim>::exists(dealii::MappingQ<dim>(degree_of_coarse_cells), coarse_mesh,
+                                 of_section.region_ids, of_section.point, of_section.normal))
     section.refuse(entry, "a section without area: the plane does not cut the body",
                    "Give a position at which it does, in the Region if there is one");
 }

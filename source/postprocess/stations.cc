@@ -165,24 +165,26 @@ void Stations<dim>::check(const ParameterSection &section,
 
   // Of a high degree, since a coarse cell may stand for a large part of a circle.
   const dealii::MappingQ<dim> mapping(6);
-  const auto cut = [&](const std::set<unsigned int> &region_ids, const double position)
+  const auto place_of = [&](const double position)
+  { return request(ProbeRequest<dim>::Kind::point, "", {}, position); };
+  const auto is_cut = [&](const std::set<unsigned int> &region_ids, const double position)
   {
-    const ProbeRequest<dim> place = request(ProbeRequest<dim>::Kind::point, "", {}, position);
-    return PlaneSection<dim>(mapping, coarse_mesh, PlaneSection<dim>::Cells::coarse, region_ids,
-                             place.point, place.normal, 6, axis.get());
+    const ProbeRequest<dim> place = place_of(position);
+    return PlaneSection<dim>::exists(mapping, coarse_mesh, region_ids, place.point, place.normal,
+                                     axis.get());
   };
   for (unsigned int s = 0; s < station_positions.size(); ++s)
   {
     const double position = station_positions[s];
-    if (cut(fluid_ids, position).area() == 0.)
+    if (!is_cut(fluid_ids, position))
       section.refuse("Stations", "a section without area: there is no fluid at " + label(s),
                      "Give positions at which the plane cuts the fluid");
-    if (has("hoop stress") && cut(wall_ids, position).area() == 0.)
+    if (has("hoop stress") && !is_cut(wall_ids, position))
       section.refuse("Fields", "there is no wall at " + label(s),
                      "Leave 'hoop stress' out, or the station");
     if (has("axis pressure"))
     {
-      const auto place = request(ProbeRequest<dim>::Kind::point, "", {}, position);
+      const ProbeRequest<dim> place = place_of(position);
       dealii::Point<dim> unit_point;
       bool inside = false;
       for (const auto &cell : coarse_mesh.cell_iterators_on_level(0))
@@ -197,9 +199,10 @@ void Stations<dim>::check(const ParameterSection &section,
     return;
   // The angle that the rim subtends at the axis, by Gauss's law in the plane.
   double angle = 0.;
-  const ProbeRequest<dim> first =
-      request(ProbeRequest<dim>::Kind::point, "", {}, station_positions.front());
-  for (const auto &part : cut(fluid_ids, station_positions.front()).outer_rim())
+  const ProbeRequest<dim> first = place_of(station_positions.front());
+  const PlaneSection<dim> cut(mapping, coarse_mesh, PlaneSection<dim>::Cells::coarse, fluid_ids,
+                              first.point, first.normal, 6, axis.get());
+  for (const auto &part : cut.outer_rim())
     for (unsigned int q = 0; q < part.points.size(); ++q)
     {
       dealii::Tensor<1, dim> radial = part.points[q] - first.point;

@@ -103,7 +103,7 @@ UNIT_TEST(log)
 
     for (unsigned int i = 0; i < 2; ++i)
     {
-      const dealii::TimerOutput::Scope scope(log.timer(), "assembly");
+      const SectionTimer::Scope scope(log.timer(), "assembly");
       usleep(10000);
     }
     const std::map<std::string, double> times = log.wall_times();

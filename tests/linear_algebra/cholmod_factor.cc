@@ -33,7 +33,7 @@ UNIT_TEST(cholmod_factor)
   CholmodFactor again;
   problems::factorize(again, saddle);
   check::is_true("a second factor is bit-equal", problems::solve(again, b) == first);
-  check::is_true("memory", factor.memory() > 12 * factor.n_entries());
+  check::is_true("memory", factor.memory() > 8 * factor.n_entries());
 
   // The order of the unknowns is kept for other values at the same places, and not for others.
   CholmodFactor keeping;

@@ -2,8 +2,7 @@
 #define continua_base_log_h
 
 #include <continua/base/memory_use.h>
-
-#include <deal.II/base/timer.h>
+#include <continua/base/section_timer.h>
 
 #include <mpi.h>
 
@@ -53,9 +52,9 @@ public:
   /// Clears the progress line.
   void end_progress();
 
-  /// Wall time by section; use with dealii::TimerOutput::Scope. Each rank has its own and a scope
-  /// costs no communication; what is printed is rank 0's.
-  dealii::TimerOutput &timer();
+  /// Wall time by section; use with SectionTimer::Scope. Each rank has its own and a scope costs no
+  /// communication; what is printed is rank 0's.
+  SectionTimer &timer();
   /// Wall time by section on this rank [s], and "total" since the log was made.
   std::map<std::string, double> wall_times() const;
   /// Writes the wall times to log.txt.

@@ -73,10 +73,19 @@ public:
   /// b of D = D_plus + b U of the displacement [s].
   static double step_displacement(const Step &step);
 
+  /// Whether a region has branches, and none that relaxes.
+  bool is_elastic(const unsigned int region) const
+  {
+    return !materials[region].shear.branches.empty() && regions[region].branches.empty();
+  }
+  /// Shear modulus of the branches of a region that never relax [Pa].
+  double spring(const unsigned int region) const { return regions[region].spring; }
   /// D of a relaxation time, at the present time.
   const DistributedVector &internal_displacement(double relaxation_time) const;
   DistributedVector &displacement() { return branches[0].present; }
   const DistributedVector &displacement() const { return branches[0].present; }
+  /// One step before.
+  const DistributedVector &displacement_older() const { return branches[0].older; }
   /// Relaxation times for which the step takes the exponential update.
   std::vector<double> exponential_branches(const Step &step) const;
 

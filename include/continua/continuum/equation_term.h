@@ -3,6 +3,7 @@
 
 #include <continua/continuum/balanced_step.h>
 #include <continua/continuum/bulk_history.h>
+#include <continua/continuum/level_products.h>
 #include <continua/continuum/operators.h>
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state.h>
@@ -21,6 +22,7 @@ struct TermContext
   Operators &operators;
   const BranchHistory &history;
   const BulkHistory &bulk_history;
+  LevelProducts *products = nullptr; ///< of the state; null where they are not kept
   DistributedVector force = {}, mixture = {}, forgotten = {}; ///< like velocities
   DistributedVector dilatation = {}, forgotten_rate = {};     ///< like pressures
   /// Of the region at hand: forces of a step that is over, energies of a state.
@@ -31,6 +33,16 @@ struct TermContext
   bool is_whole(const unsigned int region) const
   {
     return operators.has_whole_terms() && operators.is_nonlinear_in(region);
+  }
+  /// Whether products of the state's levels are those of the region.
+  bool has_products(const unsigned int region) const
+  {
+    return products != nullptr && products->has(region);
+  }
+  /// Whether they are those of the step that is over, too.
+  bool has_products_of_step(const unsigned int region) const
+  {
+    return products != nullptr && products->has_step(region);
   }
 };
 

@@ -33,8 +33,9 @@ public:
   void keep();
   void give_back();
 
-  /// To be called before a step: moves the older level to where the step wants it.
-  void move_older_level(const Step &step);
+  /// To be called before a step: moves the older level to where the step wants it. False if it
+  /// stays.
+  bool move_older_level(const Step &step);
   /// To be called after a step.
   void advance(const Step &step);
   bool error_is_known() const { return in_use && estimate.is_known(); }

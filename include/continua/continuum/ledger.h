@@ -22,12 +22,13 @@ namespace Continua
 class Ledger
 {
 public:
-  /// All must outlive it.
+  /// All must outlive it. `products`: of the levels of the state; null where they are not kept.
   Ledger(const Problem &problem,
          Operators &operators,
          const OutletCoupling &outlets,
          const BranchHistory &history,
-         const BulkHistory &bulk_history);
+         const BulkHistory &bulk_history,
+         LevelProducts *products = nullptr);
 
   /// The mesh has changed.
   void reinit();

@@ -83,6 +83,16 @@ public:
   virtual void multiply_stiffness(unsigned int region,
                                   DistributedVector &force,
                                   const DistributedVector &mixture) = 0;
+  /// Whether the linear terms of a region are these two products, B U and G p, and nothing else, so
+  /// that products of sums may be sums of products.
+  virtual bool has_level_products() const { return false; }
+  /// Sets M v, S v and S w at once, of a velocity and a displacement; null targets are left out.
+  virtual void multiply_levels(unsigned int region,
+                               const DistributedVector &velocity,
+                               const DistributedVector &displacement,
+                               DistributedVector *mass_of_velocity,
+                               DistributedVector *stiffness_of_velocity,
+                               DistributedVector *stiffness_of_displacement);
   /// G p: minus the forces of the pressure [N].
   virtual void multiply_gradient(unsigned int region,
                                  DistributedVector &force,

@@ -7,6 +7,7 @@
 #include <continua/continuum/bulk_history.h>
 #include <continua/continuum/kept_state.h>
 #include <continua/continuum/ledger.h>
+#include <continua/continuum/level_products.h>
 #include <continua/continuum/newton.h>
 #include <continua/continuum/operators.h>
 #include <continua/continuum/outlet_coupling.h>
@@ -49,7 +50,7 @@ public:
   /// See ContinuumSolver.
   StepError step_error();
   void keep_state();
-  void return_to_kept_state() { kept.give_back(); }
+  void return_to_kept_state();
   bool data_jumps(double begin, double end) const;
 
   PowerBalance power_balance(bool relaxation);
@@ -74,7 +75,8 @@ public:
   double time() const { return present_time; }
   /// The pressures of the outlets' ports at the present time, by boundary condition [Pa].
   std::vector<double> port_pressures() { return outlets.present_pressures(present_time, velocity); }
-  /// To be changed by a shape of vibration.
+  /// Call before others than the steps change the state, as shapes of vibration do.
+  void share_state() { products.share(); }
   DistributedVector &present_velocity() { return velocity; }
   DistributedVector &present_displacement() { return history.displacement(); }
   DistributedVector &present_pressure() { return pressure; }
@@ -90,6 +92,7 @@ private:
   WallShearAverage wall_shear;
   /// Its factor is no part of the state: a checkpoint makes it forgotten.
   mutable Newton newton;
+  LevelProducts products;
   Ledger ledger;
 
   // The state: at the present time, and one step before.

@@ -76,6 +76,17 @@ public:
   {
     products.multiply_stiffness(region, force, mixture);
   }
+  bool has_level_products() const override { return products.has_matrices(); }
+  void multiply_levels(const unsigned int region,
+                       const DistributedVector &velocity,
+                       const DistributedVector &displacement,
+                       DistributedVector *const mass_of_velocity,
+                       DistributedVector *const stiffness_of_velocity,
+                       DistributedVector *const stiffness_of_displacement) override
+  {
+    products.multiply_levels(region, velocity, displacement, mass_of_velocity,
+                             stiffness_of_velocity, stiffness_of_displacement);
+  }
   void multiply_gradient(const unsigned int region,
                          DistributedVector &force,
                          const DistributedVector &pressure) override

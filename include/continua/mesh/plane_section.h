@@ -58,6 +58,13 @@ public:
                const dealii::Tensor<1, dim> &normal,
                unsigned int n_points,
                const VesselAxis<dim> *axis = nullptr);
+  /// Whether such a section of the coarse mesh has an area. The first cell that is cut tells.
+  static bool exists(const dealii::MappingQ<dim> &mapping,
+                     const dealii::Triangulation<dim> &triangulation,
+                     const std::set<unsigned int> &regions,
+                     const dealii::Point<dim> &point,
+                     const dealii::Tensor<1, dim> &normal,
+                     const VesselAxis<dim> *axis = nullptr);
 
   /// On this rank's cells.
   const std::vector<Part> &parts() const { return section_parts; }
@@ -71,6 +78,16 @@ public:
 private:
   using CellIterator = typename dealii::Triangulation<dim>::cell_iterator;
   class CellPlane;
+  /// `is_first_cell`: the section ends with the first cell, of the coarse mesh, that is cut.
+  PlaneSection(const dealii::MappingQ<dim> &mapping,
+               const dealii::Triangulation<dim> &triangulation,
+               Cells cells,
+               const std::set<unsigned int> &regions,
+               const dealii::Point<dim> &point,
+               const dealii::Tensor<1, dim> &normal,
+               unsigned int n_points,
+               const VesselAxis<dim> *axis,
+               bool is_first_cell);
   bool counts(const CellIterator &cell) const;
   /// Whether the vessel's axis leads through the cell at the plane's point.
   bool is_on_axis(const CellIterator &cell) const;
@@ -85,6 +102,7 @@ private:
   const dealii::Tensor<1, dim> normal;
   const unsigned int n_points;
   const VesselAxis<dim> *const axis;
+  const bool is_first_cell;
   double position = 0.; ///< of the plane's point along the axis [m]
   std::vector<Part> section_parts;
   double total_area = 0.;

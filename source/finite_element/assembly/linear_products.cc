@@ -30,6 +30,10 @@ void LinearProducts<dim>::reinit()
     divergence_norm += region.divergence.linfty_norm();
     gradient_norm += region.divergence.l1_norm();
   }
+  node_products.clear();
+  for (const RegionOperators &region : operators)
+    if (!region.products)
+      node_products.push_back(std::make_unique<NodeProduct<dim>>(region.mass, region.stiffness));
 }
 
 template <int dim>

@@ -2,8 +2,6 @@
 
 #include <continua/base/input_error.h>
 
-#include <deal.II/base/timer.h>
-
 #include <sstream>
 
 namespace Continua
@@ -39,7 +37,7 @@ void MovingMesh<dim>::reinit(const bool is_iterative)
 template <int dim>
 void MovingMesh<dim>::begin_step(const Step &step)
 {
-  TimerOutput::Scope scope(log.timer(), "mesh motion");
+  SectionTimer::Scope scope(log.timer(), "mesh motion");
   motion.begin_step(step);
 }
 

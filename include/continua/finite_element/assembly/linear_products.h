@@ -6,7 +6,9 @@
 #include <continua/finite_element/products/region_operators.h>
 #include <continua/finite_element/space/space.h>
 #include <continua/linear_algebra/distributed_vector.h>
+#include <continua/linear_algebra/node_product.h>
 
+#include <memory>
 #include <vector>
 
 namespace Continua
@@ -37,6 +39,18 @@ public:
                           const DistributedVector &mixture) const
   {
     operators[region].multiply_stiffness(force, mixture);
+  }
+  /// Whether mass and stiffness have matrices, which serve several vectors in one pass.
+  bool has_matrices() const { return !node_products.empty(); }
+  void multiply_levels(unsigned int region,
+                       const DistributedVector &velocity,
+                       const DistributedVector &displacement,
+                       DistributedVector *mass_of_velocity,
+                       DistributedVector *stiffness_of_velocity,
+                       DistributedVector *stiffness_of_displacement) const
+  {
+    node_products[region]->multiply(velocity, &displacement, mass_of_velocity,
+                                    stiffness_of_velocity, stiffness_of_displacement);
   }
   void multiply_gradient(unsigned int region,
                          DistributedVector &force,
@@ -71,6 +85,7 @@ private:
   const Space<dim> &space;
   const Problem &problem;
   const std::vector<RegionOperators> &operators;
+  std::vector<std::unique_ptr<NodeProduct<dim>>> node_products; ///< none without matrices
   DistributedVector pressure_work;
   /// Of B U by the largest velocity [m^2], and of B^T p by the largest pressure [m^2].
   double divergence_norm = 0., gradient_norm = 0.;
