@@ -2,63 +2,133 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace Continua
 {
-void PackedTriangle::reinit(const bool lower,
-                            const std::vector<std::size_t> &starts,
-                            const std::vector<int> &columns,
-                            const std::vector<double> &values)
+void PackedTriangle::begin(const bool is_lower,
+                           const std::size_t n_rows,
+                           const std::vector<std::size_t> &n_columns)
 {
-  this->lower = lower;
-  const int n_rows = static_cast<int>(starts.size()) - 1;
-  const int n_blocks = (n_rows + block - 1) / block;
-  block_starts.assign(1, 0);
-  block_columns.clear();
-  block_values.clear();
-  diagonal.assign(static_cast<std::size_t>(n_blocks) * block * block, 0.);
+  lower = is_lower;
+  block_starts.assign(n_columns.size() + 1, 0);
+  std::partial_sum(n_columns.begin(), n_columns.end(), block_starts.begin() + 1);
+  block_columns = std::vector<int>(block_starts.back());
+  block_values = std::vector<double>(block_starts.back() * block, 0.);
+  diagonal.assign(n_columns.size() * block * block, 0.);
+  // Beyond the last row.
+  for (std::size_t i = n_rows; i < n_columns.size() * block; ++i)
+    diagonal[i * block + i % block] = 1.;
+}
 
-  std::vector<std::size_t> place(n_rows); // of a column in the present block
-  for (int b = 0; b < n_blocks; ++b)
+void PackedTriangle::take_lower_by_rows(const std::vector<std::int64_t> &starts,
+                                        const std::vector<std::int64_t> &indices,
+                                        const std::vector<double> &values)
+{
+  const std::size_t n_rows = starts.size() - 1, n_blocks = (n_rows + block - 1) / block;
+  // `take(b, row, k)` for each entry, with the block of its row.
+  const auto visit_block = [&](const std::size_t b, const auto &take)
   {
-    const int begin = b * block;
-    const int end = std::min(begin + block, n_rows);
-    std::array<std::array<double, block>, block> triangle{};
-    for (int i = 0; i < block; ++i)
-      triangle[i][i] = 1.;
-    const auto on_diagonal = [&](const int column) { return column >= begin && column < end; };
+    for (std::size_t row = b * block; row < std::min((b + 1) * block, n_rows); ++row)
+      for (std::int64_t k = starts[row]; k < starts[row + 1]; ++k)
+        take(row, static_cast<std::size_t>(indices[k]), values[k]);
+  };
+  // Of a column: the last block that has it, from 1 on, and the place of it there.
+  std::vector<std::size_t> last_block(n_rows, 0), place(n_rows);
+  std::vector<std::size_t> n_columns(n_blocks, 0);
+  for (std::size_t b = 0; b < n_blocks; ++b)
+    visit_block(b,
+                [&](std::size_t, const std::size_t column, double)
+                {
+                  if (column < b * block && last_block[column] != b + 1)
+                  {
+                    last_block[column] = b + 1;
+                    ++n_columns[b];
+                  }
+                });
+  begin(true, n_rows, n_columns);
+  std::fill(last_block.begin(), last_block.end(), 0);
+  for (std::size_t b = 0; b < n_blocks; ++b)
+  {
+    int *const columns = block_columns.data() + block_starts[b];
+    int *end = columns;
+    visit_block(b,
+                [&](std::size_t, const std::size_t column, double)
+                {
+                  if (column < b * block && last_block[column] != b + 1)
+                  {
+                    last_block[column] = b + 1;
+                    *end++ = static_cast<int>(column);
+                  }
+                });
+    std::sort(columns, end);
+    for (const int *column = columns; column < end; ++column)
+      place[*column] = column - block_columns.data();
+    visit_block(b,
+                [&](const std::size_t row, const std::size_t column, const double value)
+                {
+                  if (column < b * block)
+                    block_values[place[column] * block + row % block] = -value;
+                  else
+                    diagonal[(b * block + column % block) * block + row % block] = value;
+                });
+  }
+  invert_diagonal();
+}
 
-    for (std::size_t k = starts[begin]; k < starts[end]; ++k)
-      if (!on_diagonal(columns[k]))
-        block_columns.push_back(columns[k]);
-    const auto first = block_columns.begin() + static_cast<std::ptrdiff_t>(block_starts.back());
-    std::sort(first, block_columns.end());
-    block_columns.erase(std::unique(first, block_columns.end()), block_columns.end());
-    for (std::size_t k = block_starts.back(); k < block_columns.size(); ++k)
-      place[block_columns[k]] = k;
-    block_starts.push_back(block_columns.size());
-    block_values.resize(block_columns.size() * block, 0.);
-
-    for (int i = begin; i < end; ++i)
-      for (std::size_t k = starts[i]; k < starts[i + 1]; ++k)
-        if (on_diagonal(columns[k]))
-          triangle[i - begin][columns[k] - begin] = values[k];
-        else
-          block_values[place[columns[k]] * block + (i - begin)] = -values[k];
-
-    double *const inverse = &diagonal[static_cast<std::size_t>(b) * block * block];
-    for (int column = 0; column < block; ++column)
-      for (int step = 0; step < block; ++step)
+void PackedTriangle::take_upper_by_columns(const std::vector<std::int64_t> &starts,
+                                           const std::vector<std::int64_t> &indices,
+                                           const std::vector<double> &values)
+{
+  const std::size_t n_rows = starts.size() - 1, n_blocks = (n_rows + block - 1) / block;
+  // Columns come one after the other, so that each block gets them in their order.
+  std::vector<std::size_t> next(n_blocks, 0), last_column(n_blocks, n_rows);
+  for (std::size_t column = 0; column < n_rows; ++column)
+    for (std::int64_t k = starts[column]; k < starts[column + 1]; ++k)
+      if (const std::size_t b = indices[k] / block; b != column / block && last_column[b] != column)
       {
-        const int i = lower ? step : block - 1 - step;
+        last_column[b] = column;
+        ++next[b];
+      }
+  begin(false, n_rows, next);
+  std::copy(block_starts.begin(), block_starts.end() - 1, next.begin());
+  std::fill(last_column.begin(), last_column.end(), n_rows);
+  for (std::size_t column = 0; column < n_rows; ++column)
+    for (std::int64_t k = starts[column]; k < starts[column + 1]; ++k)
+    {
+      const std::size_t row = indices[k], b = row / block;
+      if (b == column / block)
+      {
+        diagonal[column * block + row % block] = values[k];
+        continue;
+      }
+      if (last_column[b] != column)
+      {
+        last_column[b] = column;
+        block_columns[next[b]++] = static_cast<int>(column);
+      }
+      block_values[(next[b] - 1) * block + row % block] = -values[k];
+    }
+  invert_diagonal();
+}
+
+void PackedTriangle::invert_diagonal()
+{
+  std::array<double, block * block> triangle{}; // by columns
+  for (std::size_t b = 0; b + 1 < block_starts.size(); ++b)
+  {
+    double *const inverse = &diagonal[b * block * block];
+    std::copy_n(inverse, block * block, triangle.begin());
+    for (std::size_t column = 0; column < block; ++column)
+      for (std::size_t step = 0; step < block; ++step)
+      {
+        const std::size_t i = lower ? step : block - 1 - step;
         double sum = (i == column) ? 1. : 0.;
-        for (int j = lower ? 0 : i + 1; j < (lower ? i : block); ++j)
-          sum -= triangle[i][j] * inverse[column * block + j];
-        inverse[column * block + i] = sum / triangle[i][i];
+        for (std::size_t j = lower ? 0 : i + 1; j < (lower ? i : block); ++j)
+          sum -= triangle[j * block + i] * inverse[column * block + j];
+        inverse[column * block + i] = sum / triangle[i * block + i];
       }
   }
-  block_columns.shrink_to_fit();
-  block_values.shrink_to_fit();
 }
 
 inline void PackedTriangle::solve_block(const std::size_t b, double *const x) const
@@ -73,21 +143,21 @@ inline void PackedTriangle::solve_block(const std::size_t b, double *const x) co
   {
     const double x_even = x[column[0]];
     const double x_odd = x[column[1]];
-    for (int i = 0; i < block; ++i)
+    for (std::size_t i = 0; i < block; ++i)
       even[i] += value[i] * x_even;
-    for (int i = 0; i < block; ++i)
+    for (std::size_t i = 0; i < block; ++i)
       odd[i] += value[block + i] * x_odd;
   }
   if (column < end)
-    for (int i = 0; i < block; ++i)
+    for (std::size_t i = 0; i < block; ++i)
       even[i] += value[i] * x[*column];
-  for (int i = 0; i < block; ++i)
+  for (std::size_t i = 0; i < block; ++i)
     even[i] += odd[i];
 
   std::array<double, block> solution{};
   const double *const inverse = &diagonal[b * block * block];
-  for (int j = 0; j < block; ++j)
-    for (int i = 0; i < block; ++i)
+  for (std::size_t j = 0; j < block; ++j)
+    for (std::size_t i = 0; i < block; ++i)
       solution[i] += inverse[j * block + i] * even[j];
   std::copy_n(solution.begin(), block, x + b * block);
 }

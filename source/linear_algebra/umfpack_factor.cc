@@ -78,7 +78,8 @@ Columns sorted_by_columns(const Triplets &matrix)
 struct Numeric
 {
   void *handle = nullptr;
-  ~Numeric() { umfpack_dl_free_numeric(&handle); }
+  ~Numeric() { free(); }
+  void free() { umfpack_dl_free_numeric(&handle); }
 };
 
 std::array<double, UMFPACK_CONTROL> controls()
@@ -134,10 +135,11 @@ struct UmfpackFactor::Data
   std::vector<double> work;
   double n_entries = 0.;
 
-  void take(const Numeric &numeric, Index n, const std::vector<int> &owned);
+  /// Frees UMFPACK's factor when it has it.
+  void take(Numeric &numeric, Index n, const std::vector<int> &owned);
 };
 
-void UmfpackFactor::Data::take(const Numeric &numeric, const Index n, const std::vector<int> &owned)
+void UmfpackFactor::Data::take(Numeric &numeric, const Index n, const std::vector<int> &owned)
 {
   Index n_lower = 0, n_upper = 0, n_rows = 0, n_columns = 0, n_diagonal = 0;
   check_umfpack(
@@ -145,48 +147,41 @@ void UmfpackFactor::Data::take(const Numeric &numeric, const Index n, const std:
       "size of the factor");
   n_entries = static_cast<double>(n_lower) + static_cast<double>(n_upper);
 
-  // L comes by rows, U by columns.
-  std::vector<Index> l_starts(n + 1), l_columns(n_lower), u_starts(n + 1), u_rows(n_upper);
-  std::vector<double> l_values(n_lower), u_values(n_upper), scales(n);
-  std::vector<Index> p(n), q(n);
-  Index scales_are_reciprocal = 0;
-  check_umfpack(umfpack_dl_get_numeric(l_starts.data(), l_columns.data(), l_values.data(),
-                                       u_starts.data(), u_rows.data(), u_values.data(), p.data(),
-                                       q.data(), nullptr, &scales_are_reciprocal, scales.data(),
-                                       numeric.handle),
-                "reading the factor");
-
-  lower.reinit(true, {l_starts.begin(), l_starts.end()}, {l_columns.begin(), l_columns.end()},
-               l_values);
-
-  std::vector<std::size_t> starts(n + 1, 0);
-  for (const Index row : u_rows)
-    ++starts[row + 1];
-  for (Index row = 0; row < n; ++row)
-    starts[row + 1] += starts[row];
-  std::vector<std::size_t> next = starts;
-  std::vector<int> columns(n_upper);
-  std::vector<double> values(n_upper);
-  for (Index column = 0; column < n; ++column)
-    for (Index k = u_starts[column]; k < u_starts[column + 1]; ++k)
-    {
-      const std::size_t place = next[u_rows[k]]++;
-      columns[place] = static_cast<int>(column);
-      values[place] = u_values[k];
-    }
-  upper.reinit(false, starts, columns, values);
-
-  std::vector<int> place(n);
-  for (Index k = 0; k < n; ++k)
-    place[owned[k]] = static_cast<int>(k);
-  row_order.resize(n);
-  column_order.resize(n);
-  row_scales.resize(n);
-  for (Index k = 0; k < n; ++k)
+  // One triangle at a time: beside the other one and UMFPACK's own.
+  std::vector<Index> starts(n + 1);
   {
-    row_order[k] = place[p[k]];
-    column_order[k] = place[q[k]];
-    row_scales[k] = scales_are_reciprocal ? scales[p[k]] : 1. / scales[p[k]];
+    // By rows.
+    std::vector<Index> columns(n_lower);
+    std::vector<double> values(n_lower);
+    check_umfpack(umfpack_dl_get_numeric(starts.data(), columns.data(), values.data(), nullptr,
+                                         nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
+                                         nullptr, numeric.handle),
+                  "reading the factor");
+    lower.take_lower_by_rows(starts, columns, values);
+  }
+  {
+    // By columns.
+    std::vector<Index> rows(n_upper), p(n), q(n);
+    std::vector<double> values(n_upper), scales(n);
+    Index scales_are_reciprocal = 0;
+    check_umfpack(umfpack_dl_get_numeric(nullptr, nullptr, nullptr, starts.data(), rows.data(),
+                                         values.data(), p.data(), q.data(), nullptr,
+                                         &scales_are_reciprocal, scales.data(), numeric.handle),
+                  "reading the factor");
+    numeric.free();
+    upper.take_upper_by_columns(starts, rows, values);
+    std::vector<int> place(n);
+    for (Index k = 0; k < n; ++k)
+      place[owned[k]] = static_cast<int>(k);
+    row_order.resize(n);
+    column_order.resize(n);
+    row_scales.resize(n);
+    for (Index k = 0; k < n; ++k)
+    {
+      row_order[k] = place[p[k]];
+      column_order[k] = place[q[k]];
+      row_scales[k] = scales_are_reciprocal ? scales[p[k]] : 1. / scales[p[k]];
+    }
   }
   work.assign(lower.padded_size(), 0.);
 }

@@ -39,6 +39,8 @@ double VolumeLaw::energy(const double pressure) const
 
 double VolumeLaw::density_ratio(const double pressure) const
 {
+  if (inverse_bulk_modulus == 0.)
+    return 1.;
   if (exponent == 0.)
     return std::exp((pressure - reference_pressure) * inverse_bulk_modulus);
   // A power of a sum next to 1 would lose the digits of a small exponent.

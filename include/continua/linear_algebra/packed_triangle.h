@@ -2,6 +2,7 @@
 #define continua_linear_algebra_packed_triangle_h
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace Continua
@@ -15,14 +16,17 @@ namespace Continua
 class PackedTriangle
 {
 public:
-  static constexpr int block = 8;
+  static constexpr std::size_t block = 8;
 
-  /// Row i's entries, the diagonal included, are `columns` and `values` from starts[i] to
-  /// starts[i+1], in any order; all columns <= i (lower) or all >= i (upper).
-  void reinit(bool lower,
-              const std::vector<std::size_t> &starts,
-              const std::vector<int> &columns,
-              const std::vector<double> &values);
+  /// A triangle by rows or by columns, as UMFPACK has them: its diagonal included, the entries of
+  /// the i-th one are `indices` and `values` from starts[i] to starts[i+1], in any order. All
+  /// columns <= row (lower) or all >= row (upper). Takes no memory beside what is kept.
+  void take_lower_by_rows(const std::vector<std::int64_t> &starts,
+                          const std::vector<std::int64_t> &indices,
+                          const std::vector<double> &values);
+  void take_upper_by_columns(const std::vector<std::int64_t> &starts,
+                             const std::vector<std::int64_t> &indices,
+                             const std::vector<double> &values);
 
   /// The length of the vector that solve() takes: the number of rows, rounded up to whole blocks.
   std::size_t padded_size() const { return diagonal.size() / block; }
@@ -40,6 +44,10 @@ private:
   std::vector<double> block_values; ///< negative; eight for each of block_columns
   std::vector<double> diagonal;     ///< inverse triangles, by columns
 
+  /// Sizes everything for these numbers of columns of blocks.
+  void begin(bool is_lower, std::size_t n_rows, const std::vector<std::size_t> &n_columns);
+  /// Replaces the triangles on the diagonal by their inverses.
+  void invert_diagonal();
   void solve_block(std::size_t b, double *x) const;
 };
 } // namespace Continua

@@ -1,7 +1,5 @@
 #include <continua/finite_element/assembly/flow_cell.h>
 
-#include <cstddef>
-
 namespace Continua
 {
 using namespace dealii;
@@ -10,7 +8,15 @@ template <int dim>
 FlowCell<dim>::FlowCell(const Problem &problem,
                         const QuadratureCells<dim> &cells,
                         const Vectors &vectors)
-    : problem(problem), cells(cells), vectors(vectors)
+    : problem(problem),
+      cells(cells),
+      vectors(vectors),
+      velocity_at_points(cells, ValuesAtPoints<dim>::Field::velocity, true),
+      acceleration_at_points(cells, ValuesAtPoints<dim>::Field::velocity, false),
+      pressure_at_points(cells, ValuesAtPoints<dim>::Field::pressure, true),
+      pressure_rate_at_points(cells, ValuesAtPoints<dim>::Field::pressure, false),
+      displacement_at_points(cells, ValuesAtPoints<dim>::Field::velocity, true),
+      mesh_velocity_at_points(cells, ValuesAtPoints<dim>::Field::velocity, false)
 {
   for (Vector<double> *of_cell : {&velocities, &accelerations, &displacements, &mesh_velocities})
     of_cell->reinit(dim * cells.n_functions());
@@ -39,10 +45,16 @@ void FlowCell<dim>::visit(const Cell &cell)
   set_entries(cell.velocity_places, vectors.acceleration, accelerations);
   set_entries(cell.pressure_places, vectors.pressure, pressures);
   set_entries(cell.pressure_places, vectors.pressure_rate, pressure_rates);
+  velocity_at_points.set(velocities);
+  acceleration_at_points.set(accelerations);
+  pressure_at_points.set(pressures);
+  pressure_rate_at_points.set(pressure_rates);
   if (!problem.mesh_moves)
     return;
   set_entries(cell.velocity_places, vectors.mesh_displacement, displacements);
   set_entries(cell.velocity_places, vectors.mesh_velocity, mesh_velocities);
+  displacement_at_points.set(displacements);
+  mesh_velocity_at_points.set(mesh_velocities);
   move_points();
 }
 
@@ -56,24 +68,16 @@ CellState<dim> FlowCell<dim>::state() const
 template <int dim>
 void FlowCell<dim>::move_points()
 {
-  const std::size_t n_functions = cells.n_functions();
   for (unsigned int q = 0; q < moved_points.size(); ++q)
   {
     const typename Cell::Point &at_rest = present->points[q];
     Tensor<2, dim> gradient;
-    double radial = 0.;
     for (unsigned int c = 0; c < dim; ++c)
     {
-      const double *const entries = displacements.begin() + c * n_functions;
-      Tensor<1, dim> slope; // on the reference cell
-      for (unsigned int a = 0; a < n_functions; ++a)
-        slope += entries[a] * cells.gradients(q)[a];
-      gradient[c] = slope * at_rest.inverse_jacobian;
+      gradient[c] = displacement_at_points.gradient(c, q, at_rest.inverse_jacobian);
       gradient[c][c] += 1.;
-      for (unsigned int a = 0; c == 1 && a < n_functions; ++a)
-        radial += entries[a] * cells.values(q)[a];
     }
-    const double stretch = 1. + radial * at_rest.hoop;
+    const double stretch = 1. + displacement_at_points.value(1, q) * at_rest.hoop;
     moved_points[q].weight = at_rest.weight * determinant(gradient) * stretch;
     moved_points[q].hoop = at_rest.hoop / stretch;
     moved_points[q].inverse_jacobian = at_rest.inverse_jacobian * invert(gradient);
@@ -83,28 +87,15 @@ void FlowCell<dim>::move_points()
 template <int dim>
 void FlowCell<dim>::set_velocity(const unsigned int q, FlowPoint<dim> &point) const
 {
-  const typename Cell::Point &geometry = points()[q];
-  const std::size_t n_functions = cells.n_functions();
-  const double *const values = cells.values(q);
-  const Tensor<1, dim> *const gradients = cells.gradients(q);
+  const Tensor<2, dim> &inverse_jacobian = points()[q].inverse_jacobian;
   for (unsigned int c = 0; c < dim; ++c)
   {
-    const double *const of_component = velocities.begin() + c * n_functions,
-                        *const rates = accelerations.begin() + c * n_functions;
-    double of_velocity = 0., of_acceleration = 0.;
-    Tensor<1, dim> slope; // on the reference cell
-    for (unsigned int a = 0; a < n_functions; ++a)
-    {
-      of_velocity += of_component[a] * values[a];
-      of_acceleration += rates[a] * values[a];
-      slope += of_component[a] * gradients[a];
-    }
-    point.velocity[c] = of_velocity;
-    point.acceleration[c] = of_acceleration;
-    point.velocity_gradient[c] = slope * geometry.inverse_jacobian;
-    point.carrier[c] = scheme.carries * of_velocity;
-    for (unsigned int a = 0; problem.mesh_moves && a < n_functions; ++a)
-      point.carrier[c] -= mesh_velocities[c * n_functions + a] * values[a];
+    point.velocity[c] = velocity_at_points.value(c, q);
+    point.acceleration[c] = acceleration_at_points.value(c, q);
+    point.velocity_gradient[c] = velocity_at_points.gradient(c, q, inverse_jacobian);
+    point.carrier[c] = scheme.carries * point.velocity[c];
+    if (problem.mesh_moves)
+      point.carrier[c] -= mesh_velocity_at_points.value(c, q);
   }
 }
 
@@ -131,20 +122,13 @@ template <int dim>
 StreamlinePoint<dim> FlowCell<dim>::point(const unsigned int q) const
 {
   const typename Cell::Point &geometry = points()[q];
-  const double *const pressure_values = cells.pressure_values(q);
-  const Tensor<1, dim> *const pressure_gradients = cells.pressure_gradients(q);
   StreamlinePoint<dim> point;
   point.scheme = scheme;
   point.hoop = geometry.hoop;
   set_velocity(q, point);
-  Tensor<1, dim> slope;
-  for (unsigned int k = 0; k < cells.n_pressures(); ++k)
-  {
-    point.pressure += pressures[k] * pressure_values[k];
-    point.pressure_rate += pressure_rates[k] * pressure_values[k];
-    slope += pressures[k] * pressure_gradients[k];
-  }
-  point.pressure_gradient = slope * geometry.inverse_jacobian;
+  point.pressure = pressure_at_points.value(0, q);
+  point.pressure_rate = pressure_rate_at_points.value(0, q);
+  point.pressure_gradient = pressure_at_points.gradient(0, q, geometry.inverse_jacobian);
   point.set_strain_rate();
   set_material(point);
   point.finish();

@@ -3,7 +3,6 @@
 #include <continua/materials/metric_stress.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <limits>
 
 namespace Continua
@@ -16,7 +15,16 @@ SolidCell<dim>::SolidCell(const Problem &problem,
                           const RestStates<dim> &rest_states,
                           const MetricHistory<dim> *const metrics,
                           const Vectors &vectors)
-    : problem(problem), cells(cells), rest_states(rest_states), metrics(metrics), vectors(vectors)
+    : problem(problem),
+      cells(cells),
+      rest_states(rest_states),
+      metrics(metrics),
+      vectors(vectors),
+      velocity_at_points(cells, ValuesAtPoints<dim>::Field::velocity, true),
+      displacement_at_points(cells, ValuesAtPoints<dim>::Field::velocity, true),
+      acceleration_at_points(cells, ValuesAtPoints<dim>::Field::velocity, false),
+      pressure_at_points(cells, ValuesAtPoints<dim>::Field::pressure, false),
+      pressure_rate_at_points(cells, ValuesAtPoints<dim>::Field::pressure, false)
 {
   for (Vector<double> *of_cell : {&velocities, &displacements, &accelerations, &unloaded})
     of_cell->reinit(dim * cells.n_functions());
@@ -49,6 +57,11 @@ void SolidCell<dim>::visit(const Cell &cell)
   set_entries(cell.velocity_places, vectors.acceleration, accelerations);
   set_entries(cell.pressure_places, vectors.pressure, pressures);
   set_entries(cell.pressure_places, vectors.pressure_rate, pressure_rates);
+  velocity_at_points.set(velocities);
+  displacement_at_points.set(displacements);
+  acceleration_at_points.set(accelerations);
+  pressure_at_points.set(pressures);
+  pressure_rate_at_points.set(pressure_rates);
   if (finds_unloaded_shape)
     rest_states.set_unloaded(cell, unloaded);
 }
@@ -62,22 +75,18 @@ double SolidCell<dim>::largest_displacement() const
 template <int dim>
 SolidPoint<dim> SolidCell<dim>::point(const unsigned int q, const Stress of_law)
 {
-  const std::size_t n_functions = cells.n_functions();
-  const double *const values = cells.values(q), *const pressure_values = cells.pressure_values(q);
-  SolidPoint<dim> point(scheme, Kinematics(cells.gradient(*present, displacements, q)));
-  point.hoop = present->points[q].hoop * point.kinematics.inverse()[2][2];
+  const typename Cell::Point &geometry = present->points[q];
+  SolidPoint<dim> point(scheme, Kinematics(displacement_at_points.space_gradient(q, geometry)));
+  point.hoop = geometry.hoop * point.kinematics.inverse()[2][2];
   for (unsigned int c = 0; c < dim; ++c)
-    for (unsigned int a = 0; a < n_functions; ++a)
-    {
-      point.velocity[c] += velocities[c * n_functions + a] * values[a];
-      point.acceleration[c] += accelerations[c * n_functions + a] * values[a];
-    }
-  point.velocity_gradient = point.kinematics.gradient(cells.gradient(*present, velocities, q));
-  for (unsigned int k = 0; k < cells.n_pressures(); ++k)
   {
-    point.pressure += pressures[k] * pressure_values[k];
-    point.pressure_rate += pressure_rates[k] * pressure_values[k];
+    point.velocity[c] = velocity_at_points.value(c, q);
+    point.acceleration[c] = acceleration_at_points.value(c, q);
   }
+  point.velocity_gradient =
+      point.kinematics.gradient(velocity_at_points.space_gradient(q, geometry));
+  point.pressure = pressure_at_points.value(0, q);
+  point.pressure_rate = pressure_rate_at_points.value(0, q);
   const RestState *const rest = rest_states.at(*present, q);
   if (rest != nullptr)
     point.rest_ratio = rest->volume_ratio;

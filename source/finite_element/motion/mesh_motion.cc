@@ -65,6 +65,8 @@ MeshMotion<dim>::MeshMotion(const Space<dim> &space, const Problem &problem)
       kind(problem.mesh_motion),
       cells(space, problem, space.quadrature(space.n_quadrature_points()), RegionModel::flow),
       corners(space, problem, QTrapezoid<dim>(), RegionModel::flow),
+      displacement_at_points(cells, ValuesAtPoints<dim>::Field::velocity, true),
+      displacement_at_corners(corners, ValuesAtPoints<dim>::Field::velocity, true),
       assembly(cells, false)
 {
   for (Vector<double> *vector : {&cell_displacement, &cell_rows})
@@ -612,12 +614,13 @@ MeshQuality MeshMotion<dim>::quality(const DistributedVector &mesh_displacement)
     const Cell &cell = cells.all()[k];
     for (unsigned int i = 0; i < cell_displacement.size(); ++i)
       cell_displacement[i] = ghosted.begin()[cell.velocity_places[i]];
-    const auto take = [&](const QuadratureCells<dim> &points, const Cell &of_points)
+    const auto take = [&](const Cell &of_points, ValuesAtPoints<dim> &displacement)
     {
-      for (unsigned int q = 0; q < points.n_points(); ++q)
+      displacement.set(cell_displacement);
+      for (unsigned int q = 0; q < of_points.points.size(); ++q)
       {
-        const double ratio =
-            Kinematics(points.gradient(of_points, cell_displacement, q)).volume_ratio();
+        const double ratio = determinant(Tensor<2, 3>(unit_symmetric_tensor<3>()) +
+                                         displacement.space_gradient(q, of_points.points[q]));
         // What is no number fails the comparison, and is kept.
         if (!std::isnan(least) && !(ratio >= least))
         {
@@ -626,8 +629,8 @@ MeshQuality MeshMotion<dim>::quality(const DistributedVector &mesh_displacement)
         }
       }
     };
-    take(cells, cell);
-    take(corners, corners.all()[k]);
+    take(cell, displacement_at_points);
+    take(corners.all()[k], displacement_at_corners);
   }
   const auto over_ranks = Utilities::MPI::min_max_avg(
       std::isnan(least) ? -std::numeric_limits<double>::max() : least, space.communicator);

@@ -3,6 +3,7 @@
 
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/space/quadrature_cells.h>
+#include <continua/finite_element/space/values_at_points.h>
 #include <continua/finite_element/terms/inflow_terms.h>
 #include <continua/finite_element/terms/streamline.h>
 #include <continua/linear_algebra/distributed_vector.h>
@@ -60,6 +61,8 @@ private:
   dealii::Vector<double> velocities, accelerations, pressures, pressure_rates;
   dealii::Vector<double> displacements, mesh_velocities;
   std::vector<typename Cell::Point> moved_points;
+  ValuesAtPoints<dim> velocity_at_points, acceleration_at_points, pressure_at_points,
+      pressure_rate_at_points, displacement_at_points, mesh_velocity_at_points;
 
   void move_points();
   void set_velocity(unsigned int q, FlowPoint<dim> &point) const;

@@ -5,6 +5,7 @@
 #include <continua/finite_element/assembly/metric_history.h>
 #include <continua/finite_element/assembly/rest_states.h>
 #include <continua/finite_element/space/quadrature_cells.h>
+#include <continua/finite_element/space/values_at_points.h>
 #include <continua/finite_element/terms/solid_point.h>
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/materials/strain_law.h>
@@ -78,6 +79,8 @@ private:
   // At the dofs; vectors component by component.
   dealii::Vector<double> velocities, displacements, accelerations, pressures, pressure_rates;
   dealii::Vector<double> unloaded; ///< D0
+  ValuesAtPoints<dim> velocity_at_points, displacement_at_points, acceleration_at_points,
+      pressure_at_points, pressure_rate_at_points;
   PointStrain strain_at_point;
   std::optional<RightStretch> unloading;
 

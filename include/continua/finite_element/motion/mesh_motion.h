@@ -8,6 +8,7 @@
 #include <continua/finite_element/assembly/cell_assembly.h>
 #include <continua/finite_element/space/quadrature_cells.h>
 #include <continua/finite_element/space/space.h>
+#include <continua/finite_element/space/values_at_points.h>
 #include <continua/finite_element/terms/mesh_stress.h>
 #include <continua/linear_algebra/multigrid_solver.h>
 #include <continua/linear_algebra/symmetric_factor.h>
@@ -103,6 +104,7 @@ private:
   QuadratureCells<dim> cells;
   /// The vertices of the reference cell, as a quadrature.
   QuadratureCells<dim> corners;
+  ValuesAtPoints<dim> displacement_at_points, displacement_at_corners;
   CellAssembly<dim> assembly;
   dealii::AffineConstraints<double> constraints; ///< of the mesh, homogeneous
   std::vector<bool> is_of_solid;                 ///< whether an owned entry of d is that of D
