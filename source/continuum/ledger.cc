@@ -43,7 +43,7 @@ void Ledger::reinit()
   if (problem.is_nonlinear())
     for (DistributedVector *vector :
          {&context.nonlinear_forces.inertia, &context.nonlinear_forces.viscosity,
-          &context.nonlinear_forces.compression})
+          &context.nonlinear_forces.compression, &context.nonlinear_forces.load})
       vector->reinit(forces);
   if (problem.has_regions_of(RegionModel::flow))
     for (DistributedVector *vector :
@@ -81,7 +81,6 @@ PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
   const bool reactions = forces_are_wanted || !operators.is_homogeneous();
   forces = 0.;
   operators.loads().add(balance.time, forces);
-  operators.add_load_changes(balanced, {}, forces);
   sums.push_back(local_product(forces, balanced.velocity));
   if (reactions)
   {
@@ -90,7 +89,8 @@ PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
   }
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
-    if (operators.is_nonlinear_in(region))
+    const bool is_nonlinear = operators.is_nonlinear_in(region);
+    if (is_nonlinear)
       operators.set_nonlinear_forces(region, balanced, context.nonlinear_forces);
     // The forces of a region that are wanted by themselves are added to those of the body later.
     const auto found = forces_of_regions.find(region);
@@ -98,6 +98,14 @@ PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
     if (is_wanted)
       found->second = 0.;
     DistributedVector *const target = is_wanted ? &found->second : &forces;
+    if (is_nonlinear)
+    {
+      // Loads that follow the present shape.
+      const DistributedVector &load = context.nonlinear_forces.load;
+      sums.front() -= local_product(load, balanced.velocity);
+      if (reactions)
+        target->add(1., load);
+    }
     for (const auto &term : terms)
       sums.push_back(term->power(region, step, context, reactions ? target : nullptr));
     if (is_wanted)
@@ -105,7 +113,6 @@ PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
       forces.add(1., found->second);
       found->second *= -1.;
       operators.loads_of(region).add(balance.time, found->second);
-      operators.add_load_changes(balanced, region, found->second);
       outlets.add_forces_of(region, 1., found->second);
       found->second *= -1.;
     }

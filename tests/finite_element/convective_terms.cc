@@ -163,7 +163,7 @@ template <int dim>
 NonlinearForces make_forces(const Space<dim> &space)
 {
   const DistributedVector zero = space.velocity_vector();
-  return {zero, zero, zero, zero, zero, {}, zero};
+  return {zero, zero, zero, zero, zero, {}, zero, zero};
 }
 
 /// The power of convection in a flow that is zero at the boundary of the liquid.

@@ -1,6 +1,9 @@
-// Resultants of tractions, pressure and body force on straight, inclined and axisymmetric bodies.
+// Resultants of tractions, pressure and body force on straight, inclined and axisymmetric bodies;
+// what follows a solid in finite deformation is none of them.
 
 #include <continua/finite_element/conditions/loads.h>
+
+#include <limits>
 
 #include "../parameter_text.h"
 #include "../unit_test.h"
@@ -18,7 +21,8 @@ struct Case
   Case(const std::string &loads_text,
        const std::string &body_force,
        const double angle,
-       const Model model = Model::plane_strain)
+       const Model model = Model::plane_strain,
+       const bool is_finite = false)
       : mesh(MPI_COMM_WORLD),
         space(mesh, SpaceParameters(), model, 1),
         file(parameters_of("subsection Boundaries\n" + loads_text + "end\n" + body_force)),
@@ -32,6 +36,11 @@ struct Case
     problem.regions = {"body"};
     problem.materials.resize(1);
     problem.materials[0].density = 1000.;
+    if (is_finite)
+    {
+      problem.deformation = Deformation::finite;
+      problem.materials[0].shear.branches = {{1., std::numeric_limits<double>::infinity()}};
+    }
     problem.boundaries = {"left", "right", "bottom", "top"};
     std::set<std::pair<unsigned int, unsigned int>> pairs;
     for (unsigned int b = 0; b < 4; ++b)
@@ -150,6 +159,21 @@ UNIT_TEST(loads)
                    s.loads.jumps(0.95, 1.05) && !s.loads.jumps(1.05, 1.15));
     const Case n(on_the_right("set Type = pressure\nset Pressure = sin(t)"), "", 0.);
     check::is_true("no jump", !n.loads.jumps(-0.05, 0.05) && !n.loads.jumps(3., 3.1));
+  }
+  {
+    const std::string pressure = on_the_right("set Type = pressure\nset Pressure = 10"),
+                      traction = on_the_right("set Type = traction\nset Traction = 3, 0");
+    const Case follows(pressure, body_force("7*x, 0"), 0., Model::plane_strain, true);
+    check::absolute("finite strain: pressure and force of the place", follows.vector(0.).l2_norm(),
+                    0., 0.);
+    check::relative("finite strain: flow", follows.loads.flow_of_velocities(3).l1_norm(), 2.,
+                    1e-13);
+    const Case stays(traction, body_force("7, 0"), 0., Model::plane_strain, true);
+    check::relative("finite strain: traction and constant force", stays.force(0., 0), 6. + 28.,
+                    1e-13);
+    const Case jumps(on_the_right("set Type = pressure\nset Pressure = step(t-1)"), "", 0.,
+                     Model::plane_strain, true);
+    check::is_true("finite strain: jump", jumps.loads.jumps(0.95, 1.05));
   }
   {
     // Radius 2: the disc of area 4 pi at x = 2, and the volume 8 pi.

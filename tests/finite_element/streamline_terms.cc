@@ -68,7 +68,7 @@ double power(const Space<dim> &space,
     state.mesh_velocity = small_problem::interpolated<dim>(space, mesh_velocity);
   }
   const DistributedVector zero = space.velocity_vector();
-  NonlinearForces forces{zero, zero, zero, zero, zero, {}, zero};
+  NonlinearForces forces{zero, zero, zero, zero, zero, {}, zero, zero};
   terms.set_forces_of(0, state, forces);
   return forces.stabilisation * small_problem::interpolated<dim>(space, test);
 }

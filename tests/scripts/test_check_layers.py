@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""scripts/check/layers finds an include against the layers, an unknown folder and a cycle."""
+"""scripts/check/layers finds an include against the layers, an unknown folder, a cycle, and what is made outside its maker."""
 
 import os
 import subprocess
@@ -71,6 +71,32 @@ class CheckLayers(unittest.TestCase):
         })
         self.assertEqual(status, 1)
         self.assertIn("include cycle: ", text)
+
+    def test_makers(self):
+        status, text = self.check({
+            "source/finite_element/space/space.cc": "FE_Q<dim> element(2);\nQGauss<dim> rule(3);\n",
+            "source/finite_element/terms/faces.cc":
+                "void f(const MappingQ<dim> &mapping, const FE_Q<dim> &element); // MappingQ<dim> mapping\n"
+                "const dealii::FESystem<dim> copy;\n"
+                "const QGauss<dim - 1> rule(3);\n"
+                "  FEFaceValues<dim> values(dealii::MappingQ<dim>(4), FE_DGQArbitraryNodes<dim>(QGauss<1>(2)));\n",
+            "source/theory/integral.cc": "QIterated<1> rule(QGauss<1>(3), 4);\n",
+            "include/continua/postprocess/fields.h": "/**\n * FE_Q<dim>\n */\nFESystem<dim> element(FE_DGQ<dim>(0), 2);\n",
+            "source/mesh/round_section.cc": "const MappingQ<dim> mapping(6);\n",
+            "source/mesh/plane_section.cc": "const MappingQ<dim> &mapping;\n",
+        })
+        self.assertEqual(status, 1)
+        found = [line.split(";")[0] for line in text.splitlines()]
+        by_space = "finite_element/space/space makes every"
+        self.assertEqual(sorted(found), [
+            f"include/continua/postprocess/fields.h:4: {by_space} FESystem",
+            f"include/continua/postprocess/fields.h:4: {by_space} FE_DGQ",
+            "scripts/check/layers: mesh/plane_section makes nothing, and is in OTHER_MAKERS",
+            f"source/finite_element/terms/faces.cc:3: {by_space} QGauss",
+            f"source/finite_element/terms/faces.cc:4: {by_space} FE_DGQArbitraryNodes",
+            f"source/finite_element/terms/faces.cc:4: {by_space} MappingQ",
+            f"source/finite_element/terms/faces.cc:4: {by_space} QGauss",
+        ])
 
     def test_empty(self):
         self.assertEqual(self.check({})[0], 1)

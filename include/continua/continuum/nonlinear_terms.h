@@ -18,6 +18,7 @@ struct NonlinearForces
   DistributedVector inflow;      ///< at open ends that have the total pressure
   DistributedVector strain;      ///< in finite deformation: of the law's stress
   DistributedVector compression; ///< of the pressure
+  DistributedVector load;        ///< minus the loads that follow the present shape, of cavities too
 };
 
 /// Energies of a region whose density and compressibility follow the pressure, or in finite

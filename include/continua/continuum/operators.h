@@ -12,7 +12,6 @@
 #include <continua/continuum/system_coefficients.h>
 #include <continua/linear_algebra/distributed_vector.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -124,6 +123,7 @@ public:
   virtual double divergence(const DistributedVector &velocity) = 0;
 
   // Loads and prescribed velocities.
+  /// Those that are no terms: loads that follow the present shape are.
   virtual const LoadList &loads() const = 0;
   /// Those on the cells of one region and on their faces; for discretisations that have forces at
   /// nodes. Made when they are first asked for on a mesh. Collective.
@@ -198,13 +198,6 @@ public:
   /// This rank's part of what relaxation turns into heat in such a region, at the level that the
   /// last step has balanced [W].
   virtual double nonlinear_relaxation(unsigned int /*region*/) const { return 0.; }
-  /// Adds what the loads that a step has balanced have besides those on the body at rest [N], of
-  /// one region or of all: they follow a body in finite deformation.
-  virtual void add_load_changes(const BalancedStep &,
-                                std::optional<unsigned int> /*region*/,
-                                DistributedVector & /*forces*/)
-  {
-  }
   /// Adds what the left side of the mass equation has of the pressure besides C p, whose rows may
   /// be others than those of a volume [m^3/s].
   virtual void add_flux_correction(const DistributedVector & /*pressure*/,

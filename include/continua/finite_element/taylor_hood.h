@@ -223,12 +223,6 @@ public:
   {
     return terms.relaxation_power(region);
   }
-  void add_load_changes(const BalancedStep &state,
-                        const std::optional<unsigned int> region,
-                        DistributedVector &forces) override
-  {
-    terms.add_loads(state, region, forces);
-  }
   std::string place_of_largest(const DistributedVector &momentum,
                                const DistributedVector &mass,
                                bool of_momentum) const override;

@@ -14,18 +14,6 @@ namespace Continua
 {
 using namespace dealii;
 
-namespace
-{
-/// Of all terms inside the cells, and of those at open ends.
-std::vector<DistributedVector NonlinearForces::*> kinds_of_flow()
-{
-  const auto kinds = StreamlineFlowTerms::forces();
-  std::vector<DistributedVector NonlinearForces::*> result(kinds.begin(), kinds.end());
-  result.push_back(&NonlinearForces::inflow);
-  return result;
-}
-} // namespace
-
 template <int dim>
 ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space,
                                       const Problem &problem,
@@ -36,8 +24,7 @@ ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space,
            problem,
            space.quadrature((3 * space.degree() + 2 + (space.is_axisymmetric() ? 1 : 0)) / 2),
            RegionModel::flow,
-           kinds_of_flow()),
-      inflow_terms(space, problem),
+           forces_of<StreamlineFlowTerms, BodyForceTerms, FlowFaceTerms>()),
       streamline_terms(space, problem, quadrature),
       here(problem,
            cells,
@@ -71,8 +58,7 @@ void ConvectiveTerms<dim>::keep_derivative(const BalancedStep &state, const Kept
   if (form == KeptDerivative::matrices || streamline_terms.are_on())
     product.forget();
   else
-    product.make(cells,
-                 [this](const Cell &cell) { return !inflow_terms.has_face(cell.pressure_cell); });
+    product.make(cells, [this](const Cell &cell) { return faces.of(cell).empty(); });
   Base::keep_derivative(state, form);
   if (product.exists())
     product.set(state, pressure, pressure_rate);
@@ -121,11 +107,11 @@ void ConvectiveTerms<dim>::take(const BalancedStep &state)
   take(state.velocity, state.pressure);
   space.copy_velocity(state.acceleration, velocity_work, acceleration);
   space.copy_pressure(state.pressure_rate, pressure_work, pressure_rate);
+  face_points.set_step(step, state.cavity_pressures);
   if (!problem.mesh_moves)
     return;
   space.copy_velocity(state.mesh_displacement, velocity_work, mesh_displacement);
   space.copy_velocity(state.mesh_velocity, velocity_work, mesh_velocity);
-  follower_pressure.set_cavity_pressures(state.cavity_pressures);
 }
 
 template <int dim>
@@ -134,6 +120,7 @@ double ConvectiveTerms<dim>::integrate(const bool by_term)
   const VolumeLaw law = here.material().volume_law();
   if (streamline_terms.are_on())
     streamline_terms.visit(here.cell().velocity_cell, step);
+  const bool has_body_force = body_forces.visit(here.cell(), step, here.mesh_displacement());
   double least_stiffening = 1.;
   for (Vector<double> &forces : cell_forces)
     forces = 0.;
@@ -151,10 +138,16 @@ double ConvectiveTerms<dim>::integrate(const bool by_term)
     else
       Base::template add_terms<FlowTerms>(q, geometry.inverse_jacobian, geometry.weight, at_point,
                                           by_term);
+    if (has_body_force)
+      Base::template add_terms<BodyForceTerms>(q, geometry.inverse_jacobian, geometry.weight,
+                                               body_forces.point(q), by_term,
+                                               StreamlineFlowTerms::size);
   }
-  if (inflow_terms.has_face(here.cell().pressure_cell))
-    inflow_terms.add(here.cell().pressure_cell, here.state(),
-                     by_term ? cell_forces.back() : cell_forces[0]);
+  for (const TermFace<dim> &face : faces.of(here.cell()))
+    for (unsigned int q = 0; q < face.points.size(); ++q)
+      Base::template add_face_terms<FlowFaceTerms>(
+          face.points[q], face_points.of_flow(face, q, here.material(), here.state()), by_term,
+          StreamlineFlowTerms::size + BodyForceTerms::size);
   return least_stiffening;
 }
 
@@ -249,8 +242,22 @@ void ConvectiveTerms<dim>::set_derivative(const Cell &cell, FullMatrix<double> &
                              });
   }
   assembly.finish_matrix(matrix);
-  if (inflow_terms.has_face(cell.pressure_cell))
-    inflow_terms.add_derivative(cell.pressure_cell, here.state(), matrix);
+  // A body force does not change where the mesh is held.
+  for (const TermFace<dim> &face : faces.of(cell))
+  {
+    if (!face.has_total_pressure)
+      continue;
+    for (unsigned int q = 0; q < face.points.size(); ++q)
+    {
+      const FlowFacePoint<dim> point = face_points.of_flow(face, q, here.material(), here.state());
+      face_assembly.add_derivative(
+          face.points[q], nullptr, &face.pressure_values[q], point.weight,
+          [&point](const PointChange<dim> &of_unknowns, TestedOnFace<dim> &tested) {
+            FlowFaceTerms::add_derivative(point, FlowFaceChange<dim>(point, of_unknowns), tested);
+          },
+          matrix);
+    }
+  }
 }
 
 template class ConvectiveTerms<2>;

@@ -17,12 +17,6 @@ namespace
 {
 /// Of the terms of a stress at rest, which cancel: what of them a residual keeps is far below.
 constexpr double share_of_rest = 0.1;
-
-std::vector<DistributedVector NonlinearForces::*> kinds_of_solids()
-{
-  const auto kinds = SolidTerms::forces();
-  return {kinds.begin(), kinds.end()};
-}
 } // namespace
 
 template <int dim>
@@ -34,7 +28,7 @@ DeformationTerms<dim>::DeformationTerms(const Space<dim> &space,
            problem,
            space.quadrature(space.n_quadrature_points()),
            RegionModel::finite_solid,
-           kinds_of_solids()),
+           forces_of<SolidTerms, BodyForceTerms, SolidFaceTerms>()),
       rest_states(space, problem, quadrature, cells),
       here(problem,
            cells,
@@ -79,7 +73,7 @@ void DeformationTerms<dim>::take(const BalancedStep &state)
   }
   else
     space.copy_velocity(state.displacement, velocity_work, displacement);
-  follower_pressure.set_cavity_pressures(state.cavity_pressures);
+  face_points.set_step(step, state.cavity_pressures);
   space.copy_velocity(state.acceleration, velocity_work, acceleration);
   rest_states.set_share(step.load_factor);
 }
@@ -138,6 +132,7 @@ double DeformationTerms<dim>::integrate(const bool by_term)
   for (Vector<double> &forces : cell_forces)
     forces = 0.;
   cell_volume = 0.;
+  const bool has_body_force = body_forces.visit(here.cell(), step, here.displacement());
   double least_ratio = std::numeric_limits<double>::max();
   for (unsigned int q = 0; q < cells.n_points(); ++q)
   {
@@ -150,9 +145,18 @@ double DeformationTerms<dim>::integrate(const bool by_term)
       continue;
     sizes.stress = std::max(sizes.stress,
                             point.stress.norm() + std::abs(point.volume_ratio() * point.pressure));
-    Base::template add_terms<SolidTerms>(q, here.inverse_jacobian(point, q),
-                                         here.cell().points[q].weight, point, by_term);
+    const Tensor<2, dim> inverse_jacobian = here.inverse_jacobian(point, q);
+    const double weight = here.cell().points[q].weight;
+    Base::template add_terms<SolidTerms>(q, inverse_jacobian, weight, point, by_term);
+    if (has_body_force)
+      Base::template add_terms<BodyForceTerms>(q, inverse_jacobian, weight, body_forces.point(q),
+                                               by_term, SolidTerms::size);
   }
+  for (const TermFace<dim> &face : faces.of(here.cell()))
+    for (unsigned int q = 0; q < face.points.size(); ++q)
+      Base::template add_face_terms<SolidFaceTerms>(
+          face.points[q], face_points.of_solid(face, q, here.displacement()), by_term,
+          SolidTerms::size + BodyForceTerms::size);
   return least_ratio;
 }
 
@@ -280,22 +284,36 @@ template <int dim>
 void DeformationTerms<dim>::set_derivative(const Cell &cell, FullMatrix<double> &matrix)
 {
   here.visit(cell);
+  // What finds the unloaded shape leaves the place at which the loads act.
+  const bool has_body_force =
+      body_forces.visit(cell, step, here.displacement()) && !step.finds_unloaded_shape;
   for (unsigned int q = 0; q < cells.n_points(); ++q)
   {
     const Point point = here.point(q, Stress::with_tangent);
-    assembly.take_derivative(
-        q, here.inverse_jacobian(point, q), cell.points[q].weight, {},
-        [&point](const PointChange<dim> &of_unknowns, Tested<dim> &tested)
-        { SolidTerms::add_derivative(point, SolidChange<dim>(point, of_unknowns), tested); });
+    BodyForcePoint<dim> body_force;
+    if (has_body_force)
+      body_force = body_forces.point_with_slope(q, here.displacement_by_velocity());
+    assembly.take_derivative(q, here.inverse_jacobian(point, q), cell.points[q].weight, {},
+                             [&](const PointChange<dim> &of_unknowns, Tested<dim> &tested)
+                             {
+                               SolidTerms::add_derivative(
+                                   point, SolidChange<dim>(point, of_unknowns), tested);
+                               if (has_body_force)
+                                 BodyForceTerms::add_derivative(body_force, of_unknowns, tested);
+                             });
   }
   assembly.finish_matrix(matrix);
-  if (step.finds_unloaded_shape)
-    return;
-  const double b = here.displacement_by_velocity();
-  if (follower_pressure.has_face(cell.velocity_cell))
-    follower_pressure.subtract_derivative(cell.velocity_cell, step, here.displacement(), b, matrix);
-  if (body_force.has_changes(cell.region))
-    body_force.subtract_derivative(cells, cell, step, here.displacement(), b, matrix);
+  for (const TermFace<dim> &face : faces.of(cell))
+    for (unsigned int q = 0; q < face.points.size(); ++q)
+    {
+      const SolidFacePoint<dim> point = face_points.of_solid(face, q, here.displacement());
+      face_assembly.add_derivative(
+          face.points[q], &point.kinematics, nullptr, point.weight,
+          [&point](const PointChange<dim> &of_unknowns, TestedOnFace<dim> &tested) {
+            SolidFaceTerms::add_derivative(point, SolidFaceChange<dim>(point, of_unknowns), tested);
+          },
+          matrix);
+    }
 }
 
 template class DeformationTerms<2>;

@@ -38,8 +38,9 @@ NonlinearCellTerms<dim>::NonlinearCellTerms(const Space<dim> &space,
       quadrature(quadrature),
       cells(space, problem, quadrature, model),
       assembly(cells),
-      follower_pressure(space, problem),
-      body_force(space, problem, quadrature),
+      body_forces(space, problem, cells, quadrature),
+      faces(space, problem),
+      face_points(problem),
       cell_forces(kinds.size()),
       kinds(kinds)
 {
@@ -48,8 +49,7 @@ NonlinearCellTerms<dim>::NonlinearCellTerms(const Space<dim> &space,
     vector->reinit(n_velocity + n_pressure);
   for (Vector<double> &forces : cell_forces)
     forces.reinit(n_velocity);
-  for (Vector<double> *vector : {&cell_momentum, &cell_load})
-    vector->reinit(n_velocity);
+  cell_momentum.reinit(n_velocity);
   for (Vector<double> *vector : {&cell_volume, &product_of_volume})
     vector->reinit(n_pressure);
 }
@@ -63,8 +63,7 @@ void NonlinearCellTerms<dim>::reinit()
   pressure_work = space.pressure_vector();
   forget_derivative();
   cells.reinit();
-  if (loads_move())
-    follower_pressure.reinit();
+  faces.reinit(cells.all());
 }
 
 template <int dim>
@@ -80,13 +79,8 @@ void NonlinearCellTerms<dim>::distribute(const Cell &cell,
                                          DistributedVector &momentum,
                                          DistributedVector &volume)
 {
-  Vector<double> &sum = cell_forces[0];
-  if (has_load_changes(cell))
-  {
-    set_load_changes(cell);
-    sum -= cell_load;
-  }
-  space.velocity_hanging.distribute_local_to_global(sum, cell.velocity_indices, momentum);
+  space.velocity_hanging.distribute_local_to_global(cell_forces[0], cell.velocity_indices,
+                                                    momentum);
   space.pressure_hanging.distribute_local_to_global(cell_volume, cell.pressure_indices, volume);
 }
 
@@ -112,34 +106,6 @@ void NonlinearCellTerms<dim>::set_forces_of(const unsigned int region,
   for (const ForceKind kind : kinds)
     if (kind != nullptr)
       (forces.*kind).compress(VectorOperation::add);
-}
-
-template <int dim>
-void NonlinearCellTerms<dim>::set_load_changes(const Cell &cell)
-{
-  cell_load = 0.;
-  if (follower_pressure.has_face(cell.velocity_cell))
-    follower_pressure.add(cell.velocity_cell, step, displacement_of_cell(), cell_load);
-  if (body_force.has_changes(cell.region))
-    body_force.add(cells, cell, points_of_cell(), step, displacement_of_cell(), cell_load);
-}
-
-template <int dim>
-void NonlinearCellTerms<dim>::add_loads(const BalancedStep &state,
-                                        const std::optional<unsigned int> region,
-                                        DistributedVector &forces)
-{
-  if (!loads_move())
-    return;
-  take(state);
-  for (const Cell &cell : cells.all())
-    if ((!region || cell.region == *region) && has_load_changes(cell))
-    {
-      visit(cell);
-      set_load_changes(cell);
-      space.velocity_hanging.distribute_local_to_global(cell_load, cell.velocity_indices, forces);
-    }
-  forces.compress(VectorOperation::add);
 }
 
 template <int dim>

@@ -86,15 +86,6 @@ double RegionTerms<dim>::relaxation_power(const unsigned int region) const
 }
 
 template <int dim>
-void RegionTerms<dim>::add_loads(const BalancedStep &state,
-                                 const std::optional<unsigned int> region,
-                                 DistributedVector &forces)
-{
-  for (const auto &of_model : terms)
-    of_model->add_loads(state, region, forces);
-}
-
-template <int dim>
 void RegionTerms<dim>::raise_sizes(typename NonlinearCellTerms<dim>::Sizes &sizes) const
 {
   for (const auto &of_model : terms)

@@ -1,4 +1,6 @@
 #include <continua/finite_element/conditions/loads.h>
+
+#include <continua/finite_element/conditions/following_loads.h>
 #include <continua/mesh/cells_in_tree_order.h>
 #include <continua/mesh/coordinates.h>
 
@@ -27,6 +29,19 @@ bool has_condition(const Cell &cell, const unsigned int face, const BoundaryCond
          condition.region_ids.count(cell->material_id()) > 0;
 }
 } // namespace
+
+template <int dim>
+bool Loads<dim>::is_term(const Item &item, const unsigned int region) const
+{
+  if (item.waveform == nullptr)
+    return false;
+  if (item.condition < 0)
+    return body_force_follows(problem, region);
+  const BoundaryCondition &condition = problem.conditions[item.condition];
+  return traction_follows(problem, region,
+                          item.normal_part ? condition.normal : condition.tangential,
+                          item.component < 0);
+}
 
 template <int dim>
 void Loads<dim>::integrate(const Item &item,
@@ -68,7 +83,8 @@ void Loads<dim>::integrate(const Item &item,
     }
   };
   for (const auto &cell : cells_in_tree_order(space.velocity_dofs))
-    if (cell->is_locally_owned() && acts_on(cell->material_id()))
+    if (cell->is_locally_owned() && acts_on(cell->material_id()) &&
+        !is_term(item, cell->material_id()))
     {
       bool touched = false;
       if (item.condition < 0)

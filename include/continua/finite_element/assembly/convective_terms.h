@@ -9,8 +9,8 @@
 #include <continua/finite_element/assembly/flow_product.h>
 #include <continua/finite_element/assembly/nonlinear_cell_terms.h>
 #include <continua/finite_element/space/space.h>
+#include <continua/finite_element/terms/flow_face_terms.h>
 #include <continua/finite_element/terms/flow_terms.h>
-#include <continua/finite_element/terms/inflow_terms.h>
 #include <continua/finite_element/terms/streamline_terms.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -30,19 +30,19 @@ namespace Continua
  *   int q m,                                          m = c (dp/dt + U . grad p) + div U
  *
  * with rho(p), c(p) of the VolumeLaw, eta of the material or of its FlowCurve, gamma of Convection;
- * InflowTerms at open ends, and Streamline where it is on.
+ * Streamline where it is on, the FlowFaceTerms, and BodyForce.
  *
  * On a mesh that moves all of this is by the present place X + d, with dU/dt and dp/dt at the nodes
  * of the mesh and U - W in the place of the U that carries, or -W without convection; the
- * derivative is that with d and W held. Loads follow (FollowerPressure, MovedBodyForce).
+ * derivative is that with d and W held. GivenTraction and BodyForce act there alone.
  */
 template <int dim>
 class ConvectiveTerms : public NonlinearCellTerms<dim>
 {
 public:
   /// `instruction_set`: of products with the derivative that need no matrix; they need quadratic
-  /// velocities. Without a set, with StreamlineTerms, and in cells with InflowTerms there is a
-  /// matrix of each cell in any case. The first two must outlive it.
+  /// velocities. Without a set, with StreamlineTerms, and in cells with FlowFaceTerms there is
+  /// a matrix of each cell in any case. The first two must outlive it.
   ConvectiveTerms(const Space<dim> &space,
                   const Problem &problem,
                   std::optional<InstructionSet> instruction_set);
@@ -66,10 +66,13 @@ public:
 private:
   using Base = NonlinearCellTerms<dim>;
   using Base::assembly;
+  using Base::body_forces;
   using Base::cell_forces;
   using Base::cell_volume;
   using Base::cells;
-  using Base::follower_pressure;
+  using Base::face_assembly;
+  using Base::face_points;
+  using Base::faces;
   using Base::pressure;
   using Base::pressure_work;
   using Base::problem;
@@ -82,7 +85,6 @@ private:
   using typename Base::Cell;
   using Point = StreamlinePoint<dim>;
 
-  InflowTerms<dim> inflow_terms;
   StreamlineTerms<dim> streamline_terms;
   FlowCell<dim> here; ///< the state in the present cell
   FlowProduct<dim> product;
@@ -98,17 +100,11 @@ private:
   }
   bool needs_matrix(const Cell &cell) const override
   {
-    return !product.exists() || inflow_terms.has_face(cell.pressure_cell);
+    return !product.exists() || !faces.of(cell).empty();
   }
   void visit(const Cell &cell) override { here.visit(cell); }
   /// The least of VolumeLaw::stiffening().
   double integrate(bool by_term) override;
-  const dealii::Vector<double> &displacement_of_cell() const override
-  {
-    return here.mesh_displacement();
-  }
-  const std::vector<typename Cell::Point> &points_of_cell() const override { return here.points(); }
-  bool loads_move() const override { return problem.mesh_moves; }
   /// Throws StepFailure where the least of VolumeLaw::stiffening() is not positive. Collective.
   void refuse_softening(double least_stiffening, unsigned int softest) const;
 };

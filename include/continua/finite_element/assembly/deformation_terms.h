@@ -5,6 +5,7 @@
 #include <continua/finite_element/assembly/nonlinear_cell_terms.h>
 #include <continua/finite_element/assembly/rest_states.h>
 #include <continua/finite_element/assembly/solid_cell.h>
+#include <continua/finite_element/terms/solid_face_terms.h>
 #include <continua/finite_element/terms/solid_terms.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -15,8 +16,8 @@
 namespace Continua
 {
 /**
- * The regions of RegionModel::finite_solid: the SolidTerms. For test functions v and q, on the
- * reference mesh with gradients by the present place,
+ * The regions of RegionModel::finite_solid: the SolidTerms, the SolidFaceTerms and BodyForce. For
+ * test functions v and q, on the reference mesh with gradients by the present place,
  *
  *   int rho0 v . dU/dt dV + int ( tau(F) + J 2 eta dev sym grad U - J p I ) : grad v dV
  *   int q (1/b) ( ln J + p/K ) J dV
@@ -66,11 +67,13 @@ public:
 private:
   using Base = NonlinearCellTerms<dim>;
   using Base::assembly;
-  using Base::body_force;
+  using Base::body_forces;
   using Base::cell_forces;
   using Base::cell_volume;
   using Base::cells;
-  using Base::follower_pressure;
+  using Base::face_assembly;
+  using Base::face_points;
+  using Base::faces;
   using Base::pressure;
   using Base::problem;
   using Base::quadrature;
@@ -102,14 +105,6 @@ private:
   void visit(const Cell &cell) override { here.visit(cell); }
   /// The least volume ratio.
   double integrate(bool by_term) override;
-  const dealii::Vector<double> &displacement_of_cell() const override
-  {
-    return here.displacement();
-  }
-  const std::vector<typename Cell::Point> &points_of_cell() const override
-  {
-    return here.cell().points;
-  }
   NonlinearEnergy energy_at(unsigned int q);
   /// Throws StepFailure where a volume ratio of some rank is not positive. Collective.
   void refuse_inversion(double least_ratio, const Cell *worst) const;

@@ -4,7 +4,7 @@
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/space/quadrature_cells.h>
 #include <continua/finite_element/space/values_at_points.h>
-#include <continua/finite_element/terms/inflow_terms.h>
+#include <continua/finite_element/terms/cell_state.h>
 #include <continua/finite_element/terms/streamline.h>
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/time_integration/step.h>

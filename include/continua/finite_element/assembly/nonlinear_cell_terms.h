@@ -6,19 +6,22 @@
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state.h>
 #include <continua/continuum/state_visitor.h>
+#include <continua/finite_element/assembly/body_forces.h>
 #include <continua/finite_element/assembly/cell_assembly.h>
+#include <continua/finite_element/assembly/face_assembly.h>
+#include <continua/finite_element/assembly/face_points.h>
+#include <continua/finite_element/assembly/term_faces.h>
 #include <continua/finite_element/space/quadrature_cells.h>
 #include <continua/finite_element/space/space.h>
-#include <continua/finite_element/terms/follower_pressure.h>
-#include <continua/finite_element/terms/moved_body_force.h>
 #include <continua/finite_element/terms/tested.h>
+#include <continua/finite_element/terms/tested_on_face.h>
 #include <continua/linear_algebra/entry_sums.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <cstddef>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace Continua
@@ -31,10 +34,11 @@ enum class KeptDerivative
 };
 
 /**
- * All terms of the regions of one RegionModel that is not linear, but for loads and supports, as
- * integrals over cells and faces: rows of momentum N_u(U, p) [N] and of volume N_p(U, p) [m^3/s],
- * and their derivative. The part that does not depend on what is integrated: the sums over the
- * cells, the derivative as one matrix, and as one matrix a cell for products.
+ * All terms of the regions of one RegionModel that is not linear, but for supports and for loads
+ * that do not follow the present shape, as integrals over cells and faces: rows of momentum N_u(U,
+ * p) [N] and of volume N_p(U, p) [m^3/s], and their derivative. The part that does not depend on
+ * what is integrated: the sums over the cells, the derivative as one matrix, and as one matrix a
+ * cell for products.
  */
 template <int dim>
 class NonlinearCellTerms
@@ -65,11 +69,6 @@ public:
   void set_forces_of(unsigned int region, const BalancedStep &state, NonlinearForces &forces);
   /// This rank's part of the energies of one region. Collective.
   virtual NonlinearEnergy energy_of(unsigned int region, const State &state) = 0;
-  /// Adds what the loads of the step have besides those on the body at rest [N], of one region or
-  /// of all. Collective.
-  void add_loads(const BalancedStep &state,
-                 std::optional<unsigned int> region,
-                 DistributedVector &forces);
   /// The state of t = 0 was set. Collective.
   virtual void start_from(const DistributedVector & /*displacement*/) {}
   /// Hands over the terms' own part of the state.
@@ -138,8 +137,10 @@ protected:
   // The velocity and the pressure with ghost entries, and work space.
   DistributedVector velocity, pressure, velocity_work, pressure_work;
   CellAssembly<dim> assembly;
-  FollowerPressure<dim> follower_pressure; ///< without faces where the loads stay
-  MovedBodyForce<dim> body_force;
+  BodyForces<dim> body_forces;
+  TermFaces<dim> faces;
+  FacePoints<dim> face_points;
+  FaceAssembly<dim> face_assembly;
   // Rows of the cell that was visited last: of momentum by term, or their sum in the first one.
   std::vector<dealii::Vector<double>> cell_forces;
   dealii::Vector<double> cell_volume;
@@ -148,13 +149,8 @@ protected:
   virtual void take(const BalancedStep &state) = 0;
   /// Makes the state that was taken that of a cell.
   virtual void visit(const Cell &cell) = 0;
-  /// Sets cell_volume and cell_forces, without loads. The least of what must stay positive.
+  /// Sets cell_volume and cell_forces. The least of what must stay positive.
   virtual double integrate(bool by_term) = 0;
-  /// Where the loads of that cell act: its displacement at the dofs [m], and its points.
-  virtual const dealii::Vector<double> &displacement_of_cell() const = 0;
-  virtual const std::vector<typename Cell::Point> &points_of_cell() const = 0;
-  /// Whether loads follow the body or the mesh.
-  virtual bool loads_move() const { return true; }
   /// The derivative of the rows of a cell at the state that was taken, velocities first, rows of
   /// volume times -1.
   virtual void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix) = 0;
@@ -166,16 +162,17 @@ protected:
 
   void take(const DistributedVector &of_velocity, const DistributedVector &of_pressure);
   /// Adds what a list of terms gives at a point, times its weight, to cell_forces and cell_volume.
+  /// `number`: that of its first term among the kinds.
   template <typename List, typename Point>
   void add_terms(const unsigned int q,
                  const dealii::Tensor<2, dim> &inverse_jacobian,
                  const double weight,
                  const Point &point,
-                 const bool by_term)
+                 const bool by_term,
+                 std::size_t number = 0)
   {
     if (by_term)
     {
-      unsigned int number = 0;
       List::for_each(
           [&](const auto term)
           {
@@ -190,7 +187,29 @@ protected:
     assembly.add_momentum(q, inverse_jacobian, weight, sum, cell_forces[0]);
     assembly.add_volume(q, weight, sum, cell_volume);
   }
-  /// Adds the rows of a cell, which are set, less what its loads have besides those at rest.
+  /// Likewise of a point of a face.
+  template <typename List, typename Point>
+  void add_face_terms(const DeformedFacePoint<dim> &shapes,
+                      const Point &point,
+                      const bool by_term,
+                      std::size_t number)
+  {
+    if (by_term)
+    {
+      List::for_each(
+          [&](const auto term)
+          {
+            TestedOnFace<dim> tested;
+            term.add(point, tested);
+            face_assembly.add(shapes, point.weight, tested, cell_forces[number++]);
+          });
+      return;
+    }
+    TestedOnFace<dim> sum;
+    List::add(point, sum);
+    face_assembly.add(shapes, point.weight, sum, cell_forces[0]);
+  }
+  /// Adds the rows of a cell, which are set.
   void distribute(const Cell &cell, DistributedVector &momentum, DistributedVector &volume);
 
 private:
@@ -198,16 +217,7 @@ private:
   /// The kept derivative of each cell that needs one, and work space for its product. In single
   /// precision the round-off of rigid motions would be as large as the stiffness of thin bodies.
   std::vector<dealii::FullMatrix<double>> cell_derivatives;
-  dealii::Vector<double> cell_change, cell_product, cell_momentum, product_of_volume, cell_load;
-
-  /// Whether the loads on a cell change as it moves.
-  bool has_load_changes(const Cell &cell) const
-  {
-    return loads_move() &&
-           (follower_pressure.has_face(cell.velocity_cell) || body_force.has_changes(cell.region));
-  }
-  /// Sets cell_load to these loads less those of the body at rest, of the cell that was visited.
-  void set_load_changes(const Cell &cell);
+  dealii::Vector<double> cell_change, cell_product, cell_momentum, product_of_volume;
 };
 
 /// One of them for each model of a region that the problem has and that is not linear.

@@ -13,8 +13,6 @@
 #include <continua/finite_element/space/space.h>
 #include <continua/linear_algebra/distributed_vector.h>
 
-#include <optional>
-
 namespace Continua
 {
 /// The terms of all regions that are not linear: the sum over the models of such regions that the
@@ -46,9 +44,6 @@ public:
   NonlinearEnergy energy_of(unsigned int region, const State &state);
   /// 0 in a region that is linear.
   double relaxation_power(unsigned int region) const;
-  void add_loads(const BalancedStep &state,
-                 std::optional<unsigned int> region,
-                 DistributedVector &forces);
   /// Raises the sizes of what cancels in the rows that were added last to those of the terms.
   void raise_sizes(typename NonlinearCellTerms<dim>::Sizes &sizes) const;
 

@@ -11,7 +11,8 @@
 namespace Continua
 {
 /// The loads on the velocity's test functions: prescribed tractions int v . t and the body force
-/// int v . rho b, with hanging nodes condensed.
+/// int v . rho b, with hanging nodes condensed. Those that follow the present shape of their region
+/// are terms of its equations and not here (see following_loads.h).
 template <int dim>
 class Loads : public LoadList
 {
@@ -41,6 +42,8 @@ private:
   const std::optional<unsigned int> region;
 
   bool acts_on(const unsigned int material_id) const { return !region || *region == material_id; }
+  /// Whether the item is a term of the equations of a region.
+  bool is_term(const Item &item, unsigned int region) const;
   DistributedVector zero_forces() const override { return space.velocity_vector(); }
   void integrate(const Item &item,
                  const Waveform *waveform,

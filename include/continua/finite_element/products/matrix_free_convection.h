@@ -19,7 +19,7 @@ namespace Continua
 /**
  * Products with the derivative of the ConvectiveTerms without its matrix, for quadratic velocities:
  * the integrals are formed anew from the state in each product, for several cells at once. It has
- * neither InflowTerms nor StreamlineTerms.
+ * neither FlowFaceTerms nor StreamlineTerms.
  */
 template <int dim>
 class MatrixFreeConvection

@@ -53,7 +53,7 @@ public:
 private:
   const Space<dim> &space;
   const SetOfFace set_of_face;                  ///< empty: there are none
-  const dealii::Quadrature<dim - 1> quadrature; ///< as that of FollowerPressure
+  const dealii::Quadrature<dim - 1> quadrature; ///< as that of TermFaces
   std::vector<Face> faces;
   DistributedVector displacement_work, ghosted;
   dealii::Vector<double> of_cell;

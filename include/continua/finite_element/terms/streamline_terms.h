@@ -3,7 +3,7 @@
 
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/space/space.h>
-#include <continua/finite_element/terms/inflow_terms.h>
+#include <continua/finite_element/terms/cell_state.h>
 #include <continua/finite_element/terms/streamline.h>
 #include <continua/time_integration/step.h>
 

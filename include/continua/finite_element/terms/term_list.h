@@ -5,18 +5,21 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace Continua
 {
 /**
- * The terms of one model of a region, as a list of types without members. A term has
+ * The terms of one model of a region, inside its cells or on their faces, as a list of types
+ * without members. A term has
  *
  *   force                                the kind of NonlinearForces that it belongs to
  *   add(point, tested)                   what it gives at a point
  *   add_derivative(point, change, tested)  the derivative of that in the direction of a change
  *
- * Both are templates in the number, so that one text serves the residual, the matrix of a cell and
- * products without a matrix. A term that is no force, such as the row of volume, has `force` null.
+ * Those of a liquid inside its cells are templates in the number, so that one text serves the
+ * residual, the matrix of a cell and products without a matrix. A term that is no force, such as
+ * the row of volume, has `force` null.
  */
 template <typename... Terms>
 struct TermList
@@ -45,6 +48,16 @@ struct TermList
     (visit(Terms()), ...);
   }
 };
+/// The kinds of force of the terms of several lists, one list after the other.
+template <typename... Lists>
+std::vector<DistributedVector NonlinearForces::*> forces_of()
+{
+  std::vector<DistributedVector NonlinearForces::*> all;
+  const auto append = [&all](const auto &of_list)
+  { all.insert(all.end(), of_list.begin(), of_list.end()); };
+  (append(Lists::forces()), ...);
+  return all;
+}
 } // namespace Continua
 
 #endif

@@ -1,0 +1,86 @@
+#include <continua/finite_element/assembly/face_points.h>
+
+#include <continua/finite_element/conditions/loads.h>
+#include <continua/mesh/coordinates.h>
+
+#include <limits>
+
+namespace Continua
+{
+using namespace dealii;
+
+template <int dim>
+void FacePoints<dim>::set_step(const Step &of_state,
+                               const std::vector<double> &pressures_of_cavities)
+{
+  step = of_state;
+  cavity_pressures = pressures_of_cavities;
+}
+
+template <int dim>
+SolidFacePoint<dim> FacePoints<dim>::of_solid(const TermFace<dim> &face,
+                                              const unsigned int q,
+                                              const Vector<double> &displacement) const
+{
+  const DeformedFacePoint<dim> &at_rest = face.points[q];
+  SolidFacePoint<dim> point(at_rest.kinematics(displacement));
+  point.weight = at_rest.area.norm();
+  point.area = point.kinematics.area(at_rest.area) / point.weight;
+  point.hoop = at_rest.hoop * point.kinematics.inverse()[2][2];
+  // A step that finds the unloaded shape leaves the mesh, on which the pressure acts.
+  if (!step.finds_unloaded_shape)
+    point.displacement_by_velocity = step.branch(std::numeric_limits<double>::infinity()).velocity;
+  point.pressure = face.cavity >= 0 ? cavity_pressures[face.cavity]
+                                    : step.load_factor *
+                                          face.condition->normal.along_normal(
+                                              coordinates(at_rest.place).data(), step.balance_time);
+  return point;
+}
+
+template <int dim>
+Tensor<1, dim> FacePoints<dim>::traction(const TermFace<dim> &face,
+                                         const Point<dim> &place,
+                                         const Tensor<1, dim> &normal) const
+{
+  if (face.cavity >= 0)
+    return -cavity_pressures[face.cavity] * normal;
+  return step.load_factor *
+         Loads<dim>::prescribed_traction(*face.condition, place, normal, step.balance_time);
+}
+
+template <int dim>
+FlowFacePoint<dim> FacePoints<dim>::of_flow(const TermFace<dim> &face,
+                                            const unsigned int q,
+                                            const Material &liquid,
+                                            const CellState<dim> &state) const
+{
+  const DeformedFacePoint<dim> &at_rest = face.points[q];
+  const bool moves = state.mesh_displacement != nullptr;
+  const Tensor<1, 3> area =
+      moves ? at_rest.kinematics(*state.mesh_displacement).area(at_rest.area) : at_rest.area;
+  FlowFacePoint<dim> point;
+  point.weight = area.norm();
+  for (unsigned int c = 0; c < dim; ++c)
+    point.normal[c] = area[c] / point.weight;
+  if (face.cavity >= 0 || face.has_traction)
+    point.traction = traction(
+        face, moves ? at_rest.place + at_rest.way(*state.mesh_displacement) : at_rest.place,
+        point.normal);
+  if (!face.has_total_pressure)
+    return point;
+  point.velocity = at_rest.way(state.velocity);
+  point.through = point.velocity * point.normal;
+  if (moves)
+    point.through -= at_rest.way(*state.mesh_velocity) * point.normal;
+  double pressure = 0.;
+  for (unsigned int k = 0; k < state.pressure.size(); ++k)
+    pressure += state.pressure[k] * face.pressure_values[q][k];
+  const VolumeLaw law = liquid.volume_law();
+  point.density = liquid.density * law.density_ratio(pressure);
+  point.compressibility = law.compressibility(pressure);
+  return point;
+}
+
+template class FacePoints<2>;
+template class FacePoints<3>;
+} // namespace Continua
