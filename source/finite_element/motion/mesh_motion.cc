@@ -608,6 +608,9 @@ MeshQuality MeshMotion<dim>::quality(const DistributedVector &mesh_displacement)
 {
   space.copy_velocity(mesh_displacement, work, ghosted);
   double least = std::numeric_limits<double>::max();
+  // Of cells that are equally bad the first one is named: round-off must not choose.
+  constexpr double round_off = 1e-9;
+  double least_of_named = least;
   const Cell *worst = nullptr;
   for (std::size_t k = 0; k < cells.all().size(); ++k)
   {
@@ -622,11 +625,13 @@ MeshQuality MeshMotion<dim>::quality(const DistributedVector &mesh_displacement)
         const double ratio = determinant(Tensor<2, 3>(unit_symmetric_tensor<3>()) +
                                          displacement.space_gradient(q, of_points.points[q]));
         // What is no number fails the comparison, and is kept.
-        if (!std::isnan(least) && !(ratio >= least))
-        {
-          least = ratio;
-          worst = &cell;
-        }
+        if (std::isnan(least) || ratio >= least)
+          continue;
+        least = ratio;
+        if (ratio >= least_of_named - round_off * std::abs(least_of_named))
+          continue;
+        least_of_named = ratio;
+        worst = &cell;
       }
     };
     take(cell, displacement_at_points);
