@@ -227,16 +227,17 @@ void NodeProduct<dim>::multiply(const DistributedVector &velocity,
   if (stiffness_of_displacement != nullptr)
     pass.displacement =
         entries_of_columns(stiffness.trilinos_matrix(), *displacement, complete_displacement.get());
-  for (const auto &[entries, target] :
-       {std::make_pair(&pass.mass_of_velocity, mass_of_velocity),
-        std::make_pair(&pass.stiffness_of_velocity, stiffness_of_velocity),
-        std::make_pair(&pass.stiffness_of_displacement, stiffness_of_displacement)})
-    if (target != nullptr)
-    {
-      if (has_empty_rows)
-        *target = 0.;
-      *entries = target->begin();
-    }
+  const auto set_target = [this](double *&entries, DistributedVector *const target)
+  {
+    if (target == nullptr)
+      return;
+    if (has_empty_rows)
+      *target = 0.;
+    entries = target->begin();
+  };
+  set_target(pass.mass_of_velocity, mass_of_velocity);
+  set_target(pass.stiffness_of_velocity, stiffness_of_velocity);
+  set_target(pass.stiffness_of_displacement, stiffness_of_displacement);
   if (pass.mass_of_velocity != nullptr)
     multiply_with<true>(pass);
   else
