@@ -112,13 +112,13 @@ void FactorPanels::forward(const Panel &panel, double *const x) const
     of_panel[row] -= sum;
   }
   Pair known[n_pairs];
-  for (int p = 0; p < n_pairs; ++p)
+  for (std::ptrdiff_t p = 0; p < n_pairs; ++p)
     known[p] = load(of_panel + 2 * p);
   const int *const places = rows.data() + panel.rows;
   for (int row = 0; row < panel.n_rows; ++row, entries += width)
   {
     Pair sum = load(entries) * known[0];
-    for (int p = 1; p < n_pairs; ++p)
+    for (std::ptrdiff_t p = 1; p < n_pairs; ++p)
       sum += load(entries + 2 * p) * known[p];
     x[places[row]] -= sum[0] + sum[1];
   }
@@ -137,10 +137,10 @@ void FactorPanels::backward(const Panel &panel, double *const x) const
   {
     const double of_row = x[places[row]];
     const Pair factor = {of_row, of_row};
-    for (int p = 0; p < n_pairs; ++p)
+    for (std::ptrdiff_t p = 0; p < n_pairs; ++p)
       sums[p] += load(entries + 2 * p) * factor;
   }
-  for (int p = 0; p < n_pairs; ++p)
+  for (std::ptrdiff_t p = 0; p < n_pairs; ++p)
     store(load(of_panel + 2 * p) - sums[p], of_panel + 2 * p);
   for (int row = panel.n_columns - 1; row > 0; --row)
     for (int c = 0; c < row; ++c)
