@@ -27,7 +27,6 @@ class Server:
         self._folder = tempfile.TemporaryDirectory(prefix="continua-")  # pylint: disable=consider-using-with
         self._socket = os.path.join(self._folder.name, "socket")
         self._screen = os.path.join(self._folder.name, "screen")
-        self._connections = set()
         self._is_stopped = False
         with open(self._screen, "w", encoding="utf-8") as screen:
             self._process = subprocess.Popen(  # pylint: disable=consider-using-with
@@ -38,24 +37,20 @@ class Server:
         return self
 
     def __exit__(self, *_):
-        self._process.terminate()
-        self._process.wait()
+        self.stop()
         self._folder.cleanup()
 
     def stop(self):
-        """Ends the commands that are at work, at once, and takes no further ones."""
+        """Ends the program. Its commands get SIGTERM: a run ends after its present step, with a checkpoint."""
         self._is_stopped = True
-        for connection in list(self._connections):
-            connection.shutdown(socket.SHUT_RDWR)
+        self._process.terminate()
+        self._process.wait()
 
     def perform(self, command, screen):
         """Performs a command line, a list of texts without the name of the program; what it prints goes to the open file `screen`.
         Returns the exit status, or the number of the signal that ended it, negative. Who leaves before the end kills the command."""
         with socket.socket(socket.AF_UNIX, socket.SOCK_SEQPACKET) as connection, open(os.devnull, "rb") as nothing:
             self._connect(connection)
-            self._connections.add(connection)
-            if self._is_stopped:
-                raise Stopped()
             arguments = [self._program, *command]
             texts = [os.getcwd(), str(len(arguments)), *arguments, *(f"{name}={value}" for name, value in environment().items())]
             message = b"".join(os.fsencode(text) + b"\0" for text in texts)
@@ -75,6 +70,8 @@ class Server:
             try:
                 return connection.connect(self._socket)
             except OSError:
+                if self._is_stopped:
+                    raise Stopped() from None
                 if self._process.poll() is not None:
                     with open(self._screen, encoding="utf-8", errors="replace") as screen:
                         raise ProgramNotFound(f"{self._program} --serve has ended: {screen.read().strip()}") from None
@@ -91,11 +88,15 @@ def run_many(runs, jobs=1, program=None, keep_failures=False):
     keep_failures   True: the list has the `RunFailed` of a run that failed in its place; False: once all runs have ended, the first one
                     is raised
 
-    Raises ValueError before any run if two runs have one folder of results, ProgramNotFound, and RunFailed. An interruption from the
-    keyboard ends the runs at once; `restart` then goes on from their last checkpoints.
+    Raises ValueError before any run if one has another argument or if two have one folder of results, ProgramNotFound, and RunFailed. An interruption from the
+    keyboard ends each run after its present step, with a checkpoint, and no further one begins.
     """
     if jobs < 1 or jobs != int(jobs):
         raise ValueError(f"jobs is {jobs!r}; it needs a whole number from 1 on")
+    for arguments in runs:
+        unknown = set(arguments) - {"parameter_file", "sets", "output", "overwrite", "restart"}
+        if unknown or "parameter_file" not in arguments:
+            raise ValueError(f"a run is {dict(arguments)!r}; it needs a parameter_file, and may have sets, output, overwrite and restart")
     commands = [command_of(**arguments) for arguments in runs]
     folders = [os.path.realpath(output) for _, output in commands]
     for folder in folders:

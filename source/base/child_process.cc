@@ -126,6 +126,9 @@ ChildProcess::ChildProcess(const std::function<int()> &function) : has_session(t
     return;
   ::setsid();
   forget_signals();
+#if defined(__linux__)
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+#endif
   std::exit(status_of(function));
 }
 

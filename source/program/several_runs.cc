@@ -4,7 +4,6 @@
 #include <continua/base/rank_agreement.h>
 #include <continua/program/several_runs.h>
 
-#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <array>
@@ -63,8 +62,6 @@ int become(std::vector<std::string> &arguments,
            std::FILE *const screen,
            const SeveralRuns::Main &main)
 {
-  // If this process is killed, its runs end as by a batch system: with a checkpoint.
-  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (screen != nullptr &&
       (::dup2(::fileno(screen), STDOUT_FILENO) < 0 || ::dup2(::fileno(screen), STDERR_FILENO) < 0))
     throw std::runtime_error(std::string("the screen of a run cannot be kept: ") +
@@ -112,7 +109,7 @@ std::string text_of_status(const int status)
     return "refused";
   if (status < 0)
     return "ended by signal " + std::to_string(-status);
-  return "failed";
+  return "not finished";
 }
 } // namespace
 

@@ -55,7 +55,7 @@ class SeveralRuns(unittest.TestCase):
             self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
             self.assertIn("== 2 of 4 runs done", done.stdout)
             self.assertIn(f"{wrong}: refused\n", done.stderr)
-            self.assertIn(f"{failing}: failed\n", done.stderr)
+            self.assertIn(f"{failing}: not finished\n", done.stderr)
             screen = done.stdout + done.stderr
             self.assertIn("'Titel': unknown entry", screen)
             # The screens follow each other whole.
@@ -93,7 +93,7 @@ class SeveralRuns(unittest.TestCase):
             process.send_signal(signal.SIGTERM)
             _, errors = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 1, errors)
-        self.assertIn("long.prm: failed\n", errors)
+        self.assertIn("long.prm: not finished\n", errors)
         self.assertIn("second.prm: not begun\n", errors)
         self.assertEqual(self.summary("output", "long")["status"], "interrupted")
 
@@ -111,6 +111,33 @@ class SeveralRuns(unittest.TestCase):
             continua.run_many([{**run, "overwrite": True} for run in runs], program=PROGRAM)
         with self.assertRaisesRegex(ValueError, "two runs have the folder"):
             continua.run_many([runs[0], runs[0]], program=PROGRAM)
+        with self.assertRaisesRegex(ValueError, "it needs a parameter_file"):
+            continua.run_many([{**runs[0], "ranks": 2}], program=PROGRAM)
+
+    def test_interrupted_python(self):
+        """The run at work ends after its present step, and none begins behind it."""
+        code = f"""
+import sys
+sys.path.insert(0, {os.path.join(ROOT, "python")!r})
+import continua
+runs = [dict(parameter_file={self.write("case")!r}, sets={{"Time/End time": end}}, output=f"run {{i}}", overwrite=True)
+        for i, end in enumerate(["5 ms", "1000 s", "1000 s"])]
+continua.run_many(runs, program={PROGRAM!r})
+"""
+        with subprocess.Popen([sys.executable, "-c", code], stderr=subprocess.PIPE, text=True, cwd=self.folder) as process:
+            log = os.path.join(self.folder, "run 1", "power.csv")
+            end = time.monotonic() + 60
+            while not os.path.exists(log) and time.monotonic() < end:
+                time.sleep(0.05)
+            process.send_signal(signal.SIGINT)
+            _, errors = process.communicate(timeout=60)
+        self.assertIn("KeyboardInterrupt", errors.splitlines()[-1])
+        self.assertEqual(self.summary("run 0")["status"], "finished")
+        end = time.monotonic() + 60
+        while continua.open(os.path.join(self.folder, "run 1")).status == "running" and time.monotonic() < end:
+            time.sleep(0.05)
+        self.assertEqual(continua.open(os.path.join(self.folder, "run 1")).status, "interrupted")
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "run 2")))
 
 
 if __name__ == "__main__":

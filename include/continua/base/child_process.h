@@ -39,8 +39,9 @@ public:
 
   /// Throws std::runtime_error if the program cannot be started.
   explicit ChildProcess(const Program &program);
-  /// The copy ends by std::exit() with what `function` returns, in a session of its own. Before
-  /// MPI_Init only: MPI does not survive a copy. Throws std::runtime_error.
+  /// The copy ends by std::exit() with what `function` returns, in a session of its own. If this
+  /// process is killed, it gets SIGTERM, which lets a run end with a checkpoint. Before MPI_Init
+  /// only: MPI does not survive a copy. Throws std::runtime_error.
   explicit ChildProcess(const std::function<int()> &function);
   ~ChildProcess();
   ChildProcess(const ChildProcess &) = delete;
