@@ -12,7 +12,8 @@ namespace Continua
 /**
  * The loads of a problem on a discretisation: tractions on boundaries and body forces. What is
  * constant is integrated once; what is a function of time alone is one unit vector times that
- * function; only what depends on both time and place is integrated again at each time.
+ * function; only what depends on both time and place is integrated again at each time. A
+ * discretisation may leave out loads that are terms of its equations; jumps() knows these, too.
  */
 class LoadList
 {

@@ -123,7 +123,7 @@ public:
   virtual double divergence(const DistributedVector &velocity) = 0;
 
   // Loads and prescribed velocities.
-  /// Those that are no terms: loads that follow the present shape are.
+  /// Without the loads that follow the present shape: those are terms of the equations.
   virtual const LoadList &loads() const = 0;
   /// Those on the cells of one region and on their faces; for discretisations that have forces at
   /// nodes. Made when they are first asked for on a mesh. Collective.

@@ -1,9 +1,7 @@
 #include <continua/finite_element/assembly/body_forces.h>
 
 #include <continua/finite_element/conditions/following_loads.h>
-#include <continua/mesh/coordinates.h>
 
-#include <array>
 #include <cstddef>
 
 namespace Continua
@@ -63,14 +61,7 @@ Point<dim> BodyForces<dim>::place(const unsigned int q) const
 template <int dim>
 Tensor<1, dim> BodyForces<dim>::force(const Point<dim> &place) const
 {
-  const std::array<double, 3> x = coordinates(place);
-  Tensor<1, dim> sum;
-  for (unsigned int c = 0; c < problem.interior.acceleration.size(); ++c)
-    sum[c] += problem.materials[present->region].density *
-              problem.interior.acceleration[c](x.data(), step.balance_time);
-  for (unsigned int c = 0; c < problem.interior.body_force.size(); ++c)
-    sum[c] += problem.interior.body_force[c](x.data(), step.balance_time);
-  return step.load_factor * sum;
+  return body_force_at(problem, present->region, place, step);
 }
 
 template <int dim>

@@ -66,12 +66,12 @@ FlowFacePoint<dim> FacePoints<dim>::of_flow(const TermFace<dim> &face,
     point.traction = traction(
         face, moves ? at_rest.place + at_rest.way(*state.mesh_displacement) : at_rest.place,
         point.normal);
-  if (!face.has_total_pressure)
-    return point;
   point.velocity = at_rest.way(state.velocity);
   point.through = point.velocity * point.normal;
   if (moves)
     point.through -= at_rest.way(*state.mesh_velocity) * point.normal;
+  if (!face.has_total_pressure)
+    return point;
   double pressure = 0.;
   for (unsigned int k = 0; k < state.pressure.size(); ++k)
     pressure += state.pressure[k] * face.pressure_values[q][k];

@@ -1,6 +1,6 @@
 #include <continua/finite_element/terms/streamline_terms.h>
 
-#include <continua/mesh/coordinates.h>
+#include <continua/finite_element/conditions/following_loads.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -111,26 +111,12 @@ void StreamlineTerms<dim>::set_viscous_forces(const unsigned int q, const CellSt
 }
 
 template <int dim>
-Tensor<1, dim> StreamlineTerms<dim>::body_force() const
-{
-  Tensor<1, dim> force;
-  const auto here = coordinates(place);
-  const InteriorData &interior = problem.interior;
-  for (unsigned int c = 0; c < interior.body_force.size(); ++c)
-    force[c] += step.load_factor * interior.body_force[c](here.data(), step.balance_time);
-  for (unsigned int c = 0; c < interior.acceleration.size(); ++c)
-    force[c] += step.load_factor * problem.materials[region].density *
-                interior.acceleration[c](here.data(), step.balance_time);
-  return force;
-}
-
-template <int dim>
 void StreamlineTerms<dim>::set_point(const unsigned int q,
                                      const CellState<dim> &state,
                                      StreamlinePoint<dim> &point)
 {
   set_viscous_forces(q, state);
-  point.body_force = body_force();
+  point.body_force = body_force_at(problem, region, place, step);
   point.viscous_force = 0.;
   for (unsigned int i = 0; i < forces.size(); ++i)
     point.viscous_force += state.velocity[i] * forces[i];

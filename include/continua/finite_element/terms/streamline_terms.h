@@ -63,8 +63,6 @@ private:
   double viscosity() const { return problem.materials[region].shear.viscosity; }
   /// tau at a speed [s].
   double time_scale(double speed) const;
-  /// [N/m^3].
-  dealii::Tensor<1, dim> body_force() const;
 };
 } // namespace Continua
 
