@@ -455,7 +455,7 @@ bool Transient<dim>::stands()
   double scale = largest_energy;
   const auto relative = [&]()
   { return error.kinetic_energy > 0. ? std::sqrt(error.kinetic_energy / scale) : 0.; };
-  // The energy costs products with all matrices: it is asked for now and then, and where it may
+  // The energy may cost products with all matrices: it is asked for now and then, and where it may
   // save a step.
   if (time_control.n_steps() % 4 == 0 || relative() > run.input.time.error_tolerance)
   {

@@ -44,6 +44,7 @@ void SectionTimer::start(const std::size_t number)
 void SectionTimer::stop(const std::size_t number)
 {
   Section &section = sections[number];
+  Assert(section.is_running, dealii::ExcMessage(section.name + " is left and was not entered"));
   section.is_running = false;
   section.wall_time += std::chrono::duration<double>(Clock::now() - section.wall_start).count();
   if (takes_processor_times)

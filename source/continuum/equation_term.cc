@@ -166,11 +166,8 @@ public:
   {
     const bool is_whole = context.is_whole(region);
     if (forces == nullptr && context.products != nullptr &&
-        context.products->has_divergence(region))
-    {
-      context.products->set_divergence(region, step.balanced.step, context.dilatation);
-      return -local_product(context.dilatation, step.balanced.pressure);
-    }
+        context.products->has_divergence(region, step.balanced.step))
+      return -local_product(context.products->divergence(region), step.balanced.pressure);
     if (forces == nullptr && !is_whole)
       return context.operators.pressure_power(region, step.balanced.velocity,
                                               step.balanced.pressure);

@@ -37,21 +37,18 @@ void LevelProducts::reinit()
 void LevelProducts::forget()
 {
   for (Region &region : regions)
-    for (Level *const level : {&region.present, &region.older})
-    {
-      level->is_known = {};
-      level->divergence_is_known = false;
-    }
+  {
+    region.present.is_known = {};
+    region.older.is_known = {};
+    region.divergence_is_known = false;
+  }
   knows_step = false;
 }
 
 void LevelProducts::forget_older()
 {
   for (Region &region : regions)
-  {
     region.older.is_known = {};
-    region.older.divergence_is_known = false;
-  }
 }
 
 void LevelProducts::advance()
@@ -64,9 +61,7 @@ void LevelProducts::advance()
       region.older.is_known[kind] = region.present.is_known[kind];
       region.present.is_known[kind] = false;
     }
-    region.older.divergence.swap(region.present.divergence);
-    region.older.divergence_is_known = region.present.divergence_is_known;
-    region.present.divergence_is_known = false;
+    region.divergence_is_known = false;
   }
   knows_step = true;
 }
@@ -101,19 +96,6 @@ LevelProducts::product(const unsigned int number, const Kind kind, const bool of
   return level.products[kind];
 }
 
-const DistributedVector &LevelProducts::divergence(const unsigned int number, const bool of_older)
-{
-  Level &level = of_older ? regions[number].older : regions[number].present;
-  regions[number].wants_divergence = true;
-  if (level.divergence_is_known)
-    return level.divergence;
-  if (level.divergence.size() == 0)
-    level.divergence = operators.pressure_vector();
-  operators.multiply_divergence(number, level.divergence, of_older ? velocity_older : velocity);
-  level.divergence_is_known = true;
-  return level.divergence;
-}
-
 const DistributedVector &LevelProducts::mass(const unsigned int region)
 {
   return product(region, mass_of_velocity, false);
@@ -124,9 +106,17 @@ const DistributedVector &LevelProducts::stiffness(const unsigned int region)
   return product(region, stiffness_of_displacement, false);
 }
 
-const DistributedVector &LevelProducts::divergence(const unsigned int region)
+const DistributedVector &LevelProducts::divergence(const unsigned int number)
 {
-  return divergence(region, false);
+  Region &region = regions[number];
+  region.wants_divergence = true;
+  if (region.divergence_is_known)
+    return region.divergence;
+  if (region.divergence.size() == 0)
+    region.divergence = operators.pressure_vector();
+  operators.multiply_divergence(number, region.divergence, velocity);
+  region.divergence_is_known = true;
+  return region.divergence;
 }
 
 const DistributedVector &LevelProducts::past_inertia(const unsigned int number, const Step &step)
@@ -175,16 +165,6 @@ void LevelProducts::set_stiffness(const unsigned int region,
                                   DistributedVector &target)
 {
   set_balanced(region, stiffness_of_displacement, step, target);
-}
-
-void LevelProducts::set_divergence(const unsigned int region,
-                                   const Step &step,
-                                   DistributedVector &target)
-{
-  if (step.extrapolate)
-    set_combination(target, 0.5, divergence(region, false), 0.5, divergence(region, true));
-  else
-    target.equ(1., divergence(region, false));
 }
 
 void LevelProducts::set_balanced(const unsigned int region,

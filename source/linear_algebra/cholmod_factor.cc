@@ -167,9 +167,10 @@ void CholmodFactor::factorize(SymmetricTriplets matrix, const std::vector<int> &
     if (keeps_analysis)
       d.keep_places(*sparse);
   }
-  // An entry is a number and the place of its row.
+  d.panels = FactorPanels(); // not beside the new numbers
+  // An entry is a number and the place of its row, and a number of a panel while these are made.
   if (announce && d.common.status == CHOLMOD_OK)
-    announce({d.common.lnz, d.common.lnz * (sizeof(double) + sizeof(int))});
+    announce({d.common.lnz, d.common.lnz * (2 * sizeof(double) + sizeof(int))});
   if (d.common.status == CHOLMOD_OK)
     cholmod_factorize(sparse.get(), d.factor, &d.common);
   d.check("factorisation");

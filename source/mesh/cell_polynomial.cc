@@ -1,5 +1,6 @@
 #include <continua/mesh/cell_polynomial.h>
 
+#include <deal.II/base/polynomials_bernstein.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/utilities.h>
 #include <deal.II/lac/full_matrix.h>
@@ -13,23 +14,17 @@ using namespace dealii;
 
 namespace
 {
-double binomial(const unsigned int n, const unsigned int k)
-{
-  double result = 1.;
-  for (unsigned int i = 1; i <= k; ++i)
-    result *= static_cast<double>(n - k + i) / i;
-  return result;
-}
-
 /// From the values of a polynomial at these points to its Bernstein coefficients, row by row.
 std::vector<double> bernstein_of_values(const std::vector<Point<1>> &points)
 {
   const unsigned int n = points.size(), degree = n - 1;
   FullMatrix<double> at_points(n, n), inverse(n, n);
-  for (unsigned int i = 0; i < n; ++i)
-    for (unsigned int j = 0; j < n; ++j)
-      at_points(i, j) =
-          binomial(degree, j) * std::pow(points[i][0], j) * std::pow(1. - points[i][0], degree - j);
+  for (unsigned int j = 0; j < n; ++j)
+  {
+    const PolynomialsBernstein<double> polynomial(j, degree);
+    for (unsigned int i = 0; i < n; ++i)
+      at_points(i, j) = polynomial.value(points[i][0]);
+  }
   inverse.invert(at_points);
   std::vector<double> result;
   for (unsigned int i = 0; i < n; ++i)

@@ -168,32 +168,6 @@ PlaneSection<dim>::PlaneSection(const MappingQ<dim> &mapping,
                                 const Tensor<1, dim> &normal,
                                 const unsigned int n_points,
                                 const VesselAxis<dim> *axis)
-    : PlaneSection(mapping, triangulation, cells, regions, point, normal, n_points, axis, false)
-{
-}
-
-template <int dim>
-bool PlaneSection<dim>::exists(const MappingQ<dim> &mapping,
-                               const Triangulation<dim> &triangulation,
-                               const std::set<unsigned int> &regions,
-                               const Point<dim> &point,
-                               const Tensor<1, dim> &normal,
-                               const VesselAxis<dim> *axis)
-{
-  return PlaneSection(mapping, triangulation, Cells::coarse, regions, point, normal, 2, axis, true)
-             .area() > 0.;
-}
-
-template <int dim>
-PlaneSection<dim>::PlaneSection(const MappingQ<dim> &mapping,
-                                const Triangulation<dim> &triangulation,
-                                const Cells cells,
-                                const std::set<unsigned int> &regions,
-                                const Point<dim> &point,
-                                const Tensor<1, dim> &normal,
-                                const unsigned int n_points,
-                                const VesselAxis<dim> *axis,
-                                const bool is_first_cell)
     : mapping(mapping),
       triangulation(triangulation),
       cells(cells),
@@ -201,8 +175,7 @@ PlaneSection<dim>::PlaneSection(const MappingQ<dim> &mapping,
       point(point),
       normal(normal / normal.norm()),
       n_points(n_points),
-      axis(axis),
-      is_first_cell(is_first_cell)
+      axis(axis)
 {
   if (axis != nullptr)
     position = axis->position(point);
@@ -220,6 +193,18 @@ PlaneSection<dim>::PlaneSection(const MappingQ<dim> &mapping,
     if (total_area > 0.)
       break;
   }
+}
+
+template <int dim>
+bool PlaneSection<dim>::exists(const MappingQ<dim> &mapping,
+                               const Triangulation<dim> &triangulation,
+                               const std::set<unsigned int> &regions,
+                               const Point<dim> &point,
+                               const Tensor<1, dim> &normal,
+                               const VesselAxis<dim> *axis)
+{
+  return PlaneSection(mapping, triangulation, Cells::first_coarse, regions, point, normal, 2, axis)
+             .area() > 0.;
 }
 
 template <int dim>
@@ -277,12 +262,12 @@ double PlaneSection<dim>::cut()
     part.quadrature = Quadrature<dim>(surface.get_points(), weights);
     section_parts.push_back(part);
   };
-  if (cells == Cells::coarse)
+  if (cells != Cells::active)
   {
     for (const auto &cell : triangulation.cell_iterators_on_level(0))
     {
       cut_cell(cell);
-      if (is_first_cell && area > 0.)
+      if (cells == Cells::first_coarse && area > 0.)
         break;
     }
     return area;

@@ -169,18 +169,29 @@ void test(const Model model, const bool walls_move)
 
   // All at 2 m/s.
   const DistributedVector moving = uniform(2.);
-  const Energy energy = ledger.energy(State{moving, balanced.pressure, history});
-  check::relative(name + "kinetic energy", energy.of_term(0), 0.5 * density * 4. * 2. * half,
-                  1e-12);
-  check::relative(
-      name + "energy of springs", energy.of_term(1),
-      0.5 * 2. * half *
-          (spring * deviatoric(elastic, elastic) + soft_spring * deviatoric(relaxing, relaxing)),
-      1e-12);
-  check::relative(name + "energy of the pressure", energy.of_term(3),
-                  0.5 * inverse_bulk_modulus * pressure_value * pressure_value * 2. * half, 1e-12);
-  check::relative(name + "of the second material", energy.terms[1][1], 0.5 * energy.of_term(1),
-                  1e-12);
+  const auto check_energy = [&](const std::string &of_ledger, Ledger &its)
+  {
+    const Energy energy = its.energy(State{moving, balanced.pressure, history});
+    check::relative(of_ledger + "kinetic energy", energy.of_term(0), 0.5 * density * 4. * 2. * half,
+                    1e-12);
+    check::relative(
+        of_ledger + "energy of springs", energy.of_term(1),
+        0.5 * 2. * half *
+            (spring * deviatoric(elastic, elastic) + soft_spring * deviatoric(relaxing, relaxing)),
+        1e-12);
+    check::relative(of_ledger + "energy of the pressure", energy.of_term(3),
+                    0.5 * inverse_bulk_modulus * pressure_value * pressure_value * 2. * half,
+                    1e-12);
+    check::relative(of_ledger + "of the second material", energy.terms[1][1],
+                    0.5 * energy.of_term(1), 1e-12);
+  };
+  check_energy(name, ledger);
+  // As a run has it.
+  LevelProducts products(problem, body, history, moving, moving);
+  products.reinit();
+  Ledger with_products(problem, body, outlets, history, bulk_history, &products);
+  with_products.reinit();
+  check_energy(name + "with products, ", with_products);
 }
 } // namespace
 

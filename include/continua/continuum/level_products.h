@@ -71,13 +71,12 @@ public:
   void set_stiffness_of_velocity(unsigned int region, const Step &step, DistributedVector &target);
   /// S D.
   void set_stiffness(unsigned int region, const Step &step, DistributedVector &target);
-  /// Whether B U costs no product, since the next step needs that of the present level, too.
-  bool has_divergence(const unsigned int region) const
+  /// Whether B U of a step costs no product: its balanced level is the present one, of which the
+  /// next step needs it, too.
+  bool has_divergence(const unsigned int region, const Step &step) const
   {
-    return has_step(region) && regions[region].wants_divergence;
+    return has_step(region) && regions[region].wants_divergence && !step.extrapolate;
   }
-  /// B U.
-  void set_divergence(unsigned int region, const Step &step, DistributedVector &target);
 
 private:
   enum Kind : unsigned int
@@ -91,13 +90,13 @@ private:
   {
     std::array<DistributedVector, n_kinds> products;
     std::array<bool, n_kinds> is_known = {};
-    DistributedVector divergence;
-    bool divergence_is_known = false;
   };
   struct Region
   {
     Level present, older;
     DistributedVector past_inertia;
+    DistributedVector divergence; ///< of the present level
+    bool divergence_is_known = false;
     /// What a pass makes: what was asked for once is asked for in every step.
     std::array<bool, n_kinds> wants = {};
     bool wants_divergence = false;
@@ -111,7 +110,6 @@ private:
   bool knows_step = false, is_shared = false;
 
   const DistributedVector &product(unsigned int region, Kind kind, bool of_older);
-  const DistributedVector &divergence(unsigned int region, bool of_older);
   /// Sets the product at the level that a step balances.
   void set_balanced(unsigned int region, Kind kind, const Step &step, DistributedVector &target);
 };

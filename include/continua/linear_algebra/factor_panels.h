@@ -9,8 +9,9 @@ namespace Continua
 /**
  * A sparse factor L D L^T as dense panels, for many solves. Neighbouring columns of L whose rows
  * are nearly the same make a panel: the places of its rows are kept once for all of its columns,
- * and the few entries that a column lacks are zeros. A solve reads 8 bytes for an entry where
- * compressed columns have 12, and computes with two entries at a time.
+ * and the few entries that a column lacks are zeros. In a wide panel a solve reads little more
+ * than 8 bytes for an entry where compressed columns have 12, and it computes with two entries at a
+ * time.
  */
 class FactorPanels
 {

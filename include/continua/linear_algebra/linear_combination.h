@@ -13,12 +13,8 @@ inline void set_combination(DistributedVector &target,
                             const DistributedVector &y)
 {
   Assert(have_same_layout(target, x) && have_same_layout(target, y), dealii::ExcInternalError());
-  double *const to = target.begin();
-  const double *const of_x = x.begin();
-  const double *const of_y = y.begin();
-  const unsigned int n = target.locally_owned_size();
-  for (unsigned int i = 0; i < n; ++i)
-    to[i] = a * of_x[i] + b * of_y[i];
+  // deal.II's vector would need two passes.
+  target.trilinos_vector().Update(a, x.trilinos_vector(), b, y.trilinos_vector(), 0.);
 }
 } // namespace Continua
 

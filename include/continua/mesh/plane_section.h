@@ -32,8 +32,9 @@ class PlaneSection
 public:
   enum class Cells
   {
-    coarse, ///< the coarse mesh, which every rank has: no communication
-    active  ///< the present mesh, each rank its own cells; collective
+    coarse,       ///< the coarse mesh, which every rank has: no communication
+    first_coarse, ///< of these the first one that is cut, and no other
+    active        ///< the present mesh, each rank its own cells; collective
   };
   /// The points in one cell.
   struct Part
@@ -78,16 +79,6 @@ public:
 private:
   using CellIterator = typename dealii::Triangulation<dim>::cell_iterator;
   class CellPlane;
-  /// `is_first_cell`: the section ends with the first cell, of the coarse mesh, that is cut.
-  PlaneSection(const dealii::MappingQ<dim> &mapping,
-               const dealii::Triangulation<dim> &triangulation,
-               Cells cells,
-               const std::set<unsigned int> &regions,
-               const dealii::Point<dim> &point,
-               const dealii::Tensor<1, dim> &normal,
-               unsigned int n_points,
-               const VesselAxis<dim> *axis,
-               bool is_first_cell);
   bool counts(const CellIterator &cell) const;
   /// Whether the vessel's axis leads through the cell at the plane's point.
   bool is_on_axis(const CellIterator &cell) const;
@@ -102,7 +93,6 @@ private:
   const dealii::Tensor<1, dim> normal;
   const unsigned int n_points;
   const VesselAxis<dim> *const axis;
-  const bool is_first_cell;
   double position = 0.; ///< of the plane's point along the axis [m]
   std::vector<Part> section_parts;
   double total_area = 0.;
