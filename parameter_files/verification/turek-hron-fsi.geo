@@ -1,0 +1,81 @@
+// The channel of Turek and Hron with the cylinder and the beam behind it, in metres: quadrilaterals without a pattern, in rows in the beam alone.
+// gmsh divides each cell of what is written here in four, so that all are quadrilaterals.
+DefineConstant[along = 12];   // pairs of cells along the beam
+DefineConstant[across = 3];   // and across it
+DefineConstant[size = 0.07]; // of two cells around cylinder and beam [m]
+DefineConstant[order = 2];    // 2: curved cells at the cylinder
+x_root = 0.2 + Sqrt(0.05*0.05 - 0.01*0.01);
+x_arc = 0.2 - 0.05*Sqrt(0.5); y_below = 0.2 - 0.05*Sqrt(0.5); y_above = 0.2 + 0.05*Sqrt(0.5);
+Point(1) = {0, 0, 0};
+Point(2) = {2.5, 0, 0};
+Point(3) = {2.5, 0.41, 0};
+Point(4) = {0, 0.41, 0};
+Point(5) = {0.2, 0.2, 0};
+Point(6) = {x_root, 0.19, 0};
+Point(7) = {0.6, 0.19, 0};
+Point(8) = {0.6, 0.21, 0};
+Point(9) = {x_root, 0.21, 0};
+Point(10) = {x_arc, y_above, 0};
+Point(11) = {x_arc, y_below, 0};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Line(5) = {6, 7};
+Line(6) = {7, 8};
+Line(7) = {8, 9};
+Circle(8) = {9, 5, 6};
+Circle(9) = {9, 5, 10};
+Circle(10) = {10, 5, 11};
+Circle(11) = {11, 5, 6};
+Curve Loop(1) = {5, 6, 7, 8};
+Curve Loop(2) = {1, 2, 3, 4};
+Curve Loop(3) = {5, 6, 7, 9, 10, 11};
+Plane Surface(1) = {1};
+Plane Surface(2) = {2, 3};
+// The tip has a node in its middle.
+Transfinite Curve {5, -7} = along + 1 Using Progression 0.9;
+Transfinite Curve {6, 8} = across + 1;
+Transfinite Surface {1};
+// Smaller cells at cylinder and beam, larger ones far behind.
+Field[1] = Box;
+Field[1].VIn = 0.5*size;
+Field[1].VOut = 3*size;
+Field[1].XMin = 0.13;
+Field[1].XMax = 0.64;
+Field[1].YMin = 0.13;
+Field[1].YMax = 0.27;
+Field[1].Thickness = 1;
+Field[2] = Box;
+Field[2].VIn = size;
+Field[2].VOut = 3*size;
+Field[2].XMin = 0.1;
+Field[2].XMax = 1;
+Field[2].YMin = 0;
+Field[2].YMax = 0.41;
+Field[2].Thickness = 1.5;
+Field[3] = Box;
+Field[3].VIn = 0.1*size;
+Field[3].VOut = 3*size;
+Field[3].XMin = 0.58;
+Field[3].XMax = 0.61;
+Field[3].YMin = 0.18;
+Field[3].YMax = 0.22;
+Field[3].Thickness = 0.3;
+Field[4] = Min;
+Field[4].FieldsList = {1, 2, 3};
+Background Field = 4;
+Mesh.MeshSizeExtendFromBoundary = 0;
+Mesh.Algorithm = 6;
+Mesh.RecombinationAlgorithm = 1;
+Mesh.SubdivisionAlgorithm = 1;
+Mesh.ElementOrder = order;
+Recombine Surface {1, 2};
+Physical Surface("fluid") = {2};
+Physical Surface("beam") = {1};
+Physical Curve("inlet") = {4};
+Physical Curve("outlet") = {2};
+Physical Curve("bottom") = {1};
+Physical Curve("top") = {3};
+Physical Curve("cylinder") = {9, 10, 11};
+Physical Curve("beam root") = {8};
