@@ -502,6 +502,9 @@ void Transient<dim>::step()
       text << "the run diverges: the largest velocity in the step to t = " << part.time << " s is "
            << report.largest_velocity
            << " m/s, above Time/Velocity limit = " << run.input.time.velocity_limit << " m/s";
+      if (run.input.problem.convection.is_explicit())
+        text << "; explicit convection is stable with shorter steps only: see the Courant number "
+                "of the flow, or set Flow/Time treatment = newton";
       throw RunError(text.str());
     }
     const bool is_whole = parts.empty();

@@ -258,6 +258,54 @@ void refuse_what_only_linear_runs_use(const Case<dim> &input, ParameterSection r
                       "the boundary belongs to a solid, into which nothing flows", "Remove it");
 }
 
+/// Explicit convection: one matrix serves all steps, so that nothing else may be nonlinear.
+template <int dim>
+void check_explicit_convection(const Case<dim> &input, ParameterSection root)
+{
+  const Problem &problem = input.problem;
+  if (!problem.convection.is_explicit() || input.discretisation.is_cell_wise())
+    return; // check_cell_wise() refuses it there
+  ParameterSection flow = root.subsection("Flow");
+  const auto refuse = [&flow](const std::string &reason, const std::string &remedy)
+  { flow.refuse("Time treatment", "explicit convection " + reason, remedy); };
+  const std::string newton = "set Time treatment = newton";
+  if (input.analysis.motion != Motion::in_time)
+    refuse("is that of time steps, which a " + input.analysis.name + " analysis does not make",
+           "Remove the entry");
+  if (problem.has_deformed_regions())
+    refuse("keeps one matrix, which a mesh that moves and a solid in finite deformation change",
+           "Set Deformation = small, or " + newton);
+  if (problem.convection.stabilisation == ConvectionStabilisation::supg)
+    refuse("keeps one matrix, which supg changes with the flow",
+           "Set Convection stabilisation = grad-div with a Stabilisation viscosity, or " + newton);
+  if (problem.convection.stabilisation == ConvectionStabilisation::grad_div &&
+      problem.convection.stabilisation_viscosity == 0.)
+    refuse("keeps one matrix, which grad-div by the local speed changes with the flow",
+           "Set Stabilisation viscosity, such as 0.15 times density, speed and size of the cells, "
+           "or Convection stabilisation = none");
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+  {
+    const Material &material = problem.materials[region];
+    if (material.is_solid())
+      continue;
+    const std::string name = " ('" + problem.regions[region] + "')";
+    if (material.shear.flow_curve)
+      refuse("keeps one matrix, which a viscosity that depends on the rate of shear changes" + name,
+             "Set Type = newtonian, or " + newton);
+    if (!material.is_incompressible())
+      refuse("is there for incompressible liquids, whose density stays" + name,
+             "Set Incompressible = true, or " + newton);
+  }
+  if (problem.interior.starts_at_rest_under_loads)
+    return; // Newton's iteration finds that state.
+  ParameterSection of_newton = root.subsection("Newton");
+  for (const char *const key :
+       {"Slowest rate", "Slow iteration", "Tangent products", "Most Krylov iterations"})
+    if (of_newton.given(key))
+      of_newton.refuse(key, "with Flow/Time treatment = explicit a step is linear",
+                       "Remove it, or set Time treatment = newton");
+}
+
 /// Where convection has no place, or none so far.
 template <int dim>
 void check_convection(const Case<dim> &input, ParameterSection root)
@@ -310,6 +358,7 @@ void check_convection(const Case<dim> &input, ParameterSection root)
                 "Use automatic, umfpack or mumps");
   refuse_what_tangents_leave_idle(input.discretisation.taylor_hood.linear_solver.type, root);
   refuse_what_only_linear_runs_use(input, root);
+  check_explicit_convection(input, root);
   if (problem.convection.stabilisation == ConvectionStabilisation::supg)
     for (unsigned int region = 0; region < problem.materials.size(); ++region)
       if (problem.materials[region].shear.flow_curve)

@@ -132,7 +132,13 @@ void FlowNumbers::report_time()
   add("Courant number of the flow", courant, "1",
       "largest speed and time step in the shortest cell along its longest side, " +
           quantity_text(input.shortest_cell, "m"));
-  if (is_above(courant, largest_courant_number))
+  if (input.convects_explicitly && is_above(courant, largest_explicit_courant_number))
+    warning_list.push_back("pre-flight: the Courant number of the flow is " + short_text(courant) +
+                           ", above " + short_text(largest_explicit_courant_number) +
+                           ": explicit convection is unstable there, and inside the body the flow "
+                           "may be faster; take a smaller time step, or Flow/Time treatment = "
+                           "newton");
+  else if (is_above(courant, largest_courant_number))
     warning_list.push_back("pre-flight: the Courant number of the flow is " + short_text(courant) +
                            ", above " + short_text(largest_courant_number) +
                            ": what the flow carries passes that many cells in a step, and is "

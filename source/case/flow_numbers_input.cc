@@ -288,6 +288,7 @@ FlowNumbersInput flow_numbers_input(const Case<dim> &input)
   set_cells(input, flow);
   if (input.analysis.is_transient())
     flow.time_step = input.time.time_step;
+  flow.convects_explicitly = input.problem.convection.is_explicit();
   const std::set<unsigned int> walls = edges_of_walls(input);
   double largest = 0.;
   bool has_section = false;

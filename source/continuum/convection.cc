@@ -12,6 +12,13 @@ void Convection::read(ParameterSection section)
              "equation of state, so that its power is a flux through the boundary; advective - "
              "without.");
   add_choice(
+      section, "Time treatment", treatment,
+      {{"newton", ConvectionTreatment::newton}, {"explicit", ConvectionTreatment::extrapolated}},
+      "Where a time step takes the convective terms from: newton - from the state that it "
+      "balances, with Newton's iteration; explicit - from the velocity extrapolated to "
+      "that state from the last two levels. The matrix is then constant and a step is one "
+      "solve, which is stable for short steps alone.");
+  add_choice(
       section, "Convection stabilisation", stabilisation,
       {{"none", ConvectionStabilisation::none},
        {"grad-div", ConvectionStabilisation::grad_div},

@@ -52,6 +52,8 @@ void Ledger::reinit()
       vector->reinit(forces);
   if (problem.has_regions_of(RegionModel::finite_solid))
     context.nonlinear_forces.strain.reinit(forces);
+  if (problem.convection.is_explicit())
+    explicit_forces = context.nonlinear_forces;
   for (DistributedVector *vector : {&context.dilatation, &context.forgotten_rate})
     *vector = operators.pressure_vector();
   forces_are_current = true;
@@ -64,6 +66,23 @@ const DistributedVector &Ledger::forces_at_nodes(const FinishedStep &step,
   if (!forces_are_current)
     balance(step, false);
   return region ? forces_of_regions.at(*region) : forces;
+}
+
+void Ledger::set_nonlinear_forces(const unsigned int region, const BalancedStep &balanced)
+{
+  operators.set_nonlinear_forces(region, balanced, context.nonlinear_forces);
+  if (!problem.convection.is_explicit() || balanced.step.is_towards_rest ||
+      problem.region_model(region) != RegionModel::flow)
+    return;
+  // What the step has taken from the extrapolated velocity.
+  extrapolated.step = balanced.step;
+  extrapolated.velocity = balanced.extrapolated_velocity;
+  extrapolated.pressure = balanced.pressure;
+  extrapolated.acceleration = balanced.acceleration;
+  extrapolated.pressure_rate = balanced.pressure_rate;
+  operators.set_nonlinear_forces(region, extrapolated, explicit_forces);
+  for (const auto kind : {&NonlinearForces::convection, &NonlinearForces::inflow})
+    (context.nonlinear_forces.*kind).swap(explicit_forces.*kind);
 }
 
 PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
@@ -91,7 +110,7 @@ PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
   {
     const bool is_nonlinear = operators.is_nonlinear_in(region);
     if (is_nonlinear)
-      operators.set_nonlinear_forces(region, balanced, context.nonlinear_forces);
+      set_nonlinear_forces(region, balanced);
     // The forces of a region that are wanted by themselves are added to those of the body later.
     const auto found = forces_of_regions.find(region);
     const bool is_wanted = found != forces_of_regions.end();

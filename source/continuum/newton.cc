@@ -61,6 +61,12 @@ void Newton::reinit()
                                                      : BlockKrylov::Method::gmres);
   krylov.reinit(zero_velocity, pressure_change);
   has_factor = false;
+  if (!problem.convection.is_explicit())
+    return;
+  for (DistributedVector *vector : {&at_rest.velocity, &at_rest.acceleration})
+    vector->reinit(zero_velocity);
+  for (DistributedVector *vector : {&at_rest.pressure, &at_rest.pressure_rate})
+    vector->reinit(pressure_change);
 }
 
 void Newton::solve_by_factor(DistributedVector &momentum_rows,
@@ -141,6 +147,13 @@ bool Newton::correct_by_krylov(const NewtonInput &input,
 
 void Newton::begin_step(const NewtonInput &input, BalancedStep &balanced)
 {
+  is_explicit = problem.convection.is_explicit() && !input.step.is_towards_rest;
+  if (is_explicit)
+  {
+    balanced.extrapolated_velocity.equ(1., balanced.velocity);
+    at_rest.step = input.step;
+    at_rest.cavity_pressures = balanced.cavity_pressures;
+  }
   if (input.system_is_new)
     has_factor = false;
   outlets.predict(input.step, input.velocity_old);
@@ -150,7 +163,8 @@ void Newton::begin_step(const NewtonInput &input, BalancedStep &balanced)
   residual.begin_step(balanced.acceleration);
   krylov_iterations = 0;
   takes_krylov = correction_is_exact = false;
-  may_take_krylov = (problem.mesh_moves || (outlets.is_empty() && cavities.is_empty() &&
+  may_take_krylov = !is_explicit &&
+                    (problem.mesh_moves || (outlets.is_empty() && cavities.is_empty() &&
                                             operators.has_derivative_products())) &&
                     problem.newton.slow_iteration == SlowIteration::krylov;
   // The factor leaves out what the mesh's motion does to the liquid, which is much in a long step.
@@ -163,13 +177,24 @@ void Newton::prepare_correction(const BalancedStep &balanced,
                                 const unsigned int iteration,
                                 StepReport &report)
 {
-  correction_is_exact = operators.solves_with_kept_derivative() && !problem.mesh_moves;
+  correction_is_exact =
+      is_explicit || (operators.solves_with_kept_derivative() && !problem.mesh_moves);
   const bool can_take_krylov = has_factor && !factor_is_poor && may_take_krylov;
   if ((is_slow || is_exact_at_once) && can_take_krylov)
   {
     takes_krylov = true;
     if (!residual.takes_differences())
       operators.keep_derivative(balanced);
+  }
+  else if (is_explicit)
+  {
+    // Both serve all steps of one size.
+    if (!has_factor)
+    {
+      make_factor(at_rest, iteration, report);
+      if (!operators.solves_with_kept_derivative())
+        operators.keep_derivative(at_rest);
+    }
   }
   else if (is_slow || !has_factor)
     make_factor(balanced, iteration, report);
@@ -240,7 +265,7 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
     cavities.measure(balanced);
     if (problem.mesh_moves)
       outlets.measure(balanced);
-    const ResidualNorms norms = residual.set(input, balanced);
+    const ResidualNorms norms = residual.set(input, balanced, is_explicit);
     convergence.take(norms, cavities.residual());
     report.corrections = iteration;
     report.residual = convergence.residual();

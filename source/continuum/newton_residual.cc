@@ -45,6 +45,13 @@ void NewtonResidual::reinit()
     operators.multiply_pressure_mass(region, mass_work, one);
     volumes.add(1., mass_work);
   }
+  if (problem.convection.is_explicit())
+  {
+    for (DistributedVector *vector : {&first_velocity, &first_momentum})
+      vector->reinit(momentum);
+    for (DistributedVector *vector : {&first_pressure, &first_mass})
+      vector->reinit(mass);
+  }
   for (DistributedVector *vector : {&shifted.velocity, &shifted.acceleration})
     vector->reinit(momentum);
   for (DistributedVector *vector : {&shifted.pressure, &shifted.pressure_rate})
@@ -106,7 +113,32 @@ void NewtonResidual::subtract_linear_terms(const SystemCoefficients &coefficient
   }
 }
 
-ResidualNorms NewtonResidual::set(const NewtonInput &input, const BalancedStep &balanced)
+void NewtonResidual::set_explicit_terms(const BalancedStep &balanced)
+{
+  momentum_work = 0.;
+  mass_work = 0.;
+  if (!has_first)
+  {
+    operators.add_nonlinear_terms(balanced, momentum_work, mass_work);
+    first_velocity.equ(1., balanced.velocity);
+    first_pressure.equ(1., balanced.pressure);
+    first_momentum.equ(1., momentum_work);
+    first_mass.equ(1., mass_work);
+    has_first = true;
+    return;
+  }
+  // The way from the first iterate takes the place of it, and is taken back.
+  first_velocity.sadd(-1., 1., balanced.velocity);
+  first_pressure.sadd(-1., 1., balanced.pressure);
+  operators.add_derivative_product(first_velocity, first_pressure, momentum_work, mass_work);
+  first_velocity.sadd(-1., 1., balanced.velocity);
+  first_pressure.sadd(-1., 1., balanced.pressure);
+  momentum_work.add(1., first_momentum);
+  mass_work.add(1., first_mass);
+}
+
+ResidualNorms
+NewtonResidual::set(const NewtonInput &input, const BalancedStep &balanced, const bool is_explicit)
 {
   ResidualScales largest{input.momentum.linfty_norm(), input.mass.linfty_norm()};
   momentum.equ(1., input.momentum);
@@ -122,10 +154,15 @@ ResidualNorms NewtonResidual::set(const NewtonInput &input, const BalancedStep &
           std::max(largest.momentum,
                    input.step.a0 * problem.materials[region].density * momentum_work.linfty_norm());
     }
-  momentum_work = 0.;
-  mass_work = 0.;
+  if (is_explicit)
+    set_explicit_terms(balanced);
+  else
+  {
+    momentum_work = 0.;
+    mass_work = 0.;
+    operators.add_nonlinear_terms(balanced, momentum_work, mass_work);
+  }
   operators.add_flux_correction(balanced.pressure, mass_work);
-  operators.add_nonlinear_terms(balanced, momentum_work, mass_work);
   largest.momentum = std::max(largest.momentum, momentum_work.linfty_norm());
   momentum.add(-1., momentum_work);
   largest.mass = std::max(largest.mass, mass_work.linfty_norm());

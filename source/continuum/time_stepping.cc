@@ -147,6 +147,8 @@ void TimeStepping::setup()
   if (problem.mesh_moves)
     for (DistributedVector *vector : {&balanced.mesh_displacement, &balanced.mesh_velocity})
       vector->reinit(zero_velocity);
+  if (problem.convection.is_explicit())
+    balanced.extrapolated_velocity.reinit(zero_velocity);
   const DistributedVector zero_metric = operators.internal_metric_vector();
   const DistributedVector zero_vertex = operators.mesh_vertex_vector();
   StateSizes sizes(zero_velocity, zero_pressure, zero_metric, zero_vertex);

@@ -104,6 +104,9 @@ void check_cell_wise_convection(const Problem &problem,
                   "the fluxes of the cell-wise path satisfy continuity themselves: skew and "
                   "advective are the same there, and a stabilisation has nothing to do",
                   "Remove the entry, or set Discretisation = taylor hood");
+  if (problem.convection.is_explicit())
+    flow.refuse("Time treatment", "the cell-wise path has Newton's iteration alone",
+                "Set Time treatment = newton, or Discretisation = taylor hood");
   if (root.subsection("Steady").given("Load steps"))
     root.subsection("Steady").refuse("Load steps",
                                      "the cell-wise path has all loads from the start",

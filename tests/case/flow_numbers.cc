@@ -77,6 +77,10 @@ UNIT_TEST(flow_numbers)
   input = flow_in_a_pipe();
   input.time_step = 2.6e-3;
   one_warning("long steps", input, "Courant number of the flow is 5.2, above 5");
+  input.time_step = 0.11e-3;
+  check::is_true("short steps", FlowNumbers(input).warnings().empty());
+  input.convects_explicitly = true;
+  one_warning("explicit convection", input, "is 0.22, above 0.2: explicit convection is unstable");
   input.time_step = 0.;
   check::is_true("a steady flow has no steps",
                  std::isnan(FlowNumbers(input).value("Courant number of the flow")) &&

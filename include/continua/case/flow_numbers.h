@@ -31,12 +31,13 @@ struct FlowNumbersInput
   /// [m]: of a channel its gap; of a pipe four times the area over the wetted perimeter; where
   /// there is no wall the extent of the section.
   double width = 0.;
-  double largest_cell = 0.;  ///< [m], longest extent of a cell along an axis, for degree 2
-  double shortest_cell = 0.; ///< [m], the shortest of these longest extents
-  double time_step = 0.;     ///< [s]; 0: a steady flow
-  double frequency = 0.;     ///< [Hz] of the load; 0: it does not vary
-  double wave_speed = 0.;    ///< [m/s]; 0: there are no waves
-  std::string wave;          ///< which wave that is
+  double largest_cell = 0.;         ///< [m], longest extent of a cell along an axis, for degree 2
+  double shortest_cell = 0.;        ///< [m], the shortest of these longest extents
+  double time_step = 0.;            ///< [s]; 0: a steady flow
+  double frequency = 0.;            ///< [Hz] of the load; 0: it does not vary
+  bool convects_explicitly = false; ///< so that long steps are unstable
+  double wave_speed = 0.;           ///< [m/s]; 0: there are no waves
+  std::string wave;                 ///< which wave that is
   bool has_absorbing_end = false;
 };
 
@@ -55,6 +56,7 @@ public:
   static constexpr double turbulence_in_a_channel = 1300.; ///< by mean speed and gap
   static constexpr double largest_mach_number = 0.1;       ///< at absorbing ends
   static constexpr double largest_courant_number = 5.;
+  static constexpr double largest_explicit_courant_number = 0.2;
   /// @}
 
   explicit FlowNumbers(const FlowNumbersInput &input);

@@ -14,6 +14,13 @@ enum class ConvectiveTerm
   advective ///< rho (U . grad) U alone
 };
 
+/// Where a step takes the convective terms from.
+enum class ConvectionTreatment
+{
+  newton,      ///< from the level that it balances: Newton's iteration
+  extrapolated ///< from the velocity extrapolated to that level: one linear solve, one matrix
+};
+
 enum class ConvectionStabilisation
 {
   none,
@@ -27,6 +34,7 @@ struct Convection
 {
   bool is_on = false;
   ConvectiveTerm term = ConvectiveTerm::skew;
+  ConvectionTreatment treatment = ConvectionTreatment::newton; ///< in steps of a run in time
   ConvectionStabilisation stabilisation = ConvectionStabilisation::grad_div;
   /// gamma of grad-div [Pa s]; 0: by the local speed.
   double stabilisation_viscosity = 0.;
@@ -35,6 +43,8 @@ struct Convection
 
   /// Reads the section Flow. Throws InputError.
   void read(ParameterSection section);
+  /// Whether some step takes the convective terms from the extrapolated velocity.
+  bool is_explicit() const { return is_on && treatment == ConvectionTreatment::extrapolated; }
   /// The part of gamma that is given [Pa s]; 0 where there is no grad-div.
   double constant_viscosity() const
   {

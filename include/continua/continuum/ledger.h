@@ -55,10 +55,16 @@ private:
   const OutletCoupling &outlets;
   std::vector<std::unique_ptr<EquationTerm>> terms;
   TermContext context;
+  // With explicit convection: the state at the extrapolated velocity, and the forces there.
+  BalancedStep extrapolated;
+  NonlinearForces explicit_forces;
   DistributedVector forces;
   std::map<unsigned int, DistributedVector> forces_of_regions; ///< that are wanted
   bool forces_are_wanted = false, forces_are_current = false;
   std::vector<double> sums; ///< work space
+
+  /// Sets those of a region, each kind at the level from which the step has taken it.
+  void set_nonlinear_forces(unsigned int region, const BalancedStep &balanced);
 };
 } // namespace Continua
 

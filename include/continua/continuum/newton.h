@@ -67,11 +67,13 @@ private:
   bool has_factor = false;
   bool factor_is_poor = false; ///< GMRES needed too many iterations with it
   DistributedVector velocity_change, pressure_change, zero_velocity;
+  BalancedStep at_rest; ///< where explicit convection has its tangent: there it is none
   // Of the present step:
   unsigned int krylov_iterations = 0; ///< of GMRES
   bool may_take_krylov = false, takes_krylov = false;
   bool is_exact_at_once = false;    ///< GMRES from the first correction on
   bool correction_is_exact = false; ///< the last one had the exact derivative
+  bool is_explicit = false;         ///< convection is that of the first iterate
 
   void begin_step(const NewtonInput &input, BalancedStep &balanced);
   /// Decides how an iterate is corrected, and makes a factor or keeps the derivative for it.

@@ -37,15 +37,21 @@ public:
   /// The mesh has changed. Collective.
   void reinit();
   /// A step begins; `past`: the part of the acceleration that the past gives [m/s^2].
-  void begin_step(const DistributedVector &past) { past_acceleration.equ(1., past); }
+  void begin_step(const DistributedVector &past)
+  {
+    past_acceleration.equ(1., past);
+    has_first = false;
+  }
   /// That part.
   const DistributedVector &acceleration_of_past() const { return past_acceleration; }
   /// dU/dt and dp/dt of the iterate, and in finite deformation its displacement. Collective.
   void set_rates(const NewtonInput &input, BalancedStep &balanced) const;
 
   /// Sets the residuals, those without the forces of the ports and those with them, and returns the
-  /// norms of the latter. Collective.
-  ResidualNorms set(const NewtonInput &input, const BalancedStep &balanced);
+  /// norms of the latter. `is_explicit`: the terms are those of the step's first iterate, and the
+  /// kept derivative times the way from there. Collective.
+  ResidualNorms
+  set(const NewtonInput &input, const BalancedStep &balanced, bool is_explicit = false);
   /// What the residual of volume of the last set() leaves in a step, of the volume of each
   /// pressure: the largest part [1]. Collective.
   double lost_volume(const Step &step) const;
@@ -77,6 +83,9 @@ private:
   DistributedVector past_acceleration;
   DistributedVector mesh_change; ///< by which differences shift the mesh [m]
   DistributedVector volumes;     ///< of each pressure [m^3]
+  // Of a step with explicit convection: its first iterate, and the terms there.
+  bool has_first = false;
+  DistributedVector first_velocity, first_pressure, first_momentum, first_mass;
 
   /// Takes A U + G p and B U + C p from the rows; raises the scales to the largest entries.
   void subtract_linear_terms(const SystemCoefficients &coefficients,
@@ -85,6 +94,8 @@ private:
                              DistributedVector &momentum_rows,
                              DistributedVector &mass_rows,
                              ResidualScales &scales);
+  /// Sets momentum_work and mass_work to the terms of an explicit step.
+  void set_explicit_terms(const BalancedStep &balanced);
   /// The part of the terms that are not linear, by differences.
   void add_differences(const BalancedStep &balanced,
                        const DistributedVector &of_velocity,

@@ -16,6 +16,10 @@ has no divergence and stays inside the body, and the specific volume v are chose
 
     U = m v,    p = K (1/(rho0 v) - 1),    rho b = m.grad U - div (2 eta dev(sym grad U) - p I).
 
+The stream cases have convection, and no divergence: U and p are chosen; then
+
+    rho b = rho dU/dt + rho U.grad U - div (2 eta sym grad U - p I).
+
 Needs python3-sympy;
 the constants are those of the parameter files and stay exact fractions up to the printed text.
 """
@@ -65,6 +69,15 @@ GASES = {
                                 1 + (COSINES[0] + y**2) / 20),
     "steady-gas-3d": ("space", [FLUX * sympy.pi * SINES[i] * (COSINES[(i + 1) % 3] - COSINES[(i + 2) % 3]) for i in range(3)],
                       1 + (COSINES[0] + COSINES[1]) / 20),
+}
+
+# A liquid with convection in a box of 1 m, some m/s fast.
+STREAM = {"rho": 1, "eta": Rational(1, 50)}
+# name -> model, velocity, which has the space of the elements, pressure
+STREAMS = {
+    "time-stream": ("plane", [WAVE * (y**2 + x), WAVE * (x**2 - y)], cos(3 * t) * (x + 2 * y)),
+    "time-stream-axisymmetric": ("axisymmetric", [WAVE * (y**2 + x), -WAVE * y / 2], cos(3 * t) * (x + 2 * y)),
+    "time-stream-3d": ("space", [WAVE * (y**2 + x), WAVE * (z**2 - y), WAVE * x**2], cos(3 * t) * (x + 2 * y - z)),
 }
 
 # name -> model, material, displacement, pressure where the material is incompressible
@@ -174,6 +187,30 @@ def derive(name):
             entry("Traction", [sign * stress[i, direction] for i in range(dim)])
 
 
+def derive_stream(name):
+    model, velocity, pressure = STREAMS[name]
+    dim = len(velocity)
+    slope = gradient(velocity, model)
+    assert sympy.simplify(slope.trace()) == 0, "the velocity needs to have no divergence"
+    stress = 2 * STREAM["eta"] * deviator(slope) - pressure * sympy.eye(3)
+    resistance = divergence(stress, model)
+    force = [STREAM["rho"] * (sympy.diff(velocity[i], t) + sum(velocity[j] * sympy.diff(velocity[i], (x, y, z)[j]) for j in range(dim)))
+             - resistance[i] for i in range(dim)]
+    print(f"# {name}\nsubsection Body force")
+    entry("Force density", force)
+    print("end\nsubsection Exact solution")
+    entry("Velocity", velocity)
+    entry("Pressure", [pressure])
+    print("end\nsubsection Initial state")
+    entry("Velocity", velocity, 0)
+    entry("Pressure", [pressure], 0)
+    print("end\n# Tractions sigma.n by the direction of the normal (the sign is that of the outward normal)")
+    for boundary, (direction, sign) in OUTWARD.items():
+        if direction < dim:
+            print(f"# {boundary}")
+            entry("Traction", [sign * stress[i, direction] for i in range(dim)])
+
+
 def derive_gas(name):
     model, flux, volume = GASES[name]
     dim = len(flux)
@@ -207,10 +244,12 @@ def derive_gas(name):
 
 def main():
     if len(sys.argv) == 1:
-        print("\n".join([*CASES, *GASES]))
+        print("\n".join([*CASES, *GASES, *STREAMS]))
     for name in sys.argv[1:]:
         if name in GASES:
             derive_gas(name)
+        elif name in STREAMS:
+            derive_stream(name)
         else:
             derive(name)
 
