@@ -2,7 +2,7 @@
 // gmsh divides each cell of what is written here in four, so that all are quadrilaterals.
 DefineConstant[along = 12];   // pairs of cells along the beam
 DefineConstant[across = 3];   // and across it
-DefineConstant[size = 0.07]; // of two cells around cylinder and beam [m]
+DefineConstant[size = 0.07]; // of two cells in the channel around the beam [m]
 DefineConstant[order = 2];    // 2: curved cells at the cylinder
 x_root = 0.2 + Sqrt(0.05*0.05 - 0.01*0.01);
 x_arc = 0.2 - 0.05*Sqrt(0.5); y_below = 0.2 - 0.05*Sqrt(0.5); y_above = 0.2 + 0.05*Sqrt(0.5);
@@ -33,11 +33,11 @@ Curve Loop(2) = {1, 2, 3, 4};
 Curve Loop(3) = {5, 6, 7, 9, 10, 11};
 Plane Surface(1) = {1};
 Plane Surface(2) = {2, 3};
-// The tip has a node in its middle.
 Transfinite Curve {5, -7} = along + 1 Using Progression 0.9;
+// An even number of cells, so that the tip has a node in its middle.
 Transfinite Curve {6, 8} = across + 1;
 Transfinite Surface {1};
-// Smaller cells at cylinder and beam, larger ones far behind.
+// Half of it at cylinder and beam, a tenth at the tip, larger ones far behind.
 Field[1] = Box;
 Field[1].VIn = 0.5*size;
 Field[1].VOut = 3*size;

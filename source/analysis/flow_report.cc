@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 
 namespace Continua
 {
@@ -48,9 +49,20 @@ void FlowReport<dim>::take(const StepReport &report, const double size)
   if (!numbers)
     return;
   largest_speed = std::max(largest_speed, report.largest_velocity);
-  if (size > 0.)
-    largest_courant =
-        std::max(largest_courant, numbers->courant_number(report.largest_velocity, size));
+  if (size == 0.)
+    return;
+  const double before = largest_courant, limit = FlowNumbers::largest_explicit_courant_number;
+  largest_courant =
+      std::max(largest_courant, numbers->courant_number(report.largest_velocity, size));
+  if (!run.input.problem.convection.is_explicit() || before > limit || largest_courant <= limit)
+    return;
+  std::ostringstream text;
+  text.precision(3);
+  text << "the Courant number of the flow has come to " << largest_courant << ", above " << limit
+       << ": explicit convection may be unstable; take a smaller time step, or Flow/Time treatment "
+          "= "
+          "newton";
+  run.log.warning(text.str());
 }
 
 template <int dim>

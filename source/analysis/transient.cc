@@ -433,7 +433,7 @@ StepReport Transient<dim>::make_next_part(std::vector<Step> &parts, const bool i
       text << failure.what() << "; it is made in halves of " << halves.front().size() << " s";
       run.log.line(text.str());
       // The formulas of the part after these two know the size of the one before it.
-      if (!parts.empty() && parts.back().a2 != 0.)
+      if (!parts.empty() && parts.back().older_distance != 0.)
       {
         const Step after = parts.back();
         parts.back() = step_like(after, after.time_old, after.size(), halves.back().size());

@@ -299,9 +299,11 @@ void check_explicit_convection(const Case<dim> &input, ParameterSection root)
   if (problem.interior.starts_at_rest_under_loads)
     return; // Newton's iteration finds that state.
   ParameterSection of_newton = root.subsection("Newton");
-  for (const char *const key :
-       {"Slowest rate", "Slow iteration", "Tangent products", "Most Krylov iterations"})
-    if (of_newton.given(key))
+  const bool is_iterative =
+      input.discretisation.taylor_hood.linear_solver.type == LinearSolverType::iterative;
+  for (const char *const key : {"Slowest rate", "Slow iteration", "Tangent products",
+                                "Most Krylov iterations", "Krylov tolerance"})
+    if (of_newton.given(key) && !(is_iterative && key == std::string("Krylov tolerance")))
       of_newton.refuse(key, "with Flow/Time treatment = explicit a step is linear",
                        "Remove it, or set Time treatment = newton");
 }

@@ -111,7 +111,8 @@ struct NewtonCounts
   double corrections, new_factors;
 };
 constexpr NewtonCounts counts_of_step{4.5, 0.02};
-constexpr NewtonCounts counts_to_rest{30., 9.}; ///< of all steps on the way
+constexpr NewtonCounts counts_of_explicit_step{1., 0.}; ///< by a factor
+constexpr NewtonCounts counts_to_rest{30., 9.};         ///< of all steps on the way
 
 SystemSize size_of(const CostInput &input, const Bar &bar)
 {
@@ -188,7 +189,9 @@ CostEstimate::CostEstimate(const CostInput &input)
     set_up_time = assembly * microsecond * n_unknowns + input.n_factors * factor_time;
     if (input.is_nonlinear)
     {
-      const NewtonCounts &counts = input.to_rest ? counts_to_rest : counts_of_step;
+      const NewtonCounts &counts = input.to_rest               ? counts_to_rest
+                                   : input.convects_explicitly ? counts_of_explicit_step
+                                                               : counts_of_step;
       solve_time = counts.corrections * solve_time + counts.new_factors * factor_time;
       // The integrals over the present mesh, its own factor, and more factors of the tangent.
       if (input.mesh_moves)

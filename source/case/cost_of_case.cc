@@ -65,6 +65,7 @@ CostInput cost_of_fields(const Case<dim> &input)
   cost.has_tangents = cost.is_nonlinear && !cost.cell_wise;
   cost.is_finite = input.problem.deformation == Deformation::finite;
   cost.mesh_moves = input.problem.some_mesh_moves();
+  cost.convects_explicitly = input.problem.convection.is_explicit();
   cost.has_supg = input.problem.convection.is_on &&
                   input.problem.convection.stabilisation == ConvectionStabilisation::supg;
   cost.linear_solver = taylor_hood.linear_solver;

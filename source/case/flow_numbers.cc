@@ -135,7 +135,7 @@ void FlowNumbers::report_time()
   if (input.convects_explicitly && is_above(courant, largest_explicit_courant_number))
     warning_list.push_back("pre-flight: the Courant number of the flow is " + short_text(courant) +
                            ", above " + short_text(largest_explicit_courant_number) +
-                           ": explicit convection is unstable there, and inside the body the flow "
+                           ": explicit convection may be unstable, and inside the body the flow "
                            "may be faster; take a smaller time step, or Flow/Time treatment = "
                            "newton");
   else if (is_above(courant, largest_courant_number))

@@ -33,6 +33,20 @@ void Ledger::want_forces(const std::set<unsigned int> &regions)
       forces_of_regions[region] = operators.velocity_vector();
 }
 
+void Ledger::reinit(NonlinearForces &of_region) const
+{
+  if (problem.is_nonlinear())
+    for (DistributedVector *vector :
+         {&of_region.inertia, &of_region.viscosity, &of_region.compression, &of_region.load})
+      vector->reinit(forces);
+  if (problem.has_regions_of(RegionModel::flow))
+    for (DistributedVector *vector :
+         {&of_region.convection, &of_region.stabilisation, &of_region.inflow})
+      vector->reinit(forces);
+  if (problem.has_regions_of(RegionModel::finite_solid))
+    of_region.strain.reinit(forces);
+}
+
 void Ledger::reinit()
 {
   forces = operators.velocity_vector();
@@ -40,20 +54,15 @@ void Ledger::reinit()
     of_region.second = operators.velocity_vector();
   for (DistributedVector *vector : {&context.force, &context.mixture, &context.forgotten})
     vector->reinit(forces);
-  if (problem.is_nonlinear())
-    for (DistributedVector *vector :
-         {&context.nonlinear_forces.inertia, &context.nonlinear_forces.viscosity,
-          &context.nonlinear_forces.compression, &context.nonlinear_forces.load})
-      vector->reinit(forces);
-  if (problem.has_regions_of(RegionModel::flow))
-    for (DistributedVector *vector :
-         {&context.nonlinear_forces.convection, &context.nonlinear_forces.stabilisation,
-          &context.nonlinear_forces.inflow})
-      vector->reinit(forces);
-  if (problem.has_regions_of(RegionModel::finite_solid))
-    context.nonlinear_forces.strain.reinit(forces);
+  reinit(context.nonlinear_forces);
   if (problem.convection.is_explicit())
-    explicit_forces = context.nonlinear_forces;
+  {
+    reinit(explicit_forces);
+    for (DistributedVector *vector : {&extrapolated.velocity, &extrapolated.acceleration})
+      vector->reinit(forces);
+    for (DistributedVector *vector : {&extrapolated.pressure, &extrapolated.pressure_rate})
+      *vector = operators.pressure_vector();
+  }
   for (DistributedVector *vector : {&context.dilatation, &context.forgotten_rate})
     *vector = operators.pressure_vector();
   forces_are_current = true;
@@ -76,10 +85,10 @@ void Ledger::set_nonlinear_forces(const unsigned int region, const BalancedStep 
     return;
   // What the step has taken from the extrapolated velocity.
   extrapolated.step = balanced.step;
-  extrapolated.velocity = balanced.extrapolated_velocity;
-  extrapolated.pressure = balanced.pressure;
-  extrapolated.acceleration = balanced.acceleration;
-  extrapolated.pressure_rate = balanced.pressure_rate;
+  extrapolated.velocity.equ(1., balanced.extrapolated_velocity);
+  extrapolated.pressure.equ(1., balanced.pressure);
+  extrapolated.acceleration.equ(1., balanced.acceleration);
+  extrapolated.pressure_rate.equ(1., balanced.pressure_rate);
   operators.set_nonlinear_forces(region, extrapolated, explicit_forces);
   for (const auto kind : {&NonlinearForces::convection, &NonlinearForces::inflow})
     (context.nonlinear_forces.*kind).swap(explicit_forces.*kind);

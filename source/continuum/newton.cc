@@ -152,7 +152,6 @@ void Newton::begin_step(const NewtonInput &input, BalancedStep &balanced)
   {
     balanced.extrapolated_velocity.equ(1., balanced.velocity);
     at_rest.step = input.step;
-    at_rest.cavity_pressures = balanced.cavity_pressures;
   }
   if (input.system_is_new)
     has_factor = false;

@@ -47,9 +47,9 @@ void NewtonResidual::reinit()
   }
   if (problem.convection.is_explicit())
   {
-    for (DistributedVector *vector : {&first_velocity, &first_momentum})
+    for (DistributedVector *vector : {&first_velocity, &first_momentum, &velocity_way})
       vector->reinit(momentum);
-    for (DistributedVector *vector : {&first_pressure, &first_mass})
+    for (DistributedVector *vector : {&first_pressure, &first_mass, &pressure_way})
       vector->reinit(mass);
   }
   for (DistributedVector *vector : {&shifted.velocity, &shifted.acceleration})
@@ -127,12 +127,11 @@ void NewtonResidual::set_explicit_terms(const BalancedStep &balanced)
     has_first = true;
     return;
   }
-  // The way from the first iterate takes the place of it, and is taken back.
-  first_velocity.sadd(-1., 1., balanced.velocity);
-  first_pressure.sadd(-1., 1., balanced.pressure);
-  operators.add_derivative_product(first_velocity, first_pressure, momentum_work, mass_work);
-  first_velocity.sadd(-1., 1., balanced.velocity);
-  first_pressure.sadd(-1., 1., balanced.pressure);
+  velocity_way.equ(1., balanced.velocity);
+  velocity_way.add(-1., first_velocity);
+  pressure_way.equ(1., balanced.pressure);
+  pressure_way.add(-1., first_pressure);
+  operators.add_derivative_product(velocity_way, pressure_way, momentum_work, mass_work);
   momentum_work.add(1., first_momentum);
   mass_work.add(1., first_mass);
 }

@@ -252,15 +252,7 @@ void TimeStepping::balance(const Step &step, StepReport &report)
 
 void TimeStepping::iterate(const Step &step, const bool system_is_new, StepReport &report)
 {
-  // The first guess goes on as the last step did.
-  double further = 0.;
-  if (!step.is_start && step.extrapolate)
-    further = 0.5;
-  else if (!step.is_start && step.a2 != 0.)
-    further = step.size() / step.older_distance;
-  balanced.velocity.equ(1. + further, velocity);
-  if (further != 0.)
-    balanced.velocity.add(-further, velocity_older);
+  extrapolate_velocity(step);
   if (step.is_towards_rest)
     stop_finite_solids(balanced.velocity);
   operators.set_prescribed(balanced.prescribed, balanced.velocity);
@@ -272,6 +264,22 @@ void TimeStepping::iterate(const Step &step, const bool system_is_new, StepRepor
   newton.solve(
       {step, coefficients, system_is_new, momentum, mass, pressure_work, velocity, mixture},
       balanced, report);
+}
+
+void TimeStepping::extrapolate_velocity(const Step &step)
+{
+  // To the level that is balanced, as the last step went. Where convection is explicit this is a
+  // part of the scheme, and the distance counts; for Newton's iteration it is a first guess.
+  const bool is_of_scheme = problem.convection.is_explicit() && !step.is_towards_rest;
+  double further = 0.;
+  if (!step.is_start && step.extrapolate)
+    further =
+        is_of_scheme && step.older_distance > 0. ? 0.5 * step.size() / step.older_distance : 0.5;
+  else if (!step.is_start && step.a2 != 0.)
+    further = step.size() / step.older_distance;
+  balanced.velocity.equ(1. + further, velocity);
+  if (further != 0.)
+    balanced.velocity.add(-further, velocity_older);
 }
 
 void TimeStepping::stop_finite_solids(DistributedVector &of_velocity) const

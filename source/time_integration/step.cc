@@ -108,12 +108,13 @@ Step backward_differencing_step(const double time_old,
   return step;
 }
 
-Step crank_nicolson_step(const double time_old, const double size)
+Step crank_nicolson_step(const double time_old, const double size, const double size_old)
 {
   Step step = euler_step(time_old, 0.5 * size, Update::midpoint);
   step.time = time_old + size;
   step.duration = size;
   step.extrapolate = true;
+  step.older_distance = size_old;
   return step;
 }
 
@@ -121,7 +122,7 @@ Step step_like(const Step &whole, const double time_old, const double size, cons
 {
   Step step;
   if (whole.extrapolate)
-    step = crank_nicolson_step(time_old, size);
+    step = crank_nicolson_step(time_old, size, size_old);
   else if (whole.a2 != 0.)
     step = backward_differencing_step(time_old, size, size_old, whole.update);
   else

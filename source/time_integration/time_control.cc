@@ -269,7 +269,12 @@ std::vector<Step> TimeControl::next()
       steps.push_back(euler_step(start + 0.5 * size, 0.5 * size, Update::midpoint));
     }
     else
-      steps.push_back(crank_nicolson_step(start, size));
+    {
+      // A smooth start ends with half a step.
+      const bool follows_halves = begins_smoothly && now.smooth_steps == 2;
+      steps.push_back(
+          crank_nicolson_step(start, size, follows_halves ? 0.5 * now.size_old : now.size_old));
+    }
     break;
   }
   for (Step &step : steps)

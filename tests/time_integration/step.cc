@@ -198,6 +198,9 @@ UNIT_TEST(step)
     check::absolute("halves, crank nicolson: middle of the second", middles[1].balance_time, 1.15,
                     1e-15);
     check::is_true("halves, crank nicolson: extrapolated", middles[0].extrapolate);
+    const std::array<Step, 2> after = halves_of(crank_nicolson_step(1., 0.2, 0.3));
+    check::absolute("halves, crank nicolson: before the first", after[0].older_distance, 0.3, 0.);
+    check::absolute("halves, crank nicolson: before the second", after[1].older_distance, 0.1, 0.);
     Step start = euler_step(1., 0.2, Update::trapezoidal);
     start.is_start = true;
     check::is_true("halves of a start", halves_of(start)[1].is_start);

@@ -91,7 +91,11 @@ UNIT_TEST(time_control)
     check::absolute("first half is balanced there", first[0].balance_time, 0.05, 1e-16);
     check::absolute("second half ends at the end", first[1].time, 0.1, 1e-16);
     check::absolute("a0 of a half and of Crank-Nicolson", first[1].a0, 20., 1e-12);
-    check::equal("then one more pair", letters(control, 3), "rcc");
+    check::equal("then one more pair", letters(control, 1), "r");
+    check::absolute("half a step before the first", control.next().front().older_distance, 0.05,
+                    0.);
+    check::absolute("and a whole one before the next", control.next().front().older_distance, 0.1,
+                    0.);
     control.restart();
     check::equal("pairs after a jump", letters(control, 3), "rrc");
     TimeParameters sharp = parameters(Scheme::crank_nicolson, 0.1, 10.);

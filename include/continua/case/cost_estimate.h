@@ -13,19 +13,20 @@ namespace Continua
 struct CostInput
 {
   unsigned int dim = 2;
-  MeshExtent coarse;            ///< of the coarse mesh
-  unsigned int refinements = 0; ///< of all its cells
-  unsigned int n_regions = 1;   ///< that have pressures of their own
-  unsigned int degree = 2;      ///< of the velocity of Taylor-Hood elements
-  bool cell_wise = false;       ///< the other discretisation
-  bool has_pressure = true;     ///< of the cell-wise one: whether it is an unknown
-  bool segregated = false;      ///< of the cell-wise one: solved component by component
-  bool pivots = false;          ///< the factor does: a material is incompressible
-  bool is_nonlinear = false;    ///< the matrix is unsymmetric, and steps are iterated
-  bool has_tangents = false;    ///< nonlinear, not cell-wise
-  bool is_finite = false;       ///< finite deformation
-  bool mesh_moves = false;      ///< of liquids
-  bool has_supg = false;        ///< convection, with this stabilisation
+  MeshExtent coarse;                ///< of the coarse mesh
+  unsigned int refinements = 0;     ///< of all its cells
+  unsigned int n_regions = 1;       ///< that have pressures of their own
+  unsigned int degree = 2;          ///< of the velocity of Taylor-Hood elements
+  bool cell_wise = false;           ///< the other discretisation
+  bool has_pressure = true;         ///< of the cell-wise one: whether it is an unknown
+  bool segregated = false;          ///< of the cell-wise one: solved component by component
+  bool pivots = false;              ///< the factor does: a material is incompressible
+  bool is_nonlinear = false;        ///< the matrix is unsymmetric, and steps are iterated
+  bool has_tangents = false;        ///< nonlinear, not cell-wise
+  bool is_finite = false;           ///< finite deformation
+  bool mesh_moves = false;          ///< of liquids
+  bool has_supg = false;            ///< convection, with this stabilisation
+  bool convects_explicitly = false; ///< steps of a matrix that is unsymmetric are linear
   bool is_of_vibrations = false;
   LinearSolverParameters linear_solver;
   double memory_limit = 1e300; ///< for the choice of the solver, on one machine [bytes]

@@ -63,6 +63,8 @@ private:
   bool forces_are_wanted = false, forces_are_current = false;
   std::vector<double> sums; ///< work space
 
+  /// Gives those of a region the layout of `forces`.
+  void reinit(NonlinearForces &of_region) const;
   /// Sets those of a region, each kind at the level from which the step has taken it.
   void set_nonlinear_forces(unsigned int region, const BalancedStep &balanced);
 };

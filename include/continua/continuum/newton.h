@@ -35,6 +35,11 @@ namespace Continua
  * responses, as a linear step does. The volumes of cavities are equations of their own, whose
  * unknowns are the cavities' pressures; see CavityCoupling. With outlets or cavities a slow
  * iteration makes a new factor, where the mesh stays.
+ *
+ * With explicit convection (Convection::treatment) the first iterate is part of the scheme: the
+ * convective terms stay those that it has, and the tangent is that at rest, where they have no
+ * derivative. The equations of the step are then linear, and the tangent serves all steps of one
+ * size.
  */
 class Newton
 {
@@ -67,7 +72,7 @@ private:
   bool has_factor = false;
   bool factor_is_poor = false; ///< GMRES needed too many iterations with it
   DistributedVector velocity_change, pressure_change, zero_velocity;
-  BalancedStep at_rest; ///< where explicit convection has its tangent: there it is none
+  BalancedStep at_rest; ///< the state at rest, at which explicit convection has its tangent
   // Of the present step:
   unsigned int krylov_iterations = 0; ///< of GMRES
   bool may_take_krylov = false, takes_krylov = false;

@@ -26,7 +26,9 @@ struct ResidualNorms
  *
  *   f - A U - G p - N_u(U, p),     g - B U - C p - N_p(U, p),
  *
- * and products with their derivative: by that of the terms, or by differences.
+ * and products with their derivative: by that of the terms, or by differences. In a step with
+ * explicit convection N is that at the step's first iterate, and the kept derivative times the way
+ * from there.
  */
 class NewtonResidual
 {
@@ -83,9 +85,10 @@ private:
   DistributedVector past_acceleration;
   DistributedVector mesh_change; ///< by which differences shift the mesh [m]
   DistributedVector volumes;     ///< of each pressure [m^3]
-  // Of a step with explicit convection: its first iterate, and the terms there.
+  // Of a step with explicit convection: its first iterate, the terms there, and the way from there.
   bool has_first = false;
   DistributedVector first_velocity, first_pressure, first_momentum, first_mass;
+  DistributedVector velocity_way, pressure_way;
 
   /// Takes A U + G p and B U + C p from the rows; raises the scales to the largest entries.
   void subtract_linear_terms(const SystemCoefficients &coefficients,

@@ -213,7 +213,7 @@ public:
   /// The next linearise() does not make use of what one before has found out, such as an order of
   /// the unknowns.
   virtual void forget_linearisation() {}
-  /// Whether there are products with the derivative of the terms, for GMRES.
+  /// Whether there are products with the derivative of the terms, for GMRES of a slow iteration.
   virtual bool has_derivative_products() const { return false; }
   /// Keeps the derivative of the terms at this state, beside the system of solve().
   virtual void keep_derivative(const BalancedStep &) {}

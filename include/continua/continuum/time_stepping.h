@@ -144,6 +144,9 @@ private:
   {
     return operators.has_whole_terms() && operators.is_nonlinear_in(region);
   }
+  /// Sets balanced.velocity to the velocity at the level that a step balances, extrapolated from
+  /// the last two levels.
+  void extrapolate_velocity(const Step &step);
   /// Sets the first guess of the velocity [m/s] of solids in finite deformation to zero.
   void stop_finite_solids(DistributedVector &of_velocity) const;
   /// The parts of a step: its system, its right-hand sides, and the state at its end.

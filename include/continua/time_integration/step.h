@@ -39,8 +39,9 @@ struct Step
   double duration = 0.;
   double balance_time = 0.;         ///< [s] at which the equations are balanced and the loads taken
   double a0 = 0., a1 = 0., a2 = 0.; ///< [1/s]
-  /// Of the state that a2 belongs to from the step's start [s]; where no state has that distance it
-  /// is one between three earlier ones.
+  /// Of the older state from the step's start [s], to which a2 belongs; where no state has that
+  /// distance it is one between three earlier ones. Of a step that extrapolates: the size of the
+  /// one before it; 0: there is none.
   double older_distance = 0.;
   /// Whether it starts the scheme: what was before it does not go on smoothly.
   bool is_start = false;
@@ -81,8 +82,9 @@ Step static_step(double size, bool with_inertia);
 /// Second-order backward differencing after a step of `size_old` (equation 3.45, for changed steps
 /// too).
 Step backward_differencing_step(double time_old, double size, double size_old, Update update);
-/// Crank-Nicolson: backward Euler over half of `size`, then extrapolation.
-Step crank_nicolson_step(double time_old, double size);
+/// Crank-Nicolson: backward Euler over half of `size`, then extrapolation. `size_old` [s]: of the
+/// step before it.
+Step crank_nicolson_step(double time_old, double size, double size_old = 0.);
 /// Of a step that has no solution.
 inline constexpr int most_halvings = 6;
 /// A step by the formulas of `whole` from `time_old` over `size`, after one of `size_old` [s].
