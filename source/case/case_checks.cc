@@ -178,7 +178,7 @@ void check_time_step_control(const Case<dim> &input, ParameterSection root)
 }
 
 template <int dim>
-void refuse_checkpoints(const Case<dim> &input, ParameterSection output)
+void refuse_checkpoints(const Case<dim> &input, const ParameterSection &output)
 {
   for (const char *key : {"Checkpoint interval", "Checkpoint at end"})
     if (output.given(key) &&

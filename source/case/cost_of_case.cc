@@ -166,7 +166,7 @@ MemoryLimit memory_limit_of(const Case<dim> &input)
 }
 
 template <int dim>
-void check_memory(const Case<dim> &input, ParameterSection mesh)
+void check_memory(const Case<dim> &input, const ParameterSection &mesh)
 {
   if (!input.analysis.has_fields)
     return;
