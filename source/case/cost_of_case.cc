@@ -237,6 +237,6 @@ template MemoryLimit memory_limit_of(const Case<2> &);
 template MemoryLimit memory_limit_of(const Case<3> &);
 template void check_histories(const Case<2> &, const ParameterSection &);
 template void check_histories(const Case<3> &, const ParameterSection &);
-template void check_memory(const Case<2> &, ParameterSection);
-template void check_memory(const Case<3> &, ParameterSection);
+template void check_memory(const Case<2> &, const ParameterSection &);
+template void check_memory(const Case<3> &, const ParameterSection &);
 } // namespace Continua

@@ -36,7 +36,7 @@ void check_histories(const Case<dim> &input, const ParameterSection &probes);
 
 /// Throws InputError if the case needs more memory than it may take. Collective.
 template <int dim>
-void check_memory(const Case<dim> &input, ParameterSection mesh);
+void check_memory(const Case<dim> &input, const ParameterSection &mesh);
 } // namespace Continua
 
 #endif
