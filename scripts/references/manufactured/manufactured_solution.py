@@ -77,6 +77,7 @@ STREAM = {"rho": 1, "eta": Rational(1, 50)}
 STREAMS = {
     "time-stream": ("plane", [WAVE * (y**2 + x), WAVE * (x**2 - y)], cos(3 * t) * (x + 2 * y)),
     "time-stream-axisymmetric": ("axisymmetric", [WAVE * (y**2 + x), -WAVE * y / 2], cos(3 * t) * (x + 2 * y)),
+    "time-stream-linear": ("plane", [(1 + t) * (y**2 + x), (1 + t) * (x**2 - y)], (1 + t) * (x + 2 * y)),
     "time-stream-3d": ("space", [WAVE * (y**2 + x), WAVE * (z**2 - y), WAVE * x**2], cos(3 * t) * (x + 2 * y - z)),
 }
 
@@ -148,6 +149,14 @@ def entry(key, expressions, at_time=None):
     print(f"  set {key} = " + separator.join(text(e, at_time) for e in expressions))
 
 
+def print_tractions(stress, dim):
+    print("end\n# Tractions sigma.n by the direction of the normal (the sign is that of the outward normal)")
+    for boundary, (direction, sign) in OUTWARD.items():
+        if direction < dim:
+            print(f"# {boundary}")
+            entry("Traction", [sign * stress[i, direction] for i in range(dim)])
+
+
 def derive(name):
     model, material, shape, amplitude, given_pressure = CASES[name]
     dim = len(shape)
@@ -180,11 +189,7 @@ def derive(name):
     entry("Velocity", velocity, 0)
     entry("Displacement", displacement, 0)
     entry("Pressure", [pressure], 0)
-    print("end\n# Tractions sigma.n by the direction of the normal (the sign is that of the outward normal)")
-    for boundary, (direction, sign) in OUTWARD.items():
-        if direction < dim:
-            print(f"# {boundary}")
-            entry("Traction", [sign * stress[i, direction] for i in range(dim)])
+    print_tractions(stress, dim)
 
 
 def derive_stream(name):
@@ -204,11 +209,7 @@ def derive_stream(name):
     print("end\nsubsection Initial state")
     entry("Velocity", velocity, 0)
     entry("Pressure", [pressure], 0)
-    print("end\n# Tractions sigma.n by the direction of the normal (the sign is that of the outward normal)")
-    for boundary, (direction, sign) in OUTWARD.items():
-        if direction < dim:
-            print(f"# {boundary}")
-            entry("Traction", [sign * stress[i, direction] for i in range(dim)])
+    print_tractions(stress, dim)
 
 
 def derive_gas(name):
