@@ -5,12 +5,17 @@
 
 namespace Continua
 {
+bool nearly_equal(const double a, const double b)
+{
+  return !(std::abs(a - b) > 1e-12 * std::abs(a));
+}
+
 bool nearly_equal(const std::vector<double> &a, const std::vector<double> &b)
 {
   if (a.size() != b.size())
     return false;
   for (std::size_t i = 0; i < a.size(); ++i)
-    if (std::abs(a[i] - b[i]) > 1e-12 * std::abs(a[i]))
+    if (!nearly_equal(a[i], b[i]))
       return false;
   return true;
 }

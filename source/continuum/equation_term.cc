@@ -22,21 +22,18 @@ public:
     if (context.operators.reports_change_of_kinetic_energy())
       return 0.5 * density / step.balanced.step.size() *
              (square(region, step.end, context) - square(region, step.start, context));
+    const double further =
+        context.operators.is_nonlinear_in(region) ? context.nonlinear_powers.inertia : 0.;
     if (context.is_whole(region))
-      context.force.equ(1., context.nonlinear_forces.inertia);
+      return further;
+    if (context.has_products_of_step(region))
+      context.products->set_inertia(region, step.balanced.step, context.force);
     else
-    {
-      if (context.has_products_of_step(region))
-        context.products->set_inertia(region, step.balanced.step, context.force);
-      else
-        context.operators.multiply_mass(region, context.force, step.balanced.acceleration);
-      context.force *= density;
-      if (context.operators.is_nonlinear_in(region))
-        context.force.add(1., context.nonlinear_forces.inertia);
-    }
+      context.operators.multiply_mass(region, context.force, step.balanced.acceleration);
+    context.force *= density;
     if (forces != nullptr)
       forces->add(1., context.force);
-    return local_product(context.force, step.balanced.velocity);
+    return local_product(context.force, step.balanced.velocity) + further;
   }
   double energy(const unsigned int region, const State &state, TermContext &context) const override
   {
@@ -67,8 +64,8 @@ public:
                DistributedVector *const forces) const override
   {
     if (is_finite(region, context))
-      context.force.equ(1., context.nonlinear_forces.strain);
-    else if (context.has_products(region) && context.products->is_elastic(region))
+      return context.nonlinear_powers.strain;
+    if (context.has_products(region) && context.products->is_elastic(region))
     {
       context.products->set_stiffness(region, step.balanced.step, context.force);
       context.force *= context.products->spring(region);
@@ -138,20 +135,16 @@ public:
     if (shear.viscosity == 0.)
       return 0.;
     if (context.is_whole(region))
-      context.force.equ(1., context.nonlinear_forces.viscosity);
+      return context.nonlinear_powers.viscosity;
+    if (context.has_products_of_step(region))
+      context.products->set_stiffness_of_velocity(region, step.balanced.step, context.force);
     else
-    {
-      if (context.has_products_of_step(region))
-        context.products->set_stiffness_of_velocity(region, step.balanced.step, context.force);
-      else
-        context.operators.multiply_stiffness(region, context.force, step.balanced.velocity);
-      context.force *= shear.viscosity;
-      if (shear.flow_curve)
-        context.force.add(1., context.nonlinear_forces.viscosity);
-    }
+      context.operators.multiply_stiffness(region, context.force, step.balanced.velocity);
+    context.force *= shear.viscosity;
     if (forces != nullptr)
       forces->add(1., context.force);
-    return local_product(context.force, step.balanced.velocity);
+    return local_product(context.force, step.balanced.velocity) +
+           (shear.flow_curve ? context.nonlinear_powers.viscosity : 0.);
   }
 };
 
@@ -164,19 +157,16 @@ public:
                TermContext &context,
                DistributedVector *const forces) const override
   {
-    const bool is_whole = context.is_whole(region);
+    if (context.is_whole(region))
+      return context.nonlinear_powers.compression;
     if (forces == nullptr && context.products != nullptr &&
         context.products->has_divergence(region, step.balanced.step))
       return -local_product(context.products->divergence(region), step.balanced.pressure);
-    if (forces == nullptr && !is_whole)
+    if (forces == nullptr)
       return context.operators.pressure_power(region, step.balanced.velocity,
                                               step.balanced.pressure);
-    if (is_whole)
-      context.force.equ(1., context.nonlinear_forces.compression);
-    else
-      context.operators.multiply_gradient(region, context.force, step.balanced.pressure);
-    if (forces != nullptr)
-      forces->add(1., context.force);
+    context.operators.multiply_gradient(region, context.force, step.balanced.pressure);
+    forces->add(1., context.force);
     return local_product(context.force, step.balanced.velocity);
   }
   double relaxation_power(const unsigned int region,
@@ -215,21 +205,19 @@ public:
   }
 };
 
-/// A kind of forces that regions of flow have alone.
-template <DistributedVector NonlinearForces::*kind>
+/// A kind of power that regions of flow have alone.
+template <PowerKind kind>
 class FlowTerm : public EquationTerm
 {
 public:
   double power(const unsigned int region,
-               const FinishedStep &step,
+               const FinishedStep & /*step*/,
                TermContext &context,
-               DistributedVector *const forces) const override
+               DistributedVector *const /*forces*/) const override
   {
-    if (context.problem.region_model(region) != RegionModel::flow)
-      return 0.;
-    if (forces != nullptr)
-      forces->add(1., context.nonlinear_forces.*kind);
-    return local_product(context.nonlinear_forces.*kind, step.balanced.velocity);
+    return context.problem.region_model(region) == RegionModel::flow
+               ? context.nonlinear_powers.*kind
+               : 0.;
   }
 };
 
@@ -297,11 +285,11 @@ std::vector<EquationTermType> equation_terms(const Problem &problem)
   if (problem.has_regions_of(RegionModel::flow))
   {
     terms.push_back({"convective", "energy convected", false, false,
-                     make_term<FlowTerm<&NonlinearForces::convection>>});
+                     make_term<FlowTerm<&NonlinearPowers::convection>>});
     terms.push_back({"inflow", "energy taken from inflow", false, false,
-                     make_term<FlowTerm<&NonlinearForces::inflow>>});
+                     make_term<FlowTerm<&NonlinearPowers::inflow>>});
     terms.push_back({"stabilisation", "energy taken by the stabilisation", false, false,
-                     make_term<FlowTerm<&NonlinearForces::stabilisation>>});
+                     make_term<FlowTerm<&NonlinearPowers::stabilisation>>});
   }
   return terms;
 }

@@ -33,20 +33,6 @@ void Ledger::want_forces(const std::set<unsigned int> &regions)
       forces_of_regions[region] = operators.velocity_vector();
 }
 
-void Ledger::reinit(NonlinearForces &of_region) const
-{
-  if (problem.is_nonlinear())
-    for (DistributedVector *vector :
-         {&of_region.inertia, &of_region.viscosity, &of_region.compression, &of_region.load})
-      vector->reinit(forces);
-  if (problem.has_regions_of(RegionModel::flow))
-    for (DistributedVector *vector :
-         {&of_region.convection, &of_region.stabilisation, &of_region.inflow})
-      vector->reinit(forces);
-  if (problem.has_regions_of(RegionModel::finite_solid))
-    of_region.strain.reinit(forces);
-}
-
 void Ledger::reinit()
 {
   forces = operators.velocity_vector();
@@ -54,10 +40,8 @@ void Ledger::reinit()
     of_region.second = operators.velocity_vector();
   for (DistributedVector *vector : {&context.force, &context.mixture, &context.forgotten})
     vector->reinit(forces);
-  reinit(context.nonlinear_forces);
   if (problem.convection.is_explicit())
   {
-    reinit(explicit_forces);
     for (DistributedVector *vector : {&extrapolated.velocity, &extrapolated.acceleration})
       vector->reinit(forces);
     for (DistributedVector *vector : {&extrapolated.pressure, &extrapolated.pressure_rate})
@@ -77,21 +61,28 @@ const DistributedVector &Ledger::forces_at_nodes(const FinishedStep &step,
   return region ? forces_of_regions.at(*region) : forces;
 }
 
-void Ledger::set_nonlinear_forces(const unsigned int region, const BalancedStep &balanced)
+void Ledger::set_nonlinear_powers(const unsigned int region,
+                                  const BalancedStep &balanced,
+                                  DistributedVector *const at_nodes)
 {
-  operators.set_nonlinear_forces(region, balanced, context.nonlinear_forces);
+  NonlinearPowers &powers = context.nonlinear_powers;
+  powers = {};
+  const auto add = [&](const BalancedStep &state, const TermsTaken taken)
+  { operators.add_nonlinear_powers(region, state, balanced.velocity, taken, powers, at_nodes); };
   if (!problem.convection.is_explicit() || balanced.step.is_towards_rest ||
       problem.region_model(region) != RegionModel::flow)
+  {
+    add(balanced, TermsTaken::all);
     return;
+  }
+  add(balanced, TermsTaken::not_carrying);
   // What the step has taken from the extrapolated velocity.
   extrapolated.step = balanced.step;
   extrapolated.velocity.equ(1., balanced.extrapolated_velocity);
   extrapolated.pressure.equ(1., balanced.pressure);
   extrapolated.acceleration.equ(1., balanced.acceleration);
   extrapolated.pressure_rate.equ(1., balanced.pressure_rate);
-  operators.set_nonlinear_forces(region, extrapolated, explicit_forces);
-  for (const auto kind : {&NonlinearForces::convection, &NonlinearForces::inflow})
-    (context.nonlinear_forces.*kind).swap(explicit_forces.*kind);
+  add(extrapolated, TermsTaken::carrying);
 }
 
 PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
@@ -117,25 +108,20 @@ PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
   }
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
-    const bool is_nonlinear = operators.is_nonlinear_in(region);
-    if (is_nonlinear)
-      set_nonlinear_forces(region, balanced);
     // The forces of a region that are wanted by themselves are added to those of the body later.
     const auto found = forces_of_regions.find(region);
     const bool is_wanted = found != forces_of_regions.end();
     if (is_wanted)
       found->second = 0.;
-    DistributedVector *const target = is_wanted ? &found->second : &forces;
-    if (is_nonlinear)
+    DistributedVector *const target = !reactions ? nullptr : is_wanted ? &found->second : &forces;
+    if (operators.is_nonlinear_in(region))
     {
+      set_nonlinear_powers(region, balanced, target);
       // Loads that follow the present shape.
-      const DistributedVector &load = context.nonlinear_forces.load;
-      sums.front() -= local_product(load, balanced.velocity);
-      if (reactions)
-        target->add(1., load);
+      sums.front() -= context.nonlinear_powers.load;
     }
     for (const auto &term : terms)
-      sums.push_back(term->power(region, step, context, reactions ? target : nullptr));
+      sums.push_back(term->power(region, step, context, target));
     if (is_wanted)
     {
       forces.add(1., found->second);

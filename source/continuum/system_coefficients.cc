@@ -10,9 +10,8 @@ bool SystemCoefficients::operator==(const SystemCoefficients &other) const
 {
   return nearly_equal(mass, other.mass) && nearly_equal(stiffness, other.stiffness) &&
          nearly_equal(compressibility, other.compressibility) && left_out == other.left_out &&
-         nearly_equal({support_stiffness, support_damping},
-                      {other.support_stiffness, other.support_damping}) &&
-         is_of_rest == other.is_of_rest;
+         nearly_equal(support_stiffness, other.support_stiffness) &&
+         nearly_equal(support_damping, other.support_damping) && is_of_rest == other.is_of_rest;
 }
 
 void SystemCoefficients::set(const Problem &problem, const Step &step)

@@ -1,5 +1,6 @@
 #include <continua/finite_volume/cell_convection.h>
 
+#include <continua/continuum/local_product.h>
 #include <continua/finite_volume/liquid_cells.h>
 
 #include <algorithm>
@@ -30,6 +31,7 @@ template <int dim>
 void CellConvection<dim>::reinit()
 {
   faces.clear();
+  forces = system.space.velocity_vector();
   const CellMesh<dim> &mesh = system.space.mesh;
   for (unsigned int f = 0; f < mesh.faces().size(); ++f)
   {
@@ -248,26 +250,52 @@ void CellConvection<dim>::add(const BalancedStep &state,
 }
 
 template <int dim>
-void CellConvection<dim>::set_forces_of(const unsigned int region,
-                                        const BalancedStep &state,
-                                        NonlinearForces &forces)
+void CellConvection<dim>::add_powers(const unsigned int region,
+                                     const BalancedStep &state,
+                                     const DistributedVector &of_velocity,
+                                     const TermsTaken taken,
+                                     NonlinearPowers &powers,
+                                     DistributedVector *const momentum)
 {
-  for (DistributedVector *const force : {&forces.inertia, &forces.convection, &forces.stabilisation,
-                                         &forces.viscosity, &forces.inflow})
-    *force = 0.;
   if (!has_terms(region))
     return;
   take(state);
-  for (const Face &face : faces)
-    if (face.region == region)
-    {
-      const Flow on_face = flow(face);
-      add_fluxes(face, on_face, forces.convection, nullptr);
-      add_inflow(face, on_face, forces.inflow);
-    }
-  for (unsigned int cell = 0; cell < system.space.mesh.n_owned_cells(); ++cell)
-    if (system.space.mesh.cells()[cell].material_id == region)
-      add_inertia(cell, state, forces.inertia);
+  const auto add_kind = [&](const PowerKind kind, const auto &add_forces)
+  {
+    if (!takes_terms_of(taken, kind))
+      return;
+    forces = 0.;
+    add_forces();
+    powers.*kind += local_product(forces, of_velocity);
+    if (momentum != nullptr)
+      momentum->add(1., forces);
+  };
+  const auto for_each_face = [&](const auto &visit)
+  {
+    for (const Face &face : faces)
+      if (face.region == region)
+        visit(face);
+  };
+  add_kind(
+      &NonlinearPowers::convection, [&]()
+      { for_each_face([&](const Face &face) { add_fluxes(face, flow(face), forces, nullptr); }); });
+  add_kind(&NonlinearPowers::inflow,
+           [&]()
+           {
+             for_each_face(
+                 [&](const Face &face)
+                 {
+                   if (face.inflow_row != VolumeFace<dim>::none)
+                     add_inflow(face, flow(face), forces);
+                 });
+           });
+  add_kind(&NonlinearPowers::inertia,
+           [&]()
+           {
+             for (unsigned int cell = 0; cell < system.space.mesh.n_owned_cells(); ++cell)
+               if (system.space.mesh.cells()[cell].material_id == region)
+                 add_inertia(cell, state, forces);
+           });
 }
 
 template <int dim>

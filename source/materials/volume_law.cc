@@ -6,22 +6,6 @@
 
 namespace Continua
 {
-double VolumeLaw::stiffening(const double pressure) const
-{
-  return 1. + exponent * (pressure - reference_pressure) * inverse_bulk_modulus;
-}
-
-double VolumeLaw::compressibility(const double pressure) const
-{
-  return inverse_bulk_modulus / stiffening(pressure);
-}
-
-double VolumeLaw::compressibility_slope(const double pressure) const
-{
-  const double c = compressibility(pressure);
-  return -exponent * c * c;
-}
-
 double VolumeLaw::energy(const double pressure) const
 {
   if (inverse_bulk_modulus == 0.)
@@ -37,10 +21,8 @@ double VolumeLaw::energy(const double pressure) const
          boost::math::quadrature::gauss<double, 10>::integrate(integrand, 0., 1.);
 }
 
-double VolumeLaw::density_ratio(const double pressure) const
+double VolumeLaw::density_ratio_of_compressible(const double pressure) const
 {
-  if (inverse_bulk_modulus == 0.)
-    return 1.;
   if (exponent == 0.)
     return std::exp((pressure - reference_pressure) * inverse_bulk_modulus);
   // A power of a sum next to 1 would lose the digits of a small exponent.

@@ -3,8 +3,8 @@
 
 The command runs in FOLDER, which is emptied first. Its standard output is compared with the file REFERENCE by numdiff,
 which takes numbers as equal that agree to 1e-6 absolutely or to 1e-8 relatively. Of a search for a state at rest the steps
-and the corrections may be a quarter more or less, since round-off decides which one is the last; how far its time steps have
-grown is not compared. Standard error is not compared, since libraries write there what depends on the machine; it is shown
+and the corrections may be a quarter more or less, or two, since round-off decides which one is the last; how far its time
+steps have grown is not compared. Standard error is not compared, since libraries write there what depends on the machine; it is shown
 when the test fails.
 """
 
@@ -17,18 +17,18 @@ import sys
 import driver
 
 SEPARATORS = " \t\r\n=,:;<>[](){}^"
-SEARCH = re.compile(r"^(At rest|Found) after (\d+) steps( of \S+ s to \S+ s)? with (\d+) corrections", re.MULTILINE)
-FREEDOM = 0.25
+SEARCH = re.compile(r"^(At rest|Found) after (\d+) steps( of \S+ s to \S+ s)?( with (\d+) corrections)?", re.MULTILINE)
+FREEDOM, LEAST_FREEDOM = 0.25, 2
 
 
 def without_counts(text):
     """(the text with a word for what round-off decides in a search for a state at rest, the steps and corrections of each search)."""
-    counts = [int(count) for search in SEARCH.finditer(text) for count in (search[2], search[4])]
+    counts = [int(count) for search in SEARCH.finditer(text) for count in (search[2], search[5] or 0)]
     return SEARCH.sub(r"\1 after some steps with some corrections", text), counts
 
 
 def counts_agree(found, wanted):
-    return len(found) == len(wanted) and all(abs(this - that) <= max(1, FREEDOM * that) for this, that in zip(found, wanted))
+    return len(found) == len(wanted) and all(abs(this - that) <= max(LEAST_FREEDOM, FREEDOM * that) for this, that in zip(found, wanted))
 
 
 def main():
@@ -70,7 +70,7 @@ def main():
         print(f"FAILED: {output} differs from {arguments.reference}")
         print("\n".join(difference.stdout.splitlines()[:40]))
     if not counts_agree(counts[1], counts[0]):
-        print(f"FAILED: steps and corrections of the searches are {counts[1]}, expected {counts[0]} within a quarter")
+        print(f"FAILED: steps and corrections of the searches are {counts[1]}, expected {counts[0]} within a quarter or two")
     print("standard error:\n" + errors)
     sys.exit(1)
 

@@ -10,6 +10,7 @@
 
 #include "../unit_test.h"
 #include "flow_state.h"
+#include "powers_of_terms.h"
 
 namespace test_of_convective_terms
 {
@@ -159,13 +160,6 @@ DistributedVector enclosed_flow(const Space<dim> &space)
                                           });
 }
 
-template <int dim>
-NonlinearForces make_forces(const Space<dim> &space)
-{
-  const DistributedVector zero = space.velocity_vector();
-  return {zero, zero, zero, zero, zero, {}, zero, zero};
-}
-
 /// The power of convection in a flow that is zero at the boundary of the liquid.
 template <int dim>
 double power_of_enclosed_flow(const Space<dim> &space, const ConvectiveTerm term)
@@ -177,9 +171,7 @@ double power_of_enclosed_flow(const Space<dim> &space, const ConvectiveTerm term
   terms.reinit();
   BalancedStep state = make_state(space);
   state.velocity = enclosed_flow(space);
-  NonlinearForces forces = make_forces(space);
-  terms.set_forces_of(0, state, forces);
-  return forces.convection * state.velocity;
+  return powers_of(terms, state, state.velocity).convection;
 }
 
 /// The rate of the kinetic energy in an enclosed flow, by differences along the rates of the state.
@@ -259,17 +251,15 @@ UNIT_TEST(convective_terms)
     moving.velocity = enclosed_flow(square_space);
     ConvectiveTerms<2> terms(square_space, gas, std::nullopt);
     terms.reinit();
-    NonlinearForces forces = make_forces(square_space);
-    terms.set_forces_of(0, moving, forces);
+    const NonlinearPowers powers = powers_of(terms, moving, moving.velocity);
     const double of_constant_density =
         rate_of_kinetic_energy<2>(square_space, make_problem(Model::plane_strain, 0., 0.), moving);
     const double rate = rate_of_kinetic_energy<2>(square_space, gas, moving);
-    const double power = forces.inertia * moving.velocity + forces.convection * moving.velocity;
+    const double power = powers.inertia + powers.convection;
     check::is_true("kinetic energy: the density counts",
                    std::abs(rate / of_constant_density - 1.) > 1e-3);
     check::absolute("kinetic energy: its rate is the power", power / rate, 1., 1e-8);
-    check::is_true("grad-div has a power of its own",
-                   std::abs(forces.stabilisation * moving.velocity) > 1e-3);
+    check::is_true("grad-div has a power of its own", std::abs(powers.stabilisation) > 1e-3);
   }
 
   // U = (x, r), p = 3 r in the ring of 1 m between r = 0.5 m and 2.5 m: (U . grad) U = U, div U =
@@ -289,14 +279,12 @@ UNIT_TEST(convective_terms)
                                                                    [](const Point<2> &) {
                                                                      return Tensor<1, 2>({1., 0.});
                                                                    });
-    NonlinearForces forces = make_forces(round_space);
     ConvectiveTerms<2> of_liquid(round_space, ring, std::nullopt);
     of_liquid.reinit();
-    of_liquid.set_forces_of(0, moving, forces);
     // int 2 pi r dr dx = 6 pi m^3, its mean of x is 1/2.
-    check::relative("ring: convection, skew", forces.convection * along,
+    check::relative("ring: convection, skew", powers_of(of_liquid, moving, along).convection,
                     3. * (1. + 1.5) * 0.5 * 6. * numbers::PI, 1e-12);
-    check::relative("ring: grad-div", forces.stabilisation * moving.velocity,
+    check::relative("ring: grad-div", powers_of(of_liquid, moving, moving.velocity).stabilisation,
                     0.7 * 9. * 6. * numbers::PI, 1e-12);
     check::relative("ring: the given viscosity of grad-div in a cell",
                     of_liquid.grad_div_viscosities(moving)[2], 0.7, 1e-12);
@@ -308,10 +296,10 @@ UNIT_TEST(convective_terms)
                                                       [](const Point<2> &) {
                                                         return Tensor<1, 2>({0., 2.});
                                                       });
-    of_liquid.set_forces_of(0, outward, forces);
     // div U = 2/r: int (2/r)^2 2 pi r dr dx = 8 pi ln 5; four points along the radius are not
     // exact.
-    check::relative("ring: grad-div by itself", forces.stabilisation * outward.velocity,
+    check::relative("ring: grad-div by itself",
+                    powers_of(of_liquid, outward, outward.velocity).stabilisation,
                     0.15 * 3. * 2. * 8. * numbers::PI * std::log(5.), 1e-3);
     check::relative("ring: the viscosity of grad-div in a cell by itself",
                     of_liquid.grad_div_viscosities(outward)[2], 0.15 * 3. * 2., 1e-12);
@@ -336,14 +324,13 @@ UNIT_TEST(convective_terms)
                     0.5 * 3. * 2. * numbers::PI * (15.625 - 0.125) / 3. + 3. * 6. * numbers::PI,
                     1e-12);
     // The pressure takes -int p div U = -3 int 3 r 2 pi r dr.
-    of_gas.set_forces_of(0, moving, forces);
-    check::relative("ring: power of the pressure", forces.compression * moving.velocity,
+    check::relative("ring: power of the pressure",
+                    powers_of(of_gas, moving, moving.velocity).compression,
                     -9. * 2. * numbers::PI * (15.625 - 0.125) / 3., 1e-12);
     // And inertia 3 kg/m^3 times the acceleration 1 along x.
     moving.pressure = 0.;
     moving.acceleration = along;
-    of_gas.set_forces_of(0, moving, forces);
-    check::relative("ring: inertia", forces.inertia * along,
+    check::relative("ring: inertia", powers_of(of_gas, moving, along).inertia,
                     3. * std::exp(-0.5 * 0.3) * 6. * numbers::PI, 1e-12);
   }
 
@@ -362,9 +349,7 @@ UNIT_TEST(convective_terms)
                                                        { return gradient * Tensor<1, 2>(x); });
       ConvectiveTerms<2> terms(of_space, thinning, std::nullopt);
       terms.reinit();
-      NonlinearForces forces = make_forces(of_space);
-      terms.set_forces_of(0, moving, forces);
-      return forces.viscosity * moving.velocity;
+      return powers_of(terms, moving, moving.velocity).viscosity;
     };
     Tensor<2, 2> shear, stretch;
     shear[0][1] = 3.;
@@ -385,14 +370,12 @@ UNIT_TEST(convective_terms)
                                                      [](const Point<2> &x) {
                                                        return Tensor<1, 2>({1. + x[0], 1.});
                                                      });
-    NonlinearForces forces = make_forces(square_space);
     for (const double direction : {1., -1.})
     {
       moving.velocity *= direction;
       ConvectiveTerms<2> terms(square_space, open, std::nullopt);
       terms.reinit();
-      terms.set_forces_of(0, moving, forces);
-      const double power = forces.inflow * moving.velocity;
+      const double power = powers_of(terms, moving, moving.velocity).inflow;
       check::absolute(direction > 0. ? "inflow: its energy is taken" : "outflow: nothing", power,
                       direction > 0. ? 0.5 * 3. * 2. * 2. : 0., 1e-12);
     }
@@ -441,10 +424,22 @@ UNIT_TEST(convective_terms)
   ConvectiveTerms<2> terms(space, problem, std::nullopt);
   terms.reinit();
   state = make_state(space);
-  NonlinearForces forces = make_forces(space);
-  terms.set_forces_of(1, state, forces);
-  check::absolute("in the solid", forces.convection.linfty_norm(), 0., 0.);
-  terms.set_forces_of(0, state, forces);
-  check::is_true("in the liquid", forces.convection.linfty_norm() > 0.1);
+  check::absolute("in the solid", forces_of(terms, state, 1).linfty_norm(), 0., 0.);
+  check::is_true("in the liquid", forces_of(terms, state, 0).linfty_norm() > 0.1);
+
+  // With hanging nodes, and with an end through which the liquid enters.
+  for (const Space<2> *const of_liquid : {&space, &round_space})
+  {
+    const bool is_round = of_liquid->is_axisymmetric();
+    Problem open = make_problem(is_round ? Model::axisymmetric : Model::plane_strain, 0.05, 1.);
+    add_open_end(open);
+    ConvectiveTerms<2> open_terms(*of_liquid, open, std::nullopt);
+    open_terms.reinit();
+    check_powers(is_round ? "axisymmetric" : "hanging nodes", open_terms, make_state(*of_liquid),
+                 small_problem::interpolated<2>(*of_liquid,
+                                                [](const Point<2> &x) {
+                                                  return Tensor<1, 2>({1. + x[0] * x[1], x[1]});
+                                                }));
+  }
 }
 } // namespace test_of_convective_terms

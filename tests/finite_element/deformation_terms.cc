@@ -16,6 +16,7 @@
 #include <limits>
 
 #include "../unit_test.h"
+#include "powers_of_terms.h"
 #include "small_problem.h"
 
 namespace test_of_deformation_terms
@@ -362,16 +363,13 @@ UNIT_TEST(deformation_terms)
     problem.conditions[0].normal.along_normal = Waveform(1.7);
     DeformationTerms<2> loaded(space, problem);
     loaded.reinit();
-    NonlinearForces forces;
-    for (DistributedVector *vector :
-         {&forces.strain, &forces.viscosity, &forces.compression, &forces.inertia, &forces.load})
-      *vector = space.velocity_vector();
-    loaded.set_forces_of(0, state, forces);
     const auto total = [&](const unsigned int component)
     {
-      return -(forces.load *
-               small_problem::interpolated<2>(space, [&](const Point<2> &)
-                                              { return Point<2>::unit_vector(component); }));
+      return -powers_of(
+                  loaded, state,
+                  small_problem::interpolated<2>(space, [&](const Point<2> &)
+                                                 { return Point<2>::unit_vector(component); }))
+                  .load;
     };
     check::relative("a pressure follows a turned body, x", total(0), 2. * 1.7 * std::cos(1.2),
                     1e-12);
@@ -392,24 +390,20 @@ UNIT_TEST(deformation_terms)
     state.velocity = 0.;
     state.displacement = homogeneous<2>(space, stretch);
     state.pressure = constant(space, 0.9);
-    NonlinearForces forces;
-    for (DistributedVector *vector :
-         {&forces.strain, &forces.viscosity, &forces.compression, &forces.inertia, &forces.load})
-      *vector = space.velocity_vector();
-    terms.set_forces_of(0, state, forces);
     const DistributedVector along =
         small_problem::interpolated<2>(space,
                                        [](const Point<2> &x) {
                                          return Tensor<1, 2>({x[0] / 3., 0.});
                                        });
+    const NonlinearPowers powers = powers_of(terms, state, along);
     const double mean = (2.25 + 0.64 + 1.) / 3., tau = 2. * std::pow(1.2, -2. / 3.) * (2.25 - mean);
-    check::relative("stretch: force of the law", forces.strain * along, 2. * tau / 1.5, 1e-12);
-    check::relative("stretch: force of the pressure", forces.compression * along,
-                    -2. * 1.2 * 0.9 / 1.5, 1e-12);
+    check::relative("stretch: force of the law", powers.strain, 2. * tau / 1.5, 1e-12);
+    check::relative("stretch: force of the pressure", powers.compression, -2. * 1.2 * 0.9 / 1.5,
+                    1e-12);
     // Rows of volume, by the pressure 1 everywhere: (ln J + p/K)/b J times the area.
     const std::vector<double> rows = rows_of(space, terms, state);
     double sum = 0.;
-    for (std::size_t i = forces.strain.locally_owned_size(); i < rows.size(); ++i)
+    for (std::size_t i = state.velocity.locally_owned_size(); i < rows.size(); ++i)
       sum -= rows[i];
     check::relative("stretch: rows of volume", sum,
                     6. * 1.2 * (std::log(1.2) + 0.9 / 7.) / displacement_by_velocity(implicit),
@@ -441,22 +435,32 @@ UNIT_TEST(deformation_terms)
     // In the shape of the mesh: tau = mu 1.3^(-2/3) dev diag(1.69, 1, 1) per volume at rest, on a
     // section of 1.
     state.displacement = 0.;
-    NonlinearForces forces;
-    for (DistributedVector *vector :
-         {&forces.strain, &forces.viscosity, &forces.compression, &forces.inertia, &forces.load})
-      *vector = solid_space.velocity_vector();
     state.acceleration = small_problem::interpolated<3>(solid_space, [](const Point<3> &)
                                                         { return Point<3>::unit_vector(0); });
-    terms.set_forces_of(0, state, forces);
     const DistributedVector along =
         small_problem::interpolated<3>(solid_space,
                                        [](const Point<3> &x) {
                                          return Tensor<1, 3>({x[0] / 2., 0., 0.});
                                        });
-    check::relative("prestretched: axial force", forces.strain * along,
+    check::relative("prestretched: axial force", powers_of(terms, state, along).strain,
                     2. * std::pow(1.3, -2. / 3.) * (1.69 - 3.69 / 3.) / 1.3, 1e-12);
     // The mass is 3 kg/m^3 x 2 m^3/1.3.
-    check::relative("prestretched: inertia", forces.inertia * state.acceleration, 6. / 1.3, 1e-12);
+    check::relative("prestretched: inertia", powers_of(terms, state, state.acceleration).inertia,
+                    6. / 1.3, 1e-12);
+  }
+
+  {
+    Problem problem = make_problem(Model::plane_strain, "neo hookean", 0.);
+    add_pressure(problem);
+    problem.conditions[0].normal.along_normal = Waveform(1.7);
+    problem.interior.body_force = {Waveform(0.4), Waveform(-0.9)};
+    DeformationTerms<2> terms(space, problem);
+    terms.reinit();
+    check_powers("hanging nodes", terms, make_state(space, implicit),
+                 small_problem::interpolated<2>(space,
+                                                [](const Point<2> &x) {
+                                                  return Tensor<1, 2>({1. + x[0] * x[1], x[1]});
+                                                }));
   }
 
   // The power of the law's stress is the rate of its energy; with branches while their metrics
@@ -482,11 +486,6 @@ UNIT_TEST(deformation_terms)
         metrics->predict(euler_step(0., 1e-300, Update::implicit));
       }
       const BalancedStep state = make_state(round_space, implicit);
-      NonlinearForces forces;
-      for (DistributedVector *vector :
-           {&forces.strain, &forces.viscosity, &forces.compression, &forces.inertia, &forces.load})
-        *vector = round_space.velocity_vector();
-      terms.set_forces_of(0, state, forces);
       BranchHistory history(problem.materials, problem.deformation);
       history.reinit(state.velocity, {{}});
       const double h = 1e-5;
@@ -498,8 +497,8 @@ UNIT_TEST(deformation_terms)
       };
       check::relative(row.name + (relaxes ? ", relaxing and prestretched" : "") +
                           ": power and rate of the energy",
-                      forces.strain * state.velocity, (energy_at(h) - energy_at(-h)) / (2. * h),
-                      1e-8);
+                      powers_of(terms, state, state.velocity).strain,
+                      (energy_at(h) - energy_at(-h)) / (2. * h), 1e-8);
     }
 
   // What branches turn into heat, in a block that is sheared by 1 at once and then held: mu/(2 tau)

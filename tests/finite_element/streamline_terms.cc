@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "../unit_test.h"
+#include "powers_of_terms.h"
 #include "small_problem.h"
 
 namespace test_of_streamline_terms
@@ -67,10 +68,7 @@ double power(const Space<dim> &space,
     state.mesh_displacement = small_problem::interpolated<dim>(space, displacement);
     state.mesh_velocity = small_problem::interpolated<dim>(space, mesh_velocity);
   }
-  const DistributedVector zero = space.velocity_vector();
-  NonlinearForces forces{zero, zero, zero, zero, zero, {}, zero, zero};
-  terms.set_forces_of(0, state, forces);
-  return forces.stabilisation * small_problem::interpolated<dim>(space, test);
+  return powers_of(terms, state, small_problem::interpolated<dim>(space, test)).stabilisation;
 }
 } // namespace
 

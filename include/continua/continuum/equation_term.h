@@ -25,11 +25,11 @@ struct TermContext
   LevelProducts *products = nullptr; ///< of the state; null where they are not kept
   DistributedVector force = {}, mixture = {}, forgotten = {}; ///< like velocities
   DistributedVector dilatation = {}, forgotten_rate = {};     ///< like pressures
-  /// Of the region at hand: forces of a step that is over, energies of a state.
-  NonlinearForces nonlinear_forces = {};
+  /// Of the region at hand: the powers of a step that is over, and the energies of a state.
+  NonlinearPowers nonlinear_powers = {};
   NonlinearEnergy nonlinear_energy = {};
 
-  /// Whether the forces of a region are the nonlinear ones alone, without products with matrices.
+  /// Whether the powers of a region are the nonlinear ones alone, without products with matrices.
   bool is_whole(const unsigned int region) const
   {
     return operators.has_whole_terms() && operators.is_nonlinear_in(region);
@@ -60,7 +60,8 @@ class EquationTerm
 public:
   virtual ~EquationTerm() = default;
   /// The power that the term takes in a region [W], by the scheme's own operators at the level at
-  /// which the step balances. Adds the forces behind it to `forces` [N] unless that is null.
+  /// which the step balances. Adds the forces behind it to `forces` [N] unless that is null, but
+  /// for those behind the nonlinear powers, which the ledger adds.
   virtual double power(unsigned int region,
                        const FinishedStep &step,
                        TermContext &context,

@@ -55,18 +55,17 @@ private:
   const OutletCoupling &outlets;
   std::vector<std::unique_ptr<EquationTerm>> terms;
   TermContext context;
-  // With explicit convection: the state at the extrapolated velocity, and the forces there.
-  BalancedStep extrapolated;
-  NonlinearForces explicit_forces;
+  BalancedStep extrapolated; ///< with explicit convection: the state at the extrapolated velocity
   DistributedVector forces;
   std::map<unsigned int, DistributedVector> forces_of_regions; ///< that are wanted
   bool forces_are_wanted = false, forces_are_current = false;
   std::vector<double> sums; ///< work space
 
-  /// Gives those of a region the layout of `forces`.
-  void reinit(NonlinearForces &of_region) const;
-  /// Sets those of a region, each kind at the level from which the step has taken it.
-  void set_nonlinear_forces(unsigned int region, const BalancedStep &balanced);
+  /// Sets the context's nonlinear powers of a region, each kind at the level from which the step
+  /// has taken it, and adds their forces [N] to `at_nodes` unless that is null.
+  void set_nonlinear_powers(unsigned int region,
+                            const BalancedStep &balanced,
+                            DistributedVector *at_nodes);
 };
 } // namespace Continua
 

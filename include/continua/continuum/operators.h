@@ -186,9 +186,14 @@ public:
   virtual void add_nonlinear_terms(const BalancedStep &, DistributedVector &, DistributedVector &)
   {
   }
-  /// Those of momentum of one region.
-  virtual void
-  set_nonlinear_forces(unsigned int /*region*/, const BalancedStep &, NonlinearForces &)
+  /// Of the terms of one region: adds the powers that their forces have with a velocity, and adds
+  /// the forces to rows of momentum [N] unless `momentum` is null.
+  virtual void add_nonlinear_powers(unsigned int /*region*/,
+                                    const BalancedStep &,
+                                    const DistributedVector & /*of_velocity*/,
+                                    TermsTaken,
+                                    NonlinearPowers &,
+                                    DistributedVector * /*momentum*/)
   {
   }
   /// Whether a region has such terms, and its energies are those of nonlinear_energy().

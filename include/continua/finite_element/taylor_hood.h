@@ -183,11 +183,14 @@ public:
   {
     terms.add(state, momentum, mass);
   }
-  void set_nonlinear_forces(const unsigned int region,
+  void add_nonlinear_powers(const unsigned int region,
                             const BalancedStep &state,
-                            NonlinearForces &forces) override
+                            const DistributedVector &of_velocity,
+                            const TermsTaken taken,
+                            NonlinearPowers &powers,
+                            DistributedVector *const momentum) override
   {
-    terms.set_forces_of(region, state, forces);
+    terms.add_powers(region, state, of_velocity, taken, powers, momentum);
   }
   bool is_nonlinear_in(const unsigned int region) const override
   {

@@ -50,8 +50,13 @@ public:
   /// Adds the terms to the rows of momentum [N] and of volume [m^3/s]. Collective. Throws
   /// StepFailure where the exponent leaves a bulk modulus that is not positive.
   void add(const BalancedStep &state, DistributedVector &momentum, DistributedVector &volume);
-  /// The terms of momentum of one region alone, by kind [N].
-  void set_forces_of(unsigned int region, const BalancedStep &state, NonlinearForces &forces);
+  /// As NonlinearCellTerms::add_powers().
+  void add_powers(unsigned int region,
+                  const BalancedStep &state,
+                  const DistributedVector &of_velocity,
+                  TermsTaken taken,
+                  NonlinearPowers &powers,
+                  DistributedVector *momentum);
   /// This rank's part of the energies of one region, with the density that follows the pressure.
   NonlinearEnergy energy_of(unsigned int region,
                             const DistributedVector &velocity,
@@ -92,6 +97,7 @@ private:
   const LinearReconstruction<dim> &reconstruction;
   const SweptVolumes<dim> &swept_volumes;
   DistributedVector velocity_old; ///< at the start of the step
+  DistributedVector forces;       ///< work space
   std::vector<Face> faces;
   DistributedVector velocity, pressure; ///< the state with the values of other ranks
 

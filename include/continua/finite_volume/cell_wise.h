@@ -108,11 +108,14 @@ public:
   {
     convection.add(state, momentum, mass);
   }
-  void set_nonlinear_forces(unsigned int region,
+  void add_nonlinear_powers(const unsigned int region,
                             const BalancedStep &state,
-                            NonlinearForces &forces) override
+                            const DistributedVector &of_velocity,
+                            const TermsTaken taken,
+                            NonlinearPowers &powers,
+                            DistributedVector *const momentum) override
   {
-    convection.set_forces_of(region, state, forces);
+    convection.add_powers(region, state, of_velocity, taken, powers, momentum);
   }
   bool is_nonlinear_in(unsigned int region) const override;
   NonlinearEnergy nonlinear_energy(unsigned int region, const State &state) override

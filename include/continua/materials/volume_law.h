@@ -18,16 +18,32 @@ struct VolumeLaw
   double reference_pressure = 0.;   ///< p0, at which the density is that of the material [Pa]
 
   /// (K + n (p - p0))/K [1]: not positive where the law has no meaning.
-  double stiffening(double pressure) const;
+  double stiffening(const double pressure) const
+  {
+    return 1. + exponent * (pressure - reference_pressure) * inverse_bulk_modulus;
+  }
   /// c(p) [1/Pa].
-  double compressibility(double pressure) const;
+  double compressibility(const double pressure) const
+  {
+    return inverse_bulk_modulus == 0. ? 0. : inverse_bulk_modulus / stiffening(pressure);
+  }
   /// dc/dp = -n c^2 [1/Pa^2].
-  double compressibility_slope(double pressure) const;
+  double compressibility_slope(const double pressure) const
+  {
+    const double c = compressibility(pressure);
+    return -exponent * c * c;
+  }
   /// Energy per volume, 0 at p0: rho int_p0^p q c(q)/rho(q) dq [J/m^3], so that the power of the
   /// pressure is its rate and its flux. About p^2/(2 K).
   double energy(double pressure) const;
   /// rho/rho0 [1].
-  double density_ratio(double pressure) const;
+  double density_ratio(const double pressure) const
+  {
+    return inverse_bulk_modulus == 0. ? 1. : density_ratio_of_compressible(pressure);
+  }
+
+private:
+  double density_ratio_of_compressible(double pressure) const;
 };
 } // namespace Continua
 

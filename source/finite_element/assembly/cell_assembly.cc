@@ -46,30 +46,20 @@ void CellAssembly<dim>::set_column(const Jacobian &inverse_jacobian,
 }
 
 template <int dim>
-void CellAssembly<dim>::add_momentum(const unsigned int q,
-                                     const Jacobian &inverse_jacobian,
-                                     const double weight,
-                                     const Tested<dim> &tested,
-                                     Vector<double> &rows) const
+void CellAssembly<dim>::finish_rows(Vector<double> &momentum, Vector<double> &volume)
 {
-  Column column;
-  set_column(inverse_jacobian, weight, tested, column);
-  const std::size_t n_functions = cells.n_functions();
-  for (unsigned int c = 0; c < dim; ++c)
-    add_rows_of_table(column.of_momentum[c], cells.table(q), n_functions,
-                      rows.begin() + c * n_functions);
+  finish_rows(momentum);
+  pressure_table.set_sums(volume_at_points.data(), volume.begin());
+  std::fill(volume_at_points.begin(), volume_at_points.end(), 0.);
 }
 
 template <int dim>
-void CellAssembly<dim>::add_volume(const unsigned int q,
-                                   const double weight,
-                                   const Tested<dim> &tested,
-                                   Vector<double> &rows) const
+void CellAssembly<dim>::finish_rows(Vector<double> &momentum)
 {
-  const double *const values = cells.pressure_values(q);
-  const double factor = weight * tested.of_volume;
-  for (unsigned int k = 0; k < cells.n_pressures(); ++k)
-    rows[k] += factor * values[k];
+  for (unsigned int c = 0; c < dim; ++c)
+    velocity_table.set_sums(&momentum_at_points[c * velocity_table.size()],
+                            momentum.begin() + c * velocity_table.n_functions());
+  std::fill(momentum_at_points.begin(), momentum_at_points.end(), 0.);
 }
 
 template <int dim>
@@ -84,7 +74,7 @@ void CellAssembly<dim>::set_rows_of_point(const unsigned int q, const Directions
     if (n_pressures > 0)
       of_volume.reinit(cells.n_points(), n_unknowns);
   }
-  const double *const table = cells.table(q), *const pressure_table = cells.pressure_table(q);
+  const double *const table = cells.table(q), *const of_pressure = cells.pressure_table(q);
   std::array<double, dim + 1> factors;
   // `entry(column)`: what a row has of a direction.
   const auto set_row = [&](double *const row, const auto &entry)
@@ -100,10 +90,10 @@ void CellAssembly<dim>::set_rows_of_point(const unsigned int q, const Directions
     {
       for (unsigned int k = 0; k <= dim; ++k)
         factors[k] = entry(by_pressure[k]);
-      add_rows_of_table(factors, pressure_table, n_pressures, row + n_velocity);
+      add_rows_of_table(factors, of_pressure, n_pressures, row + n_velocity);
     }
     else
-      add_rows_of_table(std::array<double, 1>{{entry(by_pressure[0])}}, pressure_table, n_pressures,
+      add_rows_of_table(std::array<double, 1>{{entry(by_pressure[0])}}, of_pressure, n_pressures,
                         row + n_velocity);
     if (directions.viscous_forces == nullptr)
       return;

@@ -24,7 +24,7 @@ ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space,
            problem,
            space.quadrature((3 * space.degree() + 2 + (space.is_axisymmetric() ? 1 : 0)) / 2),
            RegionModel::flow,
-           forces_of<StreamlineFlowTerms, BodyForceTerms, FlowFaceTerms>()),
+           kinds_of<StreamlineFlowTerms, BodyForceTerms, FlowFaceTerms>()),
       streamline_terms(space, problem, quadrature),
       here(problem,
            cells,
@@ -73,7 +73,7 @@ void ConvectiveTerms<dim>::add_derivative_product(const DistributedVector &of_ve
   if (!product.exists() || product.leaves_cells())
     Base::add_derivative_product(of_velocity, of_pressure, momentum, volume);
   else
-    space.copy_pressure(of_pressure, pressure_work, pressure);
+    space.copy_pressure(of_pressure, pressure);
   if (product.exists())
     product.add(of_velocity, pressure, cells, momentum, volume);
 }
@@ -105,26 +105,23 @@ void ConvectiveTerms<dim>::take(const BalancedStep &state)
   step = state.step;
   here.set_step(step);
   take(state.velocity, state.pressure);
-  space.copy_velocity(state.acceleration, velocity_work, acceleration);
-  space.copy_pressure(state.pressure_rate, pressure_work, pressure_rate);
+  space.copy_velocity(state.acceleration, acceleration);
+  space.copy_pressure(state.pressure_rate, pressure_rate);
   face_points.set_step(step, state.cavity_pressures);
   if (!problem.mesh_moves)
     return;
-  space.copy_velocity(state.mesh_displacement, velocity_work, mesh_displacement);
-  space.copy_velocity(state.mesh_velocity, velocity_work, mesh_velocity);
+  space.copy_velocity(state.mesh_displacement, mesh_displacement);
+  space.copy_velocity(state.mesh_velocity, mesh_velocity);
 }
 
 template <int dim>
-double ConvectiveTerms<dim>::integrate(const bool by_term)
+double ConvectiveTerms<dim>::integrate()
 {
   const VolumeLaw law = here.material().volume_law();
   if (streamline_terms.are_on())
     streamline_terms.visit(here.cell().velocity_cell, step);
   const bool has_body_force = body_forces.visit(here.cell(), step, here.mesh_displacement());
   double least_stiffening = 1.;
-  for (Vector<double> &forces : cell_forces)
-    forces = 0.;
-  cell_volume = 0.;
   for (unsigned int q = 0; q < cells.n_points(); ++q)
   {
     const typename Cell::Point &geometry = here.points()[q];
@@ -134,19 +131,18 @@ double ConvectiveTerms<dim>::integrate(const bool by_term)
       streamline_terms.set_point(q, here.state(), at_point);
     if (streamline_terms.are_on())
       Base::template add_terms<StreamlineFlowTerms>(q, geometry.inverse_jacobian, geometry.weight,
-                                                    at_point, by_term);
+                                                    at_point);
     else
-      Base::template add_terms<FlowTerms>(q, geometry.inverse_jacobian, geometry.weight, at_point,
-                                          by_term);
+      Base::template add_terms<FlowTerms>(q, geometry.inverse_jacobian, geometry.weight, at_point);
     if (has_body_force)
       Base::template add_terms<BodyForceTerms>(q, geometry.inverse_jacobian, geometry.weight,
-                                               body_forces.point(q), by_term,
-                                               StreamlineFlowTerms::size);
+                                               body_forces.point(q), StreamlineFlowTerms::size);
   }
+  assembly.finish_rows(cell_momentum, cell_volume);
   for (const TermFace<dim> &face : faces.of(here.cell()))
     for (unsigned int q = 0; q < face.points.size(); ++q)
       Base::template add_face_terms<FlowFaceTerms>(
-          face.points[q], face_points.of_flow(face, q, here.material(), here.state()), by_term,
+          face.points[q], face_points.of_flow(face, q, here.material(), here.state()),
           StreamlineFlowTerms::size + BodyForceTerms::size);
   return least_stiffening;
 }
@@ -162,16 +158,15 @@ void ConvectiveTerms<dim>::add(const BalancedStep &state,
   for (const Cell &cell : cells.all())
   {
     here.visit(cell);
-    const double stiffening = integrate(false);
+    const double stiffening = integrate();
     if (!(stiffening >= least_stiffening))
     {
       least_stiffening = stiffening;
       softest = cell.region;
     }
-    Base::distribute(cell, momentum, volume);
+    Base::add_rows(cell);
   }
-  momentum.compress(VectorOperation::add);
-  volume.compress(VectorOperation::add);
+  Base::finish_rows(momentum, volume);
   refuse_softening(least_stiffening, softest);
 }
 
@@ -199,7 +194,7 @@ NonlinearEnergy ConvectiveTerms<dim>::energy_of(const unsigned int region, const
   const VolumeLaw law = problem.materials[region].volume_law();
   take(state.velocity, state.pressure);
   if (problem.mesh_moves)
-    space.copy_velocity(*state.mesh_displacement, velocity_work, mesh_displacement);
+    space.copy_velocity(*state.mesh_displacement, mesh_displacement);
   for (const Cell &cell : cells.all())
     if (cell.region == region)
     {

@@ -28,7 +28,7 @@ DeformationTerms<dim>::DeformationTerms(const Space<dim> &space,
            problem,
            space.quadrature(space.n_quadrature_points()),
            RegionModel::finite_solid,
-           forces_of<SolidTerms, BodyForceTerms, SolidFaceTerms>()),
+           kinds_of<SolidTerms, BodyForceTerms, SolidFaceTerms>()),
       rest_states(space, problem, quadrature, cells),
       here(problem,
            cells,
@@ -64,7 +64,7 @@ void DeformationTerms<dim>::take(const BalancedStep &state)
   step = state.step;
   here.set_step(step);
   take(state.velocity, state.pressure);
-  space.copy_pressure(state.pressure_rate, Base::pressure_work, pressure_rate);
+  space.copy_pressure(state.pressure_rate, pressure_rate);
   if (step.finds_unloaded_shape)
   {
     // The mesh stays, and what the displacement leads from is the unloaded shape.
@@ -72,9 +72,9 @@ void DeformationTerms<dim>::take(const BalancedStep &state)
     displacement = 0.;
   }
   else
-    space.copy_velocity(state.displacement, velocity_work, displacement);
+    space.copy_velocity(state.displacement, displacement);
   face_points.set_step(step, state.cavity_pressures);
-  space.copy_velocity(state.acceleration, velocity_work, acceleration);
+  space.copy_velocity(state.acceleration, acceleration);
   rest_states.set_share(step.load_factor);
 }
 
@@ -83,7 +83,7 @@ template <typename Visit>
 void DeformationTerms<dim>::visit_relaxing_points(const DistributedVector &of_displacement,
                                                   const Visit &visit_point)
 {
-  space.copy_velocity(of_displacement, velocity_work, displacement);
+  space.copy_velocity(of_displacement, displacement);
   for (const Cell &cell : cells.all())
     if (metrics->relaxes(cell.region))
     {
@@ -127,11 +127,8 @@ void DeformationTerms<dim>::finish_step(const BalancedStep &balanced, const Stat
 }
 
 template <int dim>
-double DeformationTerms<dim>::integrate(const bool by_term)
+double DeformationTerms<dim>::integrate()
 {
-  for (Vector<double> &forces : cell_forces)
-    forces = 0.;
-  cell_volume = 0.;
   const bool has_body_force = body_forces.visit(here.cell(), step, here.displacement());
   double least_ratio = std::numeric_limits<double>::max();
   for (unsigned int q = 0; q < cells.n_points(); ++q)
@@ -147,15 +144,16 @@ double DeformationTerms<dim>::integrate(const bool by_term)
                             point.stress.norm() + std::abs(point.volume_ratio() * point.pressure));
     const Tensor<2, dim> inverse_jacobian = here.inverse_jacobian(point, q);
     const double weight = here.cell().points[q].weight;
-    Base::template add_terms<SolidTerms>(q, inverse_jacobian, weight, point, by_term);
+    Base::template add_terms<SolidTerms>(q, inverse_jacobian, weight, point);
     if (has_body_force)
       Base::template add_terms<BodyForceTerms>(q, inverse_jacobian, weight, body_forces.point(q),
-                                               by_term, SolidTerms::size);
+                                               SolidTerms::size);
   }
+  assembly.finish_rows(cell_momentum, cell_volume);
   for (const TermFace<dim> &face : faces.of(here.cell()))
     for (unsigned int q = 0; q < face.points.size(); ++q)
       Base::template add_face_terms<SolidFaceTerms>(
-          face.points[q], face_points.of_solid(face, q, here.displacement()), by_term,
+          face.points[q], face_points.of_solid(face, q, here.displacement()),
           SolidTerms::size + BodyForceTerms::size);
   return least_ratio;
 }
@@ -172,7 +170,7 @@ void DeformationTerms<dim>::add(const BalancedStep &state,
   for (const Cell &cell : cells.all())
   {
     here.visit(cell);
-    const double ratio = integrate(false);
+    const double ratio = integrate();
     // The round-off of a displacement is a strain, also of a body that is moved far, and a law has
     // that of the deformation gradient 1, from which it takes its stress.
     const StrainLaw &law = *here.material().strain_law;
@@ -188,10 +186,9 @@ void DeformationTerms<dim>::add(const BalancedStep &state,
       least_ratio = ratio;
       worst = &cell;
     }
-    Base::distribute(cell, momentum, volume);
+    Base::add_rows(cell);
   }
-  momentum.compress(VectorOperation::add);
-  volume.compress(VectorOperation::add);
+  Base::finish_rows(momentum, volume);
   sizes.stress = Utilities::MPI::max(sizes.stress, space.communicator);
   sizes.velocity =
       Utilities::MPI::max(largest_way, space.communicator) / here.displacement_by_velocity();
@@ -263,7 +260,7 @@ NonlinearEnergy DeformationTerms<dim>::energy_of(const unsigned int region, cons
 {
   NonlinearEnergy energy;
   take(state.velocity, state.pressure);
-  space.copy_velocity(state.history.displacement(), velocity_work, displacement);
+  space.copy_velocity(state.history.displacement(), displacement);
   pressure_rate = 0.;
   for (const Cell &cell : cells.all())
     if (cell.region == region)

@@ -64,12 +64,12 @@ FlowFacePoint<dim> FacePoints<dim>::of_flow(const TermFace<dim> &face,
     point.normal[c] = area[c] / point.weight;
   if (face.cavity >= 0 || face.has_traction)
     point.traction = traction(
-        face, moves ? at_rest.place + at_rest.way(*state.mesh_displacement) : at_rest.place,
+        face, moves ? at_rest.place + at_rest.value_of(*state.mesh_displacement) : at_rest.place,
         point.normal);
-  point.velocity = at_rest.way(state.velocity);
+  point.velocity = at_rest.value_of(state.velocity);
   point.through = point.velocity * point.normal;
   if (moves)
-    point.through -= at_rest.way(*state.mesh_velocity) * point.normal;
+    point.through -= at_rest.value_of(*state.mesh_velocity) * point.normal;
   if (!face.has_total_pressure)
     return point;
   double pressure = 0.;

@@ -72,6 +72,9 @@ void FlowProduct<dim>::make(const QuadratureCells<dim> &cells,
   product = make_matrix_free_convection<dim>(*instruction_set, of_product);
   volume.assign(of_product.pressure_places.size(), 0.);
   cell_volume.reinit(Product::n_pressures);
+  volume_sums.reinit(
+      DistributedVector(space.pressure_owned, space.pressure_relevant, space.communicator),
+      space.pressure_owned, space.pressure_hanging);
   for (typename Product::Vector *const vector :
        {&state.velocity, &state.acceleration, &velocity, &momentum})
     product->initialise(*vector);
@@ -117,10 +120,9 @@ void FlowProduct<dim>::add(const DistributedVector &of_velocity,
       continue;
     const double *const rows = &volume[std::size_t(index) * Product::n_pressures];
     std::copy(rows, rows + Product::n_pressures, cell_volume.begin());
-    space.pressure_hanging.distribute_local_to_global(cell_volume, cell.pressure_indices,
-                                                      of_volume);
+    volume_sums.add(cell.pressure_places, cell_volume);
   }
-  of_volume.compress(VectorOperation::add);
+  volume_sums.add_to(of_volume);
 }
 
 template class FlowProduct<2>;

@@ -31,7 +31,7 @@ NonlinearCellTerms<dim>::NonlinearCellTerms(const Space<dim> &space,
                                             const Problem &problem,
                                             const Quadrature<dim> &quadrature,
                                             const RegionModel model,
-                                            const std::vector<ForceKind> &kinds)
+                                            const std::vector<PowerKind> &kinds)
     : space(space),
       problem(problem),
       model(model),
@@ -41,17 +41,15 @@ NonlinearCellTerms<dim>::NonlinearCellTerms(const Space<dim> &space,
       body_forces(space, problem, cells, quadrature),
       faces(space, problem),
       face_points(problem),
-      cell_forces(kinds.size()),
-      kinds(kinds)
+      kinds(kinds),
+      of_powers_at_points(cells, ValuesAtPoints<dim>::Field::velocity, true)
 {
   const unsigned int n_velocity = dim * cells.n_functions(), n_pressure = cells.n_pressures();
   for (Vector<double> *vector : {&cell_change, &cell_product})
     vector->reinit(n_velocity + n_pressure);
-  for (Vector<double> &forces : cell_forces)
-    forces.reinit(n_velocity);
-  cell_momentum.reinit(n_velocity);
-  for (Vector<double> *vector : {&cell_volume, &product_of_volume})
-    vector->reinit(n_pressure);
+  for (Vector<double> *vector : {&cell_momentum, &cell_of_powers})
+    vector->reinit(n_velocity);
+  cell_volume.reinit(n_pressure);
 }
 
 template <int dim>
@@ -59,8 +57,9 @@ void NonlinearCellTerms<dim>::reinit()
 {
   velocity.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
   pressure.reinit(space.pressure_owned, space.pressure_relevant, space.communicator);
-  velocity_work = space.velocity_vector();
-  pressure_work = space.pressure_vector();
+  velocity_of_powers.reinit(velocity);
+  momentum_sums.reinit(velocity, space.velocity_owned, space.velocity_hanging);
+  volume_sums.reinit(pressure, space.pressure_owned, space.pressure_hanging);
   forget_derivative();
   cells.reinit();
   faces.reinit(cells.all());
@@ -70,42 +69,58 @@ template <int dim>
 void NonlinearCellTerms<dim>::take(const DistributedVector &of_velocity,
                                    const DistributedVector &of_pressure)
 {
-  space.copy_velocity(of_velocity, velocity_work, velocity);
-  space.copy_pressure(of_pressure, pressure_work, pressure);
+  space.copy_velocity(of_velocity, velocity);
+  space.copy_pressure(of_pressure, pressure);
 }
 
 template <int dim>
-void NonlinearCellTerms<dim>::distribute(const Cell &cell,
-                                         DistributedVector &momentum,
-                                         DistributedVector &volume)
+void NonlinearCellTerms<dim>::add_rows(const Cell &cell)
 {
-  space.velocity_hanging.distribute_local_to_global(cell_forces[0], cell.velocity_indices,
-                                                    momentum);
-  space.pressure_hanging.distribute_local_to_global(cell_volume, cell.pressure_indices, volume);
+  momentum_sums.add(cell.velocity_places, cell_momentum);
+  volume_sums.add(cell.pressure_places, cell_volume);
 }
 
 template <int dim>
-void NonlinearCellTerms<dim>::set_forces_of(const unsigned int region,
-                                            const BalancedStep &state,
-                                            NonlinearForces &forces)
+void NonlinearCellTerms<dim>::finish_rows(DistributedVector &momentum, DistributedVector &volume)
 {
-  for (const ForceKind kind : kinds)
-    if (kind != nullptr)
-      forces.*kind = 0.;
+  momentum_sums.add_to(momentum);
+  volume_sums.add_to(volume);
+}
+
+template <int dim>
+void NonlinearCellTerms<dim>::add_powers(const unsigned int region,
+                                         const BalancedStep &state,
+                                         const DistributedVector &of_velocity,
+                                         const TermsTaken taken,
+                                         NonlinearPowers &powers,
+                                         DistributedVector *const momentum)
+{
   take(state);
-  for (const Cell &cell : cells.all())
-    if (cell.region == region)
-    {
-      visit(cell);
-      integrate(true);
-      for (std::size_t k = 0; k < kinds.size(); ++k)
-        if (kinds[k] != nullptr)
-          space.velocity_hanging.distribute_local_to_global(cell_forces[k], cell.velocity_indices,
-                                                            forces.*kinds[k]);
-    }
-  for (const ForceKind kind : kinds)
-    if (kind != nullptr)
-      (forces.*kind).compress(VectorOperation::add);
+  space.copy_velocity(of_velocity, velocity_of_powers);
+  const AskedPowers asked_powers{taken, powers};
+  asked = &asked_powers;
+  try
+  {
+    for (const Cell &cell : cells.all())
+      if (cell.region == region)
+      {
+        set_entries(cell.velocity_places, velocity_of_powers, cell_of_powers);
+        of_powers_at_points.set(cell_of_powers);
+        visit(cell);
+        integrate();
+        momentum_sums.add(cell.velocity_places, cell_momentum);
+      }
+  }
+  catch (...)
+  {
+    asked = nullptr;
+    throw;
+  }
+  asked = nullptr;
+  if (momentum != nullptr)
+    momentum_sums.add_to(*momentum);
+  else
+    momentum_sums.forget();
 }
 
 template <int dim>
@@ -145,17 +160,7 @@ void NonlinearCellTerms<dim>::add_products_with(const DistributedVector &local_v
 {
   const DistributedVector ghosted = space.ghosted_velocity(local_velocity);
   FullMatrix<double> local;
-  const auto distribute = [this](const Cell &cell, const double sign, DistributedVector &velocities,
-                                 DistributedVector &pressures)
-  {
-    std::copy_n(cell_product.begin(), cell_momentum.size(), cell_momentum.begin());
-    for (unsigned int k = 0; k < product_of_volume.size(); ++k)
-      product_of_volume[k] = sign * cell_product[cell_momentum.size() + k];
-    space.velocity_hanging.distribute_local_to_global(cell_momentum, cell.velocity_indices,
-                                                      velocities);
-    space.pressure_hanging.distribute_local_to_global(product_of_volume, cell.pressure_indices,
-                                                      pressures);
-  };
+  CellSums of_velocity_sums = momentum_sums, of_pressure_sums = volume_sums;
   for (const Cell &cell : cells.all())
   {
     set_entries(cell.velocity_places, ghosted, cell_momentum);
@@ -166,12 +171,25 @@ void NonlinearCellTerms<dim>::add_products_with(const DistributedVector &local_v
     set_derivative(cell, local);
     // The rows of volume are multiplied by -1.
     local.vmult(cell_product, cell_change);
-    distribute(cell, -1., momentum, volume);
+    set_rows(-1.);
+    add_rows(cell);
     local.Tvmult(cell_product, cell_change);
-    distribute(cell, 1., of_velocity, of_pressure);
+    set_rows(1.);
+    of_velocity_sums.add(cell.velocity_places, cell_momentum);
+    of_pressure_sums.add(cell.pressure_places, cell_volume);
   }
-  for (DistributedVector *const vector : {&momentum, &volume, &of_velocity, &of_pressure})
-    vector->compress(VectorOperation::add);
+  finish_rows(momentum, volume);
+  of_velocity_sums.add_to(of_velocity);
+  of_pressure_sums.add_to(of_pressure);
+}
+
+template <int dim>
+void NonlinearCellTerms<dim>::set_rows(const double sign_of_volume)
+{
+  const std::size_t n_velocity = cell_momentum.size();
+  std::copy_n(cell_product.begin(), n_velocity, cell_momentum.begin());
+  for (std::size_t k = 0; k < cell_volume.size(); ++k)
+    cell_volume[k] = sign_of_volume * cell_product[n_velocity + k];
 }
 
 template <int dim>
@@ -204,17 +222,10 @@ void NonlinearCellTerms<dim>::add_derivative_product(const DistributedVector &of
     for (unsigned int i = 0; i < n_pressure; ++i)
       cell_change[n_velocity + i] = pressures[cell.pressure_places[i]];
     cell_derivatives[k].vmult(cell_product, cell_change);
-    for (unsigned int i = 0; i < n_velocity; ++i)
-      cell_momentum[i] = cell_product[i];
-    for (unsigned int i = 0; i < n_pressure; ++i)
-      product_of_volume[i] = -cell_product[n_velocity + i];
-    space.velocity_hanging.distribute_local_to_global(cell_momentum, cell.velocity_indices,
-                                                      momentum);
-    space.pressure_hanging.distribute_local_to_global(product_of_volume, cell.pressure_indices,
-                                                      volume);
+    set_rows(-1.);
+    add_rows(cell);
   }
-  momentum.compress(VectorOperation::add);
-  volume.compress(VectorOperation::add);
+  finish_rows(momentum, volume);
 }
 
 template class NonlinearCellTerms<2>;

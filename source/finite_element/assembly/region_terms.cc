@@ -64,11 +64,14 @@ void RegionTerms<dim>::add(const BalancedStep &state,
 }
 
 template <int dim>
-void RegionTerms<dim>::set_forces_of(const unsigned int region,
-                                     const BalancedStep &state,
-                                     NonlinearForces &forces)
+void RegionTerms<dim>::add_powers(const unsigned int region,
+                                  const BalancedStep &state,
+                                  const DistributedVector &of_velocity,
+                                  const TermsTaken taken,
+                                  NonlinearPowers &powers,
+                                  DistributedVector *const momentum)
 {
-  terms_of(region).set_forces_of(region, state, forces);
+  terms_of(region).add_powers(region, state, of_velocity, taken, powers, momentum);
 }
 
 template <int dim>

@@ -56,10 +56,8 @@ void RestStates<dim>::set_unloaded_displacement(const DistributedVector &of_unlo
 template <int dim>
 void RestStates<dim>::unload_by(const DistributedVector &displacement)
 {
-  // From deal.II 9.8 on, a vector with ghosts changes by assignment alone.
   velocity_work.equ(-1., displacement);
-  space.velocity_hanging.distribute(velocity_work);
-  ghosted_unloaded = velocity_work;
+  space.copy_velocity(velocity_work, ghosted_unloaded);
   set_states();
 }
 
@@ -75,7 +73,7 @@ void RestStates<dim>::take_state()
 {
   if (!problem.finds_unloaded_shape())
     return;
-  space.copy_velocity(unloaded, velocity_work, ghosted_unloaded);
+  space.copy_velocity(unloaded, ghosted_unloaded);
   set_states();
 }
 

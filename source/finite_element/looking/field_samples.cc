@@ -13,11 +13,9 @@ using namespace dealii;
 template <int dim>
 void SampledState<dim>::reinit()
 {
-  velocity_work = space.velocity_vector();
   mixture = space.velocity_vector();
-  pressure_work = space.pressure_vector();
-  velocity = space.ghosted_velocity(velocity_work);
-  pressure = space.ghosted_pressure(pressure_work);
+  velocity = space.ghosted_velocity(mixture);
+  pressure = space.ghosted_pressure(space.pressure_vector());
   mixtures.assign(problem.regions.size(), velocity);
   if (problem.has_deformed_regions())
     displacement = velocity;
@@ -28,27 +26,27 @@ void SampledState<dim>::reinit()
   has_wall_potentials = false;
   if (problem.wall_shear_window.is_kept)
     for (DistributedVector *vector : {&shear_integral, &magnitude_integral})
-      *vector = space.ghosted_velocity(velocity_work);
+      *vector = velocity;
 }
 
 template <int dim>
 void SampledState<dim>::take(const State &state)
 {
-  space.copy_velocity(state.velocity, velocity_work, velocity);
-  space.copy_pressure(state.pressure, pressure_work, pressure);
+  space.copy_velocity(state.velocity, velocity);
+  space.copy_pressure(state.pressure, pressure);
   for (unsigned int region = 0; region < mixtures.size(); ++region)
   {
     set_mixture(state, region, problem.materials[region], mixture);
-    space.copy_velocity(mixture, velocity_work, mixtures[region]);
+    space.copy_velocity(mixture, mixtures[region]);
   }
   if (problem.has_deformed_regions())
-    space.copy_velocity(state.displacement_of_shape(), velocity_work, displacement);
+    space.copy_velocity(state.displacement_of_shape(), displacement);
   if (state.unloaded_displacement != nullptr)
-    space.copy_velocity(*state.unloaded_displacement, velocity_work, unloaded_displacement);
+    space.copy_velocity(*state.unloaded_displacement, unloaded_displacement);
   // They are those of the mesh.
   if (state.wall_potentials != nullptr && !has_wall_potentials)
   {
-    space.copy_velocity(*state.wall_potentials, velocity_work, wall_potentials);
+    space.copy_velocity(*state.wall_potentials, wall_potentials);
     has_wall_potentials = true;
   }
   if (metrics != nullptr)
@@ -56,8 +54,8 @@ void SampledState<dim>::take(const State &state)
   averaged_time = 0.;
   if (state.wall_shear == nullptr)
     return;
-  space.copy_velocity(state.wall_shear->integral(), velocity_work, shear_integral);
-  space.copy_velocity(state.wall_shear->integral_of_magnitude(), velocity_work, magnitude_integral);
+  space.copy_velocity(state.wall_shear->integral(), shear_integral);
+  space.copy_velocity(state.wall_shear->integral_of_magnitude(), magnitude_integral);
   averaged_time = state.wall_shear->duration();
 }
 

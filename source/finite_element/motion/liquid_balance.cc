@@ -41,8 +41,6 @@ void LiquidBalance<dim>::reinit()
   for (DistributedVector *vector : {&displacement, &velocity})
     vector->reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
   pressure.reinit(space.pressure_owned, space.pressure_relevant, space.communicator);
-  velocity_work = space.velocity_vector();
-  pressure_work.reinit(space.pressure_owned, space.communicator);
   faces.clear();
   const FiniteElement<dim> &element = space.scalar_element();
   const FiniteElement<dim> &pressure_element = space.scalar_pressure_element();
@@ -80,11 +78,11 @@ void LiquidBalance<dim>::reinit()
 template <int dim>
 double LiquidBalance<dim>::rate(const BalancedStep &balanced)
 {
-  space.copy_velocity(balanced.mesh_displacement, velocity_work, displacement);
+  space.copy_velocity(balanced.mesh_displacement, displacement);
   DistributedVector relative = balanced.velocity;
   relative.add(-1., balanced.mesh_velocity);
-  space.copy_velocity(relative, velocity_work, velocity);
-  space.copy_pressure(balanced.pressure, pressure_work, pressure);
+  space.copy_velocity(relative, velocity);
+  space.copy_pressure(balanced.pressure, pressure);
   double sum = 0.;
   for (const Face &face : faces)
   {
@@ -97,7 +95,7 @@ double LiquidBalance<dim>::rate(const BalancedStep &balanced)
     {
       const DeformedFacePoint<dim> &point = face.points[q];
       const Tensor<1, 3> area = point.kinematics(cell_displacement).area(point.area);
-      const Tensor<1, dim> passing = point.way(cell_velocity);
+      const Tensor<1, dim> passing = point.value_of(cell_velocity);
       double flow = 0.;
       for (unsigned int c = 0; c < dim; ++c)
         flow += passing[c] * area[c];
@@ -121,8 +119,8 @@ void LiquidBalance<dim>::finish_step(const BalancedStep &balanced)
 template <int dim>
 LiquidMass LiquidBalance<dim>::mass(const State &state)
 {
-  space.copy_velocity(*state.mesh_displacement, velocity_work, displacement);
-  space.copy_pressure(state.pressure, pressure_work, pressure);
+  space.copy_velocity(*state.mesh_displacement, displacement);
+  space.copy_pressure(state.pressure, pressure);
   double sum = 0.;
   for (const Cell &cell : cells.all())
   {

@@ -199,6 +199,7 @@ void MeshMotion<dim>::reinit(const bool is_iterative)
   for (DistributedVector *vector : {&present, &older, &predicted, &known, &right_side, &work})
     *vector = space.velocity_vector();
   ghosted = space.ghosted_velocity(work);
+  sums.reinit(ghosted, space.velocity_owned, space.velocity_hanging);
   packed.resize(space.velocity_owned.n_elements());
   owned.clear();
   for (const auto index : space.velocity_owned)
@@ -299,7 +300,6 @@ void MeshMotion<dim>::integrate(const Cell &cell,
                                 const double cell_stiffness,
                                 FullMatrix<double> &matrix)
 {
-  cell_rows = 0.;
   MeshPoint point;
   point.is_hyperelastic = kind == MeshMotionKind::hyperelastic;
   for (unsigned int q = 0; q < cells.n_points(); ++q)
@@ -314,9 +314,10 @@ void MeshMotion<dim>::integrate(const Cell &cell,
                              { MeshStress::add_derivative(point, change, tested); });
     Tested<dim> tested;
     MeshStress::add(point, tested);
-    assembly.add_momentum(q, geometry.inverse_jacobian, -weight, tested, cell_rows);
+    assembly.add(q, geometry.inverse_jacobian, -weight, tested);
   }
   assembly.finish_matrix(matrix);
+  assembly.finish_rows(cell_rows);
 }
 
 template <int dim>
@@ -363,7 +364,7 @@ void MeshMotion<dim>::add_triplets(const Cell &cell,
 template <int dim>
 void MeshMotion<dim>::linearise()
 {
-  space.copy_velocity(present, work, ghosted);
+  space.copy_velocity(present, ghosted);
   right_side = 0.;
   matrices.resize(cells.all().size());
   SymmetricTriplets triplets;
@@ -384,11 +385,10 @@ void MeshMotion<dim>::linearise()
                                              multigrid->matrix());
     else
       add_triplets(cell, matrices[k], triplets);
-    if (kind == MeshMotionKind::elastic)
-      continue;
-    space.velocity_hanging.distribute_local_to_global(cell_rows, cell.velocity_indices, right_side);
+    if (kind != MeshMotionKind::elastic)
+      sums.add(cell.velocity_places, cell_rows);
   }
-  right_side.compress(VectorOperation::add);
+  sums.add_to(right_side);
   is_linearised = true;
   if (multigrid != nullptr)
   {
@@ -455,7 +455,7 @@ void MeshMotion<dim>::extend(const DistributedVector &solid_displacement,
 template <int dim>
 void MeshMotion<dim>::subtract_known(DistributedVector &rows)
 {
-  space.copy_velocity(known, work, ghosted);
+  space.copy_velocity(known, ghosted);
   for (std::size_t k = 0; k < matrices.size(); ++k)
   {
     const Cell &cell = cells.all()[k];
@@ -469,9 +469,9 @@ void MeshMotion<dim>::subtract_known(DistributedVector &rows)
       continue;
     matrices[k].vmult(cell_rows, cell_displacement);
     cell_rows *= -1.;
-    space.velocity_hanging.distribute_local_to_global(cell_rows, cell.velocity_indices, rows);
+    sums.add(cell.velocity_places, cell_rows);
   }
-  rows.compress(VectorOperation::add);
+  sums.add_to(rows);
   for (std::size_t i = 0; i < owned.size(); ++i)
     if (constraints.is_constrained(owned[i]))
       rows.begin()[i] = 0.;
@@ -606,7 +606,7 @@ void MeshMotion<dim>::take_state()
 template <int dim>
 MeshQuality MeshMotion<dim>::quality(const DistributedVector &mesh_displacement)
 {
-  space.copy_velocity(mesh_displacement, work, ghosted);
+  space.copy_velocity(mesh_displacement, ghosted);
   double least = std::numeric_limits<double>::max();
   // Of cells that are equally bad the first one is named: round-off must not choose.
   constexpr double round_off = 1e-9;

@@ -26,7 +26,6 @@ void SolidMotion<dim>::set_up()
   cells.reinit();
   find_nodes();
   measure_liquid();
-  work = space.velocity_vector();
   displacement.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
   is_set_up = true;
 }
@@ -123,7 +122,7 @@ void SolidMotion<dim>::take(const State &state, MotionExtremes &extremes)
   if (!is_set_up)
     set_up();
   liquid.set(extremes);
-  space.copy_velocity(state.history.displacement(), work, displacement);
+  space.copy_velocity(state.history.displacement(), displacement);
   const double *const values = displacement.begin();
   for (const WallNode &node : nodes)
   {

@@ -207,7 +207,7 @@ bool LinearSystems<dim>::linearise(const BalancedStep &state)
 template <int dim>
 void LinearSystems<dim>::keep_derivative(const BalancedStep &state)
 {
-  // A factor's result is the same on every processor, and so is that of its slow iterations.
+  // Beside a factor the matrices of the cells are small.
   for (const auto &of_model : terms.of_models())
   {
     of_model->keep_derivative(state, has_iterative_tangent() ? KeptDerivative::without_matrix

@@ -19,12 +19,12 @@ Kinematics DeformedFacePoint<dim>::kinematics(const Vector<double> &displacement
 }
 
 template <int dim>
-Tensor<1, dim> DeformedFacePoint<dim>::way(const Vector<double> &displacement) const
+Tensor<1, dim> DeformedFacePoint<dim>::value_of(const Vector<double> &entries) const
 {
   Tensor<1, dim> sum;
   for (unsigned int c = 0; c < dim; ++c)
     for (unsigned int a = 0; a < n_functions(); ++a)
-      sum[c] += displacement[c * n_functions() + a] * values[a];
+      sum[c] += entries[c * n_functions() + a] * values[a];
   return sum;
 }
 

@@ -55,7 +55,6 @@ void DeformedFaces<dim>::reinit()
   if (!set_of_face)
     return;
   ghosted.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
-  displacement_work = space.velocity_vector();
   const FiniteElement<dim> &element = space.scalar_element();
   const std::size_t n_functions = element.n_dofs_per_cell();
   of_cell.reinit(dim * n_functions);
@@ -88,7 +87,7 @@ void DeformedFaces<dim>::reinit()
 template <int dim>
 void DeformedFaces<dim>::take(const DistributedVector &displacement)
 {
-  space.copy_velocity(displacement, displacement_work, ghosted);
+  space.copy_velocity(displacement, ghosted);
 }
 
 template <int dim>

@@ -81,6 +81,7 @@ void Space<dim>::distribute()
   velocity_hanging.reinit(velocity_relevant);
   DoFTools::make_hanging_node_constraints(velocity_dofs, velocity_hanging);
   velocity_hanging.close();
+  velocity_copy.reinit(velocity_owned, velocity_relevant, velocity_hanging, communicator);
 
   if (broken)
     for (const auto &cell : pressure_dofs.active_cell_iterators())
@@ -93,6 +94,7 @@ void Space<dim>::distribute()
   pressure_hanging.reinit(pressure_relevant);
   DoFTools::make_hanging_node_constraints(pressure_dofs, pressure_hanging);
   pressure_hanging.close();
+  pressure_copy.reinit(pressure_owned, pressure_relevant, pressure_hanging, communicator);
 
   hanging_velocities = owned_and_constrained(velocity_owned, velocity_hanging);
   hanging_pressures = owned_and_constrained(pressure_owned, pressure_hanging);
@@ -139,39 +141,17 @@ Quadrature<dim - 1> Space<dim>::face_quadrature(const unsigned int n_points) con
 template <int dim>
 DistributedVector Space<dim>::ghosted_velocity(const DistributedVector &owned) const
 {
-  DistributedVector complete = velocity_vector();
   DistributedVector ghosted(velocity_owned, velocity_relevant, communicator);
-  copy_velocity(owned, complete, ghosted);
+  copy_velocity(owned, ghosted);
   return ghosted;
 }
 
 template <int dim>
 DistributedVector Space<dim>::ghosted_pressure(const DistributedVector &owned) const
 {
-  DistributedVector complete = pressure_vector();
   DistributedVector ghosted(pressure_owned, pressure_relevant, communicator);
-  copy_pressure(owned, complete, ghosted);
+  copy_pressure(owned, ghosted);
   return ghosted;
-}
-
-template <int dim>
-void Space<dim>::copy_velocity(const DistributedVector &owned,
-                               DistributedVector &work,
-                               DistributedVector &ghosted) const
-{
-  work.equ(1., owned);
-  velocity_hanging.distribute(work);
-  ghosted = work;
-}
-
-template <int dim>
-void Space<dim>::copy_pressure(const DistributedVector &owned,
-                               DistributedVector &work,
-                               DistributedVector &ghosted) const
-{
-  work.equ(1., owned);
-  pressure_hanging.distribute(work);
-  ghosted = work;
 }
 
 template <int dim>

@@ -1,6 +1,7 @@
 #ifndef continua_finite_element_assembly_cell_assembly_h
 #define continua_finite_element_assembly_cell_assembly_h
 
+#include <continua/finite_element/space/point_table.h>
 #include <continua/finite_element/space/quadrature_cells.h>
 #include <continua/finite_element/terms/point_change.h>
 #include <continua/finite_element/terms/tested.h>
@@ -39,22 +40,36 @@ public:
   /// The cells must outlive it. Without pressures the unknowns of a cell are velocities alone, or
   /// what stands in their place.
   explicit CellAssembly(const QuadratureCells<dim> &cells, const bool has_pressures = true)
-      : cells(cells), n_pressures(has_pressures ? cells.n_pressures() : 0)
+      : cells(cells),
+        n_pressures(has_pressures ? cells.n_pressures() : 0),
+        velocity_table(cells, PointTable<dim>::Field::velocity, true),
+        pressure_table(cells, PointTable<dim>::Field::pressure, false),
+        momentum_at_points(dim * velocity_table.size(), 0.),
+        volume_at_points(pressure_table.size(), 0.)
   {
   }
 
-  /// Adds to rows of momentum what a point gives, times its weight; velocities component by
-  /// component.
-  void add_momentum(unsigned int q,
-                    const Jacobian &inverse_jacobian,
-                    double weight,
-                    const Tested<dim> &tested,
-                    dealii::Vector<double> &rows) const;
-  /// Likewise to rows of volume.
-  void add_volume(unsigned int q,
-                  double weight,
-                  const Tested<dim> &tested,
-                  dealii::Vector<double> &rows) const;
+  /// Adds what a point gives, times its weight, to what finish_rows() sums.
+  void add(const unsigned int q,
+           const Jacobian &inverse_jacobian,
+           const double weight,
+           const Tested<dim> &tested)
+  {
+    Column column;
+    set_column(inverse_jacobian, weight, tested, column);
+    for (unsigned int c = 0; c < dim; ++c)
+    {
+      double *const at_point =
+          &momentum_at_points[c * velocity_table.size() + velocity_table.place(q)];
+      for (unsigned int s = 0; s <= dim; ++s)
+        at_point[s] += column.of_momentum[c][s];
+    }
+    volume_at_points[q] += column.of_volume;
+  }
+  /// Sets the rows of momentum, component by component, and of volume, and begins anew.
+  void finish_rows(dealii::Vector<double> &momentum, dealii::Vector<double> &volume);
+  /// Likewise those of momentum alone.
+  void finish_rows(dealii::Vector<double> &momentum);
   /// Takes the derivative at a point, times its weight, for finish_matrix(): once for each of all
   /// points. `differentiate(change, tested)` sets what the derivative in the direction of a
   /// PointChange gives.
@@ -112,6 +127,10 @@ private:
 
   const QuadratureCells<dim> &cells;
   const unsigned int n_pressures; ///< of a cell
+  const PointTable<dim> velocity_table, pressure_table;
+  // What add() has added: by the numbers of a row of each table, of momentum component by
+  // component.
+  std::vector<double> momentum_at_points, volume_at_points;
   // Of the present point: by the value (0) or a derivative (1 ...) of a component.
   std::array<std::array<Column, dim + 1>, dim> by_velocity;
   std::array<Column, dim + 1> by_pressure;

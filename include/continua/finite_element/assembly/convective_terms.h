@@ -67,21 +67,19 @@ private:
   using Base = NonlinearCellTerms<dim>;
   using Base::assembly;
   using Base::body_forces;
-  using Base::cell_forces;
+  using Base::cell_momentum;
   using Base::cell_volume;
   using Base::cells;
   using Base::face_assembly;
   using Base::face_points;
   using Base::faces;
   using Base::pressure;
-  using Base::pressure_work;
   using Base::problem;
   using Base::quadrature;
   using Base::space;
   using Base::step;
   using Base::take;
   using Base::velocity;
-  using Base::velocity_work;
   using typename Base::Cell;
   using Point = StreamlinePoint<dim>;
 
@@ -104,7 +102,7 @@ private:
   }
   void visit(const Cell &cell) override { here.visit(cell); }
   /// The least of VolumeLaw::stiffening().
-  double integrate(bool by_term) override;
+  double integrate() override;
   /// Throws StepFailure where the least of VolumeLaw::stiffening() is not positive. Collective.
   void refuse_softening(double least_stiffening, unsigned int softest) const;
 };

@@ -68,7 +68,7 @@ private:
   using Base = NonlinearCellTerms<dim>;
   using Base::assembly;
   using Base::body_forces;
-  using Base::cell_forces;
+  using Base::cell_momentum;
   using Base::cell_volume;
   using Base::cells;
   using Base::face_assembly;
@@ -81,7 +81,6 @@ private:
   using Base::step;
   using Base::take;
   using Base::velocity;
-  using Base::velocity_work;
   using typename Base::Cell;
   using typename Base::Sizes;
 
@@ -104,7 +103,7 @@ private:
   void visit_relaxing_points(const DistributedVector &of_displacement, const Visit &visit_point);
   void visit(const Cell &cell) override { here.visit(cell); }
   /// The least volume ratio.
-  double integrate(bool by_term) override;
+  double integrate() override;
   NonlinearEnergy energy_at(unsigned int q);
   /// Throws StepFailure where a volume ratio of some rank is not positive. Collective.
   void refuse_inversion(double least_ratio, const Cell *worst) const;

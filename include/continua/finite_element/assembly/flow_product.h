@@ -5,6 +5,7 @@
 #include <continua/continuum/balanced_step.h>
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/products/matrix_free_convection.h>
+#include <continua/finite_element/space/cell_sums.h>
 #include <continua/finite_element/space/quadrature_cells.h>
 #include <continua/finite_element/space/space.h>
 
@@ -62,6 +63,7 @@ private:
   std::vector<double> volume; ///< of each cell
   std::vector<bool> has_cell; ///< by active_cell_index()
   dealii::Vector<double> cell_volume;
+  CellSums volume_sums;
   bool has_compressible_liquid = false, some_are_left = true; ///< on any rank
 
   typename Product::Input input() const;

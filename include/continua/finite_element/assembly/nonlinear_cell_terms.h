@@ -11,8 +11,10 @@
 #include <continua/finite_element/assembly/face_assembly.h>
 #include <continua/finite_element/assembly/face_points.h>
 #include <continua/finite_element/assembly/term_faces.h>
+#include <continua/finite_element/space/cell_sums.h>
 #include <continua/finite_element/space/quadrature_cells.h>
 #include <continua/finite_element/space/space.h>
+#include <continua/finite_element/space/values_at_points.h>
 #include <continua/finite_element/terms/tested.h>
 #include <continua/finite_element/terms/tested_on_face.h>
 #include <continua/linear_algebra/entry_sums.h>
@@ -29,7 +31,7 @@ namespace Continua
 /// How the derivative is kept for products.
 enum class KeptDerivative
 {
-  matrices,      ///< of the cells: the same on every processor
+  matrices,      ///< of the cells
   without_matrix ///< the state alone, where the terms can
 };
 
@@ -44,15 +46,12 @@ template <int dim>
 class NonlinearCellTerms
 {
 public:
-  /// The kind of force of a term; null: it is no force.
-  using ForceKind = DistributedVector NonlinearForces::*;
-
   /// The first two must outlive it. `kinds`: of what integrate() gives, in its order.
   NonlinearCellTerms(const Space<dim> &space,
                      const Problem &problem,
                      const dealii::Quadrature<dim> &quadrature,
                      RegionModel model,
-                     const std::vector<ForceKind> &kinds);
+                     const std::vector<PowerKind> &kinds);
   virtual ~NonlinearCellTerms() = default;
 
   /// Whether they are those of a region.
@@ -65,8 +64,15 @@ public:
   /// condensed. Collective. Throws StepFailure where the state has no meaning.
   virtual void
   add(const BalancedStep &state, DistributedVector &momentum, DistributedVector &volume) = 0;
-  /// The terms of momentum of one region alone, by kind [N]. Collective.
-  void set_forces_of(unsigned int region, const BalancedStep &state, NonlinearForces &forces);
+  /// Of the terms of one region: adds the powers that their forces have with a velocity, and adds
+  /// the forces to rows of momentum [N] unless `momentum` is null, with the hanging nodes
+  /// condensed. Collective.
+  void add_powers(unsigned int region,
+                  const BalancedStep &state,
+                  const DistributedVector &of_velocity,
+                  TermsTaken taken,
+                  NonlinearPowers &powers,
+                  DistributedVector *momentum);
   /// This rank's part of the energies of one region. Collective.
   virtual NonlinearEnergy energy_of(unsigned int region, const State &state) = 0;
   /// The state of t = 0 was set. Collective.
@@ -133,24 +139,23 @@ protected:
   const RegionModel model;
   const dealii::Quadrature<dim> quadrature;
   QuadratureCells<dim> cells;
-  Step step; ///< of the state that was taken
-  // The velocity and the pressure with ghost entries, and work space.
-  DistributedVector velocity, pressure, velocity_work, pressure_work;
+  Step step;                            ///< of the state that was taken
+  DistributedVector velocity, pressure; ///< with ghost entries
   CellAssembly<dim> assembly;
   BodyForces<dim> body_forces;
   TermFaces<dim> faces;
   FacePoints<dim> face_points;
   FaceAssembly<dim> face_assembly;
-  // Rows of the cell that was visited last: of momentum by term, or their sum in the first one.
-  std::vector<dealii::Vector<double>> cell_forces;
-  dealii::Vector<double> cell_volume;
+  // Rows of the cell that was visited last.
+  dealii::Vector<double> cell_momentum, cell_volume;
 
   /// Takes a state, with ghost entries.
   virtual void take(const BalancedStep &state) = 0;
   /// Makes the state that was taken that of a cell.
   virtual void visit(const Cell &cell) = 0;
-  /// Sets cell_volume and cell_forces. The least of what must stay positive.
-  virtual double integrate(bool by_term) = 0;
+  /// Sets the rows of that cell, and adds to the powers where they are asked for. The least of what
+  /// must stay positive.
+  virtual double integrate() = 0;
   /// The derivative of the rows of a cell at the state that was taken, velocities first, rows of
   /// volume times -1.
   virtual void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix) = 0;
@@ -161,63 +166,100 @@ protected:
   virtual bool needs_matrix(const Cell & /*cell*/) const { return true; }
 
   void take(const DistributedVector &of_velocity, const DistributedVector &of_pressure);
-  /// Adds what a list of terms gives at a point, times its weight, to cell_forces and cell_volume.
-  /// `number`: that of its first term among the kinds.
+  /// Whether integrate() is asked for powers.
+  bool asks_for_powers() const { return asked != nullptr; }
+  /// Adds what a list of terms gives at a point, times its weight, to what the assembly sums and to
+  /// the powers that are asked for. `number`: that of its first term among the kinds.
   template <typename List, typename Point>
   void add_terms(const unsigned int q,
                  const dealii::Tensor<2, dim> &inverse_jacobian,
                  const double weight,
                  const Point &point,
-                 const bool by_term,
-                 std::size_t number = 0)
+                 const std::size_t number = 0)
   {
-    if (by_term)
-    {
-      List::for_each(
-          [&](const auto term)
-          {
-            Tested<dim> tested;
-            term.add(point, tested);
-            assembly.add_momentum(q, inverse_jacobian, weight, tested, cell_forces[number++]);
-          });
-      return;
-    }
     Tested<dim> sum;
-    List::add(point, sum);
-    assembly.add_momentum(q, inverse_jacobian, weight, sum, cell_forces[0]);
-    assembly.add_volume(q, weight, sum, cell_volume);
-  }
-  /// Likewise of a point of a face.
-  template <typename List, typename Point>
-  void add_face_terms(const DeformedFacePoint<dim> &shapes,
-                      const Point &point,
-                      const bool by_term,
-                      std::size_t number)
-  {
-    if (by_term)
+    if (asks_for_powers())
     {
-      List::for_each(
-          [&](const auto term)
-          {
-            TestedOnFace<dim> tested;
-            term.add(point, tested);
-            face_assembly.add(shapes, point.weight, tested, cell_forces[number++]);
-          });
-      return;
+      dealii::Tensor<1, dim> value;
+      dealii::Tensor<2, dim> gradient;
+      for (unsigned int c = 0; c < dim; ++c)
+      {
+        value[c] = of_powers_at_points.value(c, q);
+        gradient[c] = of_powers_at_points.gradient(c, q, inverse_jacobian);
+      }
+      add_by_kind<List>(
+          point, weight, number, sum,
+          [&](const Tested<dim> &tested)
+          { return tested.by_value * value + scalar_product(tested.by_gradient, gradient); });
     }
-    TestedOnFace<dim> sum;
-    List::add(point, sum);
-    face_assembly.add(shapes, point.weight, sum, cell_forces[0]);
+    else
+      List::add(point, sum);
+    assembly.add(q, inverse_jacobian, weight, sum);
   }
-  /// Adds the rows of a cell, which are set.
-  void distribute(const Cell &cell, DistributedVector &momentum, DistributedVector &volume);
+  /// Likewise of a point of a face, to the rows of the cell.
+  template <typename List, typename Point>
+  void
+  add_face_terms(const DeformedFacePoint<dim> &shapes, const Point &point, const std::size_t number)
+  {
+    TestedOnFace<dim> sum;
+    if (asks_for_powers())
+    {
+      const dealii::Tensor<1, dim> value = shapes.value_of(cell_of_powers);
+      add_by_kind<List>(point, point.weight, number, sum,
+                        [&](const TestedOnFace<dim> &tested) { return tested.by_value * value; });
+    }
+    else
+      List::add(point, sum);
+    face_assembly.add(shapes, point.weight, sum, cell_momentum);
+  }
+  /// Adds the rows of a cell, which are set, to the sums.
+  void add_rows(const Cell &cell);
+  /// Adds the sums to the rows of momentum [N] and of volume [m^3/s]. Collective.
+  void finish_rows(DistributedVector &momentum, DistributedVector &volume);
 
 private:
-  const std::vector<ForceKind> kinds;
+  /// What add_powers() was asked for.
+  struct AskedPowers
+  {
+    TermsTaken taken;
+    NonlinearPowers &powers;
+  };
+
+  const std::vector<PowerKind> kinds;
+  CellSums momentum_sums, volume_sums;
+  const AskedPowers *asked = nullptr;
+  // The velocity of the powers: with ghost entries, in the present cell, and at its points.
+  DistributedVector velocity_of_powers;
+  dealii::Vector<double> cell_of_powers;
+  ValuesAtPoints<dim> of_powers_at_points;
   /// The kept derivative of each cell that needs one, and work space for its product. In single
   /// precision the round-off of rigid motions would be as large as the stiffness of thin bodies.
   std::vector<dealii::FullMatrix<double>> cell_derivatives;
-  dealii::Vector<double> cell_change, cell_product, cell_momentum, product_of_volume;
+  dealii::Vector<double> cell_change, cell_product;
+
+  /// Adds what each term of a list gives that is asked for: to a sum, and by power_of(what it
+  /// gives) to its power.
+  template <typename List, typename Point, typename TestedAtPoint, typename PowerOf>
+  void add_by_kind(const Point &point,
+                   const double weight,
+                   std::size_t number,
+                   TestedAtPoint &sum,
+                   const PowerOf &power_of)
+  {
+    List::for_each(
+        [&](const auto term)
+        {
+          const PowerKind kind = kinds[number++];
+          if (kind == nullptr || !takes_terms_of(asked->taken, kind))
+            return;
+          TestedAtPoint tested;
+          term.add(point, tested);
+          asked->powers.*kind += weight * power_of(tested);
+          sum += tested;
+        });
+  }
+  /// Sets the rows of a cell to a product of its matrix, those of volume times a sign.
+  void set_rows(double sign_of_volume);
 };
 
 /// One of them for each model of a region that the problem has and that is not linear.

@@ -40,7 +40,12 @@ public:
 
   // The residual.
   void add(const BalancedStep &state, DistributedVector &momentum, DistributedVector &mass);
-  void set_forces_of(unsigned int region, const BalancedStep &state, NonlinearForces &forces);
+  void add_powers(unsigned int region,
+                  const BalancedStep &state,
+                  const DistributedVector &of_velocity,
+                  TermsTaken taken,
+                  NonlinearPowers &powers,
+                  DistributedVector *momentum);
   NonlinearEnergy energy_of(unsigned int region, const State &state);
   /// 0 in a region that is linear.
   double relaxation_power(unsigned int region) const;

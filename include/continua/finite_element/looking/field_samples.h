@@ -48,7 +48,7 @@ private:
   const Space<dim> &space;
   const Problem &problem;
   const MetricHistory<dim> *metrics;
-  DistributedVector velocity_work, pressure_work, mixture;
+  DistributedVector mixture;        ///< work space
   bool has_wall_potentials = false; ///< of the present mesh
 };
 

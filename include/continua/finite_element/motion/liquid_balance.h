@@ -53,7 +53,6 @@ private:
   std::vector<Face> faces;
   double inflow = 0., older_inflow = 0.;              ///< over time, and one step before [kg]
   DistributedVector displacement, velocity, pressure; ///< with ghost entries
-  DistributedVector velocity_work, pressure_work;
   dealii::Vector<double> cell_displacement, cell_velocity, cell_pressure;
 
   /// What flows in at a level that a step has balanced [kg/s]. Collective.

@@ -6,6 +6,7 @@
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state_visitor.h>
 #include <continua/finite_element/assembly/cell_assembly.h>
+#include <continua/finite_element/space/cell_sums.h>
 #include <continua/finite_element/space/quadrature_cells.h>
 #include <continua/finite_element/space/space.h>
 #include <continua/finite_element/space/values_at_points.h>
@@ -132,6 +133,7 @@ private:
   /// The operator of each cell at the start of the step, and work space.
   std::vector<dealii::FullMatrix<double>> matrices;
   dealii::Vector<double> cell_displacement, cell_rows;
+  CellSums sums; ///< of these rows
 
   void set_constraints();
   /// Finds the entries of owned nodes on boundaries that the mesh follows, but for those of solids.

@@ -39,7 +39,7 @@ private:
   QuadratureCells<dim> cells;
   std::vector<WallNode> nodes;
   LiquidSizes liquid; ///< of all ranks
-  DistributedVector work, displacement;
+  DistributedVector displacement;
 
   void set_up();
   /// Finds the nodes of the walls that are solids.

@@ -28,8 +28,8 @@ struct DeformedFacePoint
 
   unsigned int n_functions() const { return values.size(); }
   Kinematics kinematics(const dealii::Vector<double> &displacement) const;
-  /// How far the point has moved [m].
-  dealii::Tensor<1, dim> way(const dealii::Vector<double> &displacement) const;
+  /// The value of a field with these entries in the cell, component by component.
+  dealii::Tensor<1, dim> value_of(const dealii::Vector<double> &entries) const;
   /// The derivative of n da by the displacement of a shape function along each direction [m]; the
   /// motion and n da are those of the point.
   std::array<dealii::Tensor<1, 3>, dim> area_derivatives(const Kinematics &motion,

@@ -55,7 +55,7 @@ private:
   const SetOfFace set_of_face;                  ///< empty: there are none
   const dealii::Quadrature<dim - 1> quadrature; ///< as that of TermFaces
   std::vector<Face> faces;
-  DistributedVector displacement_work, ghosted;
+  DistributedVector ghosted;
   dealii::Vector<double> of_cell;
 };
 } // namespace Continua

@@ -2,6 +2,7 @@
 #define continua_finite_element_space_space_h
 
 #include <continua/base/parameter_section.h>
+#include <continua/finite_element/space/ghosted_copy.h>
 #include <continua/finite_element/space/kept_mapping.h>
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/materials/model.h>
@@ -76,13 +77,15 @@ public:
   DistributedVector ghosted_velocity(const DistributedVector &owned) const;
   DistributedVector ghosted_pressure(const DistributedVector &owned) const;
 
-  /// The same into vectors that are there: `work` like `owned`, `ghosted` with ghost entries.
-  void copy_velocity(const DistributedVector &owned,
-                     DistributedVector &work,
-                     DistributedVector &ghosted) const;
-  void copy_pressure(const DistributedVector &owned,
-                     DistributedVector &work,
-                     DistributedVector &ghosted) const;
+  /// The same into a vector with ghost entries that is there. Collective.
+  void copy_velocity(const DistributedVector &owned, DistributedVector &ghosted) const
+  {
+    velocity_copy.copy(owned, ghosted);
+  }
+  void copy_pressure(const DistributedVector &owned, DistributedVector &ghosted) const
+  {
+    pressure_copy.copy(owned, ghosted);
+  }
 
   /// Owned vectors have no values of their own at hanging nodes: the matrices have those condensed.
   void set_hanging_velocities_to_zero(DistributedVector &owned) const;
@@ -135,6 +138,8 @@ public:
 private:
   bool broken;
   bool axisymmetric;
+  // They have work space of their own.
+  mutable GhostedCopy velocity_copy, pressure_copy;
   std::vector<unsigned int> hanging_velocities, hanging_pressures; ///< local indices of owned ones
 };
 } // namespace Continua

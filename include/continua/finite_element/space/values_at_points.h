@@ -2,6 +2,7 @@
 #define continua_finite_element_space_values_at_points_h
 
 #include <continua/continuum/kinematics.h>
+#include <continua/finite_element/space/point_table.h>
 #include <continua/finite_element/space/quadrature_cells.h>
 
 #include <deal.II/base/tensor.h>
@@ -13,37 +14,38 @@
 
 namespace Continua
 {
-/**
- * A field of a cell at all of its quadrature points: of each component the value, and the
- * derivatives along the coordinates of the reference cell where they are wanted. What a shape
- * function has at all points stands together, so that the sums over the functions go into vector
- * registers; BLAS would spend more on its own calls, the matrices are that small.
- */
+/// A field of a cell at all of its quadrature points: of each component the value, and the
+/// derivatives along the coordinates of the reference cell where they are wanted.
 template <int dim>
 class ValuesAtPoints
 {
 public:
-  enum class Field
+  using Field = typename PointTable<dim>::Field;
+
+  /// `cells` need not outlive it. A velocity has dim components, one after the other.
+  ValuesAtPoints(const QuadratureCells<dim> &cells, const Field field, const bool with_slopes)
+      : table(cells, field, with_slopes),
+        values((field == Field::velocity ? dim : 1) * table.size(), 0.)
   {
-    velocity, ///< with dim components, one after the other
-    pressure
-  };
-  /// `cells` need not outlive it.
-  ValuesAtPoints(const QuadratureCells<dim> &cells, Field field, bool with_slopes);
+  }
 
   /// Takes the entries of a cell.
-  void set(const dealii::Vector<double> &entries);
+  void set(const dealii::Vector<double> &entries)
+  {
+    for (std::size_t c = 0; c * table.size() < values.size(); ++c)
+      table.set_values(entries.begin() + c * table.n_functions(), &values[c * table.size()]);
+  }
 
   double value(const unsigned int component, const unsigned int q) const
   {
-    return values[component * padded + n_rows * q];
+    return values[component * table.size() + table.place(q)];
   }
   /// The gradient, with the inverse of a Jacobian as QuadratureCell has it; with slopes only.
   dealii::Tensor<1, dim> gradient(const unsigned int component,
                                   const unsigned int q,
                                   const dealii::Tensor<2, dim> &inverse_jacobian) const
   {
-    const double *const slope = &values[component * padded + n_rows * q + 1];
+    const double *const slope = &values[component * table.size() + table.place(q) + 1];
     dealii::Tensor<1, dim> result;
     for (unsigned int s = 0; s < dim; ++s)
       for (unsigned int d = 0; d < dim; ++d)
@@ -64,13 +66,8 @@ public:
   }
 
 private:
-  /// Numbers that are summed at a time.
-  static constexpr std::size_t block = 8;
-
-  std::size_t n_functions, n_rows; ///< n_rows: numbers at a point
-  std::size_t padded;              ///< numbers of a component at all points, in whole blocks
-  std::vector<double> table;       ///< [function][point, row]
-  std::vector<double> values;      ///< [component][point, row]
+  PointTable<dim> table;
+  std::vector<double> values; ///< [component][number of a row]
 };
 } // namespace Continua
 

@@ -24,7 +24,7 @@ struct BodyForcePoint
 /// volume dV and its density at rest.
 struct BodyForce
 {
-  static constexpr auto force = &NonlinearForces::load;
+  static constexpr PowerKind power = &NonlinearPowers::load;
 
   template <int dim>
   static void add(const BodyForcePoint<dim> &point, Tested<dim> &tested)

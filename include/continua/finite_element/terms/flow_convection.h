@@ -16,7 +16,7 @@ namespace Continua
  */
 struct FlowConvection
 {
-  static constexpr auto force = &NonlinearForces::convection;
+  static constexpr PowerKind power = &NonlinearPowers::convection;
 
   template <int dim, typename Number>
   static void add(const FlowPoint<dim, Number> &point, Tested<dim, Number> &tested)

@@ -10,7 +10,7 @@ namespace Continua
 /// int rho(p) v . dU/dt.
 struct FlowInertia
 {
-  static constexpr auto force = &NonlinearForces::inertia;
+  static constexpr PowerKind power = &NonlinearPowers::inertia;
 
   template <int dim, typename Number>
   static void add(const FlowPoint<dim, Number> &point, Tested<dim, Number> &tested)

@@ -10,7 +10,7 @@ namespace Continua
 /// -int p div v.
 struct FlowPressure
 {
-  static constexpr auto force = &NonlinearForces::compression;
+  static constexpr PowerKind power = &NonlinearPowers::compression;
 
   template <int dim, typename Number>
   static void add(const FlowPoint<dim, Number> &point, Tested<dim, Number> &tested)

@@ -10,7 +10,7 @@ namespace Continua
 /// int 2 eta dev sym grad U : grad v, with eta of the material or of its FlowCurve.
 struct FlowViscosity
 {
-  static constexpr auto force = &NonlinearForces::viscosity;
+  static constexpr PowerKind power = &NonlinearPowers::viscosity;
 
   template <int dim, typename Number>
   static void add(const FlowPoint<dim, Number> &point, Tested<dim, Number> &tested)

@@ -1,10 +1,9 @@
 #ifndef continua_finite_element_terms_flow_volume_h
 #define continua_finite_element_terms_flow_volume_h
 
+#include <continua/continuum/nonlinear_terms.h>
 #include <continua/finite_element/terms/flow_point.h>
 #include <continua/finite_element/terms/tested.h>
-
-#include <cstddef>
 
 namespace Continua
 {
@@ -12,7 +11,7 @@ namespace Continua
 /// the density.
 struct FlowVolume
 {
-  static constexpr std::nullptr_t force = nullptr;
+  static constexpr PowerKind power = nullptr;
 
   template <int dim, typename Number>
   static void add(const FlowPoint<dim, Number> &point, Tested<dim, Number> &tested)

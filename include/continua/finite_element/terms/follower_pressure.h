@@ -15,7 +15,7 @@ namespace Continua
  */
 struct FollowerPressure
 {
-  static constexpr auto force = &NonlinearForces::load;
+  static constexpr PowerKind power = &NonlinearPowers::load;
 
   template <int dim>
   static void add(const SolidFacePoint<dim> &point, TestedOnFace<dim> &tested)

@@ -11,7 +11,7 @@ namespace Continua
 /// given at the present place, or -p n of a cavity.
 struct GivenTraction
 {
-  static constexpr auto force = &NonlinearForces::load;
+  static constexpr PowerKind power = &NonlinearPowers::load;
 
   template <int dim>
   static void add(const FlowFacePoint<dim> &point, TestedOnFace<dim> &tested)

@@ -14,7 +14,7 @@ namespace Continua
 /// solution, whose source m is 0.
 struct GradDiv
 {
-  static constexpr auto force = &NonlinearForces::stabilisation;
+  static constexpr PowerKind power = &NonlinearPowers::stabilisation;
 
   template <int dim, typename Number>
   static void add(const FlowPoint<dim, Number> &point, Tested<dim, Number> &tested)

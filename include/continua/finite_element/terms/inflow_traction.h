@@ -19,7 +19,7 @@ namespace Continua
  */
 struct InflowTraction
 {
-  static constexpr auto force = &NonlinearForces::inflow;
+  static constexpr PowerKind power = &NonlinearPowers::inflow;
 
   template <int dim>
   static void add(const FlowFacePoint<dim> &point, TestedOnFace<dim> &tested)

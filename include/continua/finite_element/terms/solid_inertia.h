@@ -9,7 +9,7 @@ namespace Continua
 /// int rho0 v . dU/dt over the volume free of stress.
 struct SolidInertia
 {
-  static constexpr auto force = &NonlinearForces::inertia;
+  static constexpr PowerKind power = &NonlinearPowers::inertia;
 
   template <int dim>
   static void add(const SolidPoint<dim> &point, Tested<dim> &tested)

@@ -9,7 +9,7 @@ namespace Continua
 /// -int J p div v.
 struct SolidPressure
 {
-  static constexpr auto force = &NonlinearForces::compression;
+  static constexpr PowerKind power = &NonlinearPowers::compression;
 
   template <int dim>
   static void add(const SolidPoint<dim> &point, Tested<dim> &tested)

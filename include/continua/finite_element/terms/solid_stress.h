@@ -10,7 +10,7 @@ namespace Continua
 /// stress.
 struct SolidStress
 {
-  static constexpr auto force = &NonlinearForces::strain;
+  static constexpr PowerKind power = &NonlinearPowers::strain;
 
   template <int dim>
   static void add(const SolidPoint<dim> &point, Tested<dim> &tested)

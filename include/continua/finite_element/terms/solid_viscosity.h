@@ -9,7 +9,7 @@ namespace Continua
 /// int J 2 eta dev sym grad U : grad v.
 struct SolidViscosity
 {
-  static constexpr auto force = &NonlinearForces::viscosity;
+  static constexpr PowerKind power = &NonlinearPowers::viscosity;
 
   template <int dim>
   static void add(const SolidPoint<dim> &point, Tested<dim> &tested)

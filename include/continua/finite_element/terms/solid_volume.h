@@ -1,10 +1,10 @@
 #ifndef continua_finite_element_terms_solid_volume_h
 #define continua_finite_element_terms_solid_volume_h
 
+#include <continua/continuum/nonlinear_terms.h>
 #include <continua/finite_element/terms/solid_point.h>
 
 #include <cmath>
-#include <cstddef>
 
 namespace Continua
 {
@@ -14,7 +14,7 @@ namespace Continua
  */
 struct SolidVolume
 {
-  static constexpr std::nullptr_t force = nullptr;
+  static constexpr PowerKind power = nullptr;
 
   template <int dim>
   static void add(const SolidPoint<dim> &point, Tested<dim> &tested)

@@ -29,7 +29,7 @@ struct StreamlinePoint : FlowPoint<dim, Number>
  */
 struct Streamline
 {
-  static constexpr auto force = &NonlinearForces::stabilisation;
+  static constexpr PowerKind power = &NonlinearPowers::stabilisation;
 
   template <int dim, typename Number>
   static void add(const StreamlinePoint<dim, Number> &point, Tested<dim, Number> &tested)

@@ -13,13 +13,13 @@ namespace Continua
  * The terms of one model of a region, inside its cells or on their faces, as a list of types
  * without members. A term has
  *
- *   force                                the kind of NonlinearForces that it belongs to
+ *   power                                the kind of NonlinearPowers that it belongs to
  *   add(point, tested)                   what it gives at a point
  *   add_derivative(point, change, tested)  the derivative of that in the direction of a change
  *
  * Those of a liquid inside its cells are templates in the number, so that one text serves the
  * residual, the matrix of a cell and products without a matrix. A term that is no force, such as
- * the row of volume, has `force` null.
+ * the row of volume, has `power` null.
  */
 template <typename... Terms>
 struct TermList
@@ -36,11 +36,8 @@ struct TermList
   {
     (Terms::add_derivative(point, change, tested), ...);
   }
-  /// The kinds of force of each, null of one that is none.
-  static std::array<DistributedVector NonlinearForces::*, size> forces()
-  {
-    return {{Terms::force...}};
-  }
+  /// The kind of each.
+  static std::array<PowerKind, size> kinds() { return {{Terms::power...}}; }
   /// Calls visit(Term()) for each.
   template <typename Visit>
   static void for_each(const Visit &visit)
@@ -48,14 +45,14 @@ struct TermList
     (visit(Terms()), ...);
   }
 };
-/// The kinds of force of the terms of several lists, one list after the other.
+/// The kinds of the terms of several lists, one list after the other.
 template <typename... Lists>
-std::vector<DistributedVector NonlinearForces::*> forces_of()
+std::vector<PowerKind> kinds_of()
 {
-  std::vector<DistributedVector NonlinearForces::*> all;
+  std::vector<PowerKind> all;
   const auto append = [&all](const auto &of_list)
   { all.insert(all.end(), of_list.begin(), of_list.end()); };
-  (append(Lists::forces()), ...);
+  (append(Lists::kinds()), ...);
   return all;
 }
 } // namespace Continua

@@ -11,6 +11,12 @@ template <int dim>
 struct TestedOnFace
 {
   dealii::Tensor<1, dim> by_value; ///< of v [Pa]
+
+  TestedOnFace &operator+=(const TestedOnFace &other)
+  {
+    by_value += other.by_value;
+    return *this;
+  }
 };
 } // namespace Continua
 
