@@ -236,7 +236,7 @@ void check_volumetric_of_cells(const std::string &name, const Model model)
   small_problem::Mesh<dim> mesh(MPI_COMM_WORLD);
   small_problem::make_box<dim>(mesh, std::vector<unsigned int>(dim, 2), Point<dim>(), 1.);
   small_problem::refine<dim>(mesh, [](const Point<dim> &x) { return x[0] < 0.5; });
-  Space<dim> space(mesh, SpaceParameters(), model, 1);
+  Space<dim> space(mesh, SpaceParameters(), model, 2);
   space.distribute();
   std::vector<double> lambda(mesh.n_active_cells(), 0.);
   double work = 0.;
