@@ -63,7 +63,8 @@ sys.exit(STATUS)
             self.assertEqual(got["different"], 4)
             self.assertEqual(got["white"], 4 * ["ffffffff"])
             self.assertEqual(width, int(85 / 25.4 * 200))
-            self.assertEqual(float(got["arguments"][got["arguments"].index("-r") + 1]), 2)  # 4 frames in 2 s
+            rate = "-framerate" if "-framerate" in got["arguments"] else "-r"  # from matplotlib 3.10 on, and before
+            self.assertEqual(float(got["arguments"][got["arguments"].index(rate) + 1]), 2)  # 4 frames in 2 s
             self.assertIn("yuv420p", got["arguments"])
             os.remove(os.path.join(self.plots, f"{name}.mp4"))
 
