@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 
-// The loader chooses, by the GNU C library alone, whatever CONTINUA_INSTRUCTIONS is. A sanitizer's
-// checks come too late for that.
+// The loader chooses the form of a function for its processor. Only the GNU C library has such a
+// loader, and the choice comes before a sanitizer is ready. CONTINUA_INSTRUCTIONS has no part in
+// it.
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && __GNUC__ >= 12 &&            \
     !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
 #define CONTINUA_OF_PROCESSOR                                                                      \
@@ -22,9 +23,8 @@ CONTINUA_OF_PROCESSOR void add_up_rows(const double *const factors,
                                        double *const __restrict values)
 {
   std::fill_n(values, n, 0.);
-  // Four rows at a time: fewer reads and writes of the sums. Loops of constant length: with -O2 the
-  // compiler takes no others
-  // into vector registers.
+  // Four rows at a time: fewer reads and writes of the sums. The inner loops have a constant
+  // length: with -O2 the compiler takes no others into vector registers.
   std::size_t a = 0;
   for (; a + 4 <= n_rows; a += 4)
     for (std::size_t i = 0; i < n; i += sums_block)
