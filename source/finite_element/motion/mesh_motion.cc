@@ -25,8 +25,9 @@ using namespace dealii;
 
 namespace
 {
-/// Of what the multigrid leaves of a right side: for the displacement, and for changes of it.
-constexpr double state_tolerance = 1e-12, change_tolerance = 1e-8;
+/// Of what the multigrid leaves of a right side. Changes belong to directions of a Krylov
+/// iteration, and are wanted to its tolerance.
+constexpr double state_tolerance = 1e-10;
 /// Of a normal: a plane face normal to an axis.
 constexpr double largest_tilt = 1e-10;
 
@@ -199,6 +200,7 @@ void MeshMotion<dim>::reinit(const bool is_iterative)
   for (DistributedVector *vector : {&present, &older, &predicted, &known, &right_side, &work})
     *vector = space.velocity_vector();
   ghosted = space.ghosted_velocity(work);
+  find_known();
   sums.reinit(ghosted, space.velocity_owned, space.velocity_hanging);
   packed.resize(space.velocity_owned.n_elements());
   owned.clear();
@@ -211,6 +213,22 @@ void MeshMotion<dim>::reinit(const bool is_iterative)
   is_linearised = false;
   if (kind == MeshMotionKind::elastic)
     linearise();
+}
+
+template <int dim>
+void MeshMotion<dim>::find_known()
+{
+  for (unsigned int i = 0; i < is_of_solid.size(); ++i)
+    known.begin()[i] = is_of_solid[i] ? 1. : 0.;
+  for (const Follower &follower : followers)
+    known.begin()[follower.index] = 1.;
+  // A hanging node has a part of what its masters have.
+  space.copy_velocity(known, ghosted);
+  has_known.clear();
+  for (const Cell &cell : cells.all())
+    has_known.push_back(std::any_of(cell.velocity_places.begin(), cell.velocity_places.end(),
+                                    [this](const unsigned int place)
+                                    { return ghosted.begin()[place] != 0.; }));
 }
 
 template <int dim>
@@ -375,16 +393,18 @@ void MeshMotion<dim>::linearise()
   }
   else
     begin_triplets(triplets);
+  FullMatrix<double> whole;
   for (std::size_t k = 0; k < matrices.size(); ++k)
   {
     const Cell &cell = cells.all()[k];
+    // Only cells with motion that is known need theirs again.
+    FullMatrix<double> &matrix = has_known[k] ? matrices[k] : whole;
     set_entries(cell.velocity_places, ghosted, cell_displacement);
-    integrate(cell, stiffness[k], matrices[k]);
+    integrate(cell, stiffness[k], matrix);
     if (multigrid != nullptr)
-      constraints.distribute_local_to_global(matrices[k], cell.velocity_indices,
-                                             multigrid->matrix());
+      constraints.distribute_local_to_global(matrix, cell.velocity_indices, multigrid->matrix());
     else
-      add_triplets(cell, matrices[k], triplets);
+      add_triplets(cell, matrix, triplets);
     if (kind != MeshMotionKind::elastic)
       sums.add(cell.velocity_places, cell_rows);
   }
@@ -412,12 +432,13 @@ void MeshMotion<dim>::begin_step(const Step &step)
   predicted.equ(c.old, present);
   if (c.older != 0.)
     predicted.add(c.older, older);
+  // The first guess is that of the step before; the elastic extension counts from rest.
   if (multigrid != nullptr)
     for (unsigned int i = 0; i < owned.size(); ++i)
-      last_extension.begin()[i] =
-          kind == MeshMotionKind::elastic && !constraints.is_constrained(owned[i])
-              ? present.begin()[i]
-              : 0.;
+      last_extension.begin()[i] = constraints.is_constrained(owned[i]) ? 0.
+                                  : kind == MeshMotionKind::elastic
+                                      ? 2. * present.begin()[i] - older.begin()[i]
+                                      : present.begin()[i] - older.begin()[i];
   if (kind == MeshMotionKind::hyperelastic && !is_linearised && !step.finds_unloaded_shape)
     linearise();
 }
@@ -458,6 +479,8 @@ void MeshMotion<dim>::subtract_known(DistributedVector &rows)
   space.copy_velocity(known, ghosted);
   for (std::size_t k = 0; k < matrices.size(); ++k)
   {
+    if (!has_known[k])
+      continue;
     const Cell &cell = cells.all()[k];
     bool is_known = false;
     for (unsigned int i = 0; i < cell_displacement.size(); ++i)
@@ -467,6 +490,7 @@ void MeshMotion<dim>::subtract_known(DistributedVector &rows)
     }
     if (!is_known)
       continue;
+    Assert(has_known[k], ExcInternalError());
     matrices[k].vmult(cell_rows, cell_displacement);
     cell_rows *= -1.;
     sums.add(cell.velocity_places, cell_rows);
@@ -505,7 +529,7 @@ void MeshMotion<dim>::set_change(const Step &step,
   {
     change_rows.equ(1., of_mesh_displacement);
     of_mesh_displacement = 0.;
-    multigrid->solve(of_mesh_displacement, change_rows, change_tolerance);
+    multigrid->solve(of_mesh_displacement, change_rows, problem.newton.krylov_tolerance);
   }
   else
     solve_by_factor(of_mesh_displacement);

@@ -130,14 +130,17 @@ private:
   std::vector<int> owned;
   bool is_linearised = false;
   MeshQuality last, worst_of_steps;
-  /// The operator of each cell at the start of the step, and work space.
+  /// The operator of each cell with nodes whose motion is known, at the start of the step.
   std::vector<dealii::FullMatrix<double>> matrices;
+  std::vector<bool> has_known; ///< whether a cell has such nodes
   dealii::Vector<double> cell_displacement, cell_rows;
   CellSums sums; ///< of these rows
 
   void set_constraints();
   /// Finds the entries of owned nodes on boundaries that the mesh follows, but for those of solids.
   void find_followers();
+  /// Finds the cells with motion that is known.
+  void find_known();
   /// Makes the operator at the present displacement, its factor, and the residual there.
   void linearise();
   void make_multigrid();
