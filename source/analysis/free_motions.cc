@@ -250,7 +250,7 @@ std::string text_of(const std::vector<RigidMotion<dim>> &motions,
 /// Whether liquid can leave a body of liquid, or what is around it yields.
 bool lets_liquid_through(const BoundaryCondition &condition)
 {
-  return condition.normal.kind == BoundaryPart::Kind::traction && !condition.is_cavity();
+  return condition.normal.kind == BoundaryPart::Kind::traction && !condition.has_unknown_pressure();
 }
 } // namespace
 

@@ -103,9 +103,11 @@ void RestSearch<dim>::check(const Case<dim> &input,
 }
 
 template <int dim>
-void RestSearch<dim>::perform(const bool loads_come, const double time)
+void RestSearch<dim>::perform(const Loads loads, const double time)
 {
   time_of_loads = time;
+  goes_along_time = loads == Loads::along_time;
+  const bool loads_come = loads != Loads::present;
   if (!run.input.problem.is_nonlinear())
   {
     perform_linear();
@@ -276,10 +278,11 @@ bool RestSearch<dim>::balance(const double last_size)
 }
 
 template <int dim>
-void RestSearch<dim>::set_loads(Step &step) const
+void RestSearch<dim>::set_loads(Step &step, const double part) const
 {
   // All is as at the time of the loads, however long it takes.
-  step.balance_time = time_of_loads;
+  step.balance_time = goes_along_time ? part * time_of_loads : time_of_loads;
+  step.load_factor = goes_along_time ? 1. : part;
   step.is_towards_rest = true;
   step.finds_unloaded_shape = finds_unloaded_shape;
   step.time = std::isinf(time_of_loads) ? 0. : time_of_loads;
@@ -292,7 +295,7 @@ void RestSearch<dim>::find_unloaded_shape(const bool loads_come)
                "to the shape of the mesh");
   finds_unloaded_shape = true;
   run.solver->begin_unloaded_shape();
-  perform(loads_come);
+  perform(loads_come ? Loads::in_parts : Loads::present);
   run.solver->keep_unloaded_shape();
 }
 
@@ -310,10 +313,9 @@ StepReport RestSearch<dim>::step_of(const double last_size, double &size)
   for (unsigned int halvings = 0;;)
   {
     Step euler = euler_step(0., size, Update::implicit);
-    set_loads(euler);
     // Round-off of the sum is no part of its own.
     const double next_load = load + load_part < 1. - 1e-12 ? load + load_part : 1.;
-    euler.load_factor = next_load;
+    set_loads(euler, next_load);
     try
     {
       const StepReport report = run.solver->advance(euler);
@@ -332,7 +334,8 @@ StepReport RestSearch<dim>::step_of(const double last_size, double &size)
                                     : "on the way to rest, step ")
            << n_steps + 1 << " of " << size << " s";
       if (load < 1.)
-        text << " with " << next_load << " of the loads";
+        text << (goes_along_time ? " under the loads at " : " with ") << next_load
+             << (goes_along_time ? " of Steady/Time of loads" : " of the loads");
       text << ": " << failure.what();
       if (load < 1. && load_part > 1.5 * smallest_part)
       {

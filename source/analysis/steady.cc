@@ -123,7 +123,12 @@ void Steady<dim>::solve(const bool loads_come)
     const bool finds_unloaded_shape = run.input.problem.finds_unloaded_shape();
     if (finds_unloaded_shape)
       RestSearch<dim>(run, sink, interrupted).find_unloaded_shape(loads_come);
-    RestSearch<dim>(run, sink, interrupted).perform(loads_come && !finds_unloaded_shape, time);
+    using Loads = typename RestSearch<dim>::Loads;
+    RestSearch<dim>(run, sink, interrupted)
+        .perform(!finds_unloaded_shape && loads_come ? Loads::in_parts
+                 : loads_come && time != 0.          ? Loads::along_time
+                                                     : Loads::present,
+                 time);
   }
 }
 

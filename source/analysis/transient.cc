@@ -157,7 +157,7 @@ void Transient<dim>::start_from_rest_under_loads()
                    : "Before the start: the steady state under the loads at t = 0");
   RestSearch<dim>(
       run, [](const StepReport &, double, double) {}, "begin anew with --overwrite")
-      .perform(true, is_mean ? mean_over_period : 0.);
+      .perform(RestSearch<dim>::Loads::in_parts, is_mean ? mean_over_period : 0.);
   run.solver->start_from_present_state();
 }
 

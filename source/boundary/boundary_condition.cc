@@ -111,7 +111,7 @@ void read_support(ParameterSection &section, BoundaryCondition &condition, unsig
 
 /// Entries of some profiles alone.
 void refuse_other_profile(const ParameterSection &section,
-                          const FlowProfile::Shape profile,
+                          const std::optional<FlowProfile::Shape> &profile,
                           const FlowProfile::Shape user,
                           const std::string &word,
                           const std::vector<std::string> &keys)
@@ -162,8 +162,7 @@ void read_flow_past(ParameterSection &section, BoundaryCondition &condition)
 void read_flow_rate(ParameterSection &section, BoundaryCondition &condition, unsigned int)
 {
   using Shape = FlowProfile::Shape;
-  condition.normal.kind = condition.tangential.kind = Kind::velocity;
-  condition.normal.along_normal =
+  const Waveform flow_rate =
       condition.is_in_plane
           ? Waveform::read(section, "Flow rate", flow_rate_of_depth,
                            "Flow rate of the whole channel and of a unit of its depth, into the "
@@ -172,21 +171,24 @@ void read_flow_rate(ParameterSection &section, BoundaryCondition &condition, uns
           : Waveform::read(section, "Flow rate", Dimensions::flow_rate,
                            "Flow rate of the whole tube, into the body; a function of time alone.",
                            true);
-  if (condition.normal.along_normal.depends_on_space())
+  if (flow_rate.depends_on_space())
     section.refuse(
         "Flow rate", "depends on x, y or z",
         "Write it as a function of t; 'Profile' gives the distribution over the section");
-  Shape profile = Shape::parabolic;
+  // Without a shape it is free.
+  std::optional<Shape> profile = Shape::parabolic;
   add_choice(section, "Profile", profile,
              {{"flat", Shape::flat},
               {"parabolic", Shape::parabolic},
               {"womersley", Shape::womersley},
-              {"table", Shape::table}},
+              {"table", Shape::table},
+              {"free", std::nullopt}},
              "How the velocity is distributed over the section: flat (zero at the rim), "
              "parabolic (the developed flow), womersley: that of a viscous liquid in a rigid tube "
              "or channel with this flow rate and 'Flow before the start', or table: as "
-             "'Profile table' has it, scaled to the flow rate and zero at the rim.");
-  condition.profile = profile;
+             "'Profile table' has it, scaled to the flow rate and zero at the rim. Or free, with "
+             "Deformation = finite: as the equations have it, through a present section of any "
+             "shape that may widen, on which one unknown pressure acts.");
   refuse_other_profile(section, profile, Shape::table, "table",
                        {"Profile table", "Profile column", "Profile interpolation"});
   refuse_other_profile(section, profile, Shape::womersley, "womersley",
@@ -195,6 +197,18 @@ void read_flow_rate(ParameterSection &section, BoundaryCondition &condition, uns
     read_profile_table(section, condition);
   if (profile == Shape::womersley)
     read_flow_past(section, condition);
+  if (!profile)
+  {
+    condition.free_flow = FreeFlow{flow_rate};
+    read_tangential(section, condition);
+    return;
+  }
+  if (section.given("Tangential"))
+    section.refuse("Tangential", "with this profile nothing moves along the section",
+                   "Remove the entry, or set Profile = free");
+  condition.profile = profile;
+  condition.normal.kind = condition.tangential.kind = Kind::velocity;
+  condition.normal.along_normal = flow_rate;
 }
 
 /// What a resistance and a windkessel have in common.
@@ -261,8 +275,9 @@ void read_windkessel(ParameterSection &section, BoundaryCondition &condition, un
   read_outlet(section, condition, outlet);
   double initial_pressure = std::numeric_limits<double>::quiet_NaN();
   section.add("Initial pressure", initial_pressure, Dimensions::pressure,
-              "Pressure of the compliance at t = 0; left out: the pressure behind, so that it is "
-              "empty.");
+              "Pressure of the compliance at t = 0, which a search for rest before it keeps; left "
+              "out: the pressure behind, so that it is empty, and in a search for rest that of the "
+              "steady flow.");
   if (section.given("Initial pressure"))
   {
     const double origin[3] = {0., 0., 0.};
@@ -371,7 +386,7 @@ const std::vector<Row> &table()
       {BoundaryType::flow_rate, "flow rate",
        "Flow rate into a round section, axisymmetric or three-dimensional, or into a plane "
        "channel; "
-       "no velocity along the boundary.",
+       "no velocity along the boundary. In finite deformation also into a section that moves.",
        read_flow_rate},
       {BoundaryType::resistance, "resistance",
        "An outlet of a liquid whose pressure follows its flow rate, p = R Q + pressure behind.",
@@ -441,6 +456,8 @@ std::vector<Waveform::Remark> BoundaryCondition::table_remarks(const double end_
   }
   if (is_cavity())
     waveforms.push_back(&volume_ratio);
+  if (free_flow)
+    waveforms.push_back(&free_flow->rate);
   if (outlet)
     waveforms.push_back(&outlet->pressure_behind);
   return Waveform::table_remarks(waveforms, "the boundary '" + name + "': ", end_time);
@@ -476,6 +493,8 @@ std::string BoundaryCondition::initial_jump(const double *point) const
   }
   if (const double ratio = volume_ratio.initial_value(point); is_cavity() && ratio != 1.)
     add("a volume ratio", ratio, "times the volume at rest");
+  if (free_flow)
+    add("a flow rate", free_flow->rate.initial_value(point), is_in_plane ? "m^2/s" : "m^3/s");
   if (outlet)
   {
     double pressure = outlet->pressure_behind.initial_value(point);
@@ -525,7 +544,8 @@ std::set<std::string> boundaries_held_across(const ParameterFile &file)
              std::find(words.begin(), words.end(), entry->value()) != words.end();
     };
     const ParameterText::Entry *const boundary = child.entry("Boundary");
-    if (says("Type", {"fixed", "velocity", "flow rate"}) ||
+    if (says("Type", {"fixed", "velocity"}) ||
+        (says("Type", {"flow rate"}) && !says("Profile", {"free"})) ||
         says("Tangential", {"fixed", "velocity"}) || says("Coupling", {"flow"}))
       names.insert(boundary != nullptr && !boundary->value().empty() ? boundary->value()
                                                                      : child.name);

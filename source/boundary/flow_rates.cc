@@ -45,6 +45,22 @@ FlowProfile::Section section_of_condition(const std::vector<BoundaryCondition> &
   return section;
 }
 
+/// The part of a section that the mesh has; of one that is no disc and no gap all of it.
+template <int dim>
+double fraction_of_section(const std::vector<BoundaryCondition> &conditions,
+                           const BoundaryCondition &condition,
+                           const dealii::Triangulation<dim> &coarse_mesh)
+{
+  try
+  {
+    return section_of_condition(conditions, condition, coarse_mesh).fraction;
+  }
+  catch (const std::invalid_argument &)
+  {
+    return 1.;
+  }
+}
+
 /// What a womersley profile needs. Throws InputError.
 FlowHistory history_of(const BoundaryCondition &condition,
                        const ParameterSection &section,
@@ -92,6 +108,8 @@ void set_flow_profiles(std::vector<BoundaryCondition> &conditions,
 {
   for (BoundaryCondition &condition : conditions)
   {
+    if (condition.free_flow)
+      condition.free_flow->fraction = fraction_of_section(conditions, condition, coarse_mesh);
     if (!condition.profile)
       continue;
     const ParameterSection section = boundaries.subsection(condition.name);

@@ -5,7 +5,9 @@
 #include <continua/case/case.h>
 #include <continua/case/cost_of_case.h>
 #include <continua/case/load_spectrum.h>
+#include <continua/case/loaded_tube_case.h>
 #include <continua/case/tube_wave_case.h>
+#include <continua/continuum/rest_state.h>
 #include <continua/mesh/round_section.h>
 #include <continua/theory/impedance_fit.h>
 #include <continua/theory/korteweg.h>
@@ -145,6 +147,39 @@ double area_of(const Case<dim> &input, const BoundaryCondition &condition)
   return sum;
 }
 
+/// The state about which the waves of an end are small.
+void take_mean_pressure(const BoundaryCondition &condition, Outlet &outlet)
+{
+  if (!condition.absorbing.has_mean_pressure)
+    return;
+  outlet.pressure_behind = Waveform(condition.absorbing.mean_pressure);
+  outlet.counts_from_start = true;
+}
+
+/// The tube behind an end, in that state.
+template <int dim>
+TubeSection section_that_goes_on(const Case<dim> &input,
+                                 const TubeLaw &law,
+                                 const double position,
+                                 const BoundaryCondition &condition,
+                                 ParameterSection root)
+{
+  const Problem &problem = input.problem;
+  if (problem.finds_unloaded_shape() && !condition.absorbing.has_mean_pressure)
+    root.subsection("Boundaries")
+        .subsection(condition.name)
+        .refuse_missing("the entry 'Mean pressure' is missing: the tube that goes on behind the "
+                        "image is under a pressure, too",
+                        "Add 'set Mean pressure = ...', the pressure of the image at this end");
+  const bool is_loaded =
+      condition.absorbing.has_mean_pressure ||
+      std::any_of(problem.materials.begin(), problem.materials.end(), has_directions);
+  if (problem.deformation == Deformation::small || law.is_rigid() || !is_loaded)
+    return tube_section_at(input, law, position);
+  return loaded_section_at(input, law, position, condition.absorbing.mean_pressure,
+                           root.subsection("Boundaries").subsection(condition.name), root);
+}
+
 /// The plane wave in a liquid without a wall.
 template <int dim>
 void add_plane_end(Case<dim> &input,
@@ -168,6 +203,7 @@ void add_plane_end(Case<dim> &input,
         "Type", "there is no wave that could leave an incompressible liquid without a wall",
         "Give it a 'Bulk modulus', or use 'pressure', 'resistance' or 'windkessel' here");
   Outlet outlet = *condition.outlet;
+  take_mean_pressure(condition, outlet);
   outlet.conditions = {number};
   AbsorbingEnd end;
   end.name = condition.name;
@@ -210,9 +246,10 @@ void add_tube_end(Case<dim> &input,
                   const TubeLaw &law,
                   const typename VesselBranch<dim>::End &vessel_end,
                   const std::optional<LoadSpectrum> &spectrum,
-                  ParameterSection boundaries,
+                  ParameterSection root,
                   std::vector<AbsorbingEnd> &ends)
 {
+  ParameterSection boundaries = root.subsection("Boundaries");
   Problem &problem = input.problem;
   const std::string &end_name = vessel_end.fluid, &wall_name = vessel_end.wall;
   int liquid = -1, wall = -1;
@@ -270,12 +307,13 @@ void add_tube_end(Case<dim> &input,
     section.refuse("Type", "an incompressible liquid in a rigid tube carries no wave",
                    "Give the liquid a bulk modulus, or use 'pressure', 'resistance' or "
                    "'windkessel'");
-  const TubeSection tube = tube_section_at(input, law, vessel_end.position);
+  const TubeSection tube = section_that_goes_on(input, law, vessel_end.position, condition, root);
   AbsorbingEnd end;
   end.name = condition.name;
   // A wall that is held axially has no wave that would arrive there.
   end.absorbs_wall = wall_end == WallEnd::absorbing && !tube.tethered;
   Outlet outlet = *condition.outlet;
+  take_mean_pressure(condition, outlet);
   outlet.conditions = {static_cast<unsigned int>(liquid)};
   if (end.absorbs_wall)
     outlet.conditions.push_back(wall);
@@ -361,7 +399,7 @@ void AbsorbingEnds::add(Case<dim> &input, ParameterSection root, const bool rest
   }
   for (const VesselBranch<dim> &branch : branches)
     for (const auto &end : branch.ends)
-      add_tube_end(input, branch.law, end, spectrum, boundaries, ends);
+      add_tube_end(input, branch.law, end, spectrum, root, ends);
 }
 
 void AbsorbingEnds::report(Log &log, Summary &summary) const

@@ -97,12 +97,14 @@ void RestParameters::read(ParameterSection section, const bool is_nonlinear)
               "Time at which a steady analysis takes loads and prescribed velocities. With "
               "Unloaded shape = inverse solve the mesh has the shape under those at t = 0, and "
               "the displacement leads from there to the shape at rest under those at this time.");
-  section.add("Load steps", load_steps,
-              "Steps in which loads and prescribed velocities come, by equal parts, one for each "
-              "time step; with a long Time step it is a continuation in the load, of a flow in the "
-              "Reynolds number. A part without a solution is halved. With convection or finite "
-              "deformation alone [1].",
-              1);
+  section.add(
+      "Load steps", load_steps,
+      "Steps in which loads and prescribed velocities come, by equal parts, one for each "
+      "time step; with a long Time step it is a continuation in the load, of a flow in the "
+      "Reynolds number. A part without a solution is halved. With convection or finite "
+      "deformation alone. After an inverse solve for the unloaded shape they also go through "
+      "the times from 0 to Time of loads [1].",
+      1);
 }
 
 namespace

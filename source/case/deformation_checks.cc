@@ -43,6 +43,17 @@ void check_prestretch(const Problem &problem,
                   "Give the support dampers and a pressure alone, or remove the prestretch");
 }
 
+/// Whether something acts on a boundary at t = 0, or may act somewhere on it.
+bool may_load_at_start(const BoundaryCondition &condition)
+{
+  const double origin[3] = {0., 0., 0.};
+  // A flow rate is one number, and so are most pressures.
+  const bool is_one_value =
+      condition.type == BoundaryType::pressure || condition.type == BoundaryType::flow_rate;
+  return condition.is_supported() || !condition.initial_jump(origin).empty() ||
+         !condition.tangential.is_zero() || (!is_one_value && !condition.normal.is_zero());
+}
+
 /// A mesh that has the shape under the loads of the start.
 void check_unloaded_shape(const Problem &problem, ParameterSection root)
 {
@@ -64,14 +75,6 @@ void check_unloaded_shape(const Problem &problem, ParameterSection root)
         .refuse("",
                 "the inverse solve for the unloaded shape finds the state at t = 0 from the loads",
                 "Remove the subsection, or set Unloaded shape = mesh");
-  for (unsigned int region = 0; region < problem.materials.size(); ++region)
-    if (problem.materials[region].prestretch.opening_angle != 0.)
-      root.subsection("Materials")
-          .subsection(problem.regions[region])
-          .refuse("Opening angle",
-                  "the mesh has the radii of the opened ring then, and the inverse solve for the "
-                  "unloaded shape takes those of the loaded one",
-                  "Remove the entry, or set Unloaded shape = mesh");
   if (!problem.interior.acceleration.empty())
     root.subsection("Body force")
         .refuse("Acceleration",
@@ -86,6 +89,16 @@ void check_unloaded_shape(const Problem &problem, ParameterSection root)
             "the inverse solve for the unloaded shape needs the pressure of the loaded one, and "
             "a cavity has its volume given",
             "Give the boundary Type = pressure, or set Unloaded shape = mesh");
+  for (const BoundaryCondition &condition : problem.conditions)
+    if (condition.type == BoundaryType::windkessel && condition.outlet->initial_states.empty() &&
+        std::none_of(problem.conditions.begin(), problem.conditions.end(), may_load_at_start))
+      root.subsection("Boundaries")
+          .subsection(condition.name)
+          .refuse("",
+                  "at t = 0 nothing flows in and the windkessel has no charge: the liquid has no "
+                  "pressure, and the shape of the mesh would be the one without load",
+                  "Add 'set Initial pressure = ...', the pressure at which the image was taken, or "
+                  "set Unloaded shape = mesh");
 }
 
 /// The volume that a boundary encloses in the coarse mesh, see CavityVolumes, over the area of its
@@ -162,6 +175,23 @@ void check_cavity(const Case<dim> &input, const BoundaryCondition &condition, Pa
       input.problem.newton.slow_iteration == SlowIteration::krylov && !input.problem.mesh_moves)
     newton.refuse("Slow iteration", "with a cavity a slow iteration makes a new factor",
                   "Remove the entry, or set Slow iteration = new factor");
+}
+
+/// Where a flow rate has no profile, so that a pressure is unknown.
+template <int dim>
+void check_free_flow(const Case<dim> &input,
+                     const BoundaryCondition &condition,
+                     ParameterSection root)
+{
+  ParameterSection section = root.subsection("Boundaries").subsection(condition.name);
+  if (!input.problem.mesh_moves)
+    section.refuse("Profile",
+                   "a free profile is that of a section which moves, and here the mesh stays",
+                   "Choose another profile, or set Deformation = finite");
+  for (const unsigned int region : condition.region_ids)
+    if (input.problem.materials[region].is_solid())
+      section.refuse("Type", "the boundary belongs to a solid, into which nothing flows",
+                     "Name the liquid's 'Region' and give the solid's part a condition of its own");
 }
 
 /// Where the mesh follows a motion that is prescribed.
@@ -308,6 +338,9 @@ void check_deformation(const Case<dim> &input, ParameterSection root)
   const Problem &problem = input.problem;
   for (const unsigned int cavity : problem.cavities())
     check_cavity(input, problem.conditions[cavity], root);
+  for (const BoundaryCondition &condition : problem.conditions)
+    if (condition.free_flow)
+      check_free_flow(input, condition, root);
   for (const BoundaryCondition &condition : problem.conditions)
     check_prescribed_motion(input, condition,
                             root.subsection("Boundaries").subsection(condition.name), root);

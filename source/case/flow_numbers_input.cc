@@ -208,6 +208,14 @@ speeds_at(const BoundaryCondition &condition, const FlowSection<dim> &section, c
     }
     return speeds;
   }
+  if (condition.free_flow)
+  {
+    const double origin[3] = {0., 0., 0.};
+    speeds.mean = speeds.largest =
+        std::abs(condition.free_flow->fraction * condition.free_flow->rate(origin, time)) /
+        section.area;
+    return speeds;
+  }
   const auto value_of = [&](const BoundaryPart &part, const FlowPoint<dim> &point)
   {
     Tensor<1, dim> value;
@@ -240,6 +248,8 @@ speeds_at(const BoundaryCondition &condition, const FlowSection<dim> &section, c
 /// Whether the condition gives a velocity to a liquid.
 bool drives(const BoundaryCondition &condition)
 {
+  if (condition.free_flow)
+    return true;
   for (const BoundaryPart *part : {&condition.normal, &condition.tangential})
     if (part->kind == BoundaryPart::Kind::velocity && (!part->is_zero() || part->flow))
       return condition.outlet == nullptr;

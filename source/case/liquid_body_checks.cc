@@ -78,7 +78,7 @@ void check_pressure_level(const Case<dim> &input, ParameterSection root)
                      [&problem](const unsigned int c)
                      {
                        return problem.conditions[c].normal.kind == BoundaryPart::Kind::velocity ||
-                              problem.conditions[c].is_cavity();
+                              problem.conditions[c].has_unknown_pressure();
                      }))
       continue;
     const bool is_part = body.regions.size() < problem.regions.size();
@@ -86,7 +86,8 @@ void check_pressure_level(const Case<dim> &input, ParameterSection root)
         .refuse("",
                 "the body " + (is_part ? "of " + names_of(problem, body.regions) + " " : "") +
                     "is incompressible and the normal velocity is prescribed on all of its "
-                    "boundary, or the volume behind it, so that the pressure is determined up to a "
+                    "boundary, or the volume behind it or the flow rate, so that the pressure is "
+                    "determined up to a "
                     "constant only",
                 "Give one boundary a pressure, a traction or 'free', an outlet 'Coupling = "
                 "pressure', or the material a bulk modulus");
@@ -161,7 +162,8 @@ void check_bodies(const Case<dim> &input, ParameterSection root)
                      {
                        const BoundaryCondition &condition = problem.conditions[c];
                        return condition.type != BoundaryType::axis &&
-                              (condition.normal.kind == BoundaryPart::Kind::traction ||
+                              ((condition.normal.kind == BoundaryPart::Kind::traction &&
+                                !condition.has_unknown_pressure()) ||
                                condition.outlet != nullptr);
                      }))
       root.refuse("Unloaded shape",

@@ -19,14 +19,21 @@ constexpr double negligible = 1e-3;
 
 using TimeFunction = std::function<double(double)>;
 
-/// What drives the body, each as a function of time.
+/// What drives the body, each as a function of time. In a body that starts at rest under its loads
+/// only their changes make waves.
 std::vector<TimeFunction> loads_of(const Problem &problem)
 {
   std::vector<TimeFunction> loads;
-  const auto add = [&loads](const Waveform &waveform)
+  const bool starts_loaded = (problem.interior.starts_at_rest_under_loads &&
+                              !problem.interior.starts_under_mean_loads) ||
+                             problem.finds_unloaded_shape();
+  const auto add = [&loads, starts_loaded](const Waveform &waveform)
   {
-    if (!waveform.is_zero())
-      loads.emplace_back([waveform](const double time) { return waveform(origin, time); });
+    if (waveform.is_zero() || (starts_loaded && !waveform.depends_on_time()))
+      return;
+    const double start = starts_loaded ? waveform.initial_value(origin) : 0.;
+    loads.emplace_back([waveform, start](const double time)
+                       { return waveform(origin, time) - start; });
   };
   const auto add_all = [&add](const std::vector<Waveform> &waveforms)
   {
@@ -34,11 +41,15 @@ std::vector<TimeFunction> loads_of(const Problem &problem)
       add(waveform);
   };
   for (const BoundaryCondition &condition : problem.conditions)
+  {
+    if (condition.free_flow)
+      add(condition.free_flow->rate);
     for (const BoundaryPart *part : {&condition.normal, &condition.tangential})
     {
       add(part->along_normal);
       add_all(part->vector);
     }
+  }
   for (const Outlet &outlet : problem.outlets)
     add(outlet.pressure_behind);
   add_all(problem.interior.acceleration);

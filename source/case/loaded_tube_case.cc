@@ -55,6 +55,31 @@ void check_outside(const Case<dim> &input, ParameterSection boundaries)
 } // namespace
 
 template <int dim>
+TubeSection loaded_section_at(const Case<dim> &input,
+                              const TubeLaw &law,
+                              const double z,
+                              const double pressure,
+                              const ParameterSection &condition,
+                              ParameterSection root)
+{
+  check_layers(input.problem, root.subsection("Materials"));
+  check_outside(input, root.subsection("Boundaries"));
+  const TubeSection of_mesh = tube_section_of_mesh(input, law, z);
+  try
+  {
+    return (input.problem.finds_unloaded_shape() ? LoadedTube::of_image(of_mesh, pressure)
+                                                 : LoadedTube(of_mesh))
+        .section_about(pressure, WallTheory::thick);
+  }
+  catch (const std::domain_error &error)
+  {
+    condition.refuse("Mean pressure",
+                     std::string("the tube does not bear the mean pressure: ") + error.what(),
+                     "Give a lower pressure or a stiffer wall");
+  }
+}
+
+template <int dim>
 void check_loaded_tube(const Case<dim> &input, ParameterSection root)
 {
   if (!why_no_tube_of_liquid(input).empty())
@@ -97,6 +122,10 @@ void check_loaded_tube(const Case<dim> &input, ParameterSection root)
   }
 }
 
+template TubeSection loaded_section_at(
+    const Case<2> &, const TubeLaw &, double, double, const ParameterSection &, ParameterSection);
+template TubeSection loaded_section_at(
+    const Case<3> &, const TubeLaw &, double, double, const ParameterSection &, ParameterSection);
 template void check_loaded_tube(const Case<2> &, ParameterSection);
 template void check_loaded_tube(const Case<3> &, ParameterSection);
 } // namespace Continua

@@ -80,6 +80,8 @@ std::vector<PeriodicLoad> loads_of(Case<dim> &input)
     const std::string name = "the boundary '" + condition.name + "'";
     const Places places = places_of(input, condition);
     add(condition.volume_ratio, name, {{{0., 0., 0.}}});
+    if (condition.free_flow)
+      add(condition.free_flow->rate, name, {{{0., 0., 0.}}});
     for (BoundaryPart *const part : {&condition.normal, &condition.tangential})
     {
       add(part->along_normal, name, places);
@@ -282,6 +284,15 @@ void set_periodic_loads(Case<dim> &input, ParameterSection root)
                 "the load of " + latest +
                     " does not repeat itself from t = 0 on, as a start from the mean asks for",
                 "Remove its Ramp, or let its table or formula begin at t = 0, or set Type = given");
+  for (const BoundaryCondition &condition : input.problem.conditions)
+    if (input.problem.interior.starts_under_mean_loads && condition.outlet &&
+        !condition.outlet->initial_states.empty())
+      root.subsection("Boundaries")
+          .subsection(condition.name)
+          .refuse("Initial pressure",
+                  "a start from the mean of the loads gives the windkessel the charge of the mean "
+                  "flow",
+                  "Remove the entry, or set Initial state/Type = steady or given");
   // Any one, since all are the same.
   const double end = 2. * periodic_state.period;
   for (const PeriodicLoad &load : loads)

@@ -25,11 +25,17 @@ find_condition(const Case<dim> &input, const std::string &boundary, const unsign
   return nullptr;
 }
 
+/// Of an inlet: its pressure or flow rate.
+const Waveform &waveform_of(const BoundaryCondition &condition)
+{
+  return condition.free_flow ? condition.free_flow->rate : condition.normal.along_normal;
+}
+
 /// A pressure or a flow rate that is not zero.
 bool is_loaded(const BoundaryCondition &condition)
 {
   return (condition.type == BoundaryType::flow_rate || condition.type == BoundaryType::pressure) &&
-         !condition.normal.along_normal.is_zero();
+         !waveform_of(condition).is_zero();
 }
 
 /// Pressure is one and flow is conserved at a bifurcation (6.20): the branches' admittances add up.
@@ -60,7 +66,13 @@ std::string read_wall_end(const Case<dim> &input, const std::string &boundary, W
     if (condition == nullptr)
       return "the mesh has no boundary '" + boundary + "'";
     const bool clamped = condition->normal.is_fixed() && condition->tangential.is_fixed();
-    const bool free = condition->normal.is_free() && condition->tangential.is_free();
+    const BoundaryCondition *const outside =
+        find_condition(input, "outside", input.problem.regions.size() - 1);
+    // A wall that is held along moves across at a roller as at a free end.
+    const bool is_held_along = outside != nullptr && outside->tangential.is_fixed();
+    const bool free =
+        (condition->normal.is_free() || (is_held_along && condition->normal.is_fixed())) &&
+        condition->tangential.is_free();
     const bool absorbing = condition->type == BoundaryType::absorbing;
     const WallEnd present = absorbing ? WallEnd::absorbing
                             : clamped ? WallEnd::clamped
@@ -127,6 +139,9 @@ std::string read_far_end(const Case<dim> &input, const Ends &ends, TubeWaveProbl
     return "the mesh has no '" + ends.outlet + "'";
   if (input.analysis.is_transient() && input.problem.interior.starts_under_mean_loads)
     return "the run starts under the mean of its loads, and the theory from rest";
+  if (input.analysis.is_transient() && input.problem.deformation == Deformation::finite &&
+      (input.problem.interior.starts_at_rest_under_loads || input.problem.finds_unloaded_shape()))
+    return "the run starts in a loaded state, and the theory is that of the wall without load";
   if (input.wave_theory.far_end == FarEnd::matched)
     problem.outlet = TubeWaveProblem::Outlet::matched;
   else if (input.wave_theory.far_end == FarEnd::branches)
@@ -167,7 +182,7 @@ std::string read_inlet(const Case<dim> &input, const Ends &ends, TubeWaveCase &w
   const BoundaryCondition *const condition = find_condition(input, ends.inlet, 0);
   if (condition == nullptr)
     return "the mesh has no '" + ends.inlet + "'";
-  const Waveform waveform = condition->normal.along_normal;
+  const Waveform waveform = waveform_of(*condition);
   if (condition->type == BoundaryType::flow_rate)
     problem.inlet = TubeWaveProblem::Inlet::flow_rate;
   else if (condition->type == BoundaryType::pressure)

@@ -1,8 +1,10 @@
-#include <continua/continuum/cavity_coupling.h>
+#include <continua/continuum/boundary_pressures.h>
 
 #include <continua/base/input_error.h>
 #include <continua/continuum/branch_history.h>
 #include <continua/signal/jump.h>
+
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,24 +14,35 @@ namespace Continua
 {
 namespace
 {
-double volume_ratio(const BoundaryCondition &condition, const double time)
+const double origin[3] = {0., 0., 0.};
+
+/// Of each entry's product alone, all signs taken away; of all ranks.
+double sum_of_sizes(const DistributedVector &section, const DistributedVector &velocity)
 {
-  const double origin[3] = {0., 0., 0.};
-  return condition.volume_ratio(origin, time);
+  double sum = 0.;
+  for (unsigned int i = 0; i < section.locally_owned_size(); ++i)
+    sum += std::abs(section.begin()[i] * velocity.begin()[i]);
+  return dealii::Utilities::MPI::sum(sum, section.get_mpi_communicator());
 }
 } // namespace
 
-CavityCoupling::CavityCoupling(const Problem &problem, Operators &operators)
-    : problem(problem), operators(operators), conditions(problem.cavities())
+BoundaryPressures::BoundaryPressures(const Problem &problem, Operators &operators)
+    : problem(problem), operators(operators), conditions(problem.unknown_pressures())
 {
 }
 
-void CavityCoupling::initialise()
+const Waveform &BoundaryPressures::given(const unsigned int row) const
+{
+  const BoundaryCondition &condition = problem.conditions[conditions[row]];
+  return condition.is_cavity() ? condition.volume_ratio : condition.free_flow->rate;
+}
+
+void BoundaryPressures::initialise()
 {
   present.assign(conditions.size(), CavityState());
 }
 
-void CavityCoupling::build()
+void BoundaryPressures::build()
 {
   if (is_empty())
     return;
@@ -38,151 +51,185 @@ void CavityCoupling::build()
   // An assignment keeps the distribution of a vector of the same size.
   momentum.reinit(zero_velocity);
   mass = operators.pressure_vector();
-  const std::vector<double> volumes = operators.cavity_volumes(zero_velocity);
-  cavities.assign(conditions.size(), Cavity());
-  for (unsigned int i = 0; i < cavities.size(); ++i)
+  rows.assign(conditions.size(), Row());
+  int n_cavities = 0;
+  for (unsigned int i = 0; i < rows.size(); ++i)
   {
-    cavities[i].rest_volume = volumes[i];
+    rows[i].cavity = problem.conditions[conditions[i]].is_cavity() ? n_cavities++ : -1;
     for (DistributedVector *const vector :
-         {&cavities[i].derivative, &cavities[i].force, &cavities[i].velocity_response})
+         {&rows[i].derivative, &rows[i].force, &rows[i].velocity_response})
       vector->reinit(zero_velocity);
-    cavities[i].pressure_response.reinit(mass);
+    rows[i].pressure_response.reinit(mass);
   }
-  matrix.reinit(cavities.size(), cavities.size());
-  differences.reinit(cavities.size());
-  changes.reinit(cavities.size());
+  const std::vector<double> volumes = volumes_at(zero_velocity);
+  for (Row &row : rows)
+    if (row.cavity >= 0)
+      row.rest_volume = volumes[row.cavity];
+  matrix.reinit(rows.size(), rows.size());
+  differences.reinit(rows.size());
+  changes.reinit(rows.size());
 }
 
-void CavityCoupling::begin_step(const Step &step)
+std::vector<double> BoundaryPressures::volumes_at(const DistributedVector &displacement)
 {
-  for (unsigned int i = 0; i < cavities.size(); ++i)
+  return std::any_of(rows.begin(), rows.end(), [](const Row &row) { return row.cavity >= 0; })
+             ? operators.cavity_volumes(displacement)
+             : std::vector<double>();
+}
+
+void BoundaryPressures::begin_step(const Step &step)
+{
+  for (unsigned int i = 0; i < rows.size(); ++i)
   {
     const BoundaryCondition &condition = problem.conditions[conditions[i]];
-    const double ratio = volume_ratio(condition, step.balance_time);
+    const double value = given(i)(origin, step.balance_time);
+    if (rows[i].cavity < 0)
+    {
+      if (!std::isfinite(value))
+        throw RunError("the flow rate of the boundary '" + condition.name +
+                       "' is no number (Boundaries/" + condition.name + "/Flow rate)");
+      rows[i].given = step.load_factor * condition.free_flow->fraction * value;
+      rows[i].largest_given = std::max(rows[i].largest_given, std::abs(rows[i].given));
+      continue;
+    }
     // What is no number fails the comparison.
-    if (!(ratio > 0.))
+    if (!(value > 0.))
     {
       std::ostringstream text;
-      text << "the volume ratio of the cavity '" << condition.name << "' is " << ratio
+      text << "the volume ratio of the cavity '" << condition.name << "' is " << value
            << " and not positive (Boundaries/" << condition.name << "/Volume ratio)";
       throw RunError(text.str());
     }
-    cavities[i].given_volume = cavities[i].rest_volume * (1. + step.load_factor * (ratio - 1.));
+    rows[i].given = rows[i].rest_volume * (1. + step.load_factor * (value - 1.));
   }
 }
 
-void CavityCoupling::measure(const BalancedStep &balanced)
+void BoundaryPressures::measure(const BalancedStep &balanced)
 {
   if (is_empty())
     return;
   const DistributedVector &displacement =
       problem.mesh_moves ? balanced.mesh_displacement : balanced.displacement;
-  const std::vector<double> volumes = operators.cavity_volumes(displacement);
-  for (unsigned int i = 0; i < cavities.size(); ++i)
+  const std::vector<double> volumes = volumes_at(displacement);
+  for (unsigned int i = 0; i < rows.size(); ++i)
   {
-    cavities[i].volume = volumes[i];
-    operators.linearise_cavity(i, displacement, cavities[i].derivative, cavities[i].force);
+    Row &row = rows[i];
+    if (row.cavity >= 0)
+    {
+      row.value = volumes[row.cavity];
+      operators.linearise_cavity(row.cavity, displacement, row.derivative, row.force);
+      continue;
+    }
+    // The flow rate out of the body by a velocity, and minus the force of a pressure of 1 Pa.
+    operators.set_flow_of_velocities(conditions[i], displacement, row.force);
+    row.force *= -1.;
+    row.derivative.equ(1., row.force);
+    row.value = row.derivative * balanced.velocity - row.derivative * balanced.mesh_velocity;
+    row.size =
+        std::max(row.largest_given, sum_of_sizes(row.derivative, balanced.velocity) +
+                                        sum_of_sizes(row.derivative, balanced.mesh_velocity));
   }
 }
 
-double CavityCoupling::residual() const
+double BoundaryPressures::residual() const
 {
   double largest = 0.;
-  for (const Cavity &cavity : cavities)
+  for (const Row &row : rows)
   {
-    const double share = std::abs(cavity.given_volume - cavity.volume) / cavity.given_volume;
-    // What is no number stays.
-    if (!(share <= largest))
+    const double difference = std::abs(row.given - row.value),
+                 share = difference / (row.cavity >= 0 ? row.given : row.size);
+    // What is no number stays; where nothing has flowed nothing is missing.
+    if (difference != 0. && !(share <= largest))
       largest = share;
   }
   return largest;
 }
 
-void CavityCoupling::respond(const Solve &solve)
+void BoundaryPressures::respond(const Solve &solve)
 {
-  for (Cavity &cavity : cavities)
+  for (Row &row : rows)
   {
-    momentum.equ(1., cavity.force);
+    momentum.equ(1., row.force);
     mass = 0.;
-    solve(momentum, mass, cavity.velocity_response, cavity.pressure_response);
+    solve(momentum, mass, row.velocity_response, row.pressure_response);
   }
 }
 
-double CavityCoupling::largest_flow() const
+double BoundaryPressures::largest_flow() const
 {
   double largest = 0.;
-  for (const Cavity &cavity : cavities)
-    largest =
-        std::max(largest, cavity.derivative.linfty_norm() * cavity.velocity_response.linfty_norm());
+  for (const Row &row : rows)
+    largest = std::max(largest, row.derivative.linfty_norm() * row.velocity_response.linfty_norm());
   return largest;
 }
 
-void CavityCoupling::couple(const Step &step,
-                            DistributedVector &velocity_change,
-                            DistributedVector &pressure_change,
-                            std::vector<double> &cavity_pressures)
+void BoundaryPressures::couple(const Step &step,
+                               DistributedVector &velocity_change,
+                               DistributedVector &pressure_change,
+                               std::vector<double> &boundary_pressures)
 {
   if (is_empty())
     return;
-  const double displacement_by_velocity = BranchHistory::step_displacement(step);
-  for (unsigned int i = 0; i < cavities.size(); ++i)
+  for (unsigned int i = 0; i < rows.size(); ++i)
   {
-    const Cavity &row = cavities[i];
-    differences[i] = row.given_volume - row.volume -
-                     displacement_by_velocity * (row.derivative * velocity_change);
-    for (unsigned int j = 0; j < cavities.size(); ++j)
-      matrix(i, j) = displacement_by_velocity * (row.derivative * cavities[j].velocity_response);
+    const Row &row = rows[i];
+    const double by_velocity = row.cavity >= 0 ? BranchHistory::step_displacement(step) : 1.;
+    differences[i] = row.given - row.value - by_velocity * (row.derivative * velocity_change);
+    for (unsigned int j = 0; j < rows.size(); ++j)
+      matrix(i, j) = by_velocity * (row.derivative * rows[j].velocity_response);
     if (matrix(i, i) == 0.)
-      throw RunError("the volume of the cavity '" + problem.conditions[conditions[i]].name +
-                     "' does not change by its pressure: nothing of its surface can move");
+    {
+      const std::string name = "'" + problem.conditions[conditions[i]].name + "'";
+      throw RunError(row.cavity >= 0
+                         ? "the volume of the cavity " + name +
+                               " does not change by its pressure: nothing of its surface can move"
+                         : "the flow rate of the boundary " + name +
+                               " does not change by its pressure: nothing can flow there");
+    }
   }
   matrix.gauss_jordan();
   matrix.vmult(changes, differences);
-  for (unsigned int i = 0; i < cavities.size(); ++i)
+  for (unsigned int i = 0; i < rows.size(); ++i)
   {
-    velocity_change.add(changes[i], cavities[i].velocity_response);
-    pressure_change.add(changes[i], cavities[i].pressure_response);
-    cavity_pressures[i] += changes[i];
+    velocity_change.add(changes[i], rows[i].velocity_response);
+    pressure_change.add(changes[i], rows[i].pressure_response);
+    boundary_pressures[i] += changes[i];
   }
 }
 
-std::vector<double> CavityCoupling::pressures() const
+std::vector<double> BoundaryPressures::pressures() const
 {
   std::vector<double> numbers;
-  for (const CavityState &cavity : present)
-    numbers.push_back(cavity.pressure);
+  for (const CavityState &of_boundary : present)
+    numbers.push_back(of_boundary.pressure);
   return numbers;
 }
 
-void CavityCoupling::finish_step(const BalancedStep &balanced)
+void BoundaryPressures::finish_step(const BalancedStep &balanced)
 {
   for (unsigned int i = 0; i < present.size(); ++i)
-    present[i].pressure = balanced.cavity_pressures[i];
+    present[i].pressure = balanced.boundary_pressures[i];
 }
 
-const std::vector<CavityState> &CavityCoupling::states(const DistributedVector &displacement)
+const std::vector<CavityState> &BoundaryPressures::states(const DistributedVector &displacement)
 {
   if (is_empty())
     return present;
-  const std::vector<double> volumes = operators.cavity_volumes(displacement);
+  const std::vector<double> volumes = volumes_at(displacement);
   for (unsigned int i = 0; i < present.size(); ++i)
-    present[i].volume = volumes[i];
+    present[i].volume = rows[i].cavity >= 0 ? volumes[rows[i].cavity] : 0.;
   return present;
 }
 
-bool CavityCoupling::jumps(const double begin, const double end) const
+bool BoundaryPressures::jumps(const double begin, const double end) const
 {
-  return std::any_of(conditions.begin(), conditions.end(),
-                     [&](const unsigned int condition)
-                     {
-                       return jumps_within(
-                           [&](const double time)
-                           { return volume_ratio(problem.conditions[condition], time); },
-                           begin, end);
-                     });
+  for (unsigned int i = 0; i < conditions.size(); ++i)
+    if (jumps_within([&](const double time) { return given(i)(origin, time); }, begin, end))
+      return true;
+  return false;
 }
 
-void CavityCoupling::visit(StateVisitor &visitor)
+void BoundaryPressures::visit(StateVisitor &visitor)
 {
   for (unsigned int i = 0; i < present.size(); ++i)
     visitor.value(StateName("cavity pressure", i), present[i].pressure);

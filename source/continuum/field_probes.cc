@@ -100,11 +100,14 @@ bool FieldProbes<dim>::counts(const ProbeRequest<dim> &request, const unsigned i
 template <int dim>
 unsigned int FieldProbes<dim>::cavity_of(const ProbeRequest<dim> &request) const
 {
-  const std::vector<unsigned int> conditions = problem.cavities();
+  const std::vector<unsigned int> conditions = problem.unknown_pressures();
   const auto found =
       std::find_if(conditions.begin(), conditions.end(),
-                   [&](const unsigned int condition) {
-                     return request.boundary_ids.count(problem.conditions[condition].boundary_id);
+                   [&](const unsigned int number)
+                   {
+                     const BoundaryCondition &condition = problem.conditions[number];
+                     return condition.is_cavity() &&
+                            request.boundary_ids.count(condition.boundary_id) > 0;
                    });
   if (found == conditions.end())
     throw std::invalid_argument("the boundary encloses no cavity");

@@ -39,12 +39,12 @@ private:
 Newton::Newton(const Problem &problem,
                Operators &operators,
                OutletCoupling &outlets,
-               CavityCoupling &cavities,
+               BoundaryPressures &unknown_pressures,
                Log &log)
     : problem(problem),
       operators(operators),
       outlets(outlets),
-      cavities(cavities),
+      unknown_pressures(unknown_pressures),
       log(log),
       residual(problem, operators, outlets),
       krylov(BlockKrylov::Method::gmres, 3 * problem.newton.most_krylov_iterations)
@@ -133,9 +133,9 @@ bool Newton::correct_by_krylov(const NewtonInput &input,
   // All solves of the step together: a new factor serves many steps.
   if (krylov_iterations > problem.newton.most_krylov_iterations)
     factor_is_poor = true;
-  // What the pressures of cavities do is wanted to the same tolerance.
-  const double flow = cavities.largest_flow();
-  cavities.respond(
+  // What the unknown pressures of boundaries do is wanted to the same tolerance.
+  const double flow = unknown_pressures.largest_flow();
+  unknown_pressures.respond(
       [&](DistributedVector &of_momentum, DistributedVector &of_mass, DistributedVector &velocity,
           DistributedVector &pressure)
       {
@@ -158,12 +158,12 @@ void Newton::begin_step(const NewtonInput &input, BalancedStep &balanced)
   outlets.predict(input.step, input.velocity_old);
   if (problem.mesh_moves)
     outlets.set_port_velocities(balanced.velocity);
-  cavities.begin_step(input.step);
+  unknown_pressures.begin_step(input.step);
   residual.begin_step(balanced.acceleration);
   krylov_iterations = 0;
   takes_krylov = correction_is_exact = false;
   may_take_krylov = !is_explicit &&
-                    (problem.mesh_moves || (outlets.is_empty() && cavities.is_empty() &&
+                    (problem.mesh_moves || (outlets.is_empty() && unknown_pressures.is_empty() &&
                                             operators.has_derivative_products())) &&
                     problem.newton.slow_iteration == SlowIteration::krylov;
   // The factor leaves out what the mesh's motion does to the liquid, which is much in a long step.
@@ -225,9 +225,10 @@ void Newton::make_factor(const BalancedStep &balanced,
   factor_is_poor = false;
   takes_krylov = is_exact_at_once && may_take_krylov;
   outlets.respond(report);
-  cavities.respond([&](DistributedVector &of_momentum, DistributedVector &of_mass,
-                       DistributedVector &of_velocity, DistributedVector &of_pressure)
-                   { solve_by_factor(of_momentum, of_mass, of_velocity, of_pressure, report); });
+  unknown_pressures.respond(
+      [&](DistributedVector &of_momentum, DistributedVector &of_mass,
+          DistributedVector &of_velocity, DistributedVector &of_pressure)
+      { solve_by_factor(of_momentum, of_mass, of_velocity, of_pressure, report); });
 }
 
 void Newton::correct(const NewtonInput &input,
@@ -247,7 +248,8 @@ void Newton::correct(const NewtonInput &input,
   }
   else
     solve_by_factor(residual.momentum, residual.mass, velocity_change, pressure_change, report);
-  cavities.couple(input.step, velocity_change, pressure_change, balanced.cavity_pressures);
+  unknown_pressures.couple(input.step, velocity_change, pressure_change,
+                           balanced.boundary_pressures);
   balanced.velocity.add(1., velocity_change);
   balanced.pressure.add(1., pressure_change);
   if (!problem.mesh_moves)
@@ -261,11 +263,11 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
   for (unsigned int iteration = 0;; ++iteration)
   {
     residual.set_rates(input, balanced);
-    cavities.measure(balanced);
+    unknown_pressures.measure(balanced);
     if (problem.mesh_moves)
       outlets.measure(balanced);
     const ResidualNorms norms = residual.set(input, balanced, is_explicit);
-    convergence.take(norms, cavities.residual());
+    convergence.take(norms, unknown_pressures.residual());
     report.corrections = iteration;
     report.residual = convergence.residual();
     // Where a large pressure is at rest, its round-off moves the body by more than the round-off

@@ -73,10 +73,10 @@ void NewtonConvergence::fail(const Problem &problem,
   if (has_numbers && present.of_cavities > std::max(present.of_momentum, present.of_mass))
   {
     std::ostringstream text;
-    text << "Newton's iteration left the volume of a cavity " << present.of_cavities
-         << " of it away from the one given after " << iteration
-         << " iterations (Newton/Maximum iterations); a smaller time step or a volume that "
-            "changes more slowly helps";
+    text << "Newton's iteration left the volume of a cavity, or a flow rate, "
+         << present.of_cavities << " of it away from the one given after " << iteration
+         << " iterations (Newton/Maximum iterations); a smaller time step or a volume or flow rate "
+            "that changes more slowly helps";
     throw StepFailure(text.str());
   }
   const bool is_of_momentum =

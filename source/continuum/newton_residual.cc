@@ -190,12 +190,11 @@ void NewtonResidual::add_differences(const BalancedStep &balanced,
                                      DistributedVector &momentum_rows,
                                      DistributedVector &mass_rows)
 {
-  // Velocity and pressure each change by no more than a small part of what they are. Of a body in
-  // finite deformation the velocity stands for the displacement, too, beside which it may be
-  // nothing.
-  const auto share = [](const double change, const double value) {
-    return value > 0. ? change / value : change > 0. ? 1. : 0.;
-  };
+  // Velocity and pressure each change by no more than a small part of what they are, or of the
+  // change itself: of a body at rest what they are may be round-off. Of a body in finite
+  // deformation the velocity stands for the displacement, too, beside which it may be nothing.
+  const auto share = [](const double change, const double value)
+  { return change > 0. ? change / std::max(change, value) : 0.; };
   double velocity = balanced.velocity.linfty_norm();
   if (problem.has_regions_of(RegionModel::finite_solid))
   {
@@ -212,7 +211,7 @@ void NewtonResidual::add_differences(const BalancedStep &balanced,
     return;
   const double distance = difference / largest;
   shifted.step = balanced.step;
-  shifted.cavity_pressures = balanced.cavity_pressures;
+  shifted.boundary_pressures = balanced.boundary_pressures;
   if (problem.mesh_moves)
     operators.set_mesh_change(balanced.step, of_velocity, mesh_change);
   for (const double sign : {1., -1.})

@@ -402,6 +402,8 @@ void OutletCoupling::finish_step(const Step &step)
 void OutletCoupling::start_from_rest()
 {
   present_flow_rates_of_mesh.assign(ports.size(), 0.);
+  for (unsigned int o = 0; o < models.size(); ++o)
+    models[o].start_from(&flow_rates[first_port[o]]);
 }
 
 void OutletCoupling::couple_steady(const double time,

@@ -19,7 +19,8 @@ double relaxation_time(const Impedance::Term &term)
 }
 } // namespace
 
-OutletModel::OutletModel(const Outlet &outlet) : outlet(outlet), predicted(n_ports())
+OutletModel::OutletModel(const Outlet &outlet)
+    : outlet(outlet), start_flow_rates(n_ports()), predicted(n_ports())
 {
   const Vector<double> zero(n_ports());
   responses.assign(outlet.impedance.terms.size(), Response{zero, zero, zero, zero});
@@ -40,12 +41,27 @@ bool OutletModel::take_coefficients(const std::vector<double> &taken)
 bool OutletModel::linearise(const Step &step, const double *const flow_rates_old)
 {
   predicted = 0.;
-  predicted[0] = outlet.pressure_behind(origin, step.balance_time);
+  // Only on the way to rest do the loads come in parts.
+  predicted[0] = step.load_factor * outlet.pressure_behind(origin, step.balance_time);
   new_coefficients.clear();
+  if (step.is_towards_rest && outlet.counts_from_start)
+  {
+    for (Response &response : responses)
+      response.balanced = 0.;
+    new_coefficients.assign(responses.size() + 1, 0.);
+    return take_coefficients(new_coefficients);
+  }
   for (unsigned int k = 0; k < responses.size(); ++k)
   {
     const Impedance::Term &term = outlet.impedance.terms[k];
     Response &response = responses[k];
+    if (step.is_towards_rest && has_given_charge())
+    {
+      new_coefficients.push_back(0.);
+      response.balanced[0] = step.load_factor * outlet.initial_states[k];
+      predicted[0] += term.residue(0, 0) * response.balanced[0];
+      continue;
+    }
     if (step.is_towards_rest && term.rate > 0.)
     {
       // In a steady flow x_k = Q / rate.
@@ -57,12 +73,21 @@ bool OutletModel::linearise(const Step &step, const double *const flow_rates_old
     new_coefficients.push_back(of_step.velocity);
     for (unsigned int j = 0; j < n_ports(); ++j)
       response.balanced[j] = of_step.old * response.present[j] + of_step.older * response.older[j] +
-                             of_step.velocity_old * flow_rates_old[j];
+                             of_step.velocity_old * change_of_flow(flow_rates_old, j);
     for (unsigned int i = 0; i < n_ports(); ++i)
       for (unsigned int j = 0; j < n_ports(); ++j)
         predicted[i] += term.residue(i, j) * response.balanced[j];
   }
-  return take_coefficients(new_coefficients);
+  new_coefficients.push_back(1.);
+  const bool changed = take_coefficients(new_coefficients);
+  if (outlet.counts_from_start)
+  {
+    const FullMatrix<double> of_step = impedance();
+    for (unsigned int i = 0; i < n_ports(); ++i)
+      for (unsigned int j = 0; j < n_ports(); ++j)
+        predicted[i] -= of_step(i, j) * start_flow_rates[j];
+  }
+  return changed;
 }
 
 bool OutletModel::linearise_steady(const double time)
@@ -70,22 +95,38 @@ bool OutletModel::linearise_steady(const double time)
   predicted = 0.;
   predicted[0] = outlet.pressure_behind(origin, time);
   new_coefficients.clear();
-  for (const Impedance::Term &term : outlet.impedance.terms)
+  for (unsigned int k = 0; k < responses.size(); ++k)
   {
+    const Impedance::Term &term = outlet.impedance.terms[k];
+    if (has_given_charge())
+    {
+      predicted[0] += term.residue(0, 0) * outlet.initial_states[k];
+      new_coefficients.push_back(0.);
+      continue;
+    }
     if (term.rate == 0.)
       throw RunError("the outlet '" + outlet.name +
                      "' has no pressure that belongs to a steady flow");
     new_coefficients.push_back(1. / term.rate);
   }
+  new_coefficients.push_back(1.);
   return take_coefficients(new_coefficients);
 }
 
 FullMatrix<double> OutletModel::impedance() const
 {
   FullMatrix<double> sum = outlet.impedance.direct;
-  for (unsigned int k = 0; k < coefficients.size(); ++k)
+  if (!coefficients.empty())
+    sum *= coefficients.back();
+  for (unsigned int k = 0; k + 1 < coefficients.size(); ++k)
     sum.add(coefficients[k], outlet.impedance.terms[k].residue);
   return sum;
+}
+
+void OutletModel::start_from(const double *const flow_rates)
+{
+  for (unsigned int j = 0; j < n_ports() && outlet.counts_from_start; ++j)
+    start_flow_rates[j] = flow_rates[j];
 }
 
 void OutletModel::advance(const Step &step, const double *const flow_rates)
@@ -96,8 +137,9 @@ void OutletModel::advance(const Step &step, const double *const flow_rates)
     const Impedance::Term &term = outlet.impedance.terms[k];
     for (unsigned int j = 0; j < n_ports(); ++j)
     {
-      response.balanced[j] += coefficients[k] * flow_rates[j];
-      response.rate[j] = flow_rates[j] - term.rate * response.balanced[j];
+      const double flow_rate = change_of_flow(flow_rates, j);
+      response.balanced[j] += coefficients[k] * flow_rate;
+      response.rate[j] = flow_rate - term.rate * response.balanced[j];
     }
     response.older.swap(response.present);
     if (step.extrapolate)
@@ -121,7 +163,8 @@ void OutletModel::set_steady(const double *const flow_rates)
   for (unsigned int k = 0; k < responses.size(); ++k)
     for (unsigned int j = 0; j < n_ports(); ++j)
       responses[k].present[j] = responses[k].balanced[j] =
-          flow_rates[j] / outlet.impedance.terms[k].rate;
+          has_given_charge() ? outlet.initial_states[k]
+                             : flow_rates[j] / outlet.impedance.terms[k].rate;
 }
 
 double OutletModel::stored_power() const
@@ -151,7 +194,7 @@ std::vector<double> OutletModel::present_pressures(const double time,
   for (unsigned int i = 0; i < n_ports(); ++i)
     for (unsigned int j = 0; j < n_ports(); ++j)
     {
-      pressures[i] += outlet.impedance.direct(i, j) * flow_rates[j];
+      pressures[i] += outlet.impedance.direct(i, j) * change_of_flow(flow_rates, j);
       for (unsigned int k = 0; k < responses.size(); ++k)
         pressures[i] += outlet.impedance.terms[k].residue(i, j) * responses[k].present[j];
     }
@@ -170,5 +213,7 @@ void OutletModel::visit(StateVisitor &visitor, const unsigned int number)
   for (unsigned int k = 0; k < responses.size(); ++k)
     visitor.levels({"outlet", number, k}, responses[k].present.begin(), responses[k].older.begin(),
                    n_ports());
+  for (unsigned int j = 0; j < n_ports() && outlet.counts_from_start; ++j)
+    visitor.value({"start of outlet", number, j}, start_flow_rates[j]);
 }
 } // namespace Continua

@@ -33,9 +33,9 @@ TimeStepping::TimeStepping(const Problem &problem, Operators &operators, Log &lo
       history(problem.materials, problem.deformation),
       bulk_history(problem.materials),
       outlets(problem, operators),
-      cavities(problem, operators),
+      unknown_pressures(problem, operators),
       wall_shear(problem, operators),
-      newton(problem, operators, outlets, cavities, log),
+      newton(problem, operators, outlets, unknown_pressures, log),
       products(problem, operators, history, velocity, velocity_older),
       ledger(problem, operators, outlets, history, bulk_history, &products),
       kept([this](StateVisitor &visitor) { visit(visitor); })
@@ -46,7 +46,7 @@ void TimeStepping::initialise()
 {
   setup();
   outlets.initialise();
-  cavities.initialise();
+  unknown_pressures.initialise();
   present_time = pressure_known_time = 0.;
   operators.set_initial_state(velocity, history.displacement(), pressure);
   bulk_history.start(pressure);
@@ -128,8 +128,8 @@ void TimeStepping::setup()
   history.reinit(zero_velocity, operators.velocity_nodes());
   bulk_history.reinit(zero_pressure, operators.pressure_nodes());
   outlets.build();
-  cavities.build();
-  balanced.cavity_pressures = cavities.pressures();
+  unknown_pressures.build();
+  balanced.boundary_pressures = unknown_pressures.pressures();
   wall_shear.reinit();
   products.reinit();
   ledger.reinit();
@@ -167,7 +167,7 @@ void TimeStepping::visit(StateVisitor &visitor)
   history.visit(visitor);
   bulk_history.visit(visitor);
   outlets.visit(visitor);
-  cavities.visit(visitor);
+  unknown_pressures.visit(visitor);
   operators.visit(visitor);
   wall_shear.visit(visitor);
   visitor.vector("known pressure", StateKind::pressure, pressure_known);
@@ -257,7 +257,7 @@ void TimeStepping::iterate(const Step &step, const bool system_is_new, StepRepor
     stop_finite_solids(balanced.velocity);
   operators.set_prescribed(balanced.prescribed, balanced.velocity);
   balanced.pressure.equ(1., pressure);
-  balanced.cavity_pressures = cavities.pressures();
+  balanced.boundary_pressures = unknown_pressures.pressures();
   balanced.step = step;
   if (problem.has_regions_of(RegionModel::finite_solid))
     history.predict_displacement(step, velocity, mixture);
@@ -453,7 +453,7 @@ void TimeStepping::finish(const Step &step)
     pressure_known.equ(1., balanced.pressure);
     pressure_known_time = step.balance_time;
   }
-  cavities.finish_step(balanced);
+  unknown_pressures.finish_step(balanced);
   present_time = step.time;
   balanced.step = step;
   products.advance();
@@ -667,13 +667,13 @@ void TimeStepping::return_to_kept_state()
 bool TimeStepping::data_jumps(const double begin, const double end) const
 {
   return operators.loads().jumps(begin, end) || operators.prescribed_velocity_jumps(begin, end) ||
-         outlets.jumps(begin, end) || cavities.jumps(begin, end);
+         outlets.jumps(begin, end) || unknown_pressures.jumps(begin, end);
 }
 
 State TimeStepping::state()
 {
   operators.complete_pressure(history.displacement(), pressure);
-  cavities.states(problem.mesh_moves ? *operators.mesh_displacement() : history.displacement());
+  unknown_pressures.states(problem.mesh_moves ? *operators.mesh_displacement() : history.displacement());
   return present();
 }
 

@@ -73,6 +73,47 @@ LoadedTube::LoadedTube(const TubeSection &section) : mesh(section)
   }
 }
 
+LoadedTube LoadedTube::of_image(const TubeSection &section, const double wanted)
+{
+  // The radius without load, or of the opened ring, gives the thicknesses by the volumes.
+  const auto of_radius = [&](const double radius)
+  {
+    LoadedTube tube(section);
+    tube.mesh.inner_radius = radius;
+    double image = section.inner_radius, inner = radius;
+    for (unsigned int i = 0; i < section.layers.size(); ++i)
+    {
+      const double thickness = section.layer_thicknesses[i],
+                   outer = std::sqrt(square_of(inner) +
+                                     thickness * (2. * image + thickness) /
+                                         section.layers[i].prestretch.volume_ratio(1.));
+      tube.mesh.layer_thicknesses[i] = outer - inner;
+      image += thickness;
+      inner = outer;
+    }
+    return tube;
+  };
+  const auto surplus = [&](const double radius)
+  { return of_radius(radius).pressure(section.inner_radius) - wanted; };
+  constexpr double step = 1.05, farthest = 50.;
+  double high = section.inner_radius;
+  for (; surplus(high) > 0.; high *= step)
+    if (high > farthest * section.inner_radius)
+      throw std::domain_error("no tube without load was found that widens less under it.");
+  double low = high;
+  for (; surplus(low) < 0.; low /= step)
+    if (low < section.inner_radius / farthest)
+      throw std::domain_error("no tube without load bears so much at this radius.");
+  if (low == high)
+    return of_radius(low);
+  std::uintmax_t n_iterations = 100;
+  const auto bracket = boost::math::tools::toms748_solve(
+      surplus, low, high,
+      boost::math::tools::eps_tolerance<double>(std::numeric_limits<double>::digits - 4),
+      n_iterations);
+  return of_radius(0.5 * (bracket.first + bracket.second));
+}
+
 template <typename Rule, typename Function>
 double
 LoadedTube::integral(const double inner_radius, const Rule &rule, const Function &function) const
@@ -197,11 +238,14 @@ double LoadedTube::distensibility(const double inner_radius) const
   return 2. / (inner_radius * stiffness(inner_radius));
 }
 
-TubeSection LoadedTube::section_about(const double pressure) const
+TubeSection LoadedTube::section_about(const double pressure, const WallTheory wall_theory) const
 {
   const double a = inner_radius(pressure), b = outer_radius(a), thickness = b - a;
-  // A thin layer of shear modulus mu, held along its axis, has dp/da = 4 mu h/a^2.
-  const double of_stiffness = a * a / (4. * thickness);
+  // A thin layer of shear modulus mu, held along its axis, has dp/da = 4 mu h/a^2, a thick one
+  // 2 mu a (1/a^2 - 1/b^2).
+  const double of_stiffness = wall_theory == WallTheory::thin
+                                  ? a * a / (4. * thickness)
+                                  : 0.5 / (a * (1. / (a * a) - 1. / (b * b)));
   Material wall;
   wall.type = "prony";
   wall.shear.branches.push_back({stiffness(a) * of_stiffness});

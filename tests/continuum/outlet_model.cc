@@ -86,7 +86,8 @@ void windkessel(const std::string &scheme)
 
 void steady()
 {
-  const Outlet outlet = make_windkessel();
+  Outlet outlet = make_windkessel();
+  outlet.initial_states.clear();
   OutletModel model(outlet);
   model.linearise_steady(0.);
   const double q = 0.3;
@@ -100,6 +101,68 @@ void steady()
   check::throws<RunError>(
       "steady: a compliance alone", [&]() { OutletModel(closed).linearise_steady(0.); },
       "the outlet 'artery' has no pressure that belongs to a steady flow");
+}
+
+/// On the way to rest a charge that is given stays, and comes with its part of the loads; without
+/// one it is that of the steady flow.
+void towards_rest()
+{
+  Outlet outlet = make_windkessel();
+  Step step = euler_step(0., h, Update::implicit);
+  step.is_towards_rest = true;
+  step.load_factor = 0.4;
+  const double q = 0.3;
+  const auto pressure_of = [&](OutletModel &model)
+  {
+    model.linearise(step, &q);
+    return model.predicted_pressures()[0] + model.impedance()(0, 0) * q;
+  };
+  OutletModel charged(outlet);
+  check::relative("to rest: pressure of a given charge", pressure_of(charged),
+                  0.4 * (behind + 2.5) + proximal * q, 1e-13);
+  step.load_factor = 1.;
+  pressure_of(charged);
+  charged.advance(step, &q);
+  check::relative("to rest: a given charge stays", charged.energy(), 0.5 * compliance * 6.25,
+                  1e-13);
+  charged.linearise_steady(0.);
+  check::relative("steady: a given charge",
+                  charged.predicted_pressures()[0] + charged.impedance()(0, 0) * q,
+                  behind + 2.5 + proximal * q, 1e-13);
+  charged.set_steady(&q);
+  check::relative("steady: a given charge stays", charged.energy(), 0.5 * compliance * 6.25, 1e-13);
+  outlet.initial_states.clear();
+  OutletModel empty(outlet);
+  check::relative("to rest: pressure of the steady flow", pressure_of(empty),
+                  behind + (proximal + distal) * q, 1e-13);
+}
+
+/// An end that counts from the start holds its pressure on the way to rest, and answers to changes
+/// of the flow rate from then on.
+void from_the_start()
+{
+  Outlet outlet = make_windkessel();
+  outlet.initial_states.clear();
+  outlet.counts_from_start = true;
+  OutletModel model(outlet);
+  Step step = euler_step(0., h, Update::implicit);
+  step.is_towards_rest = true;
+  const double start = 0.7, q = 1.;
+  model.linearise(step, &start);
+  check::relative("from the start: pressure at rest", model.predicted_pressures()[0], behind,
+                  1e-13);
+  check::absolute("from the start: no impedance at rest", model.impedance()(0, 0), 0., 1e-15);
+  model.advance(step, &start);
+  model.start_from(&start);
+  step.is_towards_rest = false;
+  check::is_true("from the start: another impedance", model.linearise(step, &start));
+  const double response = h / (1. + h / (distal * compliance)) / compliance;
+  check::relative("from the start: pressure",
+                  model.predicted_pressures()[0] + model.impedance()(0, 0) * q,
+                  behind + (proximal + response) * 0.3, 1e-13);
+  model.advance(step, &q);
+  check::relative("from the start: pressure at the end", model.present_pressures(h, &q)[0],
+                  behind + (proximal + response) * 0.3, 1e-13);
 }
 
 /// Each of two ports changes the other's pressure.
@@ -136,6 +199,8 @@ UNIT_TEST(outlet_model)
   for (const std::string scheme : {"euler", "backward differencing", "crank nicolson"})
     windkessel(scheme);
   steady();
+  towards_rest();
+  from_the_start();
   two_ports();
   check::is_true("no jump", !OutletModel(make_windkessel()).jumps(0., 1.));
 }

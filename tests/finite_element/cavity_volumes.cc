@@ -152,9 +152,9 @@ void check_volume(const std::string &name,
   for (DistributedVector *const vector : {&state.pressure, &state.pressure_rate})
     *vector = space.pressure_vector();
   state.displacement = displacement;
-  state.cavity_pressures = {2.5};
+  state.boundary_pressures = {2.5};
   DistributedVector loads = forces_of(terms, state);
-  state.cavity_pressures = {0.};
+  state.boundary_pressures = {0.};
   loads.add(-1., forces_of(terms, state), 2.5, force);
   check::absolute(name + ": load", loads.linfty_norm() / force.linfty_norm(), 0., 1e-12);
 }

@@ -127,7 +127,7 @@ BalancedStep make_state(const Space<dim> &space, const Step &step)
   state.acceleration = vector(0.8, 4.);
   state.pressure = scalar(2.);
   state.pressure_rate = scalar(3.);
-  state.cavity_pressures = {2.1};
+  state.boundary_pressures = {2.1};
   return state;
 }
 

@@ -141,6 +141,35 @@ UNIT_TEST(loaded_tube)
   check::relative("artery: thickness", about.wall_thickness(), 0.1533e-3, 1e-5);
   check::is_true("artery: held along its axis", about.tethered);
 
+  // A thick layer, of which Lame's formula has the same speed.
+  const TubeSection thick = opened.section_about(13.33e3, WallTheory::thick);
+  const LongWaveTube thick_wall{thick.inner_radius, thick.wall_thickness(), 0.5, 1060., 0.};
+  check::relative(
+      "artery: speed with a thick layer",
+      korteweg_speed(thick_wall, thick.hoop_modulus(1e-9), Anchoring::throughout, WallTheory::thick)
+          .real(),
+      8.030456, 1e-6);
+  // From the image under that pressure back to the opened ring and its layers.
+  const auto image = [&](const double radius, const double middle, const double outer)
+  {
+    TubeSection section = artery(1.43e-3, 160.);
+    section.inner_radius = radius;
+    section.layer_thicknesses = {middle - radius, outer - middle};
+    return section;
+  };
+  const double in_image = 1.2743468e-3, ratio = 20. / 36. / 1.7,
+               between =
+                   std::sqrt(in_image * in_image + ratio * (1.69e-3 * 1.69e-3 - 1.43e-3 * 1.43e-3));
+  const LoadedTube found =
+      LoadedTube::of_image(image(in_image, between, opened.outer_radius(in_image)), 13.33e3);
+  check::relative("image: radius under another pressure", found.inner_radius(5e3),
+                  opened.inner_radius(5e3), 1e-6);
+  check::relative("image: radius without pressure", found.inner_radius(0.), 0.4923582e-3, 2e-6);
+  check::throws<std::domain_error>(
+      "image: more than rubber bears",
+      [&]() { LoadedTube::of_image(tube(1., {0.1}, {layer_of(1e3)}), 1e6); },
+      "no tube without load");
+
   // Without pressure: Lame's tube, held along its axis.
   const TubeSection straight = tube(0.01, {2e-3}, {layer_of(1e5)});
   const LongWaveTube lame{0.01, 2e-3, 0.5, 1060., 0.};

@@ -32,9 +32,15 @@ public:
   /// `interrupted`: what a message says after a signal that ends the run.
   RestSearch(Run<dim> &run, const Sink &sink, const std::string &interrupted);
 
-  /// `loads_come`: whether they come in the load steps; else the present state has them already.
+  /// How the loads come.
+  enum class Loads
+  {
+    present,   ///< the state has them already, or takes them at once
+    in_parts,  ///< the load steps bring them
+    along_time ///< the state has those at t = 0, and the load steps go through the times from there
+  };
   /// `time_of_loads` [s], or `mean_over_period`. Throws RunError if the body does not come to rest.
-  void perform(bool loads_come, double time_of_loads = 0.);
+  void perform(Loads loads, double time_of_loads = 0.);
 
   /// The same for the unloaded shape of a body that has that of the mesh under the loads at t = 0.
   void find_unloaded_shape(bool loads_come);
@@ -50,7 +56,8 @@ private:
   unsigned int n_steps = 0, n_load_steps = 0, n_shortened = 0;
   bool finds_unloaded_shape = false;
   double time_of_loads = 0.;
-  double load = 1.;      ///< part of the loads that the last step had [1]
+  bool goes_along_time = false;
+  double load = 1.;      ///< part of the loads, or of the time, that the last step had [1]
   double load_part = 1.; ///< by which it grew
 
   unsigned int n_static = 0; ///< static steps of the last balance()
@@ -60,8 +67,8 @@ private:
   /// liquid by less than the tolerance; false if they do not come to that. `last_size` [s]: of the
   /// step before them.
   bool balance(double last_size);
-  /// Loads, and what the equations leave out.
-  void set_loads(Step &step) const;
+  /// A part of the loads or of their time [1], and what the equations leave out.
+  void set_loads(Step &step, double part = 1.) const;
   /// Makes a step towards rest after one of `last_size` [s], of a smaller size, or with a smaller
   /// part of the loads, where there is no solution. Throws RunError.
   StepReport step_of(double last_size, double &size);

@@ -84,6 +84,13 @@ enum class MeshCondition
   follows ///< the velocity that is prescribed there, or one of its own
 };
 
+/// A flow rate whose distribution over the section is free: one unknown pressure acts on it.
+struct FreeFlow
+{
+  Waveform rate;        ///< into the whole tube, of time alone [m^3/s], in the plane [m^2/s]
+  double fraction = 1.; ///< of the section that the mesh has [1]
+};
+
 /// What holds on one boundary (of one region, or of all that touch it).
 struct BoundaryCondition
 {
@@ -107,6 +114,7 @@ struct BoundaryCondition
   InflowPressure inflow_pressure = InflowPressure::static_pressure;
   /// Of a cavity: the volume that it encloses over that in the mesh at rest [1], of time alone.
   Waveform volume_ratio = Waveform(1.);
+  std::optional<FreeFlow> free_flow;
 
   MeshCondition mesh = MeshCondition::automatic;
   /// Of a mesh that follows: Cartesian components, by the place at rest [m/s]; empty: that of the
@@ -137,6 +145,8 @@ struct BoundaryCondition
   }
   /// Whether the boundary encloses a volume that is given, with a pressure that is unknown.
   bool is_cavity() const { return type == BoundaryType::cavity; }
+  /// Whether an unknown pressure acts, since a volume or a flow rate is given.
+  bool has_unknown_pressure() const { return is_cavity() || free_flow.has_value(); }
   /// Whether what is around the body supports it.
   bool is_supported() const { return normal.is_supported() || tangential.is_supported(); }
   /// A sentence for the log where the prescribed value at t = 0 is not zero at `point` (three

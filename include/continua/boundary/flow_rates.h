@@ -22,7 +22,8 @@ struct FlowRateTimes
  * Gives every condition of type `flow rate` the profile over its section, which is found on the
  * coarse mesh: a disc, or in a plane model the gap of a channel. `boundaries` is the section that
  * the conditions were read from. Throws InputError if a section is neither, if a womersley profile
- * has no liquid, no time or no period that it is for, or if a table does not cover the section.
+ * has no liquid, no time or no period that it is for, or if a table does not cover the section. A
+ * free flow gets the fraction of its section.
  */
 template <int dim>
 void set_flow_profiles(std::vector<BoundaryCondition> &conditions,

@@ -32,6 +32,9 @@ struct Outlet
   Coupling coupling = Coupling::pressure;
   /// x_k of the first port at t = 0 [m^3], by term; empty is zero.
   std::vector<double> initial_states;
+  /// Whether it answers to what the flow rates differ by from those at the start of the run. A
+  /// search for rest before that has the pressure behind it at the first port, whatever flows.
+  bool counts_from_start = false;
 };
 } // namespace Continua
 

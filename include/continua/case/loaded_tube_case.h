@@ -3,6 +3,7 @@
 
 #include <continua/case/case.h>
 #include <continua/theory/loaded_tube.h>
+#include <continua/vessel/tube_law.h>
 
 namespace Continua
 {
@@ -12,6 +13,17 @@ bool is_about_loaded_state(const Case<dim> &input)
 {
   return !input.analysis.has_fields && input.problem.deformation == Deformation::finite;
 }
+
+/// The section of the tube at z [m] of its axis, under a pressure [Pa] about which waves are small;
+/// `key`: of `condition`, which gave the pressure. Throws InputError where theory has no such
+/// state.
+template <int dim>
+TubeSection loaded_section_at(const Case<dim> &input,
+                              const TubeLaw &law,
+                              double z,
+                              double pressure,
+                              const ParameterSection &condition,
+                              ParameterSection root);
 
 /// Refuses what the theory of waves about a loaded state does not have. A case that is no tube of
 /// liquid at all is left to others. Throws InputError.

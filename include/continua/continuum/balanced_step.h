@@ -20,7 +20,7 @@ struct BalancedStep
   DistributedVector displacement;       ///< with solids in finite deformation, else empty [m]
   DistributedVector mesh_displacement;  ///< of a mesh that moves, else empty [m]
   DistributedVector mesh_velocity;      ///< likewise [m/s]
-  std::vector<double> cavity_pressures; ///< by cavity [Pa]
+  std::vector<double> boundary_pressures; ///< by cavity [Pa]
   /// From which an explicit step has taken the convective terms, else empty [m/s].
   DistributedVector extrapolated_velocity;
   DistributedVector prescribed; ///< prescribed velocities where there are any, else 0 [m/s]

@@ -1,5 +1,5 @@
-#ifndef continua_continuum_cavity_coupling_h
-#define continua_continuum_cavity_coupling_h
+#ifndef continua_continuum_boundary_pressures_h
+#define continua_continuum_boundary_pressures_h
 
 #include <continua/continuum/balanced_step.h>
 #include <continua/continuum/cavity_state.h>
@@ -16,25 +16,29 @@
 namespace Continua
 {
 /**
- * The cavities of a problem, whose volumes are given and whose pressures are unknowns of Newton's
- * iteration. With the kept factor K of the tangent, the residual r, the volume V and its derivative
- * b . dU by a change of the velocity, and the forces c of a pressure of 1 Pa, an iteration solves
+ * The pressures of boundaries that are unknowns of Newton's iteration: of cavities, whose volumes
+ * are given, and of sections of which a flow rate is given and its distribution is free. With the
+ * kept factor K of the tangent, the residual r, the volume V and its derivative b . dU by a change
+ * of the velocity, and the forces c of a pressure of 1 Pa, an iteration solves
  *
  *   K dU - c dp = r,     b . dU = V_given - V
  *
  * by block elimination: K x = r, K y = c, dp = (V_given - V - b . x)/(b . y), dU = x + y dp.
- * Several cavities have a small matrix in the place of b . y. K alone may be singular or have
+ * Several boundaries have a small matrix in the place of b . y. K alone may be singular or have
  * negative eigenvalues, as at and beyond the largest pressure of a balloon: at a state that is not
  * singular with its volume held, the sum stays finite. On a mesh that moves K leaves out the motion
- * of the liquid's mesh; where the iteration takes GMRES for x, it does for y, too.
+ * of the liquid's mesh; where the iteration takes GMRES for x, it does for y, too. Of a section the
+ * flow rate into the body past the mesh, - q . (U - W) with the present section q, takes the place
+ * of V (of such flow rates: J. G. Heywood, R. Rannacher, S. Turek, Int. J. Numer. Meth. Fluids 22
+ * (1996) 325, section 3).
  *
- * V is that at the level which the step balances.
+ * All are those at the level which the step balances.
  */
-class CavityCoupling
+class BoundaryPressures
 {
 public:
   /// Both must outlive it.
-  CavityCoupling(const Problem &problem, Operators &operators);
+  BoundaryPressures(const Problem &problem, Operators &operators);
 
   bool is_empty() const { return conditions.empty(); }
   /// The state of t = 0, without pressures.
@@ -42,13 +46,14 @@ public:
   /// The mesh has changed; the pressures stay. After the operators' setup().
   void build();
 
-  /// Takes the volumes that are given at the step: those at its balance time, on the way to rest as
-  /// far from the volumes at rest as the share of the loads says. Throws RunError if one is not
-  /// positive.
+  /// Takes what is given at the step: that at its balance time, on the way to rest as far from the
+  /// volumes at rest, or from no flow, as the share of the loads says. Throws RunError if a volume
+  /// is not positive or a flow rate is no number.
   void begin_step(const Step &step);
-  /// Takes volumes and derivatives at an iterate's displacement.
+  /// Takes volumes, flow rates and derivatives at an iterate.
   void measure(const BalancedStep &balanced);
-  /// The largest difference of a volume from the one given, over the latter, at that iterate.
+  /// The largest difference of a volume from the one given, over the latter, at that iterate; of a
+  /// flow rate over the largest one so far [1].
   double residual() const;
   /// Solves the equations of an iteration for right sides of momentum [N] and volume [m^3/s].
   using Solve = std::function<void(DistributedVector &momentum,
@@ -64,9 +69,9 @@ public:
   void couple(const Step &step,
               DistributedVector &velocity_change,
               DistributedVector &pressure_change,
-              std::vector<double> &cavity_pressures);
+              std::vector<double> &boundary_pressures);
 
-  /// The pressures [Pa], by cavity.
+  /// The pressures [Pa], by boundary.
   std::vector<double> pressures() const;
   /// Takes those that a step has found.
   void finish_step(const BalancedStep &balanced);
@@ -80,23 +85,34 @@ public:
   void visit(StateVisitor &visitor);
 
 private:
-  struct Cavity
+  /// One boundary, with its equation.
+  struct Row
   {
-    double rest_volume = 0.; ///< in the mesh [m^3]
-    double given_volume = 0., volume = 0.;
-    DistributedVector derivative, force;
+    int cavity = -1;               ///< its number among the cavities, -1 of a flow rate
+    double rest_volume = 0.;       ///< in the mesh [m^3]
+    double given = 0., value = 0.; ///< volume [m^3], or flow rate into the body [m^3/s]
+    double largest_given = 0.,
+           size = 0.; ///< of a flow rate, over all steps, and what to compare it with
+    DistributedVector
+        derivative; ///< of the volume by the displacement, of a flow rate by the velocity [m^2]
+    DistributedVector force; ///< of a pressure of 1 Pa [N]
     DistributedVector velocity_response, pressure_response;
   };
 
   const Problem &problem;
   Operators &operators;
-  const std::vector<unsigned int> conditions; ///< by cavity
-  std::vector<Cavity> cavities;
+  const std::vector<unsigned int> conditions; ///< by boundary
+  std::vector<Row> rows;
   std::vector<CavityState> present;
   // Work space.
   DistributedVector momentum, mass, zero_velocity;
   dealii::FullMatrix<double> matrix;
   dealii::Vector<double> differences, changes;
+
+  /// Volume ratio [1], or flow rate of the whole section [m^3/s].
+  const Waveform &given(unsigned int row) const;
+  /// Of the cavities; empty if there are none [m^3].
+  std::vector<double> volumes_at(const DistributedVector &displacement);
 };
 } // namespace Continua
 

@@ -3,7 +3,8 @@
 
 namespace Continua
 {
-/// What a cavity has at a time. Of a body that is modelled in part, the volume is that of the part.
+/// What a boundary with an unknown pressure has at a time. Of a body that is modelled in part, the
+/// volume is that of the part; of a section with a flow rate it is 0.
 struct CavityState
 {
   double pressure = 0.; ///< [Pa]

@@ -3,7 +3,7 @@
 
 #include <continua/base/log.h>
 #include <continua/continuum/balanced_step.h>
-#include <continua/continuum/cavity_coupling.h>
+#include <continua/continuum/boundary_pressures.h>
 #include <continua/continuum/newton_input.h>
 #include <continua/continuum/newton_residual.h>
 #include <continua/continuum/operators.h>
@@ -28,13 +28,13 @@ namespace Continua
  * there. In a body that comes to rest under a large pressure the round-off of that pressure remains
  * in the residual of volume. The iteration ends there, too: when momentum is at round-off, a
  * correction with the exact derivative has not halved the residual of volume, and what it leaves in
- * a step is below 1e-12 of the volume of each pressure. The volume of a cavity must differ from the
- * one given by the same fraction at most.
+ * a step is below 1e-12 of the volume of each pressure. A volume or flow rate that is given must
+ * be met to the same fraction.
  *
  * Outlets are linear. Each iteration solves without the forces of their ports and adds the body's
- * responses, as a linear step does. The volumes of cavities are equations of their own, whose
- * unknowns are the cavities' pressures; see CavityCoupling. With outlets or cavities a slow
- * iteration makes a new factor, where the mesh stays.
+ * responses, as a linear step does. Given volumes of cavities and flow rates through sections are
+ * equations of their own, whose unknowns are pressures; see BoundaryPressures. With outlets or
+ * cavities a slow iteration makes a new factor, where the mesh stays.
  *
  * With explicit convection (Convection::treatment) the first iterate is part of the scheme: the
  * convective terms stay those that it has, and the tangent is that at rest, where they have no
@@ -48,7 +48,7 @@ public:
   Newton(const Problem &problem,
          Operators &operators,
          OutletCoupling &outlets,
-         CavityCoupling &cavities,
+         BoundaryPressures &unknown_pressures,
          Log &log);
 
   /// The mesh has changed.
@@ -65,7 +65,7 @@ private:
   const Problem &problem;
   Operators &operators;
   OutletCoupling &outlets;
-  CavityCoupling &cavities;
+  BoundaryPressures &unknown_pressures;
   Log &log;
   NewtonResidual residual;
   BlockKrylov krylov;

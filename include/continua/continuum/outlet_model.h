@@ -17,7 +17,8 @@ namespace Continua
  * The zero-dimensional model behind the ports of one outlet: flow rates Q in [m^3/s], pressures p
  * out [Pa]. In a step it is linear, p = predicted + Z Q at the balanced level, with Z = direct +
  * sum_k residue_k (velocity coefficient of x_k) and first-order responses dx_k/dt = Q - rate_k x_k
- * [m^3], one number a port.
+ * [m^3], one number a port. On the way to rest a term stands as in a steady flow, x_k = Q/rate_k,
+ * unless its x_k at t = 0 is given: a charge that is given stays.
  */
 class OutletModel
 {
@@ -32,7 +33,7 @@ public:
   unsigned int n_ports() const { return outlet.impedance.n_ports(); }
   /// Linearises for a step from the flow rates at its start. Returns whether Z has changed.
   bool linearise(const Step &step, const double *flow_rates_old);
-  /// Linearises for a steady flow, with Z(0). Throws RunError if no steady flow passes.
+  /// Linearises for a steady flow, with Z(0), or with the charge that is given. Throws RunError if no steady flow passes.
   bool linearise_steady(double time);
   const dealii::Vector<double> &predicted_pressures() const { return predicted; }
   /// Z [Pa s/m^3].
@@ -40,6 +41,8 @@ public:
 
   /// Moves on to the end of the step, by the flow rates at its balanced level.
   void advance(const Step &step, const double *flow_rates);
+  /// The run begins with these flow rates, see Outlet::counts_from_start.
+  void start_from(const double *flow_rates);
   /// Takes the state of a steady flow.
   void set_steady(const double *flow_rates);
 
@@ -65,10 +68,18 @@ private:
   };
   const Outlet &outlet;
   std::vector<Response> responses;  ///< by term of the impedance
-  std::vector<double> coefficients; ///< of x_k by Q in the step [s]; empty before the first one
+  /// Of x_k by Q in the step [s], and the factor of the direct part [1]; empty before the first one.
+  std::vector<double> coefficients;
+  dealii::Vector<double> start_flow_rates; ///< of an outlet that counts from there [m^3/s]
   dealii::Vector<double> predicted;
 
+  /// Then there is one port.
+  bool has_given_charge() const { return !outlet.initial_states.empty(); }
   bool take_coefficients(const std::vector<double> &new_coefficients);
+  double change_of_flow(const double *flow_rates, const unsigned int port) const
+  {
+    return flow_rates[port] - start_flow_rates[port];
+  }
   std::vector<double> new_coefficients; ///< work space
 };
 } // namespace Continua

@@ -144,6 +144,15 @@ struct Problem
         numbers.push_back(i);
     return numbers;
   }
+  /// The numbers of the conditions whose pressure is an unknown.
+  std::vector<unsigned int> unknown_pressures() const
+  {
+    std::vector<unsigned int> numbers;
+    for (unsigned int i = 0; i < conditions.size(); ++i)
+      if (conditions[i].has_unknown_pressure())
+        numbers.push_back(i);
+    return numbers;
+  }
   /// Of a region in any model.
   PlaneStressFactors plane_stress(const unsigned int region) const
   {

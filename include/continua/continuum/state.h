@@ -23,7 +23,8 @@ struct State
   const DistributedVector *wall_potentials = nullptr;
   /// From the mesh to the shape without stress [m]; null where that is the mesh's.
   const DistributedVector *unloaded_displacement = nullptr;
-  const std::vector<CavityState> *cavities = nullptr; ///< null where there are none
+  /// By unknown pressure; null where there are none.
+  const std::vector<CavityState> *cavities = nullptr;
   /// Of a mesh that moves, in the solids that of matter [m]; null where the mesh stays.
   const DistributedVector *mesh_displacement = nullptr;
 

@@ -88,7 +88,7 @@ private:
   BranchHistory history;
   BulkHistory bulk_history;
   OutletCoupling outlets;
-  CavityCoupling cavities;
+  BoundaryPressures unknown_pressures;
   WallShearAverage wall_shear;
   /// Its factor is no part of the state: a checkpoint makes it forgotten.
   mutable Newton newton;
@@ -126,7 +126,7 @@ private:
                  wall_shear.is_on() ? &wall_shear : nullptr,
                  operators.wall_potentials(),
                  operators.unloaded_displacement(),
-                 &cavities.states(),
+                 &unknown_pressures.states(),
                  operators.mesh_displacement()};
   }
   /// Of the velocity nodes of this rank: whether a solid has them.

@@ -1,6 +1,7 @@
 #ifndef continua_theory_loaded_tube_h
 #define continua_theory_loaded_tube_h
 
+#include <continua/theory/korteweg.h>
 #include <continua/theory/tube_section.h>
 
 #include <vector>
@@ -25,6 +26,9 @@ public:
   /// `section` has the radius and the thicknesses of the mesh. Each layer is incompressible and has
   /// a strain law. Throws std::invalid_argument if that is not so.
   explicit LoadedTube(const TubeSection &section);
+  /// The tube that has the radius and the thicknesses of `section` under `pressure` [Pa], as an
+  /// image shows it. Throws as the constructor does, and std::domain_error if there is none.
+  static LoadedTube of_image(const TubeSection &section, double pressure);
 
   /// [Pa], at the inner radius a > 0 [m]; all branches are relaxed.
   double pressure(double inner_radius) const;
@@ -40,12 +44,13 @@ public:
   /// D [1/Pa] of slow waves.
   double distensibility(double inner_radius) const;
   /**
-   * The wall about the state at this pressure [Pa], as wave theory for long waves takes it: one
-   * thin, incompressible layer that is held along its axis. It has the present radius and
+   * The wall about the state at this pressure [Pa], as wave theory takes it: one incompressible
+   * layer that is held along its axis, of a theory of thin walls (that of long waves) or of thick
+   * ones (the exact one). It has the present radius and
    * thickness, and the modulus with which it yields as the wall does. Branches and viscosities of
    * the layers become those of the one layer. Throws std::domain_error as inner_radius() does.
    */
-  TubeSection section_about(double pressure) const;
+  TubeSection section_about(double pressure, WallTheory wall_theory = WallTheory::thin) const;
 
 private:
   /// At a point of a layer.

@@ -107,7 +107,7 @@ void ConvectiveTerms<dim>::take(const BalancedStep &state)
   take(state.velocity, state.pressure);
   space.copy_velocity(state.acceleration, acceleration);
   space.copy_pressure(state.pressure_rate, pressure_rate);
-  face_points.set_step(step, state.cavity_pressures);
+  face_points.set_step(step, state.boundary_pressures);
   if (!problem.mesh_moves)
     return;
   space.copy_velocity(state.mesh_displacement, mesh_displacement);

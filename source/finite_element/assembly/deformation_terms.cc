@@ -73,7 +73,7 @@ void DeformationTerms<dim>::take(const BalancedStep &state)
   }
   else
     space.copy_velocity(state.displacement, displacement);
-  face_points.set_step(step, state.cavity_pressures);
+  face_points.set_step(step, state.boundary_pressures);
   space.copy_velocity(state.acceleration, acceleration);
   rest_states.set_share(step.load_factor);
 }

@@ -11,10 +11,10 @@ using namespace dealii;
 
 template <int dim>
 void FacePoints<dim>::set_step(const Step &of_state,
-                               const std::vector<double> &pressures_of_cavities)
+                               const std::vector<double> &pressures_of_boundaries)
 {
   step = of_state;
-  cavity_pressures = pressures_of_cavities;
+  boundary_pressures = pressures_of_boundaries;
 }
 
 template <int dim>
@@ -30,7 +30,7 @@ SolidFacePoint<dim> FacePoints<dim>::of_solid(const TermFace<dim> &face,
   // A step that finds the unloaded shape leaves the mesh, on which the pressure acts.
   if (!step.finds_unloaded_shape)
     point.displacement_by_velocity = step.branch(std::numeric_limits<double>::infinity()).velocity;
-  point.pressure = face.cavity >= 0 ? cavity_pressures[face.cavity]
+  point.pressure = face.unknown_pressure >= 0 ? boundary_pressures[face.unknown_pressure]
                                     : step.load_factor *
                                           face.condition->normal.along_normal(
                                               coordinates(at_rest.place).data(), step.balance_time);
@@ -42,8 +42,8 @@ Tensor<1, dim> FacePoints<dim>::traction(const TermFace<dim> &face,
                                          const Point<dim> &place,
                                          const Tensor<1, dim> &normal) const
 {
-  if (face.cavity >= 0)
-    return -cavity_pressures[face.cavity] * normal;
+  if (face.unknown_pressure >= 0)
+    return -boundary_pressures[face.unknown_pressure] * normal;
   return step.load_factor *
          Loads<dim>::prescribed_traction(*face.condition, place, normal, step.balance_time);
 }
@@ -62,7 +62,7 @@ FlowFacePoint<dim> FacePoints<dim>::of_flow(const TermFace<dim> &face,
   point.weight = area.norm();
   for (unsigned int c = 0; c < dim; ++c)
     point.normal[c] = area[c] / point.weight;
-  if (face.cavity >= 0 || face.has_traction)
+  if (face.unknown_pressure >= 0 || face.has_traction)
     point.traction = traction(
         face, moves ? at_rest.place + at_rest.value_of(*state.mesh_displacement) : at_rest.place,
         point.normal);

@@ -52,20 +52,20 @@ void TermFaces<dim>::reinit(const std::vector<Cell> &cells)
     {
       if (!cell.velocity_cell->face(f)->at_boundary())
         continue;
-      int n_cavities = 0;
+      int n_unknown = 0;
       for (const BoundaryCondition &condition : problem.conditions)
       {
-        const int cavity = condition.is_cavity() ? n_cavities++ : -1;
+        const int unknown_pressure = condition.has_unknown_pressure() ? n_unknown++ : -1;
         if (cell.velocity_cell->face(f)->boundary_id() != condition.boundary_id ||
             condition.region_ids.count(cell.region) == 0)
           continue;
         TermFace<dim> face{&condition,
-                           problem.is_deformed(cell.region) ? cavity : -1,
+                           problem.is_deformed(cell.region) ? unknown_pressure : -1,
                            has_following_traction(problem, cell.region, condition),
                            has_total_pressure(cell.region, condition),
                            {},
                            {}};
-        if (face.cavity < 0 && !face.has_traction && !face.has_total_pressure)
+        if (face.unknown_pressure < 0 && !face.has_traction && !face.has_total_pressure)
           continue;
         FEFaceValues<dim> &values = face.has_total_pressure ? inflow_values : load_values;
         values.reinit(

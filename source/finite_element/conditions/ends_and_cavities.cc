@@ -10,13 +10,16 @@ using namespace dealii;
 
 namespace
 {
-/// The conditions of the ports of outlets whose faces move.
-std::vector<unsigned int> moving_ports(const Problem &problem)
+/// The conditions of the sections that move: ports of outlets, and those of free flow rates.
+std::vector<unsigned int> moving_sections(const Problem &problem)
 {
   std::vector<unsigned int> conditions;
   for (const Outlet &outlet : problem.outlets)
     if (problem.mesh_moves)
       conditions.insert(conditions.end(), outlet.conditions.begin(), outlet.conditions.end());
+  for (unsigned int c = 0; c < problem.conditions.size(); ++c)
+    if (problem.conditions[c].free_flow)
+      conditions.push_back(c);
   return conditions;
 }
 } // namespace
@@ -25,8 +28,8 @@ template <int dim>
 EndsAndCavities<dim>::EndsAndCavities(const Space<dim> &space, const Problem &problem)
     : space(space),
       problem(problem),
-      ports(moving_ports(problem)),
-      port_faces(space, problem, ports),
+      sections(moving_sections(problem)),
+      section_faces(space, problem, sections),
       cavities(space, problem)
 {
 }
@@ -34,7 +37,7 @@ EndsAndCavities<dim>::EndsAndCavities(const Space<dim> &space, const Problem &pr
 template <int dim>
 void EndsAndCavities<dim>::reinit()
 {
-  port_faces.reinit();
+  section_faces.reinit();
   cavities.reinit();
 }
 
@@ -43,8 +46,8 @@ void EndsAndCavities<dim>::set_flow_of_velocities(const unsigned int condition,
                                                   const DistributedVector &mesh_displacement,
                                                   DistributedVector &flow)
 {
-  port_faces.take(mesh_displacement);
-  port_faces.set_flow(std::find(ports.begin(), ports.end(), condition) - ports.begin(), flow);
+  section_faces.take(mesh_displacement);
+  section_faces.set_flow(std::find(sections.begin(), sections.end(), condition) - sections.begin(), flow);
 }
 
 template <int dim>

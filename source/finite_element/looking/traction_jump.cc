@@ -220,9 +220,9 @@ void traction_jump_indicators(const Space<dim> &space,
   }
   std::vector<Vector<double>> displacements, velocities;
   std::vector<double> port_pressures = outlet_pressures;
-  const std::vector<unsigned int> cavities = problem.cavities();
-  for (unsigned int i = 0; i < cavities.size(); ++i)
-    port_pressures[cavities[i]] = (*state.cavities)[i].pressure;
+  const std::vector<unsigned int> unknown = problem.unknown_pressures();
+  for (unsigned int i = 0; i < unknown.size(); ++i)
+    port_pressures[unknown[i]] = (*state.cavities)[i].pressure;
 
   std::map<std::pair<unsigned int, unsigned int>, const BoundaryCondition *> condition_of;
   for (const BoundaryCondition &condition : problem.conditions)

@@ -23,7 +23,7 @@ public:
   explicit FacePoints(const Problem &problem) : problem(problem) {}
 
   /// What is given in this step, and the pressures of the cavities [Pa].
-  void set_step(const Step &of_state, const std::vector<double> &pressures_of_cavities);
+  void set_step(const Step &of_state, const std::vector<double> &pressures_of_boundaries);
   /// At a point of a face of a solid; the displacement is that of the cell at its dofs [m].
   SolidFacePoint<dim> of_solid(const TermFace<dim> &face,
                                unsigned int q,
@@ -37,7 +37,7 @@ public:
 private:
   const Problem &problem;
   Step step;
-  std::vector<double> cavity_pressures;
+  std::vector<double> boundary_pressures;
 
   /// The traction on a liquid at a present place [Pa].
   dealii::Tensor<1, dim> traction(const TermFace<dim> &face,

@@ -19,7 +19,7 @@ template <int dim>
 struct TermFace
 {
   const BoundaryCondition *condition;
-  int cavity;              ///< its number, or -1
+  int unknown_pressure;    ///< its number, or -1
   bool has_traction;       ///< that is given and follows the present shape
   bool has_total_pressure; ///< where liquid flows in
   std::vector<DeformedFacePoint<dim>> points;

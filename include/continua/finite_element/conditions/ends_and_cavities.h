@@ -11,7 +11,7 @@
 
 namespace Continua
 {
-/// The ports of outlets and the cavities of the problem. What a method does is said in Operators
+/// The sections of outlets and of free flow rates, and the cavities of the problem. What a method does is said in Operators
 /// under the same name.
 template <int dim>
 class EndsAndCavities
@@ -43,8 +43,8 @@ public:
 private:
   const Space<dim> &space;
   const Problem &problem;
-  const std::vector<unsigned int> ports; ///< of outlets on a mesh that moves: conditions
-  DeformedFaces<dim> port_faces;         ///< of these
+  const std::vector<unsigned int> sections; ///< on a mesh that moves: conditions
+  DeformedFaces<dim> section_faces;         ///< of these
   CavityVolumes<dim> cavities;
 };
 } // namespace Continua
