@@ -47,7 +47,8 @@ void EndsAndCavities<dim>::set_flow_of_velocities(const unsigned int condition,
                                                   DistributedVector &flow)
 {
   section_faces.take(mesh_displacement);
-  section_faces.set_flow(std::find(sections.begin(), sections.end(), condition) - sections.begin(), flow);
+  section_faces.set_flow(std::find(sections.begin(), sections.end(), condition) - sections.begin(),
+                         flow);
 }
 
 template <int dim>
