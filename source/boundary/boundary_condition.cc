@@ -201,11 +201,14 @@ void read_flow_rate(ParameterSection &section, BoundaryCondition &condition, uns
   {
     condition.free_flow = FreeFlow{flow_rate};
     read_tangential(section, condition);
+    // A static one lets what flows in gain energy.
+    read_inflow_pressure(section, condition, InflowPressure::total);
     return;
   }
-  if (section.given("Tangential"))
-    section.refuse("Tangential", "with this profile nothing moves along the section",
-                   "Remove the entry, or set Profile = free");
+  for (const char *const key : {"Tangential", "Inflow pressure"})
+    if (section.given(key))
+      section.refuse(key, "with this profile the velocity is given on all of the section",
+                     "Remove the entry, or set Profile = free");
   condition.profile = profile;
   condition.normal.kind = condition.tangential.kind = Kind::velocity;
   condition.normal.along_normal = flow_rate;

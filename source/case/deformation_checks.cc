@@ -395,6 +395,11 @@ void check_deformation(const Case<dim> &input, ParameterSection root)
                 "elastic for a mesh that moves");
   if (problem.finds_unloaded_shape())
     check_unloaded_shape(problem, root);
+  if (problem.finds_unloaded_shape() ||
+      (problem.interior.starts_at_rest_under_loads && !problem.interior.starts_under_mean_loads))
+    check_largest_pressure(input, 0., root);
+  if (input.analysis.is_steady())
+    check_largest_pressure(input, input.rest.time_of_loads, root);
   if (root.sets_in_subsection("Wall directions") &&
       std::none_of(problem.materials.begin(), problem.materials.end(), has_directions))
     root.subsection("Wall directions")

@@ -323,8 +323,9 @@ FlowNumbersInput flow_numbers_input(const Case<dim> &input)
       }
       continue;
     }
-    const bool varies =
-        condition.normal.depends_on_time() || condition.tangential.depends_on_time();
+    const bool varies = condition.normal.depends_on_time() ||
+                        condition.tangential.depends_on_time() ||
+                        (condition.free_flow && condition.free_flow->rate.depends_on_time());
     const unsigned int n_times = varies && input.analysis.is_transient() ? n_times_of_flow : 1;
     Speeds speeds;
     double largest_speed = 0.;

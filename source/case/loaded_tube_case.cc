@@ -54,6 +54,100 @@ void check_outside(const Case<dim> &input, ParameterSection boundaries)
 }
 } // namespace
 
+namespace
+{
+/// Sections of a tube that are asked for the pressure that they bear.
+constexpr unsigned int n_sections = 9;
+
+/// The condition of a boundary where it meets a region, or null.
+const BoundaryCondition *
+condition_at(const Problem &problem, const std::string &boundary, const unsigned int region)
+{
+  for (const BoundaryCondition &condition : problem.conditions)
+    if (problem.boundaries[condition.boundary_id] == boundary &&
+        condition.region_ids.count(region) > 0)
+      return &condition;
+  return nullptr;
+}
+
+/// Whether a branch keeps its length, and theory knows the state of its wall at rest.
+template <int dim>
+bool is_held_along(const Problem &problem, const VesselBranch<dim> &branch)
+{
+  if (branch.law.is_rigid() || problem.materials.front().is_solid() ||
+      problem.regions.size() != branch.law.layer_fractions().size() + 1)
+    return false;
+  for (unsigned int region = 1; region < problem.materials.size(); ++region)
+  {
+    const Material &layer = problem.materials[region];
+    if (layer.strain_law == nullptr || layer.strain_law->has_own_mean_stress() ||
+        !layer.is_incompressible() || layer.long_term_shear_modulus() == 0.)
+      return false;
+    for (const auto &end : branch.ends)
+      if (const BoundaryCondition *const of_wall = condition_at(problem, end.wall, region);
+          of_wall == nullptr || !of_wall->normal.is_fixed())
+        return false;
+  }
+  const BoundaryCondition *const outside =
+      condition_at(problem, "outside", problem.regions.size() - 1);
+  return outside != nullptr && !outside->is_supported() &&
+         outside->normal.kind == BoundaryPart::Kind::traction;
+}
+} // namespace
+
+template <int dim>
+void check_largest_pressure(const Case<dim> &input, const double time, ParameterSection root)
+{
+  const Problem &problem = input.problem;
+  const double origin[3] = {0., 0., 0.};
+  for (const VesselBranch<dim> &branch : input.geometry->branches())
+  {
+    if (!is_held_along(problem, branch))
+      continue;
+    // The smaller one of both ends acts in all of the tube.
+    const BoundaryCondition *smallest = nullptr;
+    double pressure = 0.;
+    bool all_known = true;
+    for (const auto &end : branch.ends)
+    {
+      const BoundaryCondition *const condition = condition_at(problem, end.fluid, 0);
+      all_known = all_known && condition != nullptr &&
+                  (condition->type == BoundaryType::pressure || condition->normal.is_fixed());
+      if (!all_known || condition->type != BoundaryType::pressure)
+        continue;
+      const double of_end = condition->normal.along_normal(origin, time);
+      if (smallest == nullptr || of_end < pressure)
+      {
+        smallest = condition;
+        pressure = of_end;
+      }
+    }
+    if (!all_known || smallest == nullptr)
+      continue;
+    pressure -= condition_at(problem, "outside", problem.regions.size() - 1)
+                    ->normal.along_normal(origin, time);
+    try
+    {
+      for (unsigned int i = 0; i < n_sections; ++i)
+      {
+        const TubeSection section =
+            tube_section_of_mesh(input, branch.law, branch.law.length() * i / (n_sections - 1));
+        if (problem.finds_unloaded_shape())
+          LoadedTube::of_image(section, pressure);
+        else
+          LoadedTube(section).inner_radius(pressure);
+      }
+    }
+    catch (const std::domain_error &error)
+    {
+      ParameterSection end = root.subsection("Boundaries").subsection(smallest->name);
+      end.refuse(end.given("Pressure") ? "Pressure" : "",
+                 std::string("the tube has no state at rest under this pressure: ") + error.what(),
+                 "Give a lower pressure or a stiffer wall; a law that stiffens bears more");
+    }
+  }
+}
+
 template <int dim>
 TubeSection loaded_section_at(const Case<dim> &input,
                               const TubeLaw &law,
@@ -126,6 +220,8 @@ template TubeSection loaded_section_at(
     const Case<2> &, const TubeLaw &, double, double, const ParameterSection &, ParameterSection);
 template TubeSection loaded_section_at(
     const Case<3> &, const TubeLaw &, double, double, const ParameterSection &, ParameterSection);
+template void check_largest_pressure(const Case<2> &, double, ParameterSection);
+template void check_largest_pressure(const Case<3> &, double, ParameterSection);
 template void check_loaded_tube(const Case<2> &, ParameterSection);
 template void check_loaded_tube(const Case<3> &, ParameterSection);
 } // namespace Continua

@@ -175,7 +175,8 @@ end_of(const Problem &problem, const TubeExtents::End &extents, const double ref
   end.boundary = problem.boundaries[extents.fluid_boundary];
   const BoundaryCondition *fluid =
       condition_on(problem.conditions, extents.fluid_boundary, extents.fluid_region);
-  end.flow_is_given = fluid != nullptr && fluid->normal.kind == BoundaryPart::Kind::velocity;
+  end.flow_is_given = fluid != nullptr && (fluid->normal.kind == BoundaryPart::Kind::velocity ||
+                                           fluid->free_flow.has_value());
   if (fluid != nullptr)
   {
     end.outlet = fluid->outlet;
@@ -227,6 +228,9 @@ PreflightInput preflight_input(const Case<dim> &input)
   preflight.is_tube = outside == nullptr || outside->normal.kind == BoundaryPart::Kind::traction;
   if (!preflight.is_tube)
     return preflight;
+  preflight.starts_loaded =
+      input.problem.finds_unloaded_shape() || (input.problem.deformation == Deformation::finite &&
+                                               input.problem.interior.starts_at_rest_under_loads);
   preflight.length = extents.length();
   preflight.axial_cell = extents.axial_cell / refinement;
   preflight.normal_cell = extents.normal_cell / refinement;

@@ -363,7 +363,8 @@ std::string PreflightReport::headline() const
   if (input.frequency > 0.)
     text += " load of " + quantity_text(input.frequency, "Hz") + ",";
   if (std::isfinite(transit))
-    text += " tube wave " + quantity_text(input.length / transit, "m/s") + ", " +
+    text += " tube wave " + quantity_text(input.length / transit, "m/s") +
+            (input.starts_loaded ? " (of the wall without load), " : ", ") +
             quantity_text(transit, "s") + " to the far end";
   else
     text += " largest Courant number " + quantity_text(value("largest Courant number"), "1");

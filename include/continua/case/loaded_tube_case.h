@@ -25,6 +25,12 @@ TubeSection loaded_section_at(const Case<dim> &input,
                               const ParameterSection &condition,
                               ParameterSection root);
 
+/// Refuses pressures at a time [s] under which the wall of a tube has no state at rest, such as
+/// those beyond the largest one of rubber. What the theory of such states does not know passes.
+/// Throws InputError.
+template <int dim>
+void check_largest_pressure(const Case<dim> &input, double time, ParameterSection root);
+
 /// Refuses what the theory of waves about a loaded state does not have. A case that is no tube of
 /// liquid at all is left to others. Throws InputError.
 template <int dim>

@@ -44,6 +44,7 @@ struct PreflightInput
   bool load_jumps = false;
 
   bool is_tube = false;
+  bool starts_loaded = false; ///< of a wall in finite deformation: the sections are without load
   std::array<End, 2> ends; ///< of a tube: where the load is, and the far one
   double length = 0.;      ///< [m]
   double axial_cell = 0.;  ///< largest axial extent of the fluid's cells [m]
