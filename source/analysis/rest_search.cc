@@ -158,7 +158,9 @@ void RestSearch<dim>::perform(const Loads loads, const double time)
       run.log.line(text.str());
       return;
     }
-    if (report.corrections <= few_corrections)
+    // As long as loads come a longer step brings nothing nearer, and beside a liquid of small
+    // viscosity its equations become round-off.
+    if (report.corrections <= few_corrections && load == 1.)
       size *= rest.time_step_growth;
     SignalWatch::stop_if_asked(run.input.communicator, "on the way to rest, after step " +
                                                            std::to_string(step + 1) + "; " +

@@ -125,9 +125,9 @@ void Steady<dim>::solve(const bool loads_come)
       RestSearch<dim>(run, sink, interrupted).find_unloaded_shape(loads_come);
     using Loads = typename RestSearch<dim>::Loads;
     RestSearch<dim>(run, sink, interrupted)
-        .perform(!finds_unloaded_shape && loads_come ? Loads::in_parts
-                 : loads_come && time != 0.          ? Loads::along_time
-                                                     : Loads::present,
+        .perform(finds_unloaded_shape && time != 0.    ? Loads::along_time
+                 : !finds_unloaded_shape && loads_come ? Loads::in_parts
+                                                       : Loads::present,
                  time);
   }
 }

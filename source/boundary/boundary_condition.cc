@@ -201,7 +201,7 @@ void read_flow_rate(ParameterSection &section, BoundaryCondition &condition, uns
   {
     condition.free_flow = FreeFlow{flow_rate};
     read_tangential(section, condition);
-    // A static one lets what flows in gain energy.
+    // With a static one the liquid that flows in can gain energy.
     read_inflow_pressure(section, condition, InflowPressure::total);
     return;
   }
@@ -295,6 +295,11 @@ void read_absorbing(ParameterSection &section, BoundaryCondition &condition, uns
   Outlet outlet;
   outlet.name = condition.name;
   condition.absorbing.read(section);
+  if (condition.absorbing.has_mean_pressure)
+  {
+    outlet.pressure_behind = Waveform(condition.absorbing.mean_pressure);
+    outlet.counts_from_start = true;
+  }
   read_inflow_pressure(section, condition, InflowPressure::total);
   condition.outlet = std::make_shared<const Outlet>(outlet);
 }

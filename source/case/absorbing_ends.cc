@@ -147,16 +147,7 @@ double area_of(const Case<dim> &input, const BoundaryCondition &condition)
   return sum;
 }
 
-/// The state about which the waves of an end are small.
-void take_mean_pressure(const BoundaryCondition &condition, Outlet &outlet)
-{
-  if (!condition.absorbing.has_mean_pressure)
-    return;
-  outlet.pressure_behind = Waveform(condition.absorbing.mean_pressure);
-  outlet.counts_from_start = true;
-}
-
-/// The tube behind an end, in that state.
+/// The tube behind an end, in the state about which its waves are small.
 template <int dim>
 TubeSection section_that_goes_on(const Case<dim> &input,
                                  const TubeLaw &law,
@@ -203,7 +194,6 @@ void add_plane_end(Case<dim> &input,
         "Type", "there is no wave that could leave an incompressible liquid without a wall",
         "Give it a 'Bulk modulus', or use 'pressure', 'resistance' or 'windkessel' here");
   Outlet outlet = *condition.outlet;
-  take_mean_pressure(condition, outlet);
   outlet.conditions = {number};
   AbsorbingEnd end;
   end.name = condition.name;
@@ -292,7 +282,9 @@ void add_tube_end(Case<dim> &input,
     if (problem.conditions[wall].region_ids.size() + 1 != problem.regions.size())
       wall_section.refuse("Region", "an absorbing end of the wall is that of all its layers",
                           "Leave the entry out, with one condition for the whole end");
-    for (const char *key : fit_keys)
+    std::vector<const char *> keys(std::begin(fit_keys), std::end(fit_keys));
+    keys.push_back("Mean pressure");
+    for (const char *key : keys)
       if (wall_section.given(key))
         wall_section.refuse(key, "liquid and wall have one impedance together",
                             "Move the entry to the liquid's end, '" + end_name + "'");
@@ -313,7 +305,6 @@ void add_tube_end(Case<dim> &input,
   // A wall that is held axially has no wave that would arrive there.
   end.absorbs_wall = wall_end == WallEnd::absorbing && !tube.tethered;
   Outlet outlet = *condition.outlet;
-  take_mean_pressure(condition, outlet);
   outlet.conditions = {static_cast<unsigned int>(liquid)};
   if (end.absorbs_wall)
     outlet.conditions.push_back(wall);

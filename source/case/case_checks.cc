@@ -380,11 +380,29 @@ void check_convection(const Case<dim> &input, ParameterSection root)
 }
 } // namespace
 
+namespace
+{
+/// A charge at the start of a search that has none.
+template <int dim>
+void check_charges(const Case<dim> &input, ParameterSection root)
+{
+  for (const BoundaryCondition &condition : input.problem.conditions)
+    if (ParameterSection section = root.subsection("Boundaries").subsection(condition.name);
+        condition.type == BoundaryType::windkessel && section.given("Initial pressure") &&
+        input.analysis.is_steady() && !input.problem.finds_unloaded_shape())
+      section.refuse("Initial pressure",
+                     "a steady flow has no start, and gives the windkessel the charge that it has "
+                     "itself",
+                     "Remove the entry, or set Analysis = transient");
+}
+} // namespace
+
 template <int dim>
 void check_case(const Case<dim> &input, ParameterSection root)
 {
   check_deformation(input, root);
   check_supports(input, root);
+  check_charges(input, root);
   input.analysis.check(input, root);
   if (!input.analysis.has_fields)
     return;

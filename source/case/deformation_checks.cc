@@ -47,11 +47,11 @@ void check_prestretch(const Problem &problem,
 bool may_load_at_start(const BoundaryCondition &condition)
 {
   const double origin[3] = {0., 0., 0.};
-  // A flow rate is one number, and so are most pressures.
-  const bool is_one_value =
-      condition.type == BoundaryType::pressure || condition.type == BoundaryType::flow_rate;
+  // Others may act somewhere else than at the origin.
+  const bool has_one_value =
+      condition.normal.vector.empty() && !condition.normal.along_normal.depends_on_space();
   return condition.is_supported() || !condition.initial_jump(origin).empty() ||
-         !condition.tangential.is_zero() || (!is_one_value && !condition.normal.is_zero());
+         !condition.tangential.is_zero() || (!has_one_value && !condition.normal.is_zero());
 }
 
 /// A mesh that has the shape under the loads of the start.
@@ -91,6 +91,7 @@ void check_unloaded_shape(const Problem &problem, ParameterSection root)
             "Give the boundary Type = pressure, or set Unloaded shape = mesh");
   for (const BoundaryCondition &condition : problem.conditions)
     if (condition.type == BoundaryType::windkessel && condition.outlet->initial_states.empty() &&
+        problem.interior.body_force.empty() &&
         std::none_of(problem.conditions.begin(), problem.conditions.end(), may_load_at_start))
       root.subsection("Boundaries")
           .subsection(condition.name)
@@ -184,7 +185,7 @@ void check_free_flow(const Case<dim> &input,
                      ParameterSection root)
 {
   ParameterSection section = root.subsection("Boundaries").subsection(condition.name);
-  if (!input.problem.mesh_moves)
+  if (input.analysis.has_fields && !input.problem.mesh_moves)
     section.refuse("Profile",
                    "a free profile is that of a section which moves, and here the mesh stays",
                    "Choose another profile, or set Deformation = finite");

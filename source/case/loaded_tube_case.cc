@@ -56,9 +56,6 @@ void check_outside(const Case<dim> &input, ParameterSection boundaries)
 
 namespace
 {
-/// Sections of a tube that are asked for the pressure that they bear.
-constexpr unsigned int n_sections = 9;
-
 /// The condition of a boundary where it meets a region, or null.
 const BoundaryCondition *
 condition_at(const Problem &problem, const std::string &boundary, const unsigned int region)
@@ -70,11 +67,53 @@ condition_at(const Problem &problem, const std::string &boundary, const unsigned
   return nullptr;
 }
 
-/// Whether a branch keeps its length, and theory knows the state of its wall at rest.
+/// What presses on the outside [Pa].
+double outside_pressure(const Problem &problem, const double time)
+{
+  const double origin[3] = {0., 0., 0.};
+  const BoundaryCondition *const outside =
+      condition_at(problem, "outside", problem.regions.size() - 1);
+  if (outside == nullptr)
+    return 0.;
+  const double value = outside->normal.along_normal(origin, time);
+  return outside->normal.negative ? value : -value;
+}
+
+/// The pressure in all of a branch, the smaller one of both ends [Pa], and the condition that gives
+/// it; null where an end has none that is known.
+template <int dim>
+const BoundaryCondition *smallest_pressure(const Problem &problem,
+                                           const VesselBranch<dim> &branch,
+                                           const double time,
+                                           double &pressure)
+{
+  const double origin[3] = {0., 0., 0.};
+  const BoundaryCondition *smallest = nullptr;
+  for (const auto &end : branch.ends)
+  {
+    const BoundaryCondition *const condition = condition_at(problem, end.fluid, 0);
+    if (condition == nullptr ||
+        (condition->type != BoundaryType::pressure && !condition->normal.is_fixed()))
+      return nullptr;
+    if (condition->type != BoundaryType::pressure)
+      continue;
+    const double of_end = condition->normal.along_normal(origin, time);
+    if (smallest == nullptr || of_end < pressure)
+    {
+      smallest = condition;
+      pressure = of_end;
+    }
+  }
+  pressure -= outside_pressure(problem, time);
+  return smallest;
+}
+
+/// Whether a branch is uniform and keeps its length, free to widen at its ends, and theory knows
+/// the state of its wall at rest.
 template <int dim>
 bool is_held_along(const Problem &problem, const VesselBranch<dim> &branch)
 {
-  if (branch.law.is_rigid() || problem.materials.front().is_solid() ||
+  if (branch.law.is_rigid() || !branch.law.is_uniform() || problem.materials.front().is_solid() ||
       problem.regions.size() != branch.law.layer_fractions().size() + 1)
     return false;
   for (unsigned int region = 1; region < problem.materials.size(); ++region)
@@ -85,7 +124,7 @@ bool is_held_along(const Problem &problem, const VesselBranch<dim> &branch)
       return false;
     for (const auto &end : branch.ends)
       if (const BoundaryCondition *const of_wall = condition_at(problem, end.wall, region);
-          of_wall == nullptr || !of_wall->normal.is_fixed())
+          of_wall == nullptr || !of_wall->normal.is_fixed() || !of_wall->tangential.is_free())
         return false;
   }
   const BoundaryCondition *const outside =
@@ -99,48 +138,30 @@ template <int dim>
 void check_largest_pressure(const Case<dim> &input, const double time, ParameterSection root)
 {
   const Problem &problem = input.problem;
-  const double origin[3] = {0., 0., 0.};
   for (const VesselBranch<dim> &branch : input.geometry->branches())
   {
-    if (!is_held_along(problem, branch))
+    double pressure = 0., of_image = 0.;
+    const BoundaryCondition *const given = is_held_along(problem, branch)
+                                               ? smallest_pressure(problem, branch, time, pressure)
+                                               : nullptr;
+    if (given == nullptr)
       continue;
-    // The smaller one of both ends acts in all of the tube.
-    const BoundaryCondition *smallest = nullptr;
-    double pressure = 0.;
-    bool all_known = true;
-    for (const auto &end : branch.ends)
-    {
-      const BoundaryCondition *const condition = condition_at(problem, end.fluid, 0);
-      all_known = all_known && condition != nullptr &&
-                  (condition->type == BoundaryType::pressure || condition->normal.is_fixed());
-      if (!all_known || condition->type != BoundaryType::pressure)
-        continue;
-      const double of_end = condition->normal.along_normal(origin, time);
-      if (smallest == nullptr || of_end < pressure)
-      {
-        smallest = condition;
-        pressure = of_end;
-      }
-    }
-    if (!all_known || smallest == nullptr)
-      continue;
-    pressure -= condition_at(problem, "outside", problem.regions.size() - 1)
-                    ->normal.along_normal(origin, time);
+    const TubeSection section = tube_section_of_mesh(input, branch.law, 0.);
     try
     {
-      for (unsigned int i = 0; i < n_sections; ++i)
+      if (problem.finds_unloaded_shape())
       {
-        const TubeSection section =
-            tube_section_of_mesh(input, branch.law, branch.law.length() * i / (n_sections - 1));
-        if (problem.finds_unloaded_shape())
-          LoadedTube::of_image(section, pressure);
-        else
-          LoadedTube(section).inner_radius(pressure);
+        smallest_pressure(problem, branch, 0., of_image);
+        const LoadedTube tube = LoadedTube::of_image(section, of_image);
+        if (time != 0.)
+          tube.inner_radius(pressure);
       }
+      else
+        LoadedTube(section).inner_radius(pressure);
     }
     catch (const std::domain_error &error)
     {
-      ParameterSection end = root.subsection("Boundaries").subsection(smallest->name);
+      ParameterSection end = root.subsection("Boundaries").subsection(given->name);
       end.refuse(end.given("Pressure") ? "Pressure" : "",
                  std::string("the tube has no state at rest under this pressure: ") + error.what(),
                  "Give a lower pressure or a stiffer wall; a law that stiffens bears more");
@@ -159,11 +180,12 @@ TubeSection loaded_section_at(const Case<dim> &input,
   check_layers(input.problem, root.subsection("Materials"));
   check_outside(input, root.subsection("Boundaries"));
   const TubeSection of_mesh = tube_section_of_mesh(input, law, z);
+  const double across_wall = pressure - outside_pressure(input.problem, 0.);
   try
   {
-    return (input.problem.finds_unloaded_shape() ? LoadedTube::of_image(of_mesh, pressure)
+    return (input.problem.finds_unloaded_shape() ? LoadedTube::of_image(of_mesh, across_wall)
                                                  : LoadedTube(of_mesh))
-        .section_about(pressure, WallTheory::thick);
+        .section_about(across_wall, WallTheory::thick);
   }
   catch (const std::domain_error &error)
   {

@@ -87,7 +87,8 @@ std::array<double, 3> middle_of(const Case<dim> &input, const BoundaryCondition 
 
 bool depends_on_time(const BoundaryCondition &condition)
 {
-  return condition.normal.depends_on_time() || condition.tangential.depends_on_time();
+  return condition.normal.depends_on_time() || condition.tangential.depends_on_time() ||
+         (condition.free_flow && condition.free_flow->rate.depends_on_time());
 }
 
 const BoundaryCondition *load_of(const std::vector<BoundaryCondition> &conditions,
@@ -113,6 +114,8 @@ void sample_load(const BoundaryCondition &load,
                  PreflightInput &preflight)
 {
   std::vector<Waveform> components;
+  if (load.free_flow)
+    components.push_back(load.free_flow->rate);
   for (const BoundaryPart *part : {&load.normal, &load.tangential})
   {
     components.push_back(part->along_normal);

@@ -151,7 +151,11 @@ std::string read_far_end(const Case<dim> &input, const Ends &ends, TubeWaveProbl
         Impedance::resistance(impedance_of_branches(input.problem.materials[0], input.wave_theory));
   }
   else if (condition->type == BoundaryType::absorbing)
+  {
+    if (!condition->outlet->pressure_behind.is_zero())
+      return "the " + ends.outlet + " has a mean pressure, and the theory starts without one";
     problem.outlet = TubeWaveProblem::Outlet::absorbing;
+  }
   else if (condition->outlet)
   {
     if (!condition->outlet->pressure_behind.is_zero() || !condition->outlet->initial_states.empty())

@@ -40,6 +40,7 @@ const Waveform &BoundaryPressures::given(const unsigned int row) const
 void BoundaryPressures::initialise()
 {
   present.assign(conditions.size(), CavityState());
+  largest_flow_rates.assign(conditions.size(), 0.);
 }
 
 void BoundaryPressures::build()
@@ -47,6 +48,7 @@ void BoundaryPressures::build()
   if (is_empty())
     return;
   present.resize(conditions.size());
+  largest_flow_rates.resize(conditions.size(), 0.);
   zero_velocity = operators.velocity_vector();
   // An assignment keeps the distribution of a vector of the same size.
   momentum.reinit(zero_velocity);
@@ -82,14 +84,18 @@ void BoundaryPressures::begin_step(const Step &step)
   for (unsigned int i = 0; i < rows.size(); ++i)
   {
     const BoundaryCondition &condition = problem.conditions[conditions[i]];
-    const double value = given(i)(origin, step.balance_time);
+    // The mean of both ends of the step: else a kink between them would ring.
+    const double value =
+        rows[i].cavity < 0 && step.extrapolate
+            ? 0.5 * (given(i)(origin, step.time - step.size()) + given(i)(origin, step.time))
+            : given(i)(origin, step.balance_time);
     if (rows[i].cavity < 0)
     {
       if (!std::isfinite(value))
         throw RunError("the flow rate of the boundary '" + condition.name +
                        "' is no number (Boundaries/" + condition.name + "/Flow rate)");
       rows[i].given = step.load_factor * condition.free_flow->fraction * value;
-      rows[i].largest_given = std::max(rows[i].largest_given, std::abs(rows[i].given));
+      largest_flow_rates[i] = std::max(largest_flow_rates[i], std::abs(rows[i].given));
       continue;
     }
     // What is no number fails the comparison.
@@ -126,8 +132,8 @@ void BoundaryPressures::measure(const BalancedStep &balanced)
     row.derivative.equ(1., row.force);
     row.value = row.derivative * balanced.velocity - row.derivative * balanced.mesh_velocity;
     row.size =
-        std::max(row.largest_given, sum_of_sizes(row.derivative, balanced.velocity) +
-                                        sum_of_sizes(row.derivative, balanced.mesh_velocity));
+        std::max(largest_flow_rates[i], sum_of_sizes(row.derivative, balanced.velocity) +
+                                            sum_of_sizes(row.derivative, balanced.mesh_velocity));
   }
 }
 
@@ -138,9 +144,11 @@ double BoundaryPressures::residual() const
   {
     const double difference = std::abs(row.given - row.value),
                  share = difference / (row.cavity >= 0 ? row.given : row.size);
-    // What is no number stays; where nothing has flowed nothing is missing.
-    if (difference != 0. && !(share <= largest))
-      largest = share;
+    if (std::isnan(difference))
+      return difference;
+    // Where nothing has flowed nothing is missing.
+    if (difference != 0.)
+      largest = std::max(largest, share);
   }
   return largest;
 }
@@ -232,6 +240,10 @@ bool BoundaryPressures::jumps(const double begin, const double end) const
 void BoundaryPressures::visit(StateVisitor &visitor)
 {
   for (unsigned int i = 0; i < present.size(); ++i)
+  {
     visitor.value(StateName("cavity pressure", i), present[i].pressure);
+    if (problem.conditions[conditions[i]].free_flow)
+      visitor.value(StateName("largest flow rate", i), largest_flow_rates[i]);
+  }
 }
 } // namespace Continua

@@ -101,14 +101,13 @@ template <int dim>
 unsigned int FieldProbes<dim>::cavity_of(const ProbeRequest<dim> &request) const
 {
   const std::vector<unsigned int> conditions = problem.unknown_pressures();
-  const auto found =
-      std::find_if(conditions.begin(), conditions.end(),
-                   [&](const unsigned int number)
-                   {
-                     const BoundaryCondition &condition = problem.conditions[number];
-                     return condition.is_cavity() &&
-                            request.boundary_ids.count(condition.boundary_id) > 0;
-                   });
+  const auto found = std::find_if(conditions.begin(), conditions.end(),
+                                  [&](const unsigned int number)
+                                  {
+                                    const BoundaryCondition &condition = problem.conditions[number];
+                                    return condition.is_cavity() &&
+                                           request.boundary_ids.count(condition.boundary_id) > 0;
+                                  });
   if (found == conditions.end())
     throw std::invalid_argument("the boundary encloses no cavity");
   return found - conditions.begin();

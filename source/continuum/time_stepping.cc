@@ -673,7 +673,8 @@ bool TimeStepping::data_jumps(const double begin, const double end) const
 State TimeStepping::state()
 {
   operators.complete_pressure(history.displacement(), pressure);
-  unknown_pressures.states(problem.mesh_moves ? *operators.mesh_displacement() : history.displacement());
+  unknown_pressures.states(problem.mesh_moves ? *operators.mesh_displacement()
+                                              : history.displacement());
   return present();
 }
 

@@ -17,7 +17,8 @@ void Prestretch::read(ParameterSection &section)
               Range::positive());
   add_angle(section, "Opening angle", opening_angle,
             "Angle by which a ring of this layer springs open when it is cut: its sector has 360 "
-            "deg less this angle, and the mesh has the radii of the sector.");
+            "deg less this angle, and the mesh has the radii of the sector; beside Unloaded shape "
+            "= inverse solve it has those of the loaded wall.");
   if (!(opening_angle < 2. * numbers::PI))
     section.refuse("Opening angle", "a ring that springs open by a full turn has no sector left",
                    "Give less than 360 deg");

@@ -31,7 +31,9 @@ ChannelSection find_channel_section(const Triangulation<2> &triangulation,
         continue;
       const bool is_section =
           face->boundary_id() == boundary && regions.count(cell->material_id()) > 0;
-      const bool is_symmetry = symmetry.count(face->boundary_id()) > 0;
+      // A wall beside the liquid may end at a roller, too.
+      const bool is_symmetry =
+          symmetry.count(face->boundary_id()) > 0 && regions.count(cell->material_id()) > 0;
       if (is_section)
         length += face->vertex(0).distance(face->vertex(1));
       for (const unsigned int v : face->vertex_indices())

@@ -5,8 +5,8 @@
 
 namespace Continua
 {
-/// Over which band, and how closely, the impedance of an absorbing end follows that of the tube, and
-/// about which state.
+/// Over which band, and how closely, the impedance of an absorbing end follows that of the tube,
+/// and about which state.
 struct AbsorbingEndParameters
 {
   double lowest_frequency = 0.;  ///< [Hz]; 0: that of the run

@@ -162,8 +162,8 @@ const Words<BoundaryType> &boundary_type_words();
 
 /**
  * The names of the boundaries along which the section Boundaries prescribes the velocity (Type =
- * fixed, velocity or flow rate, Tangential = fixed, Coupling = flow), for a geometry, which is made
- * before the conditions can be read. Declares and refuses nothing.
+ * fixed, velocity, or flow rate with a profile, Tangential = fixed, Coupling = flow), for a
+ * geometry, which is made before the conditions can be read. Declares and refuses nothing.
  */
 std::set<std::string> boundaries_held_across(const ParameterFile &file);
 

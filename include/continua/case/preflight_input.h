@@ -45,10 +45,10 @@ struct PreflightInput
 
   bool is_tube = false;
   bool starts_loaded = false; ///< of a wall in finite deformation: the sections are without load
-  std::array<End, 2> ends; ///< of a tube: where the load is, and the far one
-  double length = 0.;      ///< [m]
-  double axial_cell = 0.;  ///< largest axial extent of the fluid's cells [m]
-  double normal_cell = 0.; ///< largest thickness of the fluid's cells at the wall [m]
+  std::array<End, 2> ends;    ///< of a tube: where the load is, and the far one
+  double length = 0.;         ///< [m]
+  double axial_cell = 0.;     ///< largest axial extent of the fluid's cells [m]
+  double normal_cell = 0.;    ///< largest thickness of the fluid's cells at the wall [m]
 };
 
 /// Whether the case has both a fluid and a solid.

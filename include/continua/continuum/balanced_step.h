@@ -17,10 +17,10 @@ struct BalancedStep
   DistributedVector acceleration; ///< dU/dt as the scheme has it [m/s^2]
   DistributedVector
       pressure_rate; ///< dp/dt as the scheme has it, of steps that are not linear [Pa/s]
-  DistributedVector displacement;       ///< with solids in finite deformation, else empty [m]
-  DistributedVector mesh_displacement;  ///< of a mesh that moves, else empty [m]
-  DistributedVector mesh_velocity;      ///< likewise [m/s]
-  std::vector<double> boundary_pressures; ///< by cavity [Pa]
+  DistributedVector displacement;         ///< with solids in finite deformation, else empty [m]
+  DistributedVector mesh_displacement;    ///< of a mesh that moves, else empty [m]
+  DistributedVector mesh_velocity;        ///< likewise [m/s]
+  std::vector<double> boundary_pressures; ///< that are unknown [Pa]
   /// From which an explicit step has taken the convective terms, else empty [m/s].
   DistributedVector extrapolated_velocity;
   DistributedVector prescribed; ///< prescribed velocities where there are any, else 0 [m/s]

@@ -27,12 +27,14 @@ namespace Continua
  * Several boundaries have a small matrix in the place of b . y. K alone may be singular or have
  * negative eigenvalues, as at and beyond the largest pressure of a balloon: at a state that is not
  * singular with its volume held, the sum stays finite. On a mesh that moves K leaves out the motion
- * of the liquid's mesh; where the iteration takes GMRES for x, it does for y, too. Of a section the
- * flow rate into the body past the mesh, - q . (U - W) with the present section q, takes the place
- * of V (of such flow rates: J. G. Heywood, R. Rannacher, S. Turek, Int. J. Numer. Meth. Fluids 22
- * (1996) 325, section 3).
+ * of the liquid's mesh; where the iteration takes GMRES for x, it does for y, too.
  *
- * All are those at the level which the step balances.
+ * A section has its flow rate in the place of V. It is that into the body past the mesh, - q . (U -
+ * W), with the present section q and the velocity W of the mesh. J. G. Heywood, R. Rannacher and S.
+ * Turek (Int. J. Numer. Meth. Fluids 22 (1996) 325, section 3) have such conditions.
+ *
+ * All are those at the level which the step balances. In the middle of a step a flow rate is the
+ * mean of those at both ends.
  */
 class BoundaryPressures
 {
@@ -91,10 +93,9 @@ private:
     int cavity = -1;               ///< its number among the cavities, -1 of a flow rate
     double rest_volume = 0.;       ///< in the mesh [m^3]
     double given = 0., value = 0.; ///< volume [m^3], or flow rate into the body [m^3/s]
-    double largest_given = 0.,
-           size = 0.; ///< of a flow rate, over all steps, and what to compare it with
-    DistributedVector
-        derivative; ///< of the volume by the displacement, of a flow rate by the velocity [m^2]
+    double size = 0.;              ///< with which a flow rate is compared [m^3/s]
+    /// Of the volume by the displacement, of a flow rate by the velocity [m^2].
+    DistributedVector derivative;
     DistributedVector force; ///< of a pressure of 1 Pa [N]
     DistributedVector velocity_response, pressure_response;
   };
@@ -104,6 +105,7 @@ private:
   const std::vector<unsigned int> conditions; ///< by boundary
   std::vector<Row> rows;
   std::vector<CavityState> present;
+  std::vector<double> largest_flow_rates; ///< that were given so far [m^3/s]; 0 of cavities
   // Work space.
   DistributedVector momentum, mass, zero_velocity;
   dealii::FullMatrix<double> matrix;

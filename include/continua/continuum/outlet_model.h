@@ -33,7 +33,8 @@ public:
   unsigned int n_ports() const { return outlet.impedance.n_ports(); }
   /// Linearises for a step from the flow rates at its start. Returns whether Z has changed.
   bool linearise(const Step &step, const double *flow_rates_old);
-  /// Linearises for a steady flow, with Z(0), or with the charge that is given. Throws RunError if no steady flow passes.
+  /// Linearises for a steady flow, with Z(0), or with the charge that is given. Throws RunError if
+  /// no steady flow passes.
   bool linearise_steady(double time);
   const dealii::Vector<double> &predicted_pressures() const { return predicted; }
   /// Z [Pa s/m^3].
@@ -67,8 +68,9 @@ private:
     dealii::Vector<double> rate; ///< dx_k/dt as the step has it [m^3/s]
   };
   const Outlet &outlet;
-  std::vector<Response> responses;  ///< by term of the impedance
-  /// Of x_k by Q in the step [s], and the factor of the direct part [1]; empty before the first one.
+  std::vector<Response> responses; ///< by term of the impedance
+  /// Of x_k by Q in the step [s], and the factor of the direct part [1]; empty before the first
+  /// one.
   std::vector<double> coefficients;
   dealii::Vector<double> start_flow_rates; ///< of an outlet that counts from there [m^3/s]
   dealii::Vector<double> predicted;

@@ -54,7 +54,7 @@ struct Step
   /// Whether x_new = 2 x - x_old follows the solve.
   bool extrapolate = false;
   Update update = Update::implicit;
-  /// Of all loads and prescribed velocities [1]; what outlets stand against has no part of it.
+  /// Of all loads, prescribed velocities and pressures behind outlets [1].
   double load_factor = 1.;
   /// Whether it is one on the way to rest. Nothing acts then that a state at rest does not have,
   /// however long it would last: outlets stand as in a steady flow, branches have relaxed, and

@@ -30,10 +30,11 @@ SolidFacePoint<dim> FacePoints<dim>::of_solid(const TermFace<dim> &face,
   // A step that finds the unloaded shape leaves the mesh, on which the pressure acts.
   if (!step.finds_unloaded_shape)
     point.displacement_by_velocity = step.branch(std::numeric_limits<double>::infinity()).velocity;
-  point.pressure = face.unknown_pressure >= 0 ? boundary_pressures[face.unknown_pressure]
-                                    : step.load_factor *
-                                          face.condition->normal.along_normal(
-                                              coordinates(at_rest.place).data(), step.balance_time);
+  point.pressure = face.unknown_pressure >= 0
+                       ? boundary_pressures[face.unknown_pressure]
+                       : step.load_factor *
+                             face.condition->normal.along_normal(coordinates(at_rest.place).data(),
+                                                                 step.balance_time);
   return point;
 }
 

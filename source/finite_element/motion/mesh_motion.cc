@@ -27,7 +27,8 @@ namespace
 {
 /// Of what the multigrid leaves of a right side. Changes belong to directions of a Krylov
 /// iteration, and are wanted to its tolerance.
-constexpr double state_tolerance = 1e-10;
+constexpr double tolerance_of_step = 1e-10, tolerance_from_rest = 1e-12,
+                 largest_change_tolerance = 1e-2;
 /// Of a normal: a plane face normal to an axis.
 constexpr double largest_tilt = 1e-10;
 
@@ -432,6 +433,8 @@ void MeshMotion<dim>::begin_step(const Step &step)
   predicted.equ(c.old, present);
   if (c.older != 0.)
     predicted.add(c.older, older);
+  if (kind == MeshMotionKind::hyperelastic && !is_linearised && !step.finds_unloaded_shape)
+    linearise();
   // The first guess is that of the step before; the elastic extension counts from rest.
   if (multigrid != nullptr)
     for (unsigned int i = 0; i < owned.size(); ++i)
@@ -439,8 +442,6 @@ void MeshMotion<dim>::begin_step(const Step &step)
                                   : kind == MeshMotionKind::elastic
                                       ? 2. * present.begin()[i] - older.begin()[i]
                                       : present.begin()[i] - older.begin()[i];
-  if (kind == MeshMotionKind::hyperelastic && !is_linearised && !step.finds_unloaded_shape)
-    linearise();
 }
 
 template <int dim>
@@ -462,7 +463,7 @@ void MeshMotion<dim>::extend(const DistributedVector &solid_displacement,
   subtract_known(rows);
   if (multigrid != nullptr)
   {
-    multigrid->solve(last_extension, rows, state_tolerance);
+    multigrid->solve(last_extension, rows, from_rest ? tolerance_from_rest : tolerance_of_step);
     mesh_displacement.equ(1., last_extension);
   }
   else
@@ -479,9 +480,9 @@ void MeshMotion<dim>::subtract_known(DistributedVector &rows)
   space.copy_velocity(known, ghosted);
   for (std::size_t k = 0; k < matrices.size(); ++k)
   {
+    const Cell &cell = cells.all()[k];
     if (!has_known[k])
       continue;
-    const Cell &cell = cells.all()[k];
     bool is_known = false;
     for (unsigned int i = 0; i < cell_displacement.size(); ++i)
     {
@@ -490,7 +491,6 @@ void MeshMotion<dim>::subtract_known(DistributedVector &rows)
     }
     if (!is_known)
       continue;
-    Assert(has_known[k], ExcInternalError());
     matrices[k].vmult(cell_rows, cell_displacement);
     cell_rows *= -1.;
     sums.add(cell.velocity_places, cell_rows);
@@ -529,7 +529,8 @@ void MeshMotion<dim>::set_change(const Step &step,
   {
     change_rows.equ(1., of_mesh_displacement);
     of_mesh_displacement = 0.;
-    multigrid->solve(of_mesh_displacement, change_rows, problem.newton.krylov_tolerance);
+    multigrid->solve(of_mesh_displacement, change_rows,
+                     std::min(problem.newton.krylov_tolerance, largest_change_tolerance));
   }
   else
     solve_by_factor(of_mesh_displacement);

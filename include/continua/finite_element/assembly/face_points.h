@@ -22,7 +22,7 @@ public:
   /// It must outlive it.
   explicit FacePoints(const Problem &problem) : problem(problem) {}
 
-  /// What is given in this step, and the pressures of the cavities [Pa].
+  /// What is given in this step, and the unknown pressures of boundaries [Pa].
   void set_step(const Step &of_state, const std::vector<double> &pressures_of_boundaries);
   /// At a point of a face of a solid; the displacement is that of the cell at its dofs [m].
   SolidFacePoint<dim> of_solid(const TermFace<dim> &face,

@@ -11,8 +11,8 @@
 
 namespace Continua
 {
-/// The sections of outlets and of free flow rates, and the cavities of the problem. What a method does is said in Operators
-/// under the same name.
+/// The sections of outlets and of free flow rates, and the cavities of the problem. What a method
+/// does is said in Operators under the same name.
 template <int dim>
 class EndsAndCavities
 {

@@ -130,7 +130,8 @@ private:
   std::vector<int> owned;
   bool is_linearised = false;
   MeshQuality last, worst_of_steps;
-  /// The operator of each cell with nodes whose motion is known, at the start of the step.
+  /// By cell: its operator at the start of the step, if it has nodes whose motion is known, else
+  /// empty.
   std::vector<dealii::FullMatrix<double>> matrices;
   std::vector<bool> has_known; ///< whether a cell has such nodes
   dealii::Vector<double> cell_displacement, cell_rows;
