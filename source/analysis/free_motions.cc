@@ -45,6 +45,7 @@ std::vector<Body<dim>> bodies(const Triangulation<dim> &triangulation,
                               std::vector<unsigned int> &body_of_cell)
 {
   std::vector<unsigned int> kinds;
+  kinds.reserve(materials.size());
   for (const Material &material : materials)
     kinds.push_back(material.is_solid() ? 1 : 0);
   body_of_cell = connected_cells(triangulation, kinds);
@@ -382,6 +383,7 @@ std::vector<FreeMotion> free_motions(const Case<dim> &input)
     std::vector<std::vector<double>> free = held.free();
     std::vector<unsigned int> order;
     std::vector<double> sizes;
+    sizes.reserve(motions.size());
     for (const bool turns : {true, false})
       for (unsigned int i = 0; i < motions.size(); ++i)
         if (motions[i].rotates == turns)
@@ -391,6 +393,7 @@ std::vector<FreeMotion> free_motions(const Case<dim> &input)
     reduce(free, order, sizes);
     // Those along the axes, which come last here, are told of first.
     std::vector<FreeMotion> of_body;
+    of_body.reserve(free.size());
     for (const std::vector<double> &factors : free)
       of_body.push_back({text_of(motions, factors, length), body.regions, holding});
     std::stable_partition(of_body.begin(), of_body.end(),
