@@ -130,7 +130,7 @@ void PreflightReport::report_tube()
   add("Korteweg speed, wall axially held", waves.korteweg(Anchoring::throughout), "m/s",
       "thick wall, tethered along its length");
 
-  double speed = waves.korteweg(anchoring);
+  double speed;
   double loss = std::numeric_limits<double>::quiet_NaN();
   double fluid_mass = 0.; // that moves with a unit of the wall's surface, rho I0 / (k I1) [kg/m^2]
   try
@@ -148,6 +148,7 @@ void PreflightReport::report_tube()
     warning_list.push_back(
         "pre-flight: the load's frequency is above the ring frequency of the tube's wall, where "
         "its pressure wave does not propagate; the speed of long waves is used");
+    speed = waves.korteweg(anchoring);
   }
   // Simpson's rule for 1/c, with R and h linear between the ends.
   const double far_speed = SectionWaves(far.section, omega).korteweg(anchoring);
@@ -243,9 +244,11 @@ void PreflightReport::report_ends(const double speed)
     if (!end.wall_is_clamped && !end.rim_is_held)
       continue;
     const std::string held = end.wall_is_clamped ? "clamped " : "held ";
+    std::string cell = "wall cell at the ";
+    cell.append(held).append(which);
     const double nu = end.section.poisson_ratio(reference_angular_frequency()).real();
     const double bend = std::sqrt(end.section.inner_radius * end.section.wall_thickness());
-    add("wall cell at the " + held + which, end.wall_cell, "m",
+    add(cell, end.wall_cell, "m",
         "sqrt(R h)/2 is " + quantity_text(0.5 * bend, "m") +
             (end.wall_is_clamped ? "" : "; '" + end.boundary + "' holds the rim of the wall"));
     if (end.wall_is_clamped)

@@ -529,7 +529,7 @@ double TimeStepping::change_at_rest(const Step &step)
   const std::vector<std::vector<unsigned int>> nodes = operators.velocity_nodes();
   const double way = BranchHistory::step_displacement(step);
   const DistributedVector &displacement = history.displacement();
-  const unsigned int n = problem.materials.size();
+  const std::size_t n = problem.materials.size();
   // By region: the change, and what it is a part of. Displacements [m] of solids, forces [N] of
   // liquids.
   std::vector<double> sizes(2 * n, 0.);
@@ -673,8 +673,8 @@ bool TimeStepping::data_jumps(const double begin, const double end) const
 State TimeStepping::state()
 {
   operators.complete_pressure(history.displacement(), pressure);
-  unknown_pressures.states(problem.mesh_moves ? *operators.mesh_displacement()
-                                              : history.displacement());
+  const DistributedVector *const of_mesh = operators.mesh_displacement();
+  unknown_pressures.states(of_mesh != nullptr ? *of_mesh : history.displacement());
   return present();
 }
 
