@@ -56,23 +56,13 @@ void check_outside(const Case<dim> &input, ParameterSection boundaries)
 
 namespace
 {
-/// The condition of a boundary where it meets a region, or null.
-const BoundaryCondition *
-condition_at(const Problem &problem, const std::string &boundary, const unsigned int region)
-{
-  for (const BoundaryCondition &condition : problem.conditions)
-    if (problem.boundaries[condition.boundary_id] == boundary &&
-        condition.region_ids.count(region) > 0)
-      return &condition;
-  return nullptr;
-}
-
 /// What presses on the outside [Pa].
-double outside_pressure(const Problem &problem, const double time)
+template <int dim>
+double outside_pressure(const Case<dim> &input, const double time)
 {
   const double origin[3] = {0., 0., 0.};
   const BoundaryCondition *const outside =
-      condition_at(problem, "outside", problem.regions.size() - 1);
+      find_condition(input, "outside", input.problem.regions.size() - 1);
   if (outside == nullptr)
     return 0.;
   const double value = outside->normal.along_normal(origin, time);
@@ -82,7 +72,7 @@ double outside_pressure(const Problem &problem, const double time)
 /// The pressure in all of a branch, the smaller one of both ends [Pa], and the condition that gives
 /// it; null where an end has none that is known.
 template <int dim>
-const BoundaryCondition *smallest_pressure(const Problem &problem,
+const BoundaryCondition *smallest_pressure(const Case<dim> &input,
                                            const VesselBranch<dim> &branch,
                                            const double time,
                                            double &pressure)
@@ -91,7 +81,7 @@ const BoundaryCondition *smallest_pressure(const Problem &problem,
   const BoundaryCondition *smallest = nullptr;
   for (const auto &end : branch.ends)
   {
-    const BoundaryCondition *const condition = condition_at(problem, end.fluid, 0);
+    const BoundaryCondition *const condition = find_condition(input, end.fluid, 0);
     if (condition == nullptr ||
         (condition->type != BoundaryType::pressure && !condition->normal.is_fixed()))
       return nullptr;
@@ -104,15 +94,16 @@ const BoundaryCondition *smallest_pressure(const Problem &problem,
       pressure = of_end;
     }
   }
-  pressure -= outside_pressure(problem, time);
+  pressure -= outside_pressure(input, time);
   return smallest;
 }
 
 /// Whether a branch is uniform and keeps its length, free to widen at its ends, and theory knows
 /// the state of its wall at rest.
 template <int dim>
-bool is_held_along(const Problem &problem, const VesselBranch<dim> &branch)
+bool is_held_along(const Case<dim> &input, const VesselBranch<dim> &branch)
 {
+  const Problem &problem = input.problem;
   if (branch.law.is_rigid() || !branch.law.is_uniform() || problem.materials.front().is_solid() ||
       problem.regions.size() != branch.law.layer_fractions().size() + 1)
     return false;
@@ -123,12 +114,12 @@ bool is_held_along(const Problem &problem, const VesselBranch<dim> &branch)
         !layer.is_incompressible() || layer.long_term_shear_modulus() == 0.)
       return false;
     for (const auto &end : branch.ends)
-      if (const BoundaryCondition *const of_wall = condition_at(problem, end.wall, region);
+      if (const BoundaryCondition *const of_wall = find_condition(input, end.wall, region);
           of_wall == nullptr || !of_wall->normal.is_fixed() || !of_wall->tangential.is_free())
         return false;
   }
   const BoundaryCondition *const outside =
-      condition_at(problem, "outside", problem.regions.size() - 1);
+      find_condition(input, "outside", problem.regions.size() - 1);
   return outside != nullptr && !outside->is_supported() &&
          outside->normal.kind == BoundaryPart::Kind::traction;
 }
@@ -141,9 +132,8 @@ void check_largest_pressure(const Case<dim> &input, const double time, Parameter
   for (const VesselBranch<dim> &branch : input.geometry->branches())
   {
     double pressure = 0., of_image = 0.;
-    const BoundaryCondition *const given = is_held_along(problem, branch)
-                                               ? smallest_pressure(problem, branch, time, pressure)
-                                               : nullptr;
+    const BoundaryCondition *const given =
+        is_held_along(input, branch) ? smallest_pressure(input, branch, time, pressure) : nullptr;
     if (given == nullptr)
       continue;
     const TubeSection section = tube_section_of_mesh(input, branch.law, 0.);
@@ -151,7 +141,7 @@ void check_largest_pressure(const Case<dim> &input, const double time, Parameter
     {
       if (problem.finds_unloaded_shape())
       {
-        smallest_pressure(problem, branch, 0., of_image);
+        smallest_pressure(input, branch, 0., of_image);
         const LoadedTube tube = LoadedTube::of_image(section, of_image);
         if (time != 0.)
           tube.inner_radius(pressure);
@@ -180,7 +170,7 @@ TubeSection loaded_section_at(const Case<dim> &input,
   check_layers(input.problem, root.subsection("Materials"));
   check_outside(input, root.subsection("Boundaries"));
   const TubeSection of_mesh = tube_section_of_mesh(input, law, z);
-  const double across_wall = pressure - outside_pressure(input.problem, 0.);
+  const double across_wall = pressure - outside_pressure(input, 0.);
   try
   {
     return (input.problem.finds_unloaded_shape() ? LoadedTube::of_image(of_mesh, across_wall)

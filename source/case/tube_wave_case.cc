@@ -14,17 +14,6 @@ constexpr double middle_of_inlet[3] = {0., 0., 0.};
 const std::string outside_is_held =
     "the outside is neither free nor supported nor only held axially";
 
-template <int dim>
-const BoundaryCondition *
-find_condition(const Case<dim> &input, const std::string &boundary, const unsigned int region)
-{
-  for (const BoundaryCondition &condition : input.problem.conditions)
-    if (input.problem.boundaries[condition.boundary_id] == boundary &&
-        condition.region_ids.count(region) > 0)
-      return &condition;
-  return nullptr;
-}
-
 /// Of an inlet: its pressure or flow rate.
 const Waveform &waveform_of(const BoundaryCondition &condition)
 {
@@ -56,6 +45,17 @@ double impedance_of_branches(const Material &fluid, const WaveTheoryParameters &
   return 1. / admittance;
 }
 } // namespace
+
+template <int dim>
+const BoundaryCondition *
+find_condition(const Case<dim> &input, const std::string &boundary, const unsigned int region)
+{
+  for (const BoundaryCondition &condition : input.problem.conditions)
+    if (input.problem.boundaries[condition.boundary_id] == boundary &&
+        condition.region_ids.count(region) > 0)
+      return &condition;
+  return nullptr;
+}
 
 template <int dim>
 std::string read_wall_end(const Case<dim> &input, const std::string &boundary, WallEnd &wall_end)
@@ -377,4 +377,8 @@ template std::string why_no_tube_of_liquid(const Case<2> &);
 template std::string why_no_tube_of_liquid(const Case<3> &);
 template std::string make_tube_wave_case(const Case<2> &, TubeWaveCase &);
 template std::string make_tube_wave_case(const Case<3> &, TubeWaveCase &);
+template const BoundaryCondition *
+find_condition(const Case<2> &, const std::string &, unsigned int);
+template const BoundaryCondition *
+find_condition(const Case<3> &, const std::string &, unsigned int);
 } // namespace Continua

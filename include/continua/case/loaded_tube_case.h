@@ -14,9 +14,9 @@ bool is_about_loaded_state(const Case<dim> &input)
   return !input.analysis.has_fields && input.problem.deformation == Deformation::finite;
 }
 
-/// The section of the tube at z [m] of its axis, under a pressure [Pa] about which waves are small;
-/// `key`: of `condition`, which gave the pressure. Throws InputError where theory has no such
-/// state.
+/// The section of the tube at z [m] of its axis, under a pressure [Pa] about which waves are small.
+/// `condition` is the section whose entry Mean pressure gave it. Throws InputError where theory has
+/// no such state.
 template <int dim>
 TubeSection loaded_section_at(const Case<dim> &input,
                               const TubeLaw &law,

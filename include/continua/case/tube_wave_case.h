@@ -38,6 +38,11 @@ std::string make_tube_wave_case(const Case<dim> &input, TubeWaveCase &wave_case)
 template <int dim>
 double direction_of_pulse(const Case<dim> &input, unsigned int branch);
 
+/// The condition of a boundary where it meets a region, or null.
+template <int dim>
+const BoundaryCondition *
+find_condition(const Case<dim> &input, const std::string &boundary, unsigned int region);
+
 /// How the wall is held at the end with that boundary's name: clamped, free or absorbing, all its
 /// layers alike. `wall_end` stays where there is no wall. Returns why it is none of these, or
 /// nothing.
