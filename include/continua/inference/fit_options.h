@@ -42,9 +42,9 @@ struct FitOptions
   CorrelatedNoise correlated_noise = CorrelatedNoise::autoregressive;
   OrderCriterion order_criterion = OrderCriterion::corrected_akaike;
   double confidence = 0.95; ///< [1] of the intervals
-  /// A direction along which the standard error, from all data together, is more than ln of this
-  /// factor, in sizes of the coordinates, is called flat [1]: on logarithmic scales, one standard
-  /// error is more than this factor.
+  /// A direction is called flat if one standard error along it, from all data together, moves a
+  /// parameter by more than this factor (logarithmic scale), or by more than ln of this factor
+  /// times its size (linear) [1].
   double flat_factor = 2.;
   std::vector<Evaluation> known; ///< replayed instead of computed
   EvaluationObserver observer;
