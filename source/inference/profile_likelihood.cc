@@ -130,12 +130,14 @@ private:
   double threshold;
 };
 
-double profile_threshold(const FitResult &fit, const double confidence)
+double
+profile_threshold(const FitResult &fit, const unsigned int parameter, const double confidence)
 {
-  if (fit.noise_is_known || fit.degrees_of_freedom == 0)
-    return gsl_cdf_chisq_Pinv(confidence, 1.);
-  return fit.misfit / fit.degrees_of_freedom *
-         gsl_cdf_fdist_Pinv(confidence, 1., fit.degrees_of_freedom);
+  const double degrees = fit.degrees_of_freedom_of_errors[parameter];
+  const double mean_square =
+      fit.noise_is_known || fit.degrees_of_freedom == 0 ? 1. : fit.misfit / fit.degrees_of_freedom;
+  return mean_square * (std::isfinite(degrees) ? gsl_cdf_fdist_Pinv(confidence, 1., degrees)
+                                               : gsl_cdf_chisq_Pinv(confidence, 1.));
 }
 
 /// Of the coordinate, to one side: so that `n_points` reach the end of the interval if the model is
@@ -177,7 +179,7 @@ Profile profile_likelihood(const std::vector<FitParameter> &parameters,
   model.set_misfit([&residuals](const std::vector<double> &set, const std::vector<double> &values)
                    { return residuals.misfit(set, values); });
   Profile profile;
-  profile.threshold = profile_threshold(fit, options.confidence);
+  profile.threshold = profile_threshold(fit, parameter, options.confidence);
   profile.points.push_back({fit.estimates[parameter], 0., fit.estimates});
   double ends[2];
   for (const int side : {0, 1})

@@ -55,6 +55,20 @@ std::vector<double> Whitening::apply(const std::vector<double> &values) const
   return result;
 }
 
+std::vector<double> Whitening::undo(const std::vector<double> &white) const
+{
+  const std::size_t order = predictors.size() - 1;
+  std::vector<double> values(white.size());
+  for (std::size_t i = 0; i < white.size(); ++i)
+  {
+    const std::size_t m = std::min(i, order);
+    values[i] = white[i] * deviations[m];
+    for (std::size_t j = 0; j < m; ++j)
+      values[i] += predictors[m][j] * values[i - 1 - j];
+  }
+  return values;
+}
+
 double Whitening::log_determinant(const unsigned int n) const
 {
   double sum = 0.;

@@ -18,8 +18,9 @@ using Values = std::vector<double>;
 FunctionModel line()
 {
   return FunctionModel(
-      [](const Values &set) -> Values
-      { return {set[0], set[0] + set[1], set[0] + 2. * set[1], set[0] + 3. * set[1]}; });
+      [](const Values &set) -> Values {
+        return {set[0], set[0] + set[1], set[0] + 2. * set[1], set[0] + 3. * set[1]};
+      });
 }
 
 FitOptions accurate()
@@ -34,15 +35,19 @@ void test_bound()
   FunctionModel model = line();
   // Free: a = 1.5, b = -0.2. With b >= 0: b = 0, a = mean 1.2.
   const DataRecord record = uniform_record("y", 1., {1.4, 1.5, 1., 0.9}, 1.);
-  const auto parameters = [](const double start)
-  { return std::vector<FitParameter>{parameter_of("a", 1.), bounded_parameter("b", start, 0., 5.)}; };
+  const auto parameters = [](const double start) {
+    return std::vector<FitParameter>{parameter_of("a", 1.), bounded_parameter("b", start, 0., 5.)};
+  };
   for (const double start : {2., 0., 5.})
   {
-    const FitResult result = LeastSquaresFit(parameters(start), {record}, model, accurate()).solve();
+    const FitResult result =
+        LeastSquaresFit(parameters(start), {record}, model, accurate()).solve();
     const std::string name = "start " + std::to_string(static_cast<int>(start)) + ": ";
-    check::is_true(name + "at the bound", result.converged && result.at_bound[1] && result.estimates[1] == 0.);
+    check::is_true(name + "at the bound",
+                   result.converged && result.at_bound[1] && result.estimates[1] == 0.);
     check::relative(name + "the other one", result.estimates[0], 1.2, 1e-8);
-    check::is_true(name + "no error at the bound", std::isnan(result.standard_errors[1]) && result.free.size() == 1);
+    check::is_true(name + "no error at the bound",
+                   std::isnan(result.standard_errors[1]) && result.free.size() == 1);
     check::relative(name + "error of the other one", result.standard_errors[0], 0.5, 1e-8);
     // Slope of the free line: sum (x - 1.5)(y - 1.2) / 5 = -0.2, its error 1/sqrt(5); one-sided
     // quantile 1.644853627.
@@ -55,19 +60,23 @@ void test_bound()
   }
   // The same at an upper bound.
   const FitResult upper =
-      LeastSquaresFit({parameter_of("a", 1.), bounded_parameter("b", -2., -5., -0.3)}, {record}, model,
-                      accurate())
+      LeastSquaresFit({parameter_of("a", 1.), bounded_parameter("b", -2., -5., -0.3)}, {record},
+                      model, accurate())
           .solve();
-  check::is_true("upper bound", upper.at_bound[1] && upper.estimates[1] == -0.3 && upper.intervals[1].upper_is_bound);
+  check::is_true("upper bound", upper.at_bound[1] && upper.estimates[1] == -0.3 &&
+                                    upper.intervals[1].upper_is_bound);
   check::relative("interval below it", upper.intervals[1].lower,
-                  -0.3 + 0.1 - std::sqrt(0.01 + 1.6448536269514722 * 1.6448536269514722 / 5.), 1e-6);
+                  -0.3 + 0.1 - std::sqrt(0.01 + 1.6448536269514722 * 1.6448536269514722 / 5.),
+                  1e-6);
 }
 
 /// A valley that touches a bound on its way to the least value, which lies inside.
 void test_release()
 {
   FunctionModel valley(
-      [](const Values &set) -> Values { return {10. * (set[1] - set[0] * set[0]), 1. - set[0]}; });
+      [](const Values &set) -> Values {
+        return {10. * (set[1] - set[0] * set[0]), 1. - set[0]};
+      });
   DataRecord record = uniform_record("y", 0., {0., 0.}, 1.);
   record.times = {0., 1.};
   for (const TrustRegion trust_region :
@@ -75,13 +84,15 @@ void test_release()
   {
     FitOptions options = accurate();
     options.trust_region = trust_region;
-    const FitResult result =
-        LeastSquaresFit({bounded_parameter("x", -1.2, -1.5, 1.05), bounded_parameter("y", 1., 0., 1.2)},
-                        {record}, valley, options)
-            .solve();
-    check::is_true("inside in the end", result.converged && !result.at_bound[0] && !result.at_bound[1]);
-    check::absolute("Rosenbrock", std::abs(result.estimates[0] - 1.) + std::abs(result.estimates[1] - 1.),
-                    0., 1e-6);
+    const FitResult result = LeastSquaresFit({bounded_parameter("x", -1.2, -1.5, 1.05),
+                                              bounded_parameter("y", 1., 0., 1.2)},
+                                             {record}, valley, options)
+                                 .solve();
+    check::is_true("inside in the end",
+                   result.converged && !result.at_bound[0] && !result.at_bound[1]);
+    check::absolute("Rosenbrock",
+                    std::abs(result.estimates[0] - 1.) + std::abs(result.estimates[1] - 1.), 0.,
+                    1e-6);
   }
 }
 
@@ -92,14 +103,19 @@ void test_stops()
   FitOptions options = accurate();
   options.largest_n_evaluations = 3;
   const FitResult few =
-      LeastSquaresFit({parameter_of("a", 100.), parameter_of("b", 100.)}, {record}, model, options).solve();
-  check::is_true("too few evaluations", !few.converged && check::matches(few.stop_reason, "evaluations, 3, is reached"));
-  const FitResult all = LeastSquaresFit({bounded_parameter("a", 3., 2., 4.), bounded_parameter("b", 1., 0.5, 5.)},
-                                        {record}, model, accurate())
-                            .solve();
-  check::is_true("all at bounds", all.converged && all.estimates[0] == 2. && all.estimates[1] == 0.5 && all.free.empty());
-  check::is_true("ends of their intervals", all.intervals[0].lower == 2. && all.intervals[0].upper > 2. &&
-                                                all.intervals[1].upper > 0.5 && std::isnan(all.standard_errors[0]));
+      LeastSquaresFit({parameter_of("a", 100.), parameter_of("b", 100.)}, {record}, model, options)
+          .solve();
+  check::is_true("too few evaluations",
+                 !few.converged && check::matches(few.stop_reason, "evaluations, 3, is reached"));
+  const FitResult all =
+      LeastSquaresFit({bounded_parameter("a", 3., 2., 4.), bounded_parameter("b", 1., 0.5, 5.)},
+                      {record}, model, accurate())
+          .solve();
+  check::is_true("all at bounds", all.converged && all.estimates[0] == 2. &&
+                                      all.estimates[1] == 0.5 && all.free.empty());
+  check::is_true("ends of their intervals",
+                 all.intervals[0].lower == 2. && all.intervals[0].upper > 2. &&
+                     all.intervals[1].upper > 0.5 && std::isnan(all.standard_errors[0]));
   check::equal("reason", all.stop_reason, "all parameters are at a bound");
 }
 } // namespace

@@ -59,8 +59,8 @@ struct Coverage
   std::array<double, 2> covered{}, mean_error{};
 };
 
-/// Of 1000 experiments with noise drawn anew: how often the 95 % intervals contain the truth, and the
-/// mean of (estimate - truth)/standard error.
+/// Of 1000 experiments with noise drawn anew: how often the 95 % intervals contain the truth, and
+/// the mean of (estimate - truth)/standard error.
 Coverage coverage_of(const unsigned long seed,
                      const Values &coefficients,
                      const double deviation,
@@ -69,8 +69,9 @@ Coverage coverage_of(const unsigned long seed,
   RandomNoise random(seed);
   Pulse pulse;
   const Values exact = Pulse::at(truth);
-  std::vector<FitParameter> parameters{parameter_of("amplitude", 1.5, FitParameter::Scale::logarithmic),
-                                       parameter_of("time", 1., FitParameter::Scale::logarithmic)};
+  std::vector<FitParameter> parameters{
+      parameter_of("amplitude", 1.5, FitParameter::Scale::logarithmic),
+      parameter_of("time", 1., FitParameter::Scale::logarithmic)};
   Coverage coverage;
   for (unsigned int k = 0; k < n_experiments; ++k)
   {
@@ -78,12 +79,16 @@ Coverage coverage_of(const unsigned long seed,
     for (unsigned int i = 0; i < n_values; ++i)
       values[i] = exact[i] + 0.05 * values[i];
     const FitResult result =
-        LeastSquaresFit(parameters, {uniform_record("y", 0.05, values, deviation)}, pulse, options).solve();
+        LeastSquaresFit(parameters, {uniform_record("y", 0.05, values, deviation)}, pulse, options)
+            .solve();
     for (unsigned int j = 0; j < 2; ++j)
     {
       coverage.covered[j] +=
-          result.intervals[j].lower <= truth[j] && truth[j] <= result.intervals[j].upper ? 1. / n_experiments : 0.;
-      coverage.mean_error[j] += (result.estimates[j] - truth[j]) / result.standard_errors[j] / n_experiments;
+          result.intervals[j].lower <= truth[j] && truth[j] <= result.intervals[j].upper
+              ? 1. / n_experiments
+              : 0.;
+      coverage.mean_error[j] +=
+          (result.estimates[j] - truth[j]) / result.standard_errors[j] / n_experiments;
     }
   }
   return coverage;
@@ -95,7 +100,8 @@ void compare(const std::string &name, const Coverage &coverage)
   {
     const std::string parameter = j == 0 ? ", amplitude: " : ", time: ";
     check::absolute(name + parameter + "95 % intervals", coverage.covered[j], 0.95, 0.02);
-    check::absolute(name + parameter + "mean error over the standard error", coverage.mean_error[j], 0., 0.12);
+    check::absolute(name + parameter + "mean error over the standard error", coverage.mean_error[j],
+                    0., 0.12);
   }
 }
 } // namespace
@@ -107,7 +113,8 @@ UNIT_TEST(coverage)
   compare("white, known", coverage_of(101, {}, 0.05, options));
   compare("white, estimated", coverage_of(102, {}, undefined, options));
   const Coverage ignored = coverage_of(103, {0.6}, undefined, options);
-  check::is_true("correlation ignored covers too little", ignored.covered[0] < 0.85 && ignored.covered[1] < 0.9);
+  check::is_true("correlation ignored covers too little",
+                 ignored.covered[0] < 0.85 && ignored.covered[1] < 0.9);
   options.correlated_noise = CorrelatedNoise::autoregressive;
   compare("autoregressive", coverage_of(103, {0.6}, undefined, options));
   options.correlated_noise = CorrelatedNoise::enlarged;
@@ -116,12 +123,19 @@ UNIT_TEST(coverage)
   if (getenv("SHOW"))
   {
     options.correlated_noise = CorrelatedNoise::sandwich;
-    for (const auto &c : {ignored, coverage_of(103, {0.6}, undefined, options), enlarged, coverage_of(101, {}, 0.05, options)})
-      std::cout << c.covered[0] << " " << c.covered[1] << " " << c.mean_error[0] << " " << c.mean_error[1] << std::endl;
-    for (auto crit : {OrderCriterion::corrected_akaike, OrderCriterion::bayesian}) for (double phi : {0., 0.6, 0.9})
-    { options.correlated_noise = CorrelatedNoise::autoregressive; options.order_criterion = crit;
-      const auto c=coverage_of(103, {phi}, undefined, options);
-      std::cout << phi<<" "<< c.covered[0] << " " << c.covered[1] << " " << c.mean_error[0] << " " << c.mean_error[1] << std::endl; }
+    for (const auto &c : {ignored, coverage_of(103, {0.6}, undefined, options), enlarged,
+                          coverage_of(101, {}, 0.05, options)})
+      std::cout << c.covered[0] << " " << c.covered[1] << " " << c.mean_error[0] << " "
+                << c.mean_error[1] << std::endl;
+    for (auto crit : {OrderCriterion::corrected_akaike, OrderCriterion::bayesian})
+      for (double phi : {0., 0.6, 0.9})
+      {
+        options.correlated_noise = CorrelatedNoise::autoregressive;
+        options.order_criterion = crit;
+        const auto c = coverage_of(103, {phi}, undefined, options);
+        std::cout << phi << " " << c.covered[0] << " " << c.covered[1] << " " << c.mean_error[0]
+                  << " " << c.mean_error[1] << std::endl;
+      }
   }
 }
 } // namespace test_of_coverage

@@ -49,7 +49,8 @@ UNIT_TEST(data_record)
   check_data_records({record}, false);
   record.noise.standard_deviation = undefined;
   check::throws<std::invalid_argument>(
-      "unknown noise of an experiment", [&]() { check_data_records({record}, false); }, "standard deviation");
+      "unknown noise of an experiment", [&]() { check_data_records({record}, false); },
+      "standard deviation");
   record.times.clear();
   refuses("empty", record, "has no values");
 }

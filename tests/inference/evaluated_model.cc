@@ -24,7 +24,8 @@ UNIT_TEST(evaluated_model)
         return {set[0], 2. * set[0]};
       });
   std::vector<Evaluation> seen;
-  EvaluatedModel model(function, 2, {}, [&](const Evaluation &evaluation) { seen.push_back(evaluation); });
+  EvaluatedModel model(function, 2, {},
+                       [&](const Evaluation &evaluation) { seen.push_back(evaluation); });
   model.set_misfit([](const std::vector<double> &set, const std::vector<double> &values)
                    { return set[0] + values[1]; });
   const auto predictions = model.predict({{1.}, {2.}, {1.}, {10.}}, "step");
@@ -33,9 +34,10 @@ UNIT_TEST(evaluated_model)
   check::equal("failure", predictions[3].failure, "too large");
   check::is_true("one call, no set twice", function.n_calls == 1 && function.n_sets == 3);
   model.predict({{2.}, {10.}}, "step");
-  check::is_true("kept", function.n_calls == 1 && model.n_evaluations() == 3 && model.n_failures() == 1);
-  check::is_true("observed", seen.size() == 3 && seen[1].misfit == 6. && std::isnan(seen[2].misfit) &&
-                                 seen[0].purpose == "step");
+  check::is_true("kept",
+                 function.n_calls == 1 && model.n_evaluations() == 3 && model.n_failures() == 1);
+  check::is_true("observed", seen.size() == 3 && seen[1].misfit == 6. &&
+                                 std::isnan(seen[2].misfit) && seen[0].purpose == "step");
   check::equal("not finite", model.predict_one({-1.}, "step").failure,
                "the model predicted a value that is not finite");
   check::equal("number of values", model.predict_one({0.}, "step").failure,

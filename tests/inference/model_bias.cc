@@ -31,11 +31,14 @@ Values decay(const Values &set, const double second)
 
 UNIT_TEST(model_bias)
 {
-  // A straight line for data 1 + 2 x + 0.1 x^2 at 0 ... 4: by the normal equations the parabola adds
-  // 0.4 to the slope and -0.2 to the intercept.
+  // A straight line for data 1 + 2 x + 0.1 x^2 at 0 ... 4: by the normal equations the parabola
+  // adds 0.4 to the slope and -0.2 to the intercept.
   FunctionModel line(
       [](const Values &set) -> Values
-      { return {set[0], set[0] + set[1], set[0] + 2. * set[1], set[0] + 3. * set[1], set[0] + 4. * set[1]}; });
+      {
+        return {set[0], set[0] + set[1], set[0] + 2. * set[1], set[0] + 3. * set[1],
+                set[0] + 4. * set[1]};
+      });
   const Values truth{1., 3.1, 5.4, 7.9, 10.6};
   const std::vector<FitParameter> parameters{parameter_of("a", 1.), parameter_of("b", 1.)};
   const std::vector<DataRecord> records{uniform_record("y", 0., truth, 0.1)};
@@ -49,7 +52,8 @@ UNIT_TEST(model_bias)
   const ModelBias bias = model_bias(parameters, fit, records, model, other);
   check::relative("slope", bias.bias[1], 0.4, 1e-9);
   check::relative("intercept", bias.bias[0], -0.2, 1e-9);
-  check::relative("over the standard error", bias.over_standard_error[1], 0.4 / (0.1 / std::sqrt(10.)), 1e-9);
+  check::relative("over the standard error", bias.over_standard_error[1],
+                  0.4 / (0.1 / std::sqrt(10.)), 1e-9);
   check::relative("is what the fit is off", fit.estimates[1] - 2., bias.bias[1], 1e-8);
   // 0.1 x^2 less the line: 0.2, -0.1, -0.2, -0.1, 0.2.
   check::relative("unexplained", bias.unexplained, std::sqrt(0.14) / 0.1, 1e-9);
@@ -76,6 +80,7 @@ UNIT_TEST(model_bias)
                                      decay(informed.estimates, 0.05))
                               .bias[1]) < 1e-3 * std::abs(of_rates.bias[1]));
   check::throws<std::invalid_argument>(
-      "lengths", [&]() { model_bias(parameters, fit, records, {1.}, other); }, "predictions of all values");
+      "lengths", [&]() { model_bias(parameters, fit, records, {1.}, other); },
+      "predictions of all values");
 }
 } // namespace test_of_model_bias

@@ -29,8 +29,10 @@ public:
 UNIT_TEST(model_derivatives)
 {
   const auto logarithmic = FitParameter::Scale::logarithmic;
-  FunctionModel function([](const Values &set) -> Values
-                         { return {std::exp(set[0]) * set[1], set[0] * set[0] * set[0]}; });
+  FunctionModel function(
+      [](const Values &set) -> Values {
+        return {std::exp(set[0]) * set[1], set[0] * set[0] * set[0]};
+      });
   EvaluatedModel model(function, 2);
   std::vector<FitParameter> parameters{parameter_of("a", 0.5), parameter_of("b", 3., logarithmic)};
   const ModelDerivatives central = model_derivatives(parameters, model, {0.5, 3.}, {0, 1}, 1e-3);
@@ -49,8 +51,8 @@ UNIT_TEST(model_derivatives)
   parameters[0].lower = 0.;
   parameters[0].upper = 0.5;
   check::relative("three points at the upper bound",
-                  model_derivatives(parameters, model, {0.5, 3.}, {0}, 1e-3).columns[0][1] - 0.75, -0.5e-6,
-                  5e-3);
+                  model_derivatives(parameters, model, {0.5, 3.}, {0}, 1e-3).columns[0][1] - 0.75,
+                  -0.5e-6, 5e-3);
   parameters[0].lower = 0.5 - 1e-5;
   check::relative("narrow bounds",
                   model_derivatives(parameters, model, {0.5 - 4e-6, 3.}, {0}, 1e-3).columns[0][1],
@@ -66,16 +68,18 @@ UNIT_TEST(model_derivatives)
       });
   EvaluatedModel beside(wall, 1);
   check::relative("beside a failure",
-                  model_derivatives({parameter_of("a", 1.)}, beside, {1.}, {0}, 1e-3).columns[0][0], 2.,
-                  1e-9);
+                  model_derivatives({parameter_of("a", 1.)}, beside, {1.}, {0}, 1e-3).columns[0][0],
+                  2., 1e-9);
   const ModelDerivatives none = model_derivatives({parameter_of("a", 2.)}, beside, {2.}, {0}, 1e-3);
-  check::equal("failure on either side", none.failure,
-               "the derivative by 'a' cannot be taken, since the model fails on either side: too far");
+  check::equal(
+      "failure on either side", none.failure,
+      "the derivative by 'a' cannot be taken, since the model fails on either side: too far");
 
   AnalyticModel analytic;
   EvaluatedModel of_analytic(analytic, 1);
-  const ModelDerivatives exact = model_derivatives({parameter_of("a", 1.), parameter_of("b", 1., logarithmic)},
-                                                   of_analytic, {4., 5.}, {0, 1}, 1e-3);
+  const ModelDerivatives exact =
+      model_derivatives({parameter_of("a", 1.), parameter_of("b", 1., logarithmic)}, of_analytic,
+                        {4., 5.}, {0, 1}, 1e-3);
   check::relative("analytic", exact.columns[0][0], 8., 0.);
   check::relative("analytic by the logarithm", exact.columns[1][0], 15., 0.);
 }

@@ -31,7 +31,10 @@ Profile profile_of(FunctionModel &model,
 /// y1 = a^2 + b and y2 = b with noise 1: a^2 lies within (y1 - y2) -+ 1.96 sqrt(2).
 void test_square()
 {
-  FunctionModel model([](const Values &set) -> Values { return {set[0] * set[0] + set[1], set[1]}; });
+  FunctionModel model(
+      [](const Values &set) -> Values {
+        return {set[0] * set[0] + set[1], set[1]};
+      });
   const DataRecord record = uniform_record("y", 0., {9., 3.}, 1.);
   const std::vector<FitParameter> parameters{parameter_of("a", 2.), parameter_of("b", 1.)};
   const Profile profile = profile_of(model, parameters, record, 0);
@@ -39,17 +42,20 @@ void test_square()
   check::relative("threshold", profile.threshold, chi_square_95, 1e-9);
   check::relative("lower end", profile.interval.lower, std::sqrt(6. - half), 2e-3);
   check::relative("upper end", profile.interval.upper, std::sqrt(6. + half), 2e-3);
-  check::is_true("two ends", !profile.interval.lower_is_bound && !profile.interval.upper_is_bound && profile.remark.empty());
+  check::is_true("two ends", !profile.interval.lower_is_bound && !profile.interval.upper_is_bound &&
+                                 profile.remark.empty());
   bool is_exact = profile.points.size() >= 8;
   for (const Profile::Point &point : profile.points)
-    is_exact = is_exact && std::abs(point.misfit - std::pow(point.value * point.value - 6., 2) / 2.) < 1e-6 &&
+    is_exact = is_exact &&
+               std::abs(point.misfit - std::pow(point.value * point.value - 6., 2) / 2.) < 1e-6 &&
                std::abs(point.estimates[1] - (3. + (9. - point.value * point.value)) / 2.) < 1e-5;
   check::is_true("profile in closed form", is_exact);
 
   auto bounded = parameters;
   bounded[0].lower = 2.;
   const Profile at_bound = profile_of(model, bounded, record, 0);
-  check::is_true("meets the bound", at_bound.interval.lower == 2. && at_bound.interval.lower_is_bound);
+  check::is_true("meets the bound",
+                 at_bound.interval.lower == 2. && at_bound.interval.lower_is_bound);
   check::equal("is said", at_bound.remark, "it meets the bound 2 1 below the threshold");
   check::relative("the other end", at_bound.interval.upper, std::sqrt(6. + half), 2e-3);
 
@@ -64,7 +70,8 @@ void test_square()
         return {set[0] * set[0] + set[1], set[1]};
       });
   const Profile stopped = profile_of(failing, parameters, record, 0);
-  check::is_true("a failure is said", check::matches(stopped.remark, "the model fails at .*it bursts"));
+  check::is_true("a failure is said",
+                 check::matches(stopped.remark, "the model fails at .*it bursts"));
 }
 
 /// With estimated noise the profile of a straight line gives Student's interval.
@@ -72,7 +79,10 @@ void test_line()
 {
   FunctionModel model(
       [](const Values &set) -> Values
-      { return {set[0], set[0] + set[1], set[0] + 2. * set[1], set[0] + 3. * set[1], set[0] + 4. * set[1]}; });
+      {
+        return {set[0], set[0] + set[1], set[0] + 2. * set[1], set[0] + 3. * set[1],
+                set[0] + 4. * set[1]};
+      });
   const DataRecord record = uniform_record("y", 0., {1.1, 2.9, 5.2, 7.1, 8.7}, undefined);
   const Profile profile =
       profile_of(model, {parameter_of("a", 1.), parameter_of("b", 1.)}, record, 1);
@@ -94,7 +104,8 @@ void test_other_minimum()
       });
   const DataRecord record = uniform_record("y", 0., Values(12, -0.7), 4.);
   const Profile profile = profile_of(model, {parameter_of("a", -0.9)}, record, 0);
-  check::is_true("another minimum", check::matches(profile.remark, "a smaller misfit was found at"));
+  check::is_true("another minimum",
+                 check::matches(profile.remark, "a smaller misfit was found at"));
 }
 } // namespace
 

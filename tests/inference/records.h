@@ -7,10 +7,10 @@
 #include <cmath>
 
 /// Parameters and records of the tests, whose unit is 1.
-inline Continua::FitParameter parameter_of(
-    const std::string &name,
-    const double start,
-    const Continua::FitParameter::Scale scale = Continua::FitParameter::Scale::linear)
+inline Continua::FitParameter
+parameter_of(const std::string &name,
+             const double start,
+             const Continua::FitParameter::Scale scale = Continua::FitParameter::Scale::linear)
 {
   Continua::FitParameter parameter;
   parameter.name = name;

@@ -30,11 +30,11 @@ void test_two_records()
   FitOptions options;
   options.tolerance = 1e-9;
   options.correlated_noise = CorrelatedNoise::as_given;
-  const FitResult result =
-      LeastSquaresFit({parameter_of("number", 1.)},
-                      {uniform_record("good", 0., good, undefined), uniform_record("bad", 0., bad, undefined)},
-                      model, options)
-          .solve();
+  const FitResult result = LeastSquaresFit({parameter_of("number", 1.)},
+                                           {uniform_record("good", 0., good, undefined),
+                                            uniform_record("bad", 0., bad, undefined)},
+                                           model, options)
+                               .solve();
   // The equations of weighted means, iterated here: s_r^2 = sum of squares / (n_r - its weight).
   double mean = 0.;
   double s_good = 1.;
@@ -60,9 +60,11 @@ void test_two_records()
     s_bad = square_bad / (50. - w_bad / (w_good + w_bad));
   }
   check::relative("number", result.estimates[0], mean, 1e-7);
-  check::relative("good noise", result.records[0].noise.standard_deviation, std::sqrt(s_good), 1e-4);
+  check::relative("good noise", result.records[0].noise.standard_deviation, std::sqrt(s_good),
+                  1e-4);
   check::relative("bad noise", result.records[1].noise.standard_deviation, std::sqrt(s_bad), 1e-4);
-  check::relative("error", result.standard_errors[0], 1. / std::sqrt(200. / s_good + 50. / s_bad), 1e-4);
+  check::relative("error", result.standard_errors[0], 1. / std::sqrt(200. / s_good + 50. / s_bad),
+                  1e-4);
   check::relative("degrees of freedom", result.degrees_of_freedom, 249., 0.);
 }
 
@@ -75,13 +77,15 @@ void test_odd_records()
       [&]()
       {
         LeastSquaresFit(parameters,
-                        {uniform_record("three", 0., {1., 2., 3.}, 1.), uniform_record("one", 0., {1.}, undefined)},
+                        {uniform_record("three", 0., {1., 2., 3.}, 1.),
+                         uniform_record("one", 0., {1.}, undefined)},
                         model)
             .solve();
       },
       "'one' has too few values to tell its noise");
   const FitResult exact =
-      LeastSquaresFit(parameters, {uniform_record("exact", 1., {2., 2., 2., 5.}, undefined)}, model).solve();
+      LeastSquaresFit(parameters, {uniform_record("exact", 1., {2., 2., 2., 5.}, undefined)}, model)
+          .solve();
   check::relative("data without noise", exact.estimates[1], 5., 1e-9);
   check::is_true("no noise is left", exact.records[0].noise.standard_deviation < 1e-9);
 
@@ -89,7 +93,12 @@ void test_odd_records()
   const Values noise = RandomNoise(12).autoregressive({0.8}, 100);
   FunctionModel mean([](const Values &set) -> Values { return Values(100, set[0]); });
   const auto order = [&](const DataRecord &record)
-  { return LeastSquaresFit({parameter_of("m", 1.)}, {record}, mean).solve().records[0].n_fitted_coefficients; };
+  {
+    return LeastSquaresFit({parameter_of("m", 1.)}, {record}, mean)
+        .solve()
+        .records[0]
+        .n_fitted_coefficients;
+  };
   check::is_true("ordered", order(uniform_record("y", 0.1, noise, undefined)) >= 1);
   check::is_true("not ordered", order(uniform_record("y", 0., noise, undefined)) == 0);
   DataRecord given = uniform_record("y", 0.1, noise, undefined);
