@@ -247,6 +247,8 @@ FitResult LeastSquaresFit::solve()
   {
     result.standard_errors.assign(parameters.size(), undefined);
     result.intervals.assign(parameters.size(), {undefined, undefined, false, false});
+    result.degrees_of_freedom_of_errors.assign(parameters.size(), undefined);
+    result.treated_over_plain_variance.assign(parameters.size(), 1.);
   }
   add_notes(result, parameters, records, model.last_failure());
   return result;

@@ -39,14 +39,15 @@ UNIT_TEST(error_freedom)
   check::relative("one of two is known", of_mean({ten, five}, {{false, 0}, {true, 0}}),
                   (4. + a) / ((1. - a) * (1. - a)), 1e-12);
 
-  // A long record of order 1: ln of the variance of the mean is ln of the innovations' variance less
-  // 2 ln(1 - phi), and the variance of phi is (1 - phi^2)/n.
+  // A long record of order 1: ln of the variance of the mean is ln of the innovations' variance
+  // less 2 ln(1 - phi), and the variance of phi is (1 - phi^2)/n.
   const double phi = 0.6;
   const double n = 5000.;
   DataRecord coloured = uniform_record("coloured", 1., std::vector<double>(5000, 0.), 1.);
   coloured.noise.autoregressive = {phi};
   check::relative("order 1", of_mean({coloured}, {{true, 1}}),
-                  2. / (2. / (n - 1.) + 4. * (1. - phi * phi) / ((1. - phi) * (1. - phi) * n)), 5e-3);
+                  2. / (2. / (n - 1.) + 4. * (1. - phi * phi) / ((1. - phi) * (1. - phi) * n)),
+                  5e-3);
   // With the deviation known: ln((1 + phi)/(1 - phi)).
   check::relative("order 1, known deviation", of_mean({coloured}, {{false, 1}}),
                   2. / (std::pow(2. / (1. - phi * phi), 2) * (1. - phi * phi) / n), 5e-3);

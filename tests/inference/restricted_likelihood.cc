@@ -42,7 +42,8 @@ UNIT_TEST(restricted_likelihood)
   // White noise about its mean: the variance is the sum of the squares over n - 1.
   const ResidualsOfRecord white = about_mean({1., 4., 2., 8., 5.});
   const NoiseModel of_white = restricted_likelihood_noise(white, start_of(white, 0), false);
-  check::relative("white noise about a mean", of_white.standard_deviation, std::sqrt(30. / 4.), 1e-4);
+  check::relative("white noise about a mean", of_white.standard_deviation, std::sqrt(30. / 4.),
+                  1e-4);
 
   // A mean that others know with much more information takes nothing.
   ResidualsOfRecord known = white;
@@ -66,8 +67,8 @@ UNIT_TEST(restricted_likelihood)
     const NoiseModel found = restricted_likelihood_noise(record, start, false);
     of_burg += start.autoregressive[0] / n_records;
     of_likelihood += found.autoregressive[0] / n_records;
-    variance += std::pow(found.standard_deviation, 2) * (1. - std::pow(found.autoregressive[0], 2)) /
-                n_records;
+    variance += std::pow(found.standard_deviation, 2) *
+                (1. - std::pow(found.autoregressive[0], 2)) / n_records;
   }
   check::absolute("Burg's coefficient", of_burg, 0.6 - 3.4 / 40., 0.03);
   check::absolute("the likelihood's coefficient", of_likelihood, 0.6, 0.04);
