@@ -100,6 +100,23 @@ RecordFit record_fit(const DataRecord &record,
   return fit;
 }
 
+/// Sets the records of a result; what of their noise was estimated.
+std::vector<EstimatedNoise> set_records(FitResult &result,
+                                        const std::vector<DataRecord> &weighted,
+                                        const Minimum &minimum,
+                                        const ResidualNoise &noise)
+{
+  const auto predictions = by_record(weighted, minimum.prediction);
+  const auto differences = residuals_by_record(weighted, minimum.prediction);
+  std::vector<EstimatedNoise> estimated;
+  for (unsigned int r = 0; r < weighted.size(); ++r)
+  {
+    result.records.push_back(record_fit(weighted[r], predictions[r], differences[r], noise, r));
+    estimated.push_back({noise.deviation_is_unknown(r), noise.n_fitted_coefficients(r)});
+  }
+  return estimated;
+}
+
 void add_notes(FitResult &result,
                const std::vector<FitParameter> &parameters,
                const std::vector<DataRecord> &records,
@@ -233,14 +250,7 @@ FitResult LeastSquaresFit::solve()
   result.stop_reason = best.stop_reason;
   result.n_evaluations = model.n_evaluations();
   result.n_failures = model.n_failures();
-  const auto predictions = by_record(weighted, best.prediction);
-  const auto differences = residuals_by_record(weighted, best.prediction);
-  std::vector<EstimatedNoise> estimated;
-  for (unsigned int r = 0; r < weighted.size(); ++r)
-  {
-    result.records.push_back(record_fit(weighted[r], predictions[r], differences[r], noise, r));
-    estimated.push_back({noise.deviation_is_unknown(r), noise.n_fitted_coefficients(r)});
-  }
+  const std::vector<EstimatedNoise> estimated = set_records(result, weighted, best, noise);
   if (!best.columns.empty() && !best.columns[result.free.empty() ? 0 : result.free[0]].empty())
     set_uncertainty(result, parameters, weighted, estimated, best, options);
   else

@@ -135,9 +135,7 @@ double
 profile_threshold(const FitResult &fit, const unsigned int parameter, const double confidence)
 {
   const double degrees = fit.degrees_of_freedom_of_errors[parameter];
-  const double mean_square =
-      fit.noise_is_known || fit.degrees_of_freedom == 0 ? 1. : fit.misfit / fit.degrees_of_freedom;
-  return fit.treated_over_plain_variance[parameter] * mean_square *
+  return fit.treated_over_plain_variance[parameter] *
          (std::isfinite(degrees) ? gsl_cdf_fdist_Pinv(confidence, 1., degrees)
                                  : gsl_cdf_chisq_Pinv(confidence, 1.));
 }
