@@ -197,7 +197,7 @@ FitResult LeastSquaresFit::solve()
     const WeightedResiduals residuals(parameters, weighted);
     model.set_misfit([&residuals](const std::vector<double> &set, const std::vector<double> &values)
                      { return residuals.misfit(set, values); });
-    const Minimum minimum =
+    Minimum minimum =
         BoundedMinimiser(parameters, model, residuals, options, noise_is_known).minimise(start);
     model.set_misfit({});
     result.n_iterations += minimum.n_iterations;

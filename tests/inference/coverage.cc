@@ -36,6 +36,7 @@ public:
   std::vector<Prediction> predict(const std::vector<Values> &sets) override
   {
     std::vector<Prediction> predictions;
+    predictions.reserve(sets.size());
     for (const Values &set : sets)
       predictions.push_back({at(set), ""});
     return predictions;
