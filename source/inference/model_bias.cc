@@ -4,6 +4,7 @@
 #include <continua/inference/least_squares_factor.h>
 #include <continua/inference/weighted_residuals.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>

@@ -5,6 +5,7 @@
 #include <continua/inference/model_derivatives.h>
 
 #include <cmath>
+#include <stdexcept>
 
 namespace test_of_model_derivatives
 {

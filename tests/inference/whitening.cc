@@ -2,6 +2,7 @@
 
 #include <continua/inference/whitening.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
