@@ -208,9 +208,16 @@ std::string sentence_of(const std::vector<FitParameter> &parameters, const FlatD
            << " " << first.unit << " of " << quoted(first);
     text << ")";
   }
-  text << (named.size() == 1
-               ? ". Give it, or a prior of it, or data that see it."
-               : ". Give one of them, or a prior of one, or data that tell them apart.");
+  const bool has_prior =
+      std::any_of(named.begin(), named.end(),
+                  [&](const std::size_t j) { return parameters[j].prior.has_value(); });
+  if (named.size() == 1)
+    text << (has_prior ? ". Its prior alone determines it: give it, or data that see it."
+                       : ". Give it, or a prior of it, or data that see it.");
+  else if (has_prior)
+    text << ". A prior alone tells them apart: give one of them, or data that tell them apart.";
+  else
+    text << ". Give one of them, or a prior of one, or data that tell them apart.";
   return text.str();
 }
 } // namespace

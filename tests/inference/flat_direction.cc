@@ -45,6 +45,12 @@ void test_powers()
           "^1: 'E' and 'h': the data see only their product. Give one of them");
   matches("ratio", sentence(two, {{3., 5., 7.}, {-3., -5., -7.}}), "^1: .*only their ratio");
   matches("power", sentence(two, {{3., 5., 7.}, {1.5, 2.5, 3.5}}), "to the power 0.5\\. ");
+  auto with_prior = two;
+  with_prior[1].prior = Prior{2., 0.1};
+  matches("one with a prior", sentence(with_prior, {{3., 5., 7.}, {0., 0., 0.}}),
+          "'h': the data do not see it\\. Its prior alone determines it");
+  matches("product with a prior", sentence(with_prior, {{3., 5., 7.}, {3., 5., 7.}}),
+          "only their product\\. A prior alone tells them apart: give one of them");
   matches("one", sentence(two, {{3., 5., 7.}, {0., 0., 0.}}),
           "^1: 'h': the data do not see it\\. Give it");
   check::equal("none", sentence(two, {{3., 5., 7.}, {3., 5., -7.}}), "0:");
