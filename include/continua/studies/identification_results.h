@@ -1,0 +1,34 @@
+#ifndef continua_studies_identification_results_h
+#define continua_studies_identification_results_h
+
+#include <continua/inference/expected_errors.h>
+#include <continua/inference/fit_result.h>
+#include <continua/inference/model_bias.h>
+#include <continua/inference/profile_likelihood.h>
+#include <continua/studies/synthetic_experiments.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Continua
+{
+/// What an identification has found; what was not asked for is empty.
+struct IdentificationResults
+{
+  std::string model; ///< by which
+  std::vector<FitParameter> parameters;
+  std::optional<FitResult> fit;
+  std::vector<double> shifts; ///< by measured record: of its clock, at the estimates [s]
+  std::vector<std::pair<unsigned int, Profile>> profiles; ///< by parameter
+  std::string other_model;
+  std::optional<ModelBias> bias;
+
+  std::optional<ExpectedErrors::Errors> errors_of_file; ///< of the records that are no candidates
+  std::vector<ExpectedErrors::Choice> choices;          ///< best first
+  std::optional<SyntheticExperiments::Outcome> synthetic;
+};
+} // namespace Continua
+
+#endif
