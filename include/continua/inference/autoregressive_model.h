@@ -10,7 +10,8 @@ namespace Continua
 /// How many coefficients the noise of a record needs: the order with the least criterion.
 enum class OrderCriterion
 {
-  corrected_akaike, ///< AICc = n ln v + 2 (p+1) n/(n-p-2), Hurvich and Tsai, Biometrika 76, 1989, 297
+  corrected_akaike, ///< AICc = n ln v + 2 (p+1) n/(n-p-2), Hurvich and Tsai, Biometrika 76, 1989,
+                    ///< 297
   bayesian          ///< BIC = n ln v + (p+1) ln n, Schwarz, Ann. Statist. 6, 1978, 461
 };
 
@@ -29,9 +30,9 @@ struct AutoregressiveModel
 /**
  * Burg's method: the coefficients of reflection that give the least sum of the squared forward and
  * backward errors of prediction. The model is always stationary. (Brockwell and Davis, Introduction
- * to Time Series and Forecasting, 3rd ed. 2016, 5.1.2.) The mean of the values is taken off first if
- * `with_mean` (a record at rest whose level is unknown). Throws std::invalid_argument for fewer than
- * order + 2 values or values that are all equal.
+ * to Time Series and Forecasting, 3rd ed. 2016, 5.1.2.) The mean of the values is taken off first
+ * if `with_mean` (a record at rest whose level is unknown). Throws std::invalid_argument for fewer
+ * than order + 2 values or values that are all equal.
  */
 AutoregressiveModel
 fit_autoregressive_model(const std::vector<double> &values, unsigned int order, bool with_mean);

@@ -14,8 +14,8 @@
 namespace Continua
 {
 /**
- * The errors that an experiment would have, before there are data: the Fisher information J^T W J of
- * each record at the start values of the parameters. One Jacobian is enough for all choices of
+ * The errors that an experiment would have, before there are data: the Fisher information J^T W J
+ * of each record at the start values of the parameters. One Jacobian is enough for all choices of
  * records. Parameters that are held are known; priors add their information.
  */
 class ExpectedErrors
@@ -23,7 +23,8 @@ class ExpectedErrors
 public:
   struct Errors
   {
-    std::vector<double> standard_errors; ///< [unit] of each parameter; 0 if held, infinite if unseen
+    std::vector<double>
+        standard_errors; ///< [unit] of each parameter; 0 if held, infinite if unseen
     dealii::FullMatrix<double> correlation; ///< of the parameters that are not held [1]
     double log_determinant; ///< ln det of the information in sizes of the coordinates [1]
     std::vector<FlatDirection> flat_directions;
@@ -35,8 +36,8 @@ public:
     Errors errors;
   };
 
-  /// `records` with their noise, the standard deviations known; their values are not used. The model
-  /// is evaluated in one call for all differences (FitOptions::difference_step). Throws
+  /// `records` with their noise, the standard deviations known; their values are not used. The
+  /// model is evaluated in one call for all differences (FitOptions::difference_step). Throws
   /// std::invalid_argument as LeastSquaresFit does, RunError if the model fails.
   ExpectedErrors(std::vector<FitParameter> parameters,
                  std::vector<DataRecord> records,
@@ -52,8 +53,8 @@ public:
 
   /**
    * Sets of `n_chosen` (1: single ones, 2: pairs ...) of the `candidates` added to `always`, best
-   * first: by the standard error of `parameter`, or by the determinant (D-optimal) if `parameter` is
-   * `by_determinant`. Each candidate may have several records (a station with pressure and flow
+   * first: by the standard error of `parameter`, or by the determinant (D-optimal) if `parameter`
+   * is `by_determinant`. Each candidate may have several records (a station with pressure and flow
    * rate).
    */
   std::vector<Choice> rank(const std::vector<unsigned int> &always,

@@ -16,8 +16,8 @@ public:
     std::string failure;        ///< why there are no values; empty: there are
   };
   virtual ~FitModel() = default;
-  /// Of several sets of parameters, [unit] each, in the order of the FitParameters; may compute them
-  /// side by side. One prediction a set.
+  /// Of several sets of parameters, [unit] each, in the order of the FitParameters; may compute
+  /// them side by side. One prediction a set.
   virtual std::vector<Prediction> predict(const std::vector<std::vector<double>> &sets) = 0;
   /// Analytic d prediction / d parameter [unit of the record / unit of the parameter], one vector a
   /// parameter, if it is cheap. False where there is none: differences are taken then.

@@ -35,16 +35,16 @@ struct FitOptions
   double step_tolerance = 1e-10;
   unsigned int largest_n_evaluations = 2000; ///< ... or after this many evaluations, unfinished
   unsigned int n_starts = 1; ///< the given one, and others spread evenly within the bounds
-  /// Half the distance of central differences, over the size of the coordinate and, on a linear
-  /// scale, no more than this part of the value [1].
+  /// Half the distance of central differences, over 1 on a logarithmic scale, over the value (at
+  /// most its size, at least 0.01 of it) on a linear one [1]. With start 0 over the size.
   double difference_step = 1e-3;
   TrustRegion trust_region = TrustRegion::levenberg_marquardt;
   CorrelatedNoise correlated_noise = CorrelatedNoise::autoregressive;
   OrderCriterion order_criterion = OrderCriterion::corrected_akaike;
   double confidence = 0.95; ///< [1] of the intervals
-  /// A direction in which all data together leave a standard error of more than this factor
-  /// (logarithmic coordinates), or of more than this times the size less one (linear ones), is
-  /// called flat [1].
+  /// A direction along which the standard error, from all data together, is more than ln of this
+  /// factor, in sizes of the coordinates, is called flat [1]: on logarithmic scales, one standard
+  /// error is more than this factor.
   double flat_factor = 2.;
   std::vector<Evaluation> known; ///< replayed instead of computed
   EvaluationObserver observer;

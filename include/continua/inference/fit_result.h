@@ -18,20 +18,21 @@ struct ConfidenceInterval
 {
   double lower;        ///< [unit]
   double upper;        ///< [unit]
-  bool lower_is_bound; ///< the lower end is the bound of the parameter (or none), not a limit by data
+  bool lower_is_bound; ///< the lower end is the bound of the parameter (or none), not a limit by
+                       ///< data
   bool upper_is_bound;
 };
 
 /// What a fit says of one record.
 struct RecordFit
 {
-  std::vector<double> prediction; ///< [unit]
-  std::vector<double> residuals;  ///< measured - predicted [unit]
-  std::vector<double> whitened;   ///< residuals made white by the noise of the fit [1]
-  double root_mean_square;        ///< of the residuals [unit]
-  WhitenessTest whiteness;        ///< of `whitened`
-  NoiseModel noise;               ///< that the fit used, estimated or given
-  bool noise_is_estimated;        ///< standard deviation from the residuals
+  std::vector<double> prediction;     ///< [unit]
+  std::vector<double> residuals;      ///< measured - predicted [unit]
+  std::vector<double> whitened;       ///< residuals made white by the noise of the fit [1]
+  double root_mean_square;            ///< of the residuals [unit]
+  WhitenessTest whiteness;            ///< of `whitened`
+  NoiseModel noise;                   ///< that the fit used, estimated or given
+  bool noise_is_estimated;            ///< standard deviation from the residuals
   unsigned int n_fitted_coefficients; ///< autoregressive ones from the residuals
   /// "white", "autoregressive of order 3", "sandwich over 12 values", "enlarged by 2.1".
   std::string treatment;
@@ -52,11 +53,12 @@ struct FitResult
   std::vector<double> standard_errors; ///< [unit]; NaN at a bound and if held, infinite if not seen
   std::vector<ConfidenceInterval> intervals;
   std::vector<bool> at_bound;
-  std::vector<unsigned int> free; ///< indices of the parameters that are neither held nor at a bound
+  std::vector<unsigned int>
+      free; ///< indices of the parameters that are neither held nor at a bound
   dealii::FullMatrix<double> covariance;  ///< of the coordinates of the free ones
   dealii::FullMatrix<double> correlation; ///< the same [1]
 
-  double misfit;                   ///< chi-square: sum of the squared whitened residuals, and priors
+  double misfit; ///< chi-square: sum of the squared whitened residuals, and priors
   unsigned int degrees_of_freedom; ///< values and priors less free parameters
   bool noise_is_known; ///< all standard deviations given: intervals are normal, else Student's
   /// Of a chi-square at least as large if model and noise are right [1]; NaN with estimated noise.
@@ -70,7 +72,8 @@ struct FitResult
   std::vector<FlatDirection> flat_directions;
   std::vector<RecordFit> records;
   std::vector<FitStart> starts;
-  /// d prediction / d coordinate of each parameter (all but the held ones), whitened, of all records.
+  /// d prediction / d coordinate of each parameter (all but the held ones), whitened, of all
+  /// records.
   std::vector<std::vector<double>> whitened_jacobian;
 };
 } // namespace Continua

@@ -1,0 +1,246 @@
+#include <continua/inference/fit_uncertainty.h>
+
+#include <continua/base/six_digits.h>
+#include <continua/base/undefined.h>
+#include <continua/inference/least_squares_factor.h>
+
+#include <gsl/gsl_cdf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace Continua
+{
+namespace
+{
+using SquareMatrix = dealii::FullMatrix<double>;
+
+/// Residuals below this probability of being white are treated, or told of.
+constexpr double least_probability_of_white = 0.01;
+
+/// Rows of one record in the columns of the free parameters.
+struct RowRange
+{
+  std::size_t begin, end;
+};
+
+/// sum_(i-k=lag) e_i e_k j_i j_k^T and its transpose, or without e for lag 0 and `errors` null.
+void add_products(SquareMatrix &sum,
+                  const std::vector<std::vector<double>> &columns,
+                  const std::vector<double> *const errors,
+                  const RowRange &range,
+                  const std::size_t lag,
+                  const double weight)
+{
+  for (unsigned int a = 0; a < columns.size(); ++a)
+    for (unsigned int b = 0; b < columns.size(); ++b)
+      for (std::size_t i = range.begin + lag; i < range.end; ++i)
+      {
+        const double product = columns[a][i] * columns[b][i - lag] *
+                               (errors ? (*errors)[i] * (*errors)[i - lag] : 1.);
+        sum(a, b) += weight * product;
+        if (lag > 0)
+          sum(b, a) += weight * product;
+      }
+}
+
+/// The lag up to which Newey and West's sum goes: Andrews's, for Bartlett's weights and residuals
+/// that are autoregressive of order 1.
+std::size_t lag_of_andrews(const std::vector<double> &whitened)
+{
+  const double n = whitened.size();
+  const double r = std::clamp(autocorrelation(whitened, 1)[1], -0.97, 0.97);
+  const double alpha = 4. * r * r / std::pow((1. - r) * (1. + r), 2);
+  return static_cast<std::size_t>(
+      std::min(std::ceil(1.1447 * std::cbrt(alpha * n)), std::floor(0.25 * n)));
+}
+
+/// Adds what one record contributes to the middle of the sandwich, and says how.
+void add_record(SquareMatrix &middle,
+                RecordFit &record,
+                const std::vector<std::vector<double>> &columns,
+                const std::vector<double> &errors,
+                const RowRange &range,
+                const bool is_ordered,
+                const FitOptions &options,
+                const double correction)
+{
+  record.treatment = record.noise.description();
+  const bool is_coloured = record.whiteness.probability < least_probability_of_white;
+  if (is_ordered && options.correlated_noise == CorrelatedNoise::enlarged)
+  {
+    const double ratio = fit_autoregressive_model_of_best_order(
+                             record.whitened, options.order_criterion, false)
+                             .largest_spectral_ratio();
+    add_products(middle, columns, nullptr, range, 0, ratio);
+    record.treatment = "enlarged by " + six_digits(std::sqrt(ratio));
+    return;
+  }
+  if (is_ordered && (options.correlated_noise == CorrelatedNoise::sandwich ||
+                     (options.correlated_noise == CorrelatedNoise::autoregressive && is_coloured)))
+  {
+    const std::size_t lags = lag_of_andrews(record.whitened);
+    for (std::size_t lag = 0; lag <= lags; ++lag)
+      add_products(middle, columns, &errors, range, lag, correction * (1. - lag / (lags + 1.)));
+    record.treatment = (record.noise.is_white() ? "" : record.noise.description() + ", ") +
+                       "sandwich over " + std::to_string(lags) + " values";
+    return;
+  }
+  add_products(middle, columns, nullptr, range, 0, 1.);
+}
+
+SquareMatrix product_of(const SquareMatrix &a, const SquareMatrix &b)
+{
+  SquareMatrix result(a.m(), b.n());
+  a.mmult(result, b);
+  return result;
+}
+
+void set_correlation(FitResult &result)
+{
+  const unsigned int n = result.free.size();
+  result.correlation.reinit(n, n);
+  for (unsigned int a = 0; a < n; ++a)
+    for (unsigned int b = 0; b < n; ++b)
+      result.correlation(a, b) =
+          a == b ? 1.
+                 : result.covariance(a, b) /
+                       std::sqrt(result.covariance(a, a) * result.covariance(b, b));
+}
+
+/// Quantile of the deviation over its standard error.
+double quantile(const FitResult &result, const double probability)
+{
+  if (result.noise_is_known || result.degrees_of_freedom == 0)
+    return gsl_cdf_ugaussian_Pinv(probability);
+  return gsl_cdf_tdist_Pinv(probability, result.degrees_of_freedom);
+}
+
+ConfidenceInterval within_bounds(const FitParameter &parameter, const double lower, const double upper)
+{
+  ConfidenceInterval interval{parameter.value(lower), parameter.value(upper), false, false};
+  if (!(interval.lower > parameter.lower))
+  {
+    interval.lower = parameter.lower;
+    interval.lower_is_bound = true;
+  }
+  if (!(interval.upper < parameter.upper))
+  {
+    interval.upper = parameter.upper;
+    interval.upper_is_bound = true;
+  }
+  return interval;
+}
+
+/**
+ * Of a parameter at its bound, from there to where chi-square, the others fitted anew, has grown by
+ * the square of the one-sided quantile: with the free minimum at d beyond the bound (d <= 0) and the
+ * standard error s of the linear model, (x - d)^2/s^2 - d^2/s^2 = q^2.
+ */
+ConfidenceInterval one_sided_interval(const FitResult &result,
+                                      const FitParameter &parameter,
+                                      const unsigned int j,
+                                      const std::vector<std::vector<double>> &columns,
+                                      const std::vector<double> &rows,
+                                      const double q)
+{
+  std::vector<std::vector<double>> with_j;
+  for (const unsigned int k : result.free)
+    with_j.push_back(columns[k]);
+  with_j.push_back(columns[j]);
+  const LeastSquaresFactor factor(with_j);
+  const double variance = factor.inverse_of_normal_matrix()(with_j.size() - 1, with_j.size() - 1);
+  const bool is_lower = result.estimates[j] <= parameter.lower;
+  const double inwards = is_lower ? 1. : -1.;
+  const double beyond = std::min(0., -inwards * factor.solve(rows).back());
+  const double reach = beyond + std::sqrt(beyond * beyond + q * q * variance);
+  const double bound = parameter.coordinate(result.estimates[j]);
+  const double end = bound + inwards * reach;
+  return is_lower ? within_bounds(parameter, bound, end) : within_bounds(parameter, end, bound);
+}
+
+std::vector<std::vector<double>> data_rows(const std::vector<std::vector<double>> &columns,
+                                           const std::size_t n_values)
+{
+  std::vector<std::vector<double>> result = columns;
+  for (std::vector<double> &column : result)
+    if (!column.empty())
+      column.resize(n_values);
+  return result;
+}
+
+void set_covariance(FitResult &result,
+                    const WeightedResiduals &residuals,
+                    const std::vector<std::vector<double>> &columns,
+                    const std::vector<double> &rows,
+                    const std::vector<bool> &is_ordered,
+                    const FitOptions &options)
+{
+  result.covariance = LeastSquaresFactor(columns).inverse_of_normal_matrix();
+  const unsigned int n = columns.size();
+  const double n_values = residuals.n_values();
+  SquareMatrix middle(n, n);
+  std::size_t begin = 0;
+  for (std::size_t r = 0; r < result.records.size(); ++r)
+  {
+    RecordFit &record = result.records[r];
+    const RowRange range{begin, begin + record.whitened.size()};
+    begin = range.end;
+    add_record(middle, record, columns, rows, range, is_ordered[r], options,
+               n_values > n ? n_values / (n_values - n) : 1.);
+  }
+  add_products(middle, columns, nullptr, {begin, residuals.n_rows()}, 0, 1.);
+  bool is_finite = true;
+  for (unsigned int a = 0; a < n; ++a)
+    is_finite = is_finite && std::isfinite(result.covariance(a, a));
+  if (is_finite)
+    result.covariance = product_of(product_of(result.covariance, middle), result.covariance);
+}
+} // namespace
+
+void set_uncertainty(FitResult &result,
+                     const std::vector<FitParameter> &parameters,
+                     const WeightedResiduals &residuals,
+                     const BoundedMinimiser::Minimum &minimum,
+                     const std::vector<bool> &is_ordered,
+                     const FitOptions &options)
+{
+  const std::vector<double> rows = residuals.rows(minimum.set, minimum.prediction);
+  std::vector<std::vector<double>> columns;
+  for (const unsigned int j : result.free)
+    columns.push_back(minimum.columns[j]);
+  if (!columns.empty())
+  {
+    set_covariance(result, residuals, columns, rows, is_ordered, options);
+    set_correlation(result);
+  }
+  result.standard_errors.assign(parameters.size(), undefined);
+  result.intervals.assign(parameters.size(), {});
+  const double two_sided = quantile(result, 0.5 + 0.5 * options.confidence);
+  for (unsigned int j = 0; j < parameters.size(); ++j)
+  {
+    const FitParameter &parameter = parameters[j];
+    const double estimate = result.estimates[j];
+    const auto place = std::find(result.free.begin(), result.free.end(), j);
+    if (parameter.is_held())
+      result.intervals[j] = {estimate, estimate, true, true};
+    else if (place == result.free.end())
+      result.intervals[j] = one_sided_interval(result, parameter, j, minimum.columns, rows,
+                                               quantile(result, options.confidence));
+    else
+    {
+      const unsigned int k = place - result.free.begin();
+      const double error = std::sqrt(result.covariance(k, k));
+      result.standard_errors[j] = error * parameter.value_per_coordinate(estimate);
+      const double centre = parameter.coordinate(estimate);
+      result.intervals[j] =
+          within_bounds(parameter, centre - two_sided * error, centre + two_sided * error);
+    }
+  }
+  result.whitened_jacobian = data_rows(minimum.columns, residuals.n_values());
+  result.flat_directions =
+      flat_directions(parameters, result.whitened_jacobian, options.flat_factor);
+}
+} // namespace Continua
