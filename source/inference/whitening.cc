@@ -54,6 +54,20 @@ std::vector<double> Whitening::apply(const std::vector<double> &values) const
   return result;
 }
 
+std::vector<double> Whitening::colour(const std::vector<double> &values) const
+{
+  const std::size_t order = predictors.size() - 1;
+  std::vector<double> result(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const std::size_t m = std::min(i, order);
+    result[i] = deviations[m] * values[i];
+    for (std::size_t j = 0; j < m; ++j)
+      result[i] += predictors[m][j] * result[i - 1 - j];
+  }
+  return result;
+}
+
 double Whitening::log_determinant(const unsigned int n) const
 {
   double sum = 0.;

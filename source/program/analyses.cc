@@ -9,6 +9,7 @@
 #include <continua/laboratory/material_laboratory.h>
 #include <continua/laboratory/spin_coating_analysis.h>
 #include <continua/studies/comparison.h>
+#include <continua/studies/identification.h>
 #include <continua/studies/refinement_study.h>
 
 namespace Continua
@@ -84,6 +85,11 @@ const AnalysisTable &analyses()
            "The same case on finer and finer meshes, uniform and adaptive: errors, orders and what "
            "they cost.",
            "Refinement study"),
+       row_of_study<Identification, IdentificationParameters>(
+           "identification",
+           "Numbers of the file, such as the modulus of a wall, from what was measured at stations, "
+           "with their errors; or the errors that an experiment would give.",
+           "Identification"),
        row_of<SpinCoatingAnalysis>("spin coating",
                                    "How a tube is made: what the motors do along the rod.",
                                    {"Spin coating"}),

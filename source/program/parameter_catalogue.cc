@@ -15,6 +15,7 @@
 #include <continua/mesh/geometry.h>
 #include <continua/program/analyses.h>
 #include <continua/studies/comparison_parameters.h>
+#include <continua/studies/identification_parameters.h>
 #include <continua/studies/refinement_study_parameters.h>
 #include <continua/vessel/spin_coating.h>
 
@@ -221,6 +222,14 @@ std::vector<Source> sources()
        "How the mesh becomes finer, how often, and to what errors are.",
        {"Refinement study/Reference/<quantity>=1", "Refinement study/Expected/<quantity>=1 +- 1 %"},
        [](Root &root, const General &) { RefinementStudyParameters().read(root); },
+       "",
+       {}},
+      {"Identification",
+       "Which numbers of the file are sought, and what is known of the noise.",
+       {"Identification/Parameters/<number>/Entry=Geometry/Wall thickness",
+        "Identification/Noise/<field>=from rest", "Identification/Expected noise/<field>=1 Pa",
+        "Identification/Expected/<quantity>=1 +- 1 %"},
+       [](Root &root, const General &) { IdentificationParameters().read(root); },
        "",
        {}},
       {"Spin coating",

@@ -161,6 +161,9 @@ void IdentificationParameters::read(ParameterSection root)
               "drawn anew, each of which is fitted. Their spread checks errors and intervals [1].",
               0, 100000);
   section.add("Seed", seed, "Of the noise of synthetic experiments [1].");
+  section.add("Synthetic noise is known", noise_is_known,
+              "Of synthetic experiments for Expected noise: whether their fits are given the noise, "
+              "or have to estimate its deviation and its correlation from the residuals.");
   expected = read_expected(section.subsection("Expected"));
 
   for (const std::string &text : other_entries)

@@ -24,6 +24,8 @@ public:
   /// L^-1 of values [unit of the record]: residuals, or a column of a Jacobian. In units of the
   /// standard deviation [1].
   std::vector<double> apply(const std::vector<double> &values) const;
+  /// L of values with white noise of standard deviation 1 [1]: noise of this model [unit].
+  std::vector<double> colour(const std::vector<double> &values) const;
   /// Logarithm of the determinant of the covariance of n values, by L: sum of 2 ln L_ii.
   double log_determinant(unsigned int n) const;
 

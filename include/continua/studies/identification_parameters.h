@@ -75,6 +75,7 @@ struct IdentificationParameters
 
   unsigned int n_experiments = 0; ///< [1] synthetic ones
   unsigned int seed = 1;          ///< [1]
+  bool noise_is_known = true; ///< to the fits of synthetic experiments of a design
   std::vector<ExpectedValue> expected;
 
   /// Declares and reads; throws InputError.
