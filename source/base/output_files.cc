@@ -47,6 +47,7 @@ const std::vector<std::string> &output_files()
                                                  "spin-coating.csv",
                                                  "stretch-relaxation.csv",
                                                  "summary.json",
+                                                 "sweep.csv",
                                                  "uniaxial.csv",
                                                  "view-in-paraview.py",
                                                  "wave.csv"};

@@ -16,6 +16,7 @@
 #include <continua/program/analyses.h>
 #include <continua/studies/comparison_parameters.h>
 #include <continua/studies/refinement_study_parameters.h>
+#include <continua/studies/sweep_parameters.h>
 #include <continua/vessel/spin_coating.h>
 
 #include <nlohmann/json.hpp>
@@ -221,6 +222,12 @@ std::vector<Source> sources()
        "How the mesh becomes finer, how often, and to what errors are.",
        {"Refinement study/Reference/<quantity>=1", "Refinement study/Expected/<quantity>=1 +- 1 %"},
        [](Root &root, const General &) { RefinementStudyParameters().read(root); },
+       "",
+       {}},
+      {"Sweep",
+       "Which entries take which values, and what the table has.",
+       {"Sweep/Entries/<entry>=1, 2", "Sweep/Expected/<quantity>=1 +- 1 %"},
+       [](Root &root, const General &) { SweepParameters().read(root); },
        "",
        {}},
       {"Spin coating",
