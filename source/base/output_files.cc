@@ -53,6 +53,7 @@ const std::vector<std::string> &output_files()
                                                  "spin-coating.csv",
                                                  "stretch-relaxation.csv",
                                                  "summary.json",
+                                                 "sweep.csv",
                                                  "synthetic.csv",
                                                  "uniaxial.csv",
                                                  "view-in-paraview.py",

@@ -17,6 +17,7 @@
 #include <continua/studies/comparison_parameters.h>
 #include <continua/studies/identification_parameters.h>
 #include <continua/studies/refinement_study_parameters.h>
+#include <continua/studies/sweep_parameters.h>
 #include <continua/vessel/spin_coating.h>
 
 #include <nlohmann/json.hpp>
@@ -230,6 +231,12 @@ std::vector<Source> sources()
         "Identification/Noise/<field>=from rest", "Identification/Expected noise/<field>=1 Pa",
         "Identification/Expected/<quantity>=1 +- 1 %"},
        [](Root &root, const General &) { IdentificationParameters().read(root); },
+       "",
+       {}},
+      {"Sweep",
+       "Which entries take which values, and what the table has.",
+       {"Sweep/Entries/<entry>=1, 2", "Sweep/Expected/<quantity>=1 +- 1 %"},
+       [](Root &root, const General &) { SweepParameters().read(root); },
        "",
        {}},
       {"Spin coating",

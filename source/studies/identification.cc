@@ -9,7 +9,7 @@
 #include <continua/postprocess/writing_rank.h>
 #include <continua/studies/evaluation_table.h>
 #include <continua/studies/identification_report.h>
-#include <continua/studies/run_series.h>
+#include <continua/studies/run_pool.h>
 #include <continua/studies/station_fit_model.h>
 #include <continua/studies/theory_model.h>
 
@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 namespace Continua
 {
@@ -26,7 +25,7 @@ namespace
 unsigned int n_threads_of(const IdentificationParameters &parameters)
 {
   return parameters.n_parallel > 0 ? parameters.n_parallel
-                                   : std::max(1u, std::thread::hardware_concurrency());
+                                   : RunPool::n_cores();
 }
 } // namespace
 
@@ -67,7 +66,11 @@ void Identification::read_case()
   const Case<dim> input = analyses.read_case<dim>(file, communicator, CaseUse::check,
                                                   by_theory ? "linear wave theory" : "transient");
   for (const StationsProbe &probe : input.probes.stations())
+  {
     probes.push_back(probe.name);
+    columns.push_back(
+        {probe.name, static_cast<unsigned int>(probe.positions.size()), probe.fields});
+  }
   if (probes.empty())
     file.root().subsection("Probes").refuse("", "an identification has no station to look at",
                                             "Add a probe with Stations, Fields and Measured");
@@ -166,10 +169,12 @@ void Identification::check_restart(const OutputDirectory &directory) const
 }
 
 std::unique_ptr<ForwardModel> Identification::make_model(const bool theory,
-                                                         const OutputDirectory & /*directory*/) const
+                                                         const OutputDirectory &directory,
+                                                         const std::string &runs) const
 {
   if (!theory)
-    throw RunError("the simulation as a model is not available");
+    return std::make_unique<SimulationModel>(command_line, directory, columns,
+                                             n_threads_of(parameters), runs);
   return std::make_unique<TheoryModel>(analyses, command_line, n_dimensions,
                                        n_threads_of(parameters));
 }
@@ -197,7 +202,7 @@ FitOptions Identification::fit_options() const
 
 void Identification::compute(const OutputDirectory &directory, Log &log, Summary &summary)
 {
-  const std::unique_ptr<ForwardModel> model = make_model(by_theory, directory);
+  const std::unique_ptr<ForwardModel> model = make_model(by_theory, directory, "evaluation");
   IdentificationResults results;
   results.model = model->name();
   results.parameters = fit_parameters();

@@ -139,8 +139,8 @@ void Identification::find_bias(const OutputDirectory &directory,
                                IdentificationResults &results) const
 {
   const bool theory = parameters.other_model == OtherModel::theory;
-  const std::unique_ptr<ForwardModel> first = make_model(by_theory, directory),
-                                      second = make_model(theory, directory);
+  const std::unique_ptr<ForwardModel> first = make_model(by_theory, directory, "bias"),
+                                      second = make_model(theory, directory, "other");
   std::vector<std::pair<std::string, std::string>> further;
   for (const std::string &text : parameters.other_entries)
     further.emplace_back(text.substr(0, text.find('=')), text.substr(text.find('=') + 1));

@@ -2,7 +2,7 @@
 
 #include <continua/base/interruption.h>
 #include <continua/base/parameter_text.h>
-#include <continua/studies/run_series.h>
+#include <continua/studies/planned_run.h>
 #include <continua/theory/ball.h>
 
 #include <algorithm>

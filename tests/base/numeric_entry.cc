@@ -79,11 +79,17 @@ UNIT_TEST(numeric_entry)
   of_changed.read(changed.root());
   check::absolute("read again", of_changed.moduli[0], 1. / 3., 0.);
   check::throws<std::invalid_argument>(
-      "twice", [&]() { NumericEntry::settings({first, third, first}, {1., 1., 1.}); },
+      "twice",
+      [&]() {
+        NumericEntry::settings({first, third, first}, {1., 1., 1.});
+      },
       "Shear moduli 1' is named twice");
 
   const auto refused = [&](const std::string &path, const std::string &pattern)
-  { check::throws<InputError>(path, [&]() { find(path); }, pattern); };
+  {
+    check::throws<InputError>(
+        path, [&]() { find(path); }, pattern);
+  };
   refused("Materials/wall/Young modulus", "Did you mean 'Materials/wall/Young's modulus'");
   refused("Nothing of the kind", "has no entry 'Nothing of the kind'. Give the path of a number");
   refused("Materials/wall/Name", "is no number, but text");

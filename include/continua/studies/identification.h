@@ -5,6 +5,7 @@
 #include <continua/studies/forward_model.h>
 #include <continua/studies/identification_parameters.h>
 #include <continua/studies/identification_results.h>
+#include <continua/studies/simulation_model.h>
 #include <continua/studies/sought_number.h>
 #include <continua/studies/station_records.h>
 
@@ -38,6 +39,7 @@ private:
   unsigned int n_dimensions;
   bool by_theory = true;
   std::vector<std::string> probes; ///< with stations
+  std::vector<ProbeColumns> columns; ///< of these
   std::vector<SoughtEntry> sought;
   StationRecords measured, expected;
   std::vector<std::vector<unsigned int>> candidates; ///< records of `expected` that may be added
@@ -52,7 +54,9 @@ private:
   void read_candidates();
   void check_numbers() const;
   std::string identity() const;
-  std::unique_ptr<ForwardModel> make_model(bool theory, const OutputDirectory &directory) const;
+  /// `runs`: what the folders of a simulation are called.
+  std::unique_ptr<ForwardModel>
+  make_model(bool theory, const OutputDirectory &directory, const std::string &runs) const;
   std::vector<FitParameter> fit_parameters() const;
   FitOptions fit_options() const;
 
