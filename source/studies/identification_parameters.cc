@@ -63,7 +63,7 @@ void read_fit(ParameterSection &section, IdentificationParameters &parameters)
   section.add("Profiles", parameters.profiles,
               "Whether the misfit over each number is told, with the others fitted anew: the "
               "interval that needs no linear model.");
-  section.add("Runs at a time", parameters.n_parallel,
+  section.add("Parallel runs", parameters.n_parallel,
               "Evaluations of the model side by side; 0: as many as there are cores [1].");
 }
 
