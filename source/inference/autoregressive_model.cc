@@ -15,7 +15,7 @@ class BurgRecursion
 {
 public:
   BurgRecursion(const std::vector<double> &values, const bool with_mean)
-    : forward(values), variance(0.)
+      : forward(values), variance(0.)
   {
     double mean = 0.;
     if (with_mean)

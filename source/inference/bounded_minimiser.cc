@@ -50,8 +50,8 @@ std::vector<double> to_std(const gsl_vector *vector)
 }
 } // namespace
 
-/// GSL's variable of a parameter is 1 at the start of a search and changes by 1 with the size of the
-/// coordinate, so that the first region of trust is 0.3 sizes wide.
+/// GSL's variable of a parameter is 1 at the start of a search and changes by 1 with the size of
+/// the coordinate, so that the first region of trust is 0.3 sizes wide.
 struct BoundedMinimiser::Problem
 {
   const BoundedMinimiser &minimiser;
@@ -70,9 +70,9 @@ struct BoundedMinimiser::Problem
       const FitParameter &parameter = minimiser.parameters[free[k]];
       const double change = gsl_vector_get(variables, k) - 1.;
       if (change != 0.)
-        set[free[k]] =
-            std::clamp(parameter.value(parameter.coordinate(origin[free[k]]) + change * parameter.size()),
-                       parameter.lower, parameter.upper);
+        set[free[k]] = std::clamp(
+            parameter.value(parameter.coordinate(origin[free[k]]) + change * parameter.size()),
+            parameter.lower, parameter.upper);
     }
     return set;
   }
@@ -125,8 +125,11 @@ BoundedMinimiser::BoundedMinimiser(const std::vector<FitParameter> &parameters,
                                    const WeightedResiduals &residuals,
                                    const FitOptions &options,
                                    const bool noise_is_known)
-  : parameters(parameters), model(model), residuals(residuals), options(options),
-    noise_is_known(noise_is_known)
+    : parameters(parameters),
+      model(model),
+      residuals(residuals),
+      options(options),
+      noise_is_known(noise_is_known)
 {
 }
 
@@ -226,8 +229,9 @@ bool BoundedMinimiser::release(Minimum &minimum, std::vector<unsigned int> &n_re
 bool BoundedMinimiser::minimise_free(Minimum &minimum, const std::vector<unsigned int> &free)
 {
   const QuietGsl quiet;
-  Problem problem{*this, free, minimum.set, residuals.n_rows(),
-                  residuals.rows(minimum.set, minimum.prediction), ""};
+  Problem problem{
+      *this, free, minimum.set, residuals.n_rows(), residuals.rows(minimum.set, minimum.prediction),
+      ""};
   gsl_multifit_nlinear_fdf functions{};
   functions.f = Problem::rows;
   functions.df = Problem::jacobian;
@@ -260,8 +264,9 @@ bool BoundedMinimiser::minimise_free(Minimum &minimum, const std::vector<unsigne
     for (std::size_t k = 0; k < free.size(); ++k)
     {
       const FitParameter &parameter = parameters[free[k]];
-      const bool is_out = gsl_vector_get(workspace->x, k) != 1. &&
-                          (minimum.set[free[k]] <= parameter.lower || minimum.set[free[k]] >= parameter.upper);
+      const bool is_out =
+          gsl_vector_get(workspace->x, k) != 1. &&
+          (minimum.set[free[k]] <= parameter.lower || minimum.set[free[k]] >= parameter.upper);
       minimum.at_bound[free[k]] = is_out;
       meets_bound = meets_bound || is_out;
     }

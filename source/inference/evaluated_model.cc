@@ -12,7 +12,7 @@ EvaluatedModel::EvaluatedModel(FitModel &model,
                                const std::size_t n_values,
                                const std::vector<Evaluation> &known,
                                EvaluationObserver observer)
-  : model(model), n_values(n_values), observer(std::move(observer))
+    : model(model), n_values(n_values), observer(std::move(observer))
 {
   for (const Evaluation &evaluation : known)
     if (!evaluation.prediction.failure.empty() || evaluation.prediction.values.size() == n_values)

@@ -27,7 +27,8 @@ double FitParameter::size() const
   if (scale == Scale::logarithmic)
     return 1.;
   double size = std::numeric_limits<double>::infinity();
-  for (const double candidate : {std::abs(start), upper - lower, prior ? prior->standard_deviation : 0.})
+  for (const double candidate :
+       {std::abs(start), upper - lower, prior ? prior->standard_deviation : 0.})
     if (candidate > 0. && candidate < size)
       size = candidate;
   return size;
@@ -42,7 +43,8 @@ void check_fit_parameters(const std::vector<FitParameter> &parameters)
     { throw std::invalid_argument("the parameter '" + parameter.name + "' " + problem); };
     if (!names.insert(parameter.name).second)
       refuse("is there twice");
-    if (!std::isfinite(parameter.start) || std::isnan(parameter.lower) || std::isnan(parameter.upper))
+    if (!std::isfinite(parameter.start) || std::isnan(parameter.lower) ||
+        std::isnan(parameter.upper))
       refuse("has a start or a bound that is not a number");
     if (parameter.lower > parameter.upper)
       refuse("has a lower bound above its upper bound");

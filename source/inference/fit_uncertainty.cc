@@ -38,8 +38,8 @@ void add_products(SquareMatrix &sum,
     for (unsigned int b = 0; b < columns.size(); ++b)
       for (std::size_t i = range.begin + lag; i < range.end; ++i)
       {
-        const double product = columns[a][i] * columns[b][i - lag] *
-                               (errors ? (*errors)[i] * (*errors)[i - lag] : 1.);
+        const double product =
+            columns[a][i] * columns[b][i - lag] * (errors ? (*errors)[i] * (*errors)[i - lag] : 1.);
         sum(a, b) += weight * product;
         if (lag > 0)
           sum(b, a) += weight * product;
@@ -71,9 +71,9 @@ void add_record(SquareMatrix &middle,
   const bool is_coloured = record.whiteness.probability < least_probability_of_white;
   if (is_ordered && options.correlated_noise == CorrelatedNoise::enlarged)
   {
-    const double ratio = fit_autoregressive_model_of_best_order(
-                             record.whitened, options.order_criterion, false)
-                             .largest_spectral_ratio();
+    const double ratio =
+        fit_autoregressive_model_of_best_order(record.whitened, options.order_criterion, false)
+            .largest_spectral_ratio();
     add_products(middle, columns, nullptr, range, 0, ratio);
     record.treatment = "enlarged by " + six_digits(std::sqrt(ratio));
     return;
@@ -118,7 +118,8 @@ double quantile(const FitResult &result, const double probability)
   return gsl_cdf_tdist_Pinv(probability, result.degrees_of_freedom);
 }
 
-ConfidenceInterval within_bounds(const FitParameter &parameter, const double lower, const double upper)
+ConfidenceInterval
+within_bounds(const FitParameter &parameter, const double lower, const double upper)
 {
   ConfidenceInterval interval{parameter.value(lower), parameter.value(upper), false, false};
   if (!(interval.lower > parameter.lower))
@@ -136,8 +137,8 @@ ConfidenceInterval within_bounds(const FitParameter &parameter, const double low
 
 /**
  * Of a parameter at its bound, from there to where chi-square, the others fitted anew, has grown by
- * the square of the one-sided quantile: with the free minimum at d beyond the bound (d <= 0) and the
- * standard error s of the linear model, (x - d)^2/s^2 - d^2/s^2 = q^2.
+ * the square of the one-sided quantile: with the free minimum at d beyond the bound (d <= 0) and
+ * the standard error s of the linear model, (x - d)^2/s^2 - d^2/s^2 = q^2.
  */
 ConfidenceInterval one_sided_interval(const FitResult &result,
                                       const FitParameter &parameter,

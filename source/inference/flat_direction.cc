@@ -62,8 +62,7 @@ std::vector<Direction> unseen_directions(const std::vector<std::vector<double>> 
   for (std::size_t k = 0; k < p; ++k)
   {
     const double value = gsl_vector_get(s.get(), k);
-    if (value * largest_error >= 1. &&
-        value >= least_singular_ratio * gsl_vector_get(s.get(), 0))
+    if (value * largest_error >= 1. && value >= least_singular_ratio * gsl_vector_get(s.get(), 0))
       continue;
     Direction direction(p);
     for (std::size_t j = 0; j < p; ++j)
@@ -73,8 +72,8 @@ std::vector<Direction> unseen_directions(const std::vector<std::vector<double>> 
   return result;
 }
 
-/// Combines directions so that each has a parameter of its own (Gauss and Jordan, complete pivoting),
-/// and divides each by its largest component.
+/// Combines directions so that each has a parameter of its own (Gauss and Jordan, complete
+/// pivoting), and divides each by its largest component.
 void separate(std::vector<Direction> &directions)
 {
   for (std::size_t k = 0; k < directions.size(); ++k)
@@ -124,7 +123,8 @@ bool is_logarithmic(const FitParameter &parameter)
 }
 
 /// What the data see of two parameters that move together.
-std::string seen_of_two(const FitParameter &a, const double by_a, const FitParameter &b, const double by_b)
+std::string
+seen_of_two(const FitParameter &a, const double by_a, const FitParameter &b, const double by_b)
 {
   std::string text = quoted(a) + " and " + quoted(b) + ": the data see only ";
   if (is_logarithmic(a) && is_logarithmic(b))
@@ -170,7 +170,10 @@ std::string sentence_of(const std::vector<FitParameter> &parameters, const FlatD
   else
   {
     for (std::size_t k = 0; k < named.size(); ++k)
-      text << (k == 0 ? "" : k + 1 == named.size() ? " and " : ", ") << quoted(parameters[named[k]]);
+      text << (k == 0                  ? ""
+               : k + 1 == named.size() ? " and "
+                                       : ", ")
+           << quoted(parameters[named[k]]);
     text << ": the data cannot tell them apart, since nothing changes if";
     for (std::size_t k = 0; k < named.size(); ++k)
     {
@@ -198,8 +201,9 @@ std::string sentence_of(const std::vector<FitParameter> &parameters, const FlatD
            << " " << first.unit << " of " << quoted(first);
     text << ")";
   }
-  text << (named.size() == 1 ? ". Give it, or a prior of it, or data that see it."
-                             : ". Give one of them, or a prior of one, or data that tell them apart.");
+  text << (named.size() == 1
+               ? ". Give it, or a prior of it, or data that see it."
+               : ". Give one of them, or a prior of one, or data that tell them apart.");
   return text.str();
 }
 } // namespace

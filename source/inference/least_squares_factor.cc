@@ -111,6 +111,15 @@ std::vector<double> LeastSquaresFactor::leverages() const
   return result;
 }
 
+std::vector<std::vector<double>> LeastSquaresFactor::short_columns() const
+{
+  std::vector<std::vector<double>> columns(lengths.size());
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    for (std::size_t k = 0; k < singular_values.size(); ++k)
+      columns[j].push_back(singular_values[k] * right[k][j] * lengths[j]);
+  return columns;
+}
+
 double LeastSquaresFactor::log_determinant() const
 {
   if (!unseen.empty())

@@ -98,8 +98,9 @@ RecordFit record_fit(const DataRecord &record,
   fit.prediction = prediction;
   fit.residuals = residuals;
   fit.whitened = Whitening(record.noise, record.interval).apply(residuals);
-  fit.root_mean_square = std::sqrt(
-      std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.) / residuals.size());
+  fit.root_mean_square =
+      std::sqrt(std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.) /
+                residuals.size());
   fit.noise = record.noise;
   fit.noise_is_estimated = noise.deviation_is_unknown(index);
   fit.n_fitted_coefficients = noise.n_fitted_coefficients(index);
@@ -116,9 +117,10 @@ void add_notes(FitResult &result,
                const std::string &last_failure)
 {
   if (result.n_failures > 0)
-    result.notes.push_back(std::to_string(result.n_failures) +
-                           " evaluations of the model failed, and the fit went around them; the last one: " +
-                           last_failure);
+    result.notes.push_back(
+        std::to_string(result.n_failures) +
+        " evaluations of the model failed, and the fit went around them; the last one: " +
+        last_failure);
   for (unsigned int j = 0; j < parameters.size(); ++j)
     if (result.at_bound[j])
       result.notes.push_back("'" + parameters[j].name + "' is at its bound " +
@@ -146,8 +148,10 @@ LeastSquaresFit::LeastSquaresFit(std::vector<FitParameter> fit_parameters,
                                  std::vector<DataRecord> data,
                                  FitModel &fit_model,
                                  FitOptions fit_options)
-  : parameters(std::move(fit_parameters)), records(std::move(data)), options(std::move(fit_options)),
-    model(fit_model, n_values_of(records), options.known, options.observer)
+    : parameters(std::move(fit_parameters)),
+      records(std::move(data)),
+      options(std::move(fit_options)),
+      model(fit_model, n_values_of(records), options.known, options.observer)
 {
   check_fit_parameters(parameters);
   check_data_records(records, true);
@@ -161,9 +165,9 @@ LeastSquaresFit::LeastSquaresFit(std::vector<FitParameter> fit_parameters,
     }
   if (n_free == 0)
     throw std::invalid_argument("there is no parameter to be found");
-  const bool noise_is_known =
-      std::all_of(records.begin(), records.end(), [](const DataRecord &record)
-                  { return record.noise.standard_deviation_is_known(); });
+  const bool noise_is_known = std::all_of(records.begin(), records.end(),
+                                          [](const DataRecord &record)
+                                          { return record.noise.standard_deviation_is_known(); });
   if (n_rows < n_free || (n_rows == n_free && !noise_is_known))
     throw std::invalid_argument(std::to_string(n_rows) + " values and priors cannot give " +
                                 std::to_string(n_free) + " parameters" +
@@ -199,8 +203,8 @@ FitResult LeastSquaresFit::solve()
   {
     const Minimum minimum = minimise(start);
     const bool failed = minimum.prediction.empty();
-    result.starts.push_back({start, failed ? std::vector<double>{} : minimum.set, minimum.misfit,
-                             minimum.stop_reason});
+    result.starts.push_back(
+        {start, failed ? std::vector<double>{} : minimum.set, minimum.misfit, minimum.stop_reason});
     if (!failed && (!is_found || (minimum.converged && !best.converged) ||
                     (minimum.converged == best.converged && minimum.misfit < best.misfit)))
     {
@@ -212,7 +216,8 @@ FitResult LeastSquaresFit::solve()
     throw RunError(result.starts.front().stop_reason);
 
   bool noise_is_settled = !noise.has_something_to_estimate();
-  for (unsigned int k = 0; k < largest_n_noise_estimates && !noise_is_settled && best.converged; ++k)
+  for (unsigned int k = 0; k < largest_n_noise_estimates && !noise_is_settled && best.converged;
+       ++k)
   {
     const std::vector<DataRecord> next = noise.estimate(
         residuals_by_record(weighted, best.prediction), values_taken(parameters, weighted, best));
@@ -222,7 +227,8 @@ FitResult LeastSquaresFit::solve()
   }
   if (!noise_is_settled && best.converged)
     result.notes.emplace_back("noise and parameters still changed after " +
-                              std::to_string(largest_n_noise_estimates) + " estimates of the noise");
+                              std::to_string(largest_n_noise_estimates) +
+                              " estimates of the noise");
 
   const WeightedResiduals residuals(parameters, weighted);
   result.estimates = best.set;

@@ -32,23 +32,28 @@ double difference_distance(const FitParameter &parameter, const double at, const
   double distance = step * size;
   if (parameter.scale == FitParameter::Scale::linear && parameter.start != 0.)
     distance = step * std::clamp(std::abs(at), 0.01 * size, size);
-  const double range = parameter.coordinate(parameter.upper) - parameter.coordinate(parameter.lower);
+  const double range =
+      parameter.coordinate(parameter.upper) - parameter.coordinate(parameter.lower);
   return std::min(distance, 0.25 * range);
 }
 
-bool is_within_bounds(const FitParameter &parameter, const double at, const DifferenceFormula &formula)
+bool is_within_bounds(const FitParameter &parameter,
+                      const double at,
+                      const DifferenceFormula &formula)
 {
   const double centre = parameter.coordinate(at);
   return std::all_of(formula.distances.begin(), formula.distances.end(),
                      [&](const double distance)
                      {
                        const double value = parameter.value(centre + distance);
-                       return distance == 0. || (value >= parameter.lower && value <= parameter.upper);
+                       return distance == 0. ||
+                              (value >= parameter.lower && value <= parameter.upper);
                      });
 }
 
 /// Formulas that stay within the bounds, the best one first.
-std::vector<DifferenceFormula> formulas(const FitParameter &parameter, const double at, const double step)
+std::vector<DifferenceFormula>
+formulas(const FitParameter &parameter, const double at, const double step)
 {
   std::vector<DifferenceFormula> result;
   const double distance = difference_distance(parameter, at, step);
@@ -131,14 +136,15 @@ ModelDerivatives model_derivatives(const std::vector<FitParameter> &parameters,
     bool is_done = add_up(choices[k].front(), predictions, first, result.columns[j]);
     first += choices[k].front().weights.size();
     for (std::size_t other = 1; other < choices[k].size() && !is_done; ++other)
-      is_done = add_up(choices[k][other],
-                       model.predict(sets_of(parameters[j], j, set, choices[k][other]), "difference"),
-                       0, result.columns[j]);
+      is_done =
+          add_up(choices[k][other],
+                 model.predict(sets_of(parameters[j], j, set, choices[k][other]), "difference"), 0,
+                 result.columns[j]);
     if (!is_done)
     {
-      result.failure = "the derivative by '" + parameters[j].name +
-                       "' cannot be taken, since the model fails on either side: " +
-                       model.last_failure();
+      result.failure =
+          "the derivative by '" + parameters[j].name +
+          "' cannot be taken, since the model fails on either side: " + model.last_failure();
       return result;
     }
   }

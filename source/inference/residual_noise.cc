@@ -26,7 +26,7 @@ double least_deviation(const DataRecord &record)
 } // namespace
 
 ResidualNoise::ResidualNoise(const std::vector<DataRecord> &records, const FitOptions &options)
-  : given(records), options(options), orders(records.size())
+    : given(records), options(options), orders(records.size())
 {
 }
 
@@ -99,9 +99,10 @@ std::vector<DataRecord> ResidualNoise::estimate(const std::vector<std::vector<do
                      "' has too few values to tell its noise: state the standard deviation");
     record.noise.standard_deviation = 1.;
     const double square =
-        has_residuals ? mean_of_squares(Whitening(record.noise, record.interval).apply(residuals[r])) *
-                            record.size() / n_left
-                      : 0.;
+        has_residuals
+            ? mean_of_squares(Whitening(record.noise, record.interval).apply(residuals[r])) *
+                  record.size() / n_left
+            : 0.;
     record.noise.standard_deviation = std::max(std::sqrt(square), least_deviation(record));
   }
   return records;

@@ -54,10 +54,11 @@ std::vector<std::vector<double>> start_points(const std::vector<FitParameter> &p
     {
       const FitParameter &parameter = parameters[j];
       const CoordinateRange range = range_of_starts(parameter);
-      point[j] = parameter.is_held()
-                     ? parameter.start
-                     : std::clamp(parameter.value(range.lower + point[j] * (range.upper - range.lower)),
-                                  parameter.lower, parameter.upper);
+      point[j] =
+          parameter.is_held()
+              ? parameter.start
+              : std::clamp(parameter.value(range.lower + point[j] * (range.upper - range.lower)),
+                           parameter.lower, parameter.upper);
     }
     points.push_back(point);
   }

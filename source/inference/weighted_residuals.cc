@@ -16,7 +16,7 @@ double deviation_of_prior(const FitParameter &parameter)
 
 WeightedResiduals::WeightedResiduals(const std::vector<FitParameter> &parameters,
                                      const std::vector<DataRecord> &records)
-  : parameters(parameters), records(records)
+    : parameters(parameters), records(records)
 {
   for (const DataRecord &record : records)
   {
@@ -59,13 +59,18 @@ std::vector<double> WeightedResiduals::rows(const std::vector<double> &set,
   return result;
 }
 
+std::vector<double> WeightedResiduals::with_priors(const unsigned int parameter,
+                                                   std::vector<double> whitened) const
+{
+  for (const unsigned int j : priors)
+    whitened.push_back(j == parameter ? 1. / deviation_of_prior(parameters[j]) : 0.);
+  return whitened;
+}
+
 std::vector<double> WeightedResiduals::column(const unsigned int parameter,
                                               const std::vector<double> &derivative) const
 {
-  std::vector<double> result = whiten(derivative);
-  for (const unsigned int j : priors)
-    result.push_back(j == parameter ? 1. / deviation_of_prior(parameters[j]) : 0.);
-  return result;
+  return with_priors(parameter, whiten(derivative));
 }
 
 double WeightedResiduals::misfit(const std::vector<double> &set,

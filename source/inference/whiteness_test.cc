@@ -27,7 +27,7 @@ WhitenessTest ljung_box_test(const std::vector<double> &residuals,
   const unsigned int n = residuals.size();
   WhitenessTest test{undefined, undefined, n_lags, 0};
   if (n_lags == 0)
-    test.n_lags = std::max(std::min(20U, n / 5), n_fitted + 3);
+    test.n_lags = std::max(std::min(10U, n / 5), n_fitted + 3);
   if (n <= test.n_lags + 1 || test.n_lags <= n_fitted)
     return test;
   const std::vector<double> correlation = autocorrelation(residuals, test.n_lags);

@@ -23,12 +23,13 @@ Whitening::Whitening(const NoiseModel &noise, const double interval)
     predictors[m] = coefficients;
     const double reflection = coefficients[m - 1];
     if (!(std::abs(reflection) < 1.))
-      throw std::invalid_argument("the autoregressive coefficients of the noise are not stationary");
+      throw std::invalid_argument(
+          "the autoregressive coefficients of the noise are not stationary");
     reflections[m] = reflection;
     std::vector<double> lower(m - 1);
     for (std::size_t j = 0; j + 1 < m; ++j)
-      lower[j] = (coefficients[j] + reflection * coefficients[m - 2 - j]) /
-                 (1. - reflection * reflection);
+      lower[j] =
+          (coefficients[j] + reflection * coefficients[m - 2 - j]) / (1. - reflection * reflection);
     coefficients = lower;
   }
   double variance = noise.standard_deviation * noise.standard_deviation;

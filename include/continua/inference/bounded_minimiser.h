@@ -22,8 +22,9 @@ class BoundedMinimiser
 public:
   struct Minimum
   {
-    std::vector<double> set;        ///< [unit]
-    std::vector<double> prediction; ///< [unit of each record]; empty if the model failed at the start
+    std::vector<double> set; ///< [unit]
+    std::vector<double>
+        prediction; ///< [unit of each record]; empty if the model failed at the start
     std::vector<std::vector<double>> columns; ///< whitened, of all parameters that are not held
     double misfit;
     std::vector<bool> at_bound;

@@ -26,13 +26,13 @@ public:
     std::vector<double>
         standard_errors; ///< [unit] of each parameter; 0 if held, infinite if unseen
     dealii::FullMatrix<double> correlation; ///< of the parameters that are not held [1]
-    double log_determinant; ///< ln det of the information in sizes of the coordinates [1]
+    double log_determinant; ///< ln det of the information by sizes of the coordinates [1]
     std::vector<FlatDirection> flat_directions;
   };
   /// Records chosen, and what they give.
   struct Choice
   {
-    std::vector<unsigned int> records; ///< indices of the candidates
+    std::vector<unsigned int> candidates; ///< which of them were added
     Errors errors;
   };
 
@@ -40,7 +40,7 @@ public:
   /// model is evaluated in one call for all differences (FitOptions::difference_step). Throws
   /// std::invalid_argument as LeastSquaresFit does, RunError if the model fails.
   ExpectedErrors(std::vector<FitParameter> parameters,
-                 std::vector<DataRecord> records,
+                 const std::vector<DataRecord> &records,
                  FitModel &model,
                  double difference_step = 1e-3,
                  double flat_factor = 2.);
@@ -49,7 +49,7 @@ public:
   Errors of(const std::vector<unsigned int> &records) const;
   Errors of_all() const;
   /// J^T W J of one record, of the coordinates of the parameters that are not held.
-  const dealii::FullMatrix<double> &information(unsigned int record) const;
+  dealii::FullMatrix<double> information(unsigned int record) const;
 
   /**
    * Sets of `n_chosen` (1: single ones, 2: pairs ...) of the `candidates` added to `always`, best
@@ -61,14 +61,14 @@ public:
                            const std::vector<std::vector<unsigned int>> &candidates,
                            unsigned int n_chosen,
                            unsigned int parameter) const;
-  static constexpr unsigned int by_determinant = -1;
+  static constexpr unsigned int by_determinant = std::numeric_limits<unsigned int>::max();
 
 private:
   std::vector<FitParameter> parameters;
-  std::vector<DataRecord> data;
   double flat_factor;
-  std::vector<std::vector<std::vector<double>>> columns; ///< [record][parameter][value], whitened
-  std::vector<dealii::FullMatrix<double>> informations;
+  std::vector<unsigned int> not_held;
+  /// [record][parameter that is not held][row]: few rows with the same J^T W J.
+  std::vector<std::vector<std::vector<double>>> columns;
 };
 } // namespace Continua
 

@@ -38,7 +38,7 @@ struct FitOptions
   /// Half the distance of central differences, over 1 on a logarithmic scale, over the value (at
   /// most its size, at least 0.01 of it) on a linear one [1]. With start 0 over the size.
   double difference_step = 1e-3;
-  TrustRegion trust_region = TrustRegion::levenberg_marquardt;
+  TrustRegion trust_region = TrustRegion::geodesic_acceleration;
   CorrelatedNoise correlated_noise = CorrelatedNoise::autoregressive;
   OrderCriterion order_criterion = OrderCriterion::corrected_akaike;
   double confidence = 0.95; ///< [1] of the intervals

@@ -13,7 +13,8 @@ namespace Continua
  * result whose estimates, records (residuals, noise) and Jacobian are known.
  * Covariance (J^T J)^-1 of whitened rows; by Newey and West (Econometrica 55, 1987, 703) where
  * residuals are correlated and `options` say so, with Bartlett weights up to the lag of Andrews
- * (Econometrica 59, 1991, 817); or enlarged. `is_ordered`: records whose values follow each other in time.
+ * (Econometrica 59, 1991, 817); or enlarged. `is_ordered`: records whose values follow each other
+ * in time.
  */
 void set_uncertainty(FitResult &result,
                      const std::vector<FitParameter> &parameters,

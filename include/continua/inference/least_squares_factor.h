@@ -26,14 +26,16 @@ public:
   std::vector<double> leverages() const;
   /// ln det J^T J; minus infinity if J does not see a direction.
   double log_determinant() const;
+  /// Columns of as many rows as the rank with the same J^T J.
+  std::vector<std::vector<double>> short_columns() const;
   unsigned int rank() const { return singular_values.size(); }
 
 private:
   std::vector<double> lengths;
-  std::vector<double> singular_values;      ///< that are not zero
-  std::vector<std::vector<double>> left;    ///< columns of U
-  std::vector<std::vector<double>> right;   ///< columns of V
-  std::vector<std::vector<double>> unseen;  ///< columns of V with singular value zero
+  std::vector<double> singular_values;     ///< that are not zero
+  std::vector<std::vector<double>> left;   ///< columns of U
+  std::vector<std::vector<double>> right;  ///< columns of V
+  std::vector<std::vector<double>> unseen; ///< columns of V with singular value zero
 };
 } // namespace Continua
 

@@ -22,6 +22,8 @@ public:
                            const std::vector<double> &prediction) const;
   /// Rows of d prediction / d coordinate of one parameter, with its prior.
   std::vector<double> column(unsigned int parameter, const std::vector<double> &derivative) const;
+  /// The same of a derivative that is white already.
+  std::vector<double> with_priors(unsigned int parameter, std::vector<double> whitened) const;
   /// Sum of the squares of the rows.
   double misfit(const std::vector<double> &set, const std::vector<double> &prediction) const;
   /// Values of all records [unit of each] made white, without priors.

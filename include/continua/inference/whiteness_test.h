@@ -20,7 +20,7 @@ std::vector<double> autocorrelation(const std::vector<double> &values, unsigned 
 /**
  * Ljung and Box (Biometrika 65, 1978, 297): Q = n (n+2) sum_k r_k^2/(n-k) over the lags 1 ... m is
  * chi-square with m - `n_fitted` degrees of freedom, `n_fitted` being the coefficients of an
- * autoregressive model that were found in the same record. `n_lags` 0: chosen, the smaller of 20
+ * autoregressive model that were found in the same record. `n_lags` 0: chosen, the smaller of 10
  * and n/5, and at least n_fitted + 3. Too few values (no more than n_lags + 1) have the probability
  * NaN.
  */

@@ -9,10 +9,10 @@ namespace Continua
 {
 /**
  * Turns values with noise of one model into values with white noise of standard deviation 1: L^-1 v
- * with the Cholesky factor L of the noise's covariance. Row i subtracts the best prediction from the
- * min(i, p) values before it and divides by the root of the variance of this prediction. The
- * predictors of the lower orders follow by Levinson's recursion backwards (Brockwell and Davis, Time
- * Series: Theory and Methods, 2nd ed. 1991, 5.2): the first p rows are exact, too.
+ * with the Cholesky factor L of the noise's covariance. Row i subtracts the best prediction from
+ * the min(i, p) values before it and divides by the root of the variance of this prediction. The
+ * predictors of the lower orders follow by Levinson's recursion backwards (Brockwell and Davis,
+ * Time Series: Theory and Methods, 2nd ed. 1991, 5.2): the first p rows are exact, too.
  */
 class Whitening
 {
