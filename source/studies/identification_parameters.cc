@@ -152,9 +152,10 @@ void IdentificationParameters::read(ParameterSection root)
   add_choice(section, "Model error", other_model, other_model_words(),
              "Another model, whose difference from the first one at the estimates is told as a "
              "bias of each number: by how much it would be off if the other model were right.");
-  section.add("Entries of the other model", other_entries,
-              "Entries 'Section/Key=value' that the other model has in place of the file's own, "
-              "such as another material law or a finer mesh.");
+  ParameterSection others = section.subsection("Entries of the other model");
+  other_entries = others.add_free_entries(
+      "A line for each entry that the other model has in place of the file's own: its path, as in "
+      "--set, and its value (Materials/wall/Type = hookean).");
   read_design(section, *this);
   section.add("Synthetic experiments", n_experiments,
               "After the fit or the design: experiments with the estimates as the truth and noise "
@@ -166,13 +167,9 @@ void IdentificationParameters::read(ParameterSection root)
               "or have to estimate its deviation and its correlation from the residuals.");
   expected = read_expected(section.subsection("Expected"));
 
-  for (const std::string &text : other_entries)
-    if (text.find('=') == std::string::npos)
-      section.refuse("Entries of the other model", "'" + text + "' has no '='",
-                     "Write 'Section/Key=value'");
   if (!other_entries.empty() && other_model == OtherModel::none)
-    section.refuse("Entries of the other model", "there is no other model",
-                   "Set Model error, or remove the entry");
+    others.refuse(other_entries.front().first, "there is no other model",
+                  "Set Model error, or remove the entry");
   for (const char *const key : {"Sampling interval", "Candidates", "Records to add", "Criterion"})
     if (section.given(key) && !is_design())
       section.refuse(key, "there is no experiment to design: nothing says its noise",

@@ -141,9 +141,7 @@ void Identification::find_bias(const OutputDirectory &directory,
   const bool theory = parameters.other_model == OtherModel::theory;
   const std::unique_ptr<ForwardModel> first = make_model(by_theory, directory, "bias"),
                                       second = make_model(theory, directory, "other");
-  std::vector<std::pair<std::string, std::string>> further;
-  for (const std::string &text : parameters.other_entries)
-    further.emplace_back(text.substr(0, text.find('=')), text.substr(text.find('=') + 1));
+  const auto &further = parameters.other_entries;
   results.other_model = second->name() + (further.empty() ? "" : " with other entries");
   log.note("Computing the other model for the bias: " + results.other_model);
   const auto predicted = [&](ForwardModel &model,

@@ -65,7 +65,8 @@ struct IdentificationParameters
   double difference_step = 1e-3;             ///< [1]
   bool profiles = false;
   OtherModel other_model = OtherModel::none;
-  std::vector<std::string> other_entries; ///< "Section/Key=value", of the other model
+  /// "Section/Key" and value, of the other model.
+  std::vector<std::pair<std::string, std::string>> other_entries;
   unsigned int n_parallel = 0;            ///< [1]; 0: as many as there are cores
 
   double sampling_interval = 0.;       ///< [s] of records without data; 0: the time step
