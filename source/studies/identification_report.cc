@@ -29,7 +29,7 @@ std::string error_text(const double error)
   return std::isfinite(error) ? number_text(error, 2) : "-";
 }
 
-std::string percent_text(const double part)
+std::string share_text(const double part)
 {
   return number_text(100. * part, 3) + " %";
 }
@@ -122,7 +122,7 @@ void IdentificationReport::add_fit_lines(std::vector<std::string> &all) const
     all.push_back(line);
 }
 
-std::string IdentificationReport::added(const ExpectedErrors::Choice &choice) const
+std::string IdentificationReport::added(const DesignChoice &choice) const
 {
   std::string text;
   for (const unsigned int record : choice.records)
@@ -165,7 +165,7 @@ void IdentificationReport::add_synthetic_lines(std::vector<std::string> &all) co
   {
     const SyntheticExperiments::OfParameter &of = outcome.parameters[j];
     table.push_back({results.parameters[j].name, number_text(of.mean_error, 2),
-                     number_text(of.spread, 3), percent_text(of.coverage)});
+                     number_text(of.spread, 3), share_text(of.coverage)});
   }
   for (const std::string &line : aligned_lines(table))
     all.push_back(line);

@@ -176,7 +176,13 @@ void Identification::design(ForwardModel &model, Log &log, IdentificationResults
     if (at[j].name == parameters.criterion)
       criterion = j;
   if (!candidates.empty())
-    results.choices = errors.rank(always, candidates, parameters.n_added, criterion);
+    for (const ExpectedErrors::Choice &choice :
+         errors.rank(always, candidates, parameters.n_added, criterion))
+    {
+      results.choices.push_back({{}, choice.errors});
+      for (const unsigned int candidate : choice.candidates)
+        results.choices.back().records.push_back(candidates[candidate].front());
+    }
   if (parameters.n_experiments == 0 || results.synthetic || !results.errors_of_file)
     return;
   // Of the records that are there.

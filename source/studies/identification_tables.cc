@@ -147,7 +147,7 @@ std::string IdentificationReport::expected_errors_table() const
   }
   for (std::size_t i = 0; i < results.choices.size(); ++i)
   {
-    const ExpectedErrors::Choice &choice = results.choices[i];
+    const DesignChoice &choice = results.choices[i];
     text += std::to_string(i + 1) + "," + csv_cell(added(choice));
     for (std::size_t k = 0; k < 2; ++k)
     {

@@ -3,9 +3,9 @@
 #include <continua/base/input_error.h>
 #include <continua/base/interpolant.h>
 #include <continua/base/table_cells.h>
-#include <continua/studies/planned_run.h>
 #include <continua/studies/run_pool.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -15,13 +15,6 @@ namespace Continua
 {
 namespace
 {
-/// A table that a run has written.
-struct RunColumns
-{
-  std::vector<std::string> names;
-  std::vector<std::vector<double>> values; ///< by column
-};
-
 RunColumns read_run_columns(const std::string &file)
 {
   RunColumns table;
@@ -75,69 +68,87 @@ SimulationModel::SimulationModel(const CommandLine &of_file,
     set_entry(command_line, path, value);
 }
 
-std::vector<ForwardAnswer> SimulationModel::answers(const std::vector<ForwardQuestion> &questions)
+PlannedRun SimulationModel::plan(const Settings &settings)
 {
-  std::vector<ForwardAnswer> answers(questions.size());
+  PlannedRun result;
+  result.name = name_of_runs + "-" + std::to_string(++n_runs);
+  result.command_line = command_line;
+  directory.file_of_case(result.name + "/");
+  result.command_line.output_directory = directory.path() + "/" + result.name;
+  for (const auto &[path, value] : settings)
+    set_entry(result.command_line, path, value);
+  return result;
+}
+
+void SimulationModel::run(const std::vector<Settings> &all)
+{
   std::vector<PlannedRun> plans;
-  for (const ForwardQuestion &question : questions)
-  {
-    PlannedRun plan;
-    plan.name = name_of_runs + "-" + std::to_string(++n_runs);
-    plan.command_line = command_line;
-    directory.file_of_case(plan.name + "/");
-    plan.command_line.output_directory = directory.path() + "/" + plan.name;
-    for (const auto &[path, value] : question.settings)
-      set_entry(plan.command_line, path, value);
-    plans.push_back(plan);
-  }
+  std::vector<Settings> planned;
+  for (const Settings &settings : all)
+    if (histories.count(settings) == 0 && failures.count(settings) == 0 &&
+        std::find(planned.begin(), planned.end(), settings) == planned.end())
+    {
+      plans.push_back(plan(settings));
+      planned.push_back(settings);
+    }
   RunPool(n_parallel).perform(
       plans, [](unsigned int) {},
       [&](const unsigned int number, const std::string &failure)
       {
         const std::string &folder = plans[number].command_line.output_directory;
-        answers[number].failure = failure;
         if (!failure.empty())
+        {
+          failures[planned[number]] = failure;
           return;
-        try
-        {
-          answers[number] = read(folder, questions[number]);
-          std::filesystem::remove_all(folder);
         }
-        catch (const std::exception &error)
-        {
-          answers[number].failure = error.what();
-        }
+        histories[planned[number]] = read_run_columns(folder + "/probes.csv");
+        std::filesystem::remove_all(folder);
       });
+}
+
+std::vector<ForwardAnswer> SimulationModel::answers(const std::vector<ForwardQuestion> &questions)
+{
+  std::vector<Settings> all;
+  for (const ForwardQuestion &question : questions)
+    all.push_back(question.settings);
+  run(all);
+  std::vector<ForwardAnswer> answers;
+  for (const ForwardQuestion &question : questions)
+  {
+    const auto found = histories.find(question.settings);
+    answers.push_back(found != histories.end()
+                          ? answer(found->second, question)
+                          : ForwardAnswer{{}, failures.at(question.settings)});
+  }
   return answers;
 }
 
-ForwardAnswer SimulationModel::read(const std::string &folder,
-                                    const ForwardQuestion &question) const
+ForwardAnswer SimulationModel::answer(const RunColumns &table,
+                                      const ForwardQuestion &question) const
 {
-  const RunColumns table = read_run_columns(folder + "/probes.csv");
-  ForwardAnswer answer;
+  ForwardAnswer result;
   for (std::size_t p = 0; p < probes.size(); ++p)
   {
-    StationHistories histories(probes[p].n_stations);
+    StationHistories of_probe(probes[p].n_stations);
     for (const std::string &field : probes[p].fields)
     {
       // The stations stand in their order.
       std::size_t station = 0;
       for (std::size_t c = 0; c < table.names.size(); ++c)
-        if (is_of(table.names[c], probes[p].probe, field) && station < histories.size())
+        if (is_of(table.names[c], probes[p].probe, field) && station < of_probe.size())
         {
           const Interpolant history(table.values.front(), table.values[c],
-                                    Interpolant::Kind::cubic, false);
-          histories[station].emplace_back();
+                                    Interpolant::Kind::cubic);
+          of_probe[station].emplace_back();
           for (const double time : question.times[p])
-            histories[station].back().push_back(history(time));
+            of_probe[station].back().push_back(history(time));
           ++station;
         }
-      if (station != histories.size())
+      if (station != of_probe.size())
         throw RunError("probes.csv of the run lacks a column of '" + probes[p].probe + "'");
     }
-    answer.histories.push_back(histories);
+    result.histories.push_back(of_probe);
   }
-  return answer;
+  return result;
 }
 } // namespace Continua

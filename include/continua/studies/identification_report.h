@@ -54,7 +54,7 @@ private:
   std::string expected_errors_table() const;
   std::string synthetic_table() const;
   /// "stations 0.1 m: pressure; stations 0.3 m: pressure": the candidates of a choice.
-  std::string added(const ExpectedErrors::Choice &choice) const;
+  std::string added(const DesignChoice &choice) const;
 };
 } // namespace Continua
 

@@ -14,6 +14,13 @@
 
 namespace Continua
 {
+/// Records that may be added to an experiment, and the errors with them.
+struct DesignChoice
+{
+  std::vector<unsigned int> records; ///< of those that are expected
+  ExpectedErrors::Errors errors;
+};
+
 /// What an identification has found; what was not asked for is empty.
 struct IdentificationResults
 {
@@ -26,7 +33,7 @@ struct IdentificationResults
   std::optional<ModelBias> bias;
 
   std::optional<ExpectedErrors::Errors> errors_of_file; ///< of the records that are no candidates
-  std::vector<ExpectedErrors::Choice> choices;          ///< best first
+  std::vector<DesignChoice> choices;                    ///< best first
   std::optional<SyntheticExperiments::Outcome> synthetic;
 };
 } // namespace Continua

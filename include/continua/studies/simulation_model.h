@@ -3,8 +3,11 @@
 
 #include <continua/base/output_directory.h>
 #include <continua/studies/forward_model.h>
+#include <continua/studies/planned_run.h>
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Continua
@@ -17,10 +20,18 @@ struct ProbeColumns
   std::vector<std::string> fields;
 };
 
+/// A table that a run has written.
+struct RunColumns
+{
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> values; ///< by column
+};
+
 /**
- * The run in time of a file as a model: each question is a run of its own, in a process and a folder
- * of its own, as many at a time as there are cores. Its histories are those of probes.csv, between
- * the steps by cubic splines. The folder of a run that has ended well is removed again.
+ * The run in time of a file as a model: each set of entries is a run of its own, in a process and a
+ * folder of its own, as many at a time as there are cores. Its histories are those of probes.csv,
+ * between the steps by cubics. They are kept: other times need no other run. The folder of a run
+ * that has ended well is removed again.
  */
 class SimulationModel : public ForwardModel
 {
@@ -42,9 +53,14 @@ private:
   unsigned int n_parallel;
   std::string name_of_runs;
   unsigned int n_runs = 0;
+  using Settings = std::vector<std::pair<std::string, std::string>>;
+  std::map<Settings, RunColumns> histories;  ///< of the runs that ended well
+  std::map<Settings, std::string> failures; ///< of the others
 
-  /// Of a run that has ended, from its folder.
-  ForwardAnswer read(const std::string &folder, const ForwardQuestion &question) const;
+  PlannedRun plan(const Settings &settings);
+  /// Performs the runs for what is not known.
+  void run(const std::vector<Settings> &all);
+  ForwardAnswer answer(const RunColumns &table, const ForwardQuestion &question) const;
 };
 } // namespace Continua
 
