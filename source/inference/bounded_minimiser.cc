@@ -81,7 +81,7 @@ struct BoundedMinimiser::Problem
   {
     Problem &problem = *static_cast<Problem *>(data);
     const std::vector<double> set = problem.set_of(variables);
-    const FitModel::Prediction prediction = problem.minimiser.model.predict(set, "step");
+    const FitModel::Prediction prediction = problem.minimiser.model.predict_one(set, "step");
     if (!prediction.failure.empty())
     {
       // Ten times the length of the residuals at hand: GSL refuses the step.
@@ -115,7 +115,8 @@ struct BoundedMinimiser::Problem
       for (std::size_t i = 0; i < column.size(); ++i)
         gsl_matrix_set(result, i, k, column[i] * minimiser.parameters[j].size());
     }
-    problem.accepted = minimiser.residuals.rows(set, minimiser.model.predict(set, "step").values);
+    problem.accepted =
+        minimiser.residuals.rows(set, minimiser.model.predict_one(set, "step").values);
     return GSL_SUCCESS;
   }
 };
@@ -148,7 +149,7 @@ BoundedMinimiser::Minimum BoundedMinimiser::minimise(const std::vector<double> &
   minimum.at_bound.assign(parameters.size(), false);
   minimum.converged = false;
   minimum.n_iterations = 0;
-  const FitModel::Prediction prediction = model.predict(start, "start");
+  const FitModel::Prediction prediction = model.predict_one(start, "start");
   if (!prediction.failure.empty())
   {
     minimum.stop_reason = "the model fails at the start: " + prediction.failure;
@@ -157,6 +158,8 @@ BoundedMinimiser::Minimum BoundedMinimiser::minimise(const std::vector<double> &
   minimum.prediction = prediction.values;
   minimum.misfit = residuals.misfit(start, prediction.values);
 
+  if (!hold_at_start(minimum))
+    return minimum;
   std::vector<unsigned int> n_releases(parameters.size(), 0);
   std::vector<unsigned int> not_held;
   for (unsigned int j = 0; j < parameters.size(); ++j)
@@ -198,21 +201,44 @@ bool BoundedMinimiser::set_derivatives(Minimum &minimum, const std::vector<unsig
   return true;
 }
 
-bool BoundedMinimiser::release(Minimum &minimum, std::vector<unsigned int> &n_releases)
+double BoundedMinimiser::gain_inwards(const Minimum &minimum,
+                                      const std::vector<double> &rows,
+                                      const unsigned int parameter) const
+{
+  const std::vector<double> &column = minimum.columns[parameter];
+  const double length = std::sqrt(squared(column));
+  if (!(length > 0.))
+    return 0.;
+  const double slope = std::inner_product(column.begin(), column.end(), rows.begin(), 0.) / length;
+  return minimum.set[parameter] <= parameters[parameter].lower ? -slope : slope;
+}
+
+bool BoundedMinimiser::hold_at_start(Minimum &minimum)
+{
+  std::vector<unsigned int> at_bound;
+  for (unsigned int j = 0; j < parameters.size(); ++j)
+    if (!parameters[j].is_held() &&
+        (minimum.set[j] <= parameters[j].lower || minimum.set[j] >= parameters[j].upper))
+      at_bound.push_back(j);
+  if (at_bound.empty())
+    return true;
+  if (!set_derivatives(minimum, at_bound))
+    return false;
+  const std::vector<double> rows = residuals.rows(minimum.set, minimum.prediction);
+  for (const unsigned int j : at_bound)
+    minimum.at_bound[j] = gain_inwards(minimum, rows, j) <= 0.;
+  return true;
+}
+
+bool BoundedMinimiser::release(Minimum &minimum, std::vector<unsigned int> &n_releases) const
 {
   const std::vector<double> rows = residuals.rows(minimum.set, minimum.prediction);
-  const double unit = unit_of_error(minimum.misfit, 0);
-  double largest = options.tolerance * unit;
+  double largest = options.tolerance * unit_of_error(minimum.misfit, 0);
   int which = -1;
   for (unsigned int j = 0; j < parameters.size(); ++j)
     if (minimum.at_bound[j] && n_releases[j] < 3)
     {
-      const std::vector<double> &column = minimum.columns[j];
-      const double length = std::sqrt(squared(column));
-      const double slope =
-          length > 0. ? std::inner_product(column.begin(), column.end(), rows.begin(), 0.) / length
-                      : 0.;
-      const double gain = minimum.set[j] <= parameters[j].lower ? -slope : slope;
+      const double gain = gain_inwards(minimum, rows, j);
       if (gain > largest)
       {
         largest = gain;
@@ -258,14 +284,15 @@ bool BoundedMinimiser::minimise_free(Minimum &minimum, const std::vector<unsigne
       return false;
     }
     minimum.set = problem.set_of(workspace->x);
-    minimum.prediction = model.predict(minimum.set, "step").values;
+    minimum.prediction = model.predict_one(minimum.set, "step").values;
     minimum.misfit = residuals.misfit(minimum.set, minimum.prediction);
     bool meets_bound = false;
     for (std::size_t k = 0; k < free.size(); ++k)
     {
       const FitParameter &parameter = parameters[free[k]];
+      // One that starts at its bound is free as long as steps are found.
       const bool is_out =
-          gsl_vector_get(workspace->x, k) != 1. &&
+          (gsl_vector_get(workspace->x, k) != 1. || status == GSL_ENOPROG) &&
           (minimum.set[free[k]] <= parameter.lower || minimum.set[free[k]] >= parameter.upper);
       minimum.at_bound[free[k]] = is_out;
       meets_bound = meets_bound || is_out;

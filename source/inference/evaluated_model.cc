@@ -69,8 +69,8 @@ EvaluatedModel::predict(const std::vector<std::vector<double>> &sets, const std:
   return result;
 }
 
-FitModel::Prediction EvaluatedModel::predict(const std::vector<double> &set,
-                                             const std::string &purpose)
+FitModel::Prediction EvaluatedModel::predict_one(const std::vector<double> &set,
+                                                 const std::string &purpose)
 {
   return predict(std::vector<std::vector<double>>{set}, purpose).front();
 }

@@ -15,7 +15,8 @@ namespace Continua
 namespace
 {
 /// Sets of `n_chosen` of the numbers 0 ... n - 1.
-std::vector<std::vector<unsigned int>> combinations(const unsigned int n, const unsigned int n_chosen)
+std::vector<std::vector<unsigned int>> combinations(const unsigned int n,
+                                                    const unsigned int n_chosen)
 {
   std::vector<std::vector<unsigned int>> result;
   std::vector<unsigned int> chosen(n_chosen);
@@ -41,7 +42,7 @@ ExpectedErrors::ExpectedErrors(std::vector<FitParameter> fit_parameters,
                                FitModel &fit_model,
                                const double difference_step,
                                const double flat)
-  : parameters(std::move(fit_parameters)), flat_factor(flat)
+    : parameters(std::move(fit_parameters)), flat_factor(flat)
 {
   check_fit_parameters(parameters);
   check_data_records(records, false);
@@ -84,8 +85,8 @@ dealii::FullMatrix<double> ExpectedErrors::information(const unsigned int record
   dealii::FullMatrix<double> result(not_held.size(), not_held.size());
   for (unsigned int a = 0; a < not_held.size(); ++a)
     for (unsigned int b = 0; b < not_held.size(); ++b)
-      result(a, b) = std::inner_product(of_record[a].begin(), of_record[a].end(),
-                                        of_record[b].begin(), 0.);
+      result(a, b) =
+          std::inner_product(of_record[a].begin(), of_record[a].end(), of_record[b].begin(), 0.);
   return result;
 }
 

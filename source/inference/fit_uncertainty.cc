@@ -110,12 +110,10 @@ void set_correlation(FitResult &result)
                        std::sqrt(result.covariance(a, a) * result.covariance(b, b));
 }
 
-/// Quantile of the deviation over its standard error.
-double quantile(const FitResult &result, const double probability)
+double student_quantile(const double probability, const double degrees_of_freedom)
 {
-  if (result.noise_is_known || result.degrees_of_freedom == 0)
-    return gsl_cdf_ugaussian_Pinv(probability);
-  return gsl_cdf_tdist_Pinv(probability, result.degrees_of_freedom);
+  return std::isfinite(degrees_of_freedom) ? gsl_cdf_tdist_Pinv(probability, degrees_of_freedom)
+                                           : gsl_cdf_ugaussian_Pinv(probability);
 }
 
 ConfidenceInterval
@@ -176,7 +174,7 @@ void set_covariance(FitResult &result,
                     const WeightedResiduals &residuals,
                     const std::vector<std::vector<double>> &columns,
                     const std::vector<double> &rows,
-                    const std::vector<bool> &is_ordered,
+                    const std::vector<DataRecord> &records,
                     const FitOptions &options)
 {
   result.covariance = LeastSquaresFactor(columns).inverse_of_normal_matrix();
@@ -189,7 +187,7 @@ void set_covariance(FitResult &result,
     RecordFit &record = result.records[r];
     const RowRange range{begin, begin + record.whitened.size()};
     begin = range.end;
-    add_record(middle, record, columns, rows, range, is_ordered[r], options,
+    add_record(middle, record, columns, rows, range, records[r].interval > 0., options,
                n_values > n ? n_values / (n_values - n) : 1.);
   }
   add_products(middle, columns, nullptr, {begin, residuals.n_rows()}, 0, 1.);
@@ -203,41 +201,54 @@ void set_covariance(FitResult &result,
 
 void set_uncertainty(FitResult &result,
                      const std::vector<FitParameter> &parameters,
-                     const WeightedResiduals &residuals,
+                     const std::vector<DataRecord> &records,
+                     const std::vector<EstimatedNoise> &estimated,
                      const BoundedMinimiser::Minimum &minimum,
-                     const std::vector<bool> &is_ordered,
                      const FitOptions &options)
 {
+  const WeightedResiduals residuals(parameters, records);
   const std::vector<double> rows = residuals.rows(minimum.set, minimum.prediction);
   std::vector<std::vector<double>> columns;
   for (const unsigned int j : result.free)
     columns.push_back(minimum.columns[j]);
+  const bool has_estimated = std::any_of(estimated.begin(), estimated.end(),
+                                         [](const EstimatedNoise &noise)
+                                         { return noise.deviation || noise.n_coefficients > 0; });
+  const double all_degrees = has_estimated && result.degrees_of_freedom > 0
+                                 ? result.degrees_of_freedom
+                                 : std::numeric_limits<double>::infinity();
+  result.degrees_of_freedom_of_errors.assign(parameters.size(), all_degrees);
   if (!columns.empty())
   {
-    set_covariance(result, residuals, columns, rows, is_ordered, options);
+    set_covariance(result, residuals, columns, rows, records, options);
     set_correlation(result);
+    const std::vector<double> degrees =
+        degrees_of_freedom_of_errors(records, estimated, columns, result.covariance);
+    for (std::size_t k = 0; k < result.free.size(); ++k)
+      if (std::isfinite(result.covariance(k, k)))
+        result.degrees_of_freedom_of_errors[result.free[k]] = degrees[k];
   }
   result.standard_errors.assign(parameters.size(), undefined);
   result.intervals.assign(parameters.size(), {});
-  const double two_sided = quantile(result, 0.5 + 0.5 * options.confidence);
   for (unsigned int j = 0; j < parameters.size(); ++j)
   {
     const FitParameter &parameter = parameters[j];
     const double estimate = result.estimates[j];
+    const double degrees = result.degrees_of_freedom_of_errors[j];
     const auto place = std::find(result.free.begin(), result.free.end(), j);
     if (parameter.is_held())
       result.intervals[j] = {estimate, estimate, true, true};
     else if (place == result.free.end())
       result.intervals[j] = one_sided_interval(result, parameter, j, minimum.columns, rows,
-                                               quantile(result, options.confidence));
+                                               student_quantile(options.confidence, degrees));
     else
     {
       const unsigned int k = place - result.free.begin();
       const double error = std::sqrt(result.covariance(k, k));
       result.standard_errors[j] = error * parameter.value_per_coordinate(estimate);
       const double centre = parameter.coordinate(estimate);
-      result.intervals[j] =
-          within_bounds(parameter, centre - two_sided * error, centre + two_sided * error);
+      const double reach = student_quantile(0.5 + 0.5 * options.confidence, degrees) * error;
+      result.intervals[j] = within_bounds(parameter, centre - reach, centre + reach);
     }
   }
   result.whitened_jacobian = data_rows(minimum.columns, residuals.n_values());

@@ -19,6 +19,8 @@ using Direction = std::vector<double>;
 
 /// Below this part of the largest singular value derivatives by differences are not to be trusted.
 constexpr double least_singular_ratio = 1e-5;
+/// A larger one is as good as infinite, in sizes of coordinates.
+constexpr double largest_told_error = 10.;
 /// Components below it are not named.
 constexpr double least_component = 0.05;
 
@@ -62,11 +64,16 @@ std::vector<Direction> unseen_directions(const std::vector<std::vector<double>> 
   for (std::size_t k = 0; k < p; ++k)
   {
     const double value = gsl_vector_get(s.get(), k);
-    if (value * largest_error >= 1. && value >= least_singular_ratio * gsl_vector_get(s.get(), 0))
-      continue;
     Direction direction(p);
+    double largest = 0.;
     for (std::size_t j = 0; j < p; ++j)
+    {
       direction[j] = gsl_matrix_get(v.get(), j, k);
+      largest = std::max(largest, std::abs(direction[j]));
+    }
+    if (largest <= value * largest_error &&
+        value >= least_singular_ratio * gsl_vector_get(s.get(), 0))
+      continue;
     result.push_back(direction);
   }
   return result;
@@ -188,7 +195,7 @@ std::string sentence_of(const std::vector<FitParameter> &parameters, const FlatD
     }
     text << " together";
   }
-  if (direction.standard_error < std::numeric_limits<double>::infinity())
+  if (direction.standard_error < largest_told_error)
   {
     text << " (one standard error along this direction: ";
     if (is_logarithmic(first))

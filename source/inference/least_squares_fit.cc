@@ -5,7 +5,6 @@
 #include <continua/base/undefined.h>
 #include <continua/inference/bounded_minimiser.h>
 #include <continua/inference/fit_uncertainty.h>
-#include <continua/inference/least_squares_factor.h>
 #include <continua/inference/residual_noise.h>
 #include <continua/inference/start_points.h>
 
@@ -52,23 +51,13 @@ std::vector<unsigned int> free_parameters(const std::vector<FitParameter> &param
   return free;
 }
 
-/// By how many values the parameters have made the residuals of each record smaller.
-std::vector<double> values_taken(const std::vector<FitParameter> &parameters,
-                                 const std::vector<DataRecord> &records,
-                                 const Minimum &minimum)
+std::vector<std::vector<double>> free_columns(const std::vector<FitParameter> &parameters,
+                                              const Minimum &minimum)
 {
-  std::vector<double> taken(records.size(), 0.);
   std::vector<std::vector<double>> columns;
   for (const unsigned int j : free_parameters(parameters, minimum))
     columns.push_back(minimum.columns[j]);
-  if (columns.empty())
-    return taken;
-  const std::vector<double> leverages = LeastSquaresFactor(columns).leverages();
-  std::size_t row = 0;
-  for (std::size_t r = 0; r < records.size(); ++r)
-    for (std::size_t i = 0; i < records[r].size(); ++i)
-      taken[r] += leverages[row++];
-  return taken;
+  return columns;
 }
 
 /// The largest change of a standard deviation, relative, and of a coefficient.
@@ -220,7 +209,7 @@ FitResult LeastSquaresFit::solve()
        ++k)
   {
     const std::vector<DataRecord> next = noise.estimate(
-        residuals_by_record(weighted, best.prediction), values_taken(parameters, weighted, best));
+        weighted, residuals_by_record(weighted, best.prediction), free_columns(parameters, best));
     noise_is_settled = k > 0 && change_of_noise(weighted, next) < 1e-3;
     weighted = next;
     best = minimise(best.set);
@@ -246,14 +235,14 @@ FitResult LeastSquaresFit::solve()
   result.n_failures = model.n_failures();
   const auto predictions = by_record(weighted, best.prediction);
   const auto differences = residuals_by_record(weighted, best.prediction);
-  std::vector<bool> is_ordered;
+  std::vector<EstimatedNoise> estimated;
   for (unsigned int r = 0; r < weighted.size(); ++r)
   {
     result.records.push_back(record_fit(weighted[r], predictions[r], differences[r], noise, r));
-    is_ordered.push_back(weighted[r].interval > 0.);
+    estimated.push_back({noise.deviation_is_unknown(r), noise.n_fitted_coefficients(r)});
   }
   if (!best.columns.empty() && !best.columns[result.free.empty() ? 0 : result.free[0]].empty())
-    set_uncertainty(result, parameters, residuals, best, is_ordered, options);
+    set_uncertainty(result, parameters, weighted, estimated, best, options);
   else
   {
     result.standard_errors.assign(parameters.size(), undefined);

@@ -23,13 +23,18 @@ public:
               const FitResult &fit,
               const unsigned int index,
               const double threshold)
-    : parameters(parameters), model(model), residuals(residuals), options(options), fit(fit),
-      index(index), threshold(threshold)
+      : parameters(parameters),
+        model(model),
+        residuals(residuals),
+        options(options),
+        fit(fit),
+        index(index),
+        threshold(threshold)
   {
   }
 
-  /// `step` [coordinate]: with the sign of the side. Coordinate of the end of the interval; infinite
-  /// where the threshold is not reached, with a remark.
+  /// `step` [coordinate]: with the sign of the side. Coordinate of the end of the interval;
+  /// infinite where the threshold is not reached, with a remark.
   double find_end(double step, const unsigned int n_points)
   {
     const FitParameter &parameter = parameters[index];
@@ -90,8 +95,9 @@ private:
       const unsigned int j = fit.free[k];
       const double slope = fit.covariance(k, row) / fit.covariance(row, row);
       if (j != index && std::isfinite(slope))
-        result[j] = std::clamp(parameters[j].value(parameters[j].coordinate(set[j]) + slope * change),
-                               parameters[j].lower, parameters[j].upper);
+        result[j] =
+            std::clamp(parameters[j].value(parameters[j].coordinate(set[j]) + slope * change),
+                       parameters[j].lower, parameters[j].upper);
     }
     return result;
   }
@@ -124,12 +130,14 @@ private:
   double threshold;
 };
 
-double profile_threshold(const FitResult &fit, const double confidence)
+double
+profile_threshold(const FitResult &fit, const unsigned int parameter, const double confidence)
 {
-  if (fit.noise_is_known || fit.degrees_of_freedom == 0)
-    return gsl_cdf_chisq_Pinv(confidence, 1.);
-  return fit.misfit / fit.degrees_of_freedom *
-         gsl_cdf_fdist_Pinv(confidence, 1., fit.degrees_of_freedom);
+  const double degrees = fit.degrees_of_freedom_of_errors[parameter];
+  const double mean_square =
+      fit.noise_is_known || fit.degrees_of_freedom == 0 ? 1. : fit.misfit / fit.degrees_of_freedom;
+  return mean_square * (std::isfinite(degrees) ? gsl_cdf_fdist_Pinv(confidence, 1., degrees)
+                                               : gsl_cdf_chisq_Pinv(confidence, 1.));
 }
 
 /// Of the coordinate, to one side: so that `n_points` reach the end of the interval if the model is
@@ -171,14 +179,15 @@ Profile profile_likelihood(const std::vector<FitParameter> &parameters,
   model.set_misfit([&residuals](const std::vector<double> &set, const std::vector<double> &values)
                    { return residuals.misfit(set, values); });
   Profile profile;
-  profile.threshold = profile_threshold(fit, options.confidence);
+  profile.threshold = profile_threshold(fit, parameter, options.confidence);
   profile.points.push_back({fit.estimates[parameter], 0., fit.estimates});
   double ends[2];
   for (const int side : {0, 1})
   {
     ProfileWalk walk(parameters, model, residuals, options, fit, parameter, profile.threshold);
     ends[side] = walk.find_end(
-        step_of_profile(parameters[parameter], fit, parameter, side == 0 ? -1. : 1., n_points), n_points);
+        step_of_profile(parameters[parameter], fit, parameter, side == 0 ? -1. : 1., n_points),
+        n_points);
     profile.points.insert(profile.points.end(), walk.points.begin(), walk.points.end());
     for (const std::string &remark : walk.remarks)
       profile.remark += (profile.remark.empty() ? "" : "; ") + remark;
@@ -193,8 +202,8 @@ Profile profile_likelihood(const std::vector<FitParameter> &parameters,
     if (point.misfit < -0.01 * profile.threshold)
     {
       profile.remark += (profile.remark.empty() ? "" : "; ") +
-                        ("a smaller misfit was found at " + six_digits(point.value) + " " + law.unit +
-                         ": the fit ended in another minimum");
+                        ("a smaller misfit was found at " + six_digits(point.value) + " " +
+                         law.unit + ": the fit ended in another minimum");
       break;
     }
   return profile;

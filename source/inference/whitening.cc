@@ -55,18 +55,18 @@ std::vector<double> Whitening::apply(const std::vector<double> &values) const
   return result;
 }
 
-std::vector<double> Whitening::colour(const std::vector<double> &values) const
+std::vector<double> Whitening::undo(const std::vector<double> &white) const
 {
   const std::size_t order = predictors.size() - 1;
-  std::vector<double> result(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i)
+  std::vector<double> values(white.size());
+  for (std::size_t i = 0; i < white.size(); ++i)
   {
     const std::size_t m = std::min(i, order);
-    result[i] = deviations[m] * values[i];
+    values[i] = white[i] * deviations[m];
     for (std::size_t j = 0; j < m; ++j)
-      result[i] += predictors[m][j] * result[i - 1 - j];
+      values[i] += predictors[m][j] * values[i - 1 - j];
   }
-  return result;
+  return values;
 }
 
 double Whitening::log_determinant(const unsigned int n) const

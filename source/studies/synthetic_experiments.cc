@@ -29,7 +29,7 @@ std::vector<double> draw_noise(const Whitening &whitening,
   std::vector<double> white(n);
   for (double &value : white)
     value = normal(generator);
-  return whitening.colour(white);
+  return whitening.undo(white);
 }
 } // namespace
 

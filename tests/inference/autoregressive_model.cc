@@ -27,7 +27,8 @@ UNIT_TEST(autoregressive_model)
   const unsigned int n = 20000;
   const std::vector<double> values = RandomNoise(1).autoregressive({a, b}, n);
   const double variance = (1. - b) / ((1. + b) * ((1. - b) * (1. - b) - a * a));
-  for (const OrderCriterion criterion : {OrderCriterion::bayesian, OrderCriterion::corrected_akaike})
+  for (const OrderCriterion criterion :
+       {OrderCriterion::bayesian, OrderCriterion::corrected_akaike})
   {
     const AutoregressiveModel model =
         fit_autoregressive_model_of_best_order(values, criterion, true);
@@ -48,10 +49,12 @@ UNIT_TEST(autoregressive_model)
   // Largest spectral density of order 1: (1 + phi)/(1 - phi) at frequency 0, or with -phi at the
   // highest one.
   const double deviation = std::sqrt(1. / (1. - 0.49));
-  check::relative("spectrum of order 1", AutoregressiveModel{{0.7}, 1., deviation}.largest_spectral_ratio(),
-                  1.7 / 0.3, 1e-12);
+  check::relative("spectrum of order 1",
+                  AutoregressiveModel{{0.7}, 1., deviation}.largest_spectral_ratio(), 1.7 / 0.3,
+                  1e-12);
   check::relative("spectrum of order 1, negative",
-                  AutoregressiveModel{{-0.7}, 1., deviation}.largest_spectral_ratio(), 1.7 / 0.3, 1e-12);
+                  AutoregressiveModel{{-0.7}, 1., deviation}.largest_spectral_ratio(), 1.7 / 0.3,
+                  1e-12);
   // Of order 2 at cos(w) = -a (1 - b)/(4 b): 1/(variance |1 - a z - b z^2|^2).
   const double cosine = -a * (1. - b) / (4. * b);
   const double sine = std::sqrt(1. - cosine * cosine);
@@ -63,13 +66,22 @@ UNIT_TEST(autoregressive_model)
 
   unsigned int n_white = 0;
   for (unsigned int seed = 0; seed < 40; ++seed)
-    if (fit_autoregressive_model_of_best_order(RandomNoise(seed).white(300), OrderCriterion::bayesian, false)
+    if (fit_autoregressive_model_of_best_order(RandomNoise(seed).white(300),
+                                               OrderCriterion::bayesian, false)
             .coefficients.empty())
       ++n_white;
   check::is_true("white noise needs no coefficient", n_white >= 36);
   check::throws<std::invalid_argument>(
-      "too few", [&]() { fit_autoregressive_model({1., 2.}, 1, false); }, "more than 2 values");
+      "too few",
+      [&]() {
+        fit_autoregressive_model({1., 2.}, 1, false);
+      },
+      "more than 2 values");
   check::throws<std::invalid_argument>(
-      "all equal", [&]() { fit_autoregressive_model({2., 2., 2., 2.}, 1, true); }, "differ");
+      "all equal",
+      [&]() {
+        fit_autoregressive_model({2., 2., 2., 2.}, 1, true);
+      },
+      "differ");
 }
 } // namespace test_of_autoregressive_model

@@ -39,7 +39,11 @@ void refuses(const std::string &name, const FitParameter &parameter, const std::
 void test_refusals()
 {
   check::throws<std::invalid_argument>(
-      "twice", [&]() { check_fit_parameters({modulus(), modulus()}); }, "'modulus' is there twice");
+      "twice",
+      [&]() {
+        check_fit_parameters({modulus(), modulus()});
+      },
+      "'modulus' is there twice");
   FitParameter parameter = modulus();
   parameter.lower = 3e6;
   parameter.upper = 1e6;

@@ -20,7 +20,8 @@ UNIT_TEST(whiteness_test)
   check::relative("statistic", test.statistic, q, 1e-13);
   check::relative("probability", test.probability, std::exp(-q / 2.) * (1. + q / 2.), 1e-12);
   const WhitenessTest fitted = ljung_box_test(values, 2, 4);
-  check::is_true("degrees of freedom", test.degrees_of_freedom == 4 && fitted.degrees_of_freedom == 2);
+  check::is_true("degrees of freedom",
+                 test.degrees_of_freedom == 4 && fitted.degrees_of_freedom == 2);
   check::relative("probability with two", fitted.probability, std::exp(-q / 2.), 1e-12);
   check::is_true("too few", std::isnan(ljung_box_test({1., 2., 1.}).probability));
   check::is_true("lags", ljung_box_test(std::vector<double>(50, 1.)).n_lags == 10 &&

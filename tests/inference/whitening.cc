@@ -57,12 +57,13 @@ void test_order_one()
   check::relative("first row by the stationary start", white[0], 0.5, 1e-15);
   check::relative("second row", white[1], (3. - 0.6) / (2. * 0.8), 1e-15);
   check::relative("third row", white[2], (-2. - 1.8) / (2. * 0.8), 1e-15);
-  check::relative("determinant", whitening.log_determinant(5), 5. * std::log(4.) + 4. * std::log(0.64),
-                  1e-14);
+  check::relative("determinant", whitening.log_determinant(5),
+                  5. * std::log(4.) + 4. * std::log(0.64), 1e-14);
   NoiseModel relaxing;
   relaxing.standard_deviation = 2.;
   relaxing.correlation_time = -0.01 / std::log(0.6);
-  check::absolute("correlation time", Whitening(relaxing, 0.01).apply({1., 3., -2.})[2], white[2], 1e-14);
+  check::absolute("correlation time", Whitening(relaxing, 0.01).apply({1., 3., -2.})[2], white[2],
+                  1e-14);
   check::relative("coefficient", relaxing.coefficients(0.02)[0], 0.36, 1e-14);
   check::relative("bandwidth", correlation_time_of_bandwidth(100.), 1.591549430918953e-3, 1e-14);
 }
@@ -74,11 +75,13 @@ UNIT_TEST(whitening)
   NoiseModel noise;
   noise.standard_deviation = 1.;
   noise.autoregressive = {1.2, -0.6};
-  check::absolute("order 2", error_of_white(Whitening(noise, 1.), covariance_of_order_two(1.2, -0.6, 7)),
-                  0., 1e-13);
+  check::absolute("order 2",
+                  error_of_white(Whitening(noise, 1.), covariance_of_order_two(1.2, -0.6, 7)), 0.,
+                  1e-13);
   noise.autoregressive = {0.2, 0.5};
-  check::absolute("order 2, positive", error_of_white(Whitening(noise, 1.), covariance_of_order_two(0.2, 0.5, 7)),
-                  0., 1e-13);
+  check::absolute("order 2, positive",
+                  error_of_white(Whitening(noise, 1.), covariance_of_order_two(0.2, 0.5, 7)), 0.,
+                  1e-13);
   check::equal("words", noise.description(), "autoregressive of order 2");
   noise.autoregressive = {1.2, -0.1};
   check::throws<std::invalid_argument>(

@@ -46,7 +46,14 @@ private:
   /// Until no step is left for the free ones, or one meets its bound (then true).
   bool minimise_free(Minimum &minimum, const std::vector<unsigned int> &free);
   /// Lets go of the parameter at a bound that gains most. False if none does.
-  bool release(Minimum &minimum, std::vector<unsigned int> &n_releases);
+  bool release(Minimum &minimum, std::vector<unsigned int> &n_releases) const;
+  /// Holds those that start at a bound and would leave the bounds. False if a derivative fails.
+  bool hold_at_start(Minimum &minimum);
+  /// By how much a step inwards from the bound would make the residuals shorter, per length of its
+  /// change of the rows [1].
+  double gain_inwards(const Minimum &minimum,
+                      const std::vector<double> &rows,
+                      unsigned int parameter) const;
   bool set_derivatives(Minimum &minimum, const std::vector<unsigned int> &of);
   double unit_of_error(double misfit, std::size_t n_free) const;
 

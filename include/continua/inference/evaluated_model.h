@@ -23,7 +23,7 @@ public:
   /// Predictions of several sets, those that are not known by one call of the model.
   std::vector<FitModel::Prediction> predict(const std::vector<std::vector<double>> &sets,
                                             const std::string &purpose);
-  FitModel::Prediction predict(const std::vector<double> &set, const std::string &purpose);
+  FitModel::Prediction predict_one(const std::vector<double> &set, const std::string &purpose);
   bool derivatives(const std::vector<double> &set, std::vector<std::vector<double>> &by_parameter);
   /// Chi-square of a prediction, told to the observer.
   void set_misfit(std::function<double(const std::vector<double> &set,

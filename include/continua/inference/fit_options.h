@@ -11,8 +11,9 @@ enum class CorrelatedNoise
 {
   as_given, ///< the noise of the records is taken as it stands
   /// Generalised least squares: the residuals of each record whose noise is given as white get an
-  /// autoregressive model, the fit is repeated with it until it no longer changes. What is left
-  /// correlated then is treated by `sandwich`.
+  /// autoregressive model (order by a criterion, coefficients by restricted likelihood), the fit is
+  /// repeated with it until it no longer changes. What is left correlated then is treated by
+  /// `sandwich`.
   autoregressive,
   sandwich, ///< estimates with the noise as given, covariance by Newey and West
   enlarged  ///< covariance times the largest spectral density of the residuals: conservative
@@ -40,11 +41,11 @@ struct FitOptions
   double difference_step = 1e-3;
   TrustRegion trust_region = TrustRegion::geodesic_acceleration;
   CorrelatedNoise correlated_noise = CorrelatedNoise::autoregressive;
-  OrderCriterion order_criterion = OrderCriterion::corrected_akaike;
+  OrderCriterion order_criterion = OrderCriterion::bayesian;
   double confidence = 0.95; ///< [1] of the intervals
-  /// A direction along which the standard error, from all data together, is more than ln of this
-  /// factor, in sizes of the coordinates, is called flat [1]: on logarithmic scales, one standard
-  /// error is more than this factor.
+  /// A direction is called flat if one standard error along it, from all data together, moves a
+  /// parameter by more than this factor (logarithmic scale), or by more than ln of this factor
+  /// times its size (linear) [1].
   double flat_factor = 2.;
   std::vector<Evaluation> known; ///< replayed instead of computed
   EvaluationObserver observer;

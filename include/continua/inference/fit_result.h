@@ -60,7 +60,10 @@ struct FitResult
 
   double misfit; ///< chi-square: sum of the squared whitened residuals, and priors
   unsigned int degrees_of_freedom; ///< values and priors less free parameters
-  bool noise_is_known; ///< all standard deviations given: intervals are normal, else Student's
+  bool noise_is_known;             ///< all standard deviations given
+  /// Of each parameter's standard error, for Student's distribution (error_freedom.h): infinite,
+  /// the normal one, where nothing of the noise was estimated.
+  std::vector<double> degrees_of_freedom_of_errors;
   /// Of a chi-square at least as large if model and noise are right [1]; NaN with estimated noise.
   double probability_of_misfit;
   bool converged;

@@ -2,6 +2,7 @@
 #define continua_inference_fit_uncertainty_h
 
 #include <continua/inference/bounded_minimiser.h>
+#include <continua/inference/error_freedom.h>
 #include <continua/inference/fit_result.h>
 
 #include <vector>
@@ -13,14 +14,14 @@ namespace Continua
  * result whose estimates, records (residuals, noise) and Jacobian are known.
  * Covariance (J^T J)^-1 of whitened rows; by Newey and West (Econometrica 55, 1987, 703) where
  * residuals are correlated and `options` say so, with Bartlett weights up to the lag of Andrews
- * (Econometrica 59, 1991, 817); or enlarged. `is_ordered`: records whose values follow each other
- * in time.
+ * (Econometrica 59, 1991, 817); or enlarged. Student's intervals with the degrees of freedom of
+ * error_freedom.h. `records` with the noise of the fit, and what of it was `estimated`.
  */
 void set_uncertainty(FitResult &result,
                      const std::vector<FitParameter> &parameters,
-                     const WeightedResiduals &residuals,
+                     const std::vector<DataRecord> &records,
+                     const std::vector<EstimatedNoise> &estimated,
                      const BoundedMinimiser::Minimum &minimum,
-                     const std::vector<bool> &is_ordered,
                      const FitOptions &options);
 } // namespace Continua
 

@@ -23,10 +23,12 @@ struct FlatDirection
 
 /**
  * The flat directions of whitened derivatives: right singular vectors of the Jacobian by the sizes
- * of the coordinates, whose inverse singular value, the standard error along the direction, is more
- * than ln `flat_factor`. Several flat directions are combined so that each has as few parameters as
- * possible. `columns`: d prediction / d coordinate, whitened, without the rows of priors; one for
- * each parameter, empty for one that is held.
+ * of the coordinates along which one standard error, the inverse singular value, moves the
+ * parameter that moves most by more than ln `flat_factor` sizes; and those whose singular value is
+ * below 1e-5 of the largest one, where differences are not to be trusted. Several flat directions
+ * are combined so that each has as few parameters as possible. `columns`: d prediction / d
+ * coordinate, whitened, without the rows of priors; one for each parameter, empty for one that is
+ * held.
  */
 std::vector<FlatDirection> flat_directions(const std::vector<FitParameter> &parameters,
                                            const std::vector<std::vector<double>> &columns,

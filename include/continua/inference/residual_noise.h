@@ -16,11 +16,13 @@ public:
   ResidualNoise(const std::vector<DataRecord> &records, const FitOptions &options);
   /// Records with a first value where the standard deviation is unknown: the scatter of the values.
   std::vector<DataRecord> first_guess() const;
-  /// Records with the noise of `residuals` [unit], by record. `n_taken`: by how many values the
-  /// parameters have made the residuals of each record smaller (sum of its leverages). The order of
-  /// autoregressive models stays as it is after the second call.
-  std::vector<DataRecord> estimate(const std::vector<std::vector<double>> &residuals,
-                                   const std::vector<double> &n_taken);
+  /// Records with the noise that `residuals` [unit], by record, show. `weighted`: records with the
+  /// noise of the fit that left these residuals; `columns`: its derivatives by the free parameters,
+  /// whitened, with the rows of priors. The order of autoregressive models stays as it is after the
+  /// second call.
+  std::vector<DataRecord> estimate(const std::vector<DataRecord> &weighted,
+                                   const std::vector<std::vector<double>> &residuals,
+                                   const std::vector<std::vector<double>> &columns);
   bool has_something_to_estimate() const;
   bool deviation_is_unknown(unsigned int record) const;
   /// Autoregressive coefficients of a record that come from its residuals.
@@ -28,6 +30,7 @@ public:
 
 private:
   bool finds_correlation(unsigned int record) const;
+  unsigned int order_of(unsigned int record, const std::vector<double> &residuals) const;
 
   std::vector<DataRecord> given;
   const FitOptions &options;

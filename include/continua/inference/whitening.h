@@ -24,8 +24,9 @@ public:
   /// L^-1 of values [unit of the record]: residuals, or a column of a Jacobian. In units of the
   /// standard deviation [1].
   std::vector<double> apply(const std::vector<double> &values) const;
-  /// L of values with white noise of standard deviation 1 [1]: noise of this model [unit].
-  std::vector<double> colour(const std::vector<double> &values) const;
+  /// L of white values [1]: what apply() was given.
+  std::vector<double> undo(const std::vector<double> &white) const;
+  double innovation_deviation() const { return deviations.back(); } ///< [unit of the record]
   /// Logarithm of the determinant of the covariance of n values, by L: sum of 2 ln L_ii.
   double log_determinant(unsigned int n) const;
 
