@@ -216,10 +216,10 @@ std::vector<std::string> swept_values(const std::string &text)
         values.push_back(value);
       continue;
     }
-    const bool lacks_unit = is_quantity(item) && number_and_unit(item)->unit.empty();
-    values.push_back(lacks_unit && !last_unit.empty()
-                         ? item + " " + last_unit
-                         : without_quotes(without_parentheses(item)));
+    std::string value = without_quotes(without_parentheses(item));
+    if (is_quantity(item) && number_and_unit(item)->unit.empty() && !last_unit.empty())
+      value.append(" ").append(last_unit);
+    values.push_back(value);
   }
   for (auto value = values.begin(); value != values.end(); ++value)
     if (std::find(values.begin(), value, *value) != value)
