@@ -98,7 +98,7 @@ def draw(sheet, folder, normalised):
 def draw_quantity(sheet, axes, name, unit, values, failed):
     """A curve over one entry, a family of curves or a map over two; over more, a curve for each combination of the others."""
     factor, shown_unit = plot_style.readable(numpy.nanmax(abs(values)), unit, name.rpartition(": ")[2])
-    label = textwrap.fill(plot_style.axis_label(name, shown_unit), 42)
+    label = textwrap.fill(plot_style.axis_label(name, shown_unit), 50)
     # Over numbers rather than words, and over the entry with the most values.
     along = max(axes, key=lambda axis: (not axis.words, len(axis.distinct())))
     others = [axis for axis in axes if axis is not along]
@@ -199,7 +199,7 @@ def draw_histories(sheet, folder, axes, names, failed, normalised):
     notes = len(sheet.notes)
     if runs:
         plot_histories.draw_probes(sheet, runs)
-        plot_waves.draw(sheet, runs, normalised)
+        plot_waves.draw_curves(sheet, runs, normalised)
         plot_material.draw(sheet, runs)
     # That there is no tube, no material or no history in any run is no news.
     kept = [note for note in sheet.notes[notes:] if not any(run["folder"] in note for run in runs)]

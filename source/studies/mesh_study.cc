@@ -121,8 +121,8 @@ PlannedRun MeshStudy::plan_run(const Place &place, const std::string &output) co
     set_entry(of_run, "Time/Time step", shortest_number(time_step(place)) + " s");
     std::string changes;
     for (const auto &[time, step] : variant.time.changes)
-      changes += (changes.empty() ? "" : ", ") + shortest_number(time) + " s : " +
-                 shortest_number(std::ldexp(step, -static_cast<int>(place.mesh))) + " s";
+      changes += (changes.empty() ? "" : ", ") + shortest_number(time) +
+                 " s : " + shortest_number(std::ldexp(step, -static_cast<int>(place.mesh))) + " s";
     if (!changes.empty())
       set_entry(of_run, "Time/Time step changes", changes);
   }

@@ -60,10 +60,11 @@ void set_entry(CommandLine &command_line, const std::string &path, const std::st
 void remove_entries_of(CommandLine &command_line, const std::string &section)
 {
   std::vector<std::string> &all = command_line.overrides;
-  all.erase(std::remove_if(all.begin(), all.end(),
-                           [&section](const std::string &one)
-                           { return (path_of(one) + "/").compare(0, section.size() + 1,
-                                                                 section + "/") == 0; }),
+  all.erase(std::remove_if(
+                all.begin(), all.end(),
+                [&section](const std::string &one) {
+                  return (path_of(one) + "/").compare(0, section.size() + 1, section + "/") == 0;
+                }),
             all.end());
 }
 

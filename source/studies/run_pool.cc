@@ -41,9 +41,8 @@ public:
   {
     std::string name = (std::filesystem::temp_directory_path() / "continua-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr)
-      throw RunError("no folder can be made in " +
-                     std::filesystem::temp_directory_path().string() + ": " +
-                     std::strerror(errno));
+      throw RunError("no folder can be made in " + std::filesystem::temp_directory_path().string() +
+                     ": " + std::strerror(errno));
     path = name;
   }
   ~FolderOfScreens()
@@ -146,7 +145,8 @@ void RunPool::perform(const std::vector<PlannedRun> &plans,
            (running.empty() || memory + plans[next].memory <= memory_limit))
     {
       begins(next);
-      running.push_back({next, plans[next].memory, start(program, plans[next], screens.file(next))});
+      running.push_back(
+          {next, plans[next].memory, start(program, plans[next], screens.file(next))});
       memory += plans[next].memory;
       ++next;
     }

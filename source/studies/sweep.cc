@@ -21,7 +21,6 @@ constexpr unsigned int most_runs_to_read = 64;
 /// 2^5 corners of a larger grid.
 constexpr std::size_t most_axes_with_corners = 5;
 
-
 /// The lines of the text that tell what input files contain.
 std::string lines_of_files(const std::string &identity_text)
 {
@@ -49,10 +48,11 @@ Sweep::Sweep(const AnalysisInput &input) : Study(input, "Sweep")
 {
   parameters.read(file.root());
   if (parameters.axes.empty())
-    section().refuse_missing("no entry is swept",
-                             "Write in its subsection Entries for example 'set "
-                             "Materials/wall/Young's modulus = 1 MPa, 2 MPa', or give --sweep on the "
-                             "command line");
+    section().refuse_missing(
+        "no entry is swept",
+        "Write in its subsection Entries for example 'set "
+        "Materials/wall/Young's modulus = 1 MPa, 2 MPa', or give --sweep on the "
+        "command line");
   choose_analysis();
   choose_parallel();
   set_parameters(parameters);
@@ -72,11 +72,10 @@ void Sweep::choose_analysis()
   if (analysis == "automatic")
   {
     analysis = root.has_subsection("Time") ? "transient" : "steady";
-    for (const auto &[own, section_name] :
-         {std::pair<const char *, const char *>{"modal", "Modal"},
-          {"material", "Laboratory"},
-          {"spin coating", "Spin coating"},
-          {"amplification", "Amplification"}})
+    for (const auto &[own, section_name] : {std::pair<const char *, const char *>{"modal", "Modal"},
+                                            {"material", "Laboratory"},
+                                            {"spin coating", "Spin coating"},
+                                            {"amplification", "Amplification"}})
       if (root.sets_in_subsection(section_name))
         analysis = own;
     return;
@@ -104,8 +103,7 @@ void Sweep::choose_parallel()
 {
   const bool has_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator) > 1;
   if (has_ranks && parameters.asked_parallel > 1)
-    section().refuse("Parallel runs",
-                     "under mpirun the runs take all ranks, one after the other",
+    section().refuse("Parallel runs", "under mpirun the runs take all ranks, one after the other",
                      "Call the program without mpirun for runs side by side, or remove the entry");
   parameters.n_parallel = has_ranks                        ? 1
                           : parameters.asked_parallel == 0 ? RunPool::n_cores()
@@ -179,10 +177,10 @@ Sweep::Axis Sweep::find_entry(const SweepParameters::Axis &of_file) const
     const std::string units = usual_units(axis.entry->dimension());
     if (!problem.empty())
       entries().refuse(axis.path, problem,
-                       axis.entry->is_whole() ? "Give whole numbers that the entry accepts"
-                                              : "Give numbers that the entry accepts" +
-                                                    (units.empty() ? "" : ", with a unit like " +
-                                                                              units));
+                       axis.entry->is_whole()
+                           ? "Give whole numbers that the entry accepts"
+                           : "Give numbers that the entry accepts" +
+                                 (units.empty() ? "" : ", with a unit like " + units));
     axis.numbers.push_back(number);
   }
   return axis;

@@ -47,10 +47,11 @@ std::string without_colons(std::string text)
 void SweepParameters::read(ParameterSection root)
 {
   ParameterSection section = root.subsection("Sweep");
-  section.add("Analysis", analysis,
-              "What the runs do: any analysis but a study; automatic: modal, material, spin coating "
-              "or amplification if the file has its section, else transient if it has a section "
-              "Time, else steady.");
+  section.add(
+      "Analysis", analysis,
+      "What the runs do: any analysis but a study; automatic: modal, material, spin coating "
+      "or amplification if the file has its section, else transient if it has a section "
+      "Time, else steady.");
   std::string combine = "grid";
   section.add_choice("Combine", combine, {"grid", "together"},
                      "grid: every value of an entry with every value of the others; together: the "
@@ -90,12 +91,13 @@ void SweepParameters::read(ParameterSection root)
     if (!is_grid && axis.values.size() != axes.front().values.size())
       entries.refuse(axis.path,
                      std::to_string(axis.values.size()) + " values go together with " +
-                         std::to_string(axes.front().values.size()) + " of '" +
-                         axes.front().path + "'",
+                         std::to_string(axes.front().values.size()) + " of '" + axes.front().path +
+                         "'",
                      "Give as many of both, or write 'set Combine = grid'");
     const std::string first = tail(axis.path, split_unquoted(axis.path, '/').size());
     for (const char *const own : {"Analysis", "Title", "Sweep"})
-      if (first == own || first.compare(0, std::string(own).size() + 1, std::string(own) + "/") == 0)
+      if (first == own ||
+          first.compare(0, std::string(own).size() + 1, std::string(own) + "/") == 0)
         entries.refuse(axis.path, "the sweep itself sets this",
                        "Sweep an entry of the case; Sweep/Analysis says what the runs do");
   }

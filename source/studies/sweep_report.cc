@@ -97,9 +97,8 @@ void SweepReport::add_quantities(Summary &summary) const
     summary.add({"smallest", smallest, units[i], labels[i]});
     summary.add({"largest", largest, units[i], labels[i]});
   }
-  const auto n_failed =
-      std::count_if(runs.begin(), runs.end(),
-                    [](const SweptRun &run) { return !run.failure.empty(); });
+  const auto n_failed = std::count_if(runs.begin(), runs.end(),
+                                      [](const SweptRun &run) { return !run.failure.empty(); });
   summary.add({"runs", static_cast<double>(runs.size()), "1", ""});
   summary.add({"failed runs", static_cast<double>(n_failed), "1", ""});
 }

@@ -78,8 +78,7 @@ std::vector<std::string> items_of(const std::string &text)
   {
     item = collapse_blanks(item);
     if (item.empty())
-      throw std::invalid_argument(
-          "there is nothing between two commas or at an end of the list");
+      throw std::invalid_argument("there is nothing between two commas or at an end of the list");
   }
   return items;
 }
@@ -141,7 +140,8 @@ unsigned int number_of_values(const std::string &text, const std::string &item)
                                 "' is no number of values (from 2 to " +
                                 std::to_string(most_values_of_a_range) + ")");
   if (count < 2)
-    throw std::invalid_argument("the range '" + item + "' has two ends, and so two values at least");
+    throw std::invalid_argument("the range '" + item +
+                                "' has two ends, and so two values at least");
   return count;
 }
 
@@ -185,10 +185,9 @@ std::vector<std::string> values_of(const WrittenRange &range, const std::string 
     const double part = static_cast<double>(i) / (n - 1);
     const double between = range.is_logarithmic ? first.number * std::pow(end / first.number, part)
                                                 : first.number + (end - first.number) * part;
-    values.push_back(i == 0 ? first.text()
-                     : i + 1 == n
-                         ? last->text()
-                         : NumberAndUnit{rounded(between), first.unit}.text());
+    values.push_back(i == 0       ? first.text()
+                     : i + 1 == n ? last->text()
+                                  : NumberAndUnit{rounded(between), first.unit}.text());
   }
   return values;
 }
@@ -216,10 +215,10 @@ std::vector<std::string> swept_values(const std::string &text)
         values.push_back(value);
       continue;
     }
-    const bool lacks_unit = is_quantity(item) && number_and_unit(item)->unit.empty();
-    values.push_back(lacks_unit && !last_unit.empty()
-                         ? item + " " + last_unit
-                         : without_quotes(without_parentheses(item)));
+    std::string value = without_quotes(without_parentheses(item));
+    if (is_quantity(item) && number_and_unit(item)->unit.empty() && !last_unit.empty())
+      value.append(" ").append(last_unit);
+    values.push_back(value);
   }
   for (auto value = values.begin(); value != values.end(); ++value)
     if (std::find(values.begin(), value, *value) != value)

@@ -1,5 +1,5 @@
-// Runs side by side: how many at a time, how they end, and what a signal, a lack of memory and an error do. A shell
-// script stands for the program.
+// Runs side by side: how many at a time, how they end, and what a signal, a lack of memory and an
+// error do. A shell script stands for the program.
 
 #include <continua/base/input_error.h>
 #include <continua/base/input_file.h>
@@ -30,7 +30,9 @@ void write_script()
   std::filesystem::remove_all(place);
   std::filesystem::create_directory(place);
   std::ofstream(script) << "#!/bin/sh\n"
-                           "cd " << place << "\n"
+                           "cd "
+                        << place
+                        << "\n"
                            "mkdir at-work.$$\n"
                            "echo \"$*, launched $OMPI_COMM_WORLD_SIZE\" >> arguments\n"
                            "trap 'rmdir at-work.$$' EXIT\n"
@@ -50,9 +52,10 @@ PlannedRun run_of(const std::string &what_it_does, const double memory = 0.)
 }
 
 /// Performs the runs; why each failed.
-std::vector<std::string> perform(const std::vector<PlannedRun> &plans,
-                                 const unsigned int n_parallel,
-                                 const RunPool::Begins &begins = [](unsigned int) {})
+std::vector<std::string> perform(
+    const std::vector<PlannedRun> &plans,
+    const unsigned int n_parallel,
+    const RunPool::Begins &begins = [](unsigned int) {})
 {
   std::vector<std::string> failures(plans.size(), "not ended");
   RunPool(n_parallel, script)
@@ -109,15 +112,15 @@ UNIT_TEST(run_pool)
                "--output=results --restart --allow-mesh-commands, launched \n");
 
   // What throws ends the others.
-  const std::vector<PlannedRun> one_is_quick = {run_of("while :; do sleep 0.01; done"), run_of("exit 0")};
+  const std::vector<PlannedRun> one_is_quick = {run_of("while :; do sleep 0.01; done"),
+                                                run_of("exit 0")};
   check::throws<RunError>(
       "an error at an end",
       [&one_is_quick]
       {
-        RunPool(2, script)
-            .perform(
-                one_is_quick, [](unsigned int) {},
-                [](unsigned int, const std::string &) { throw RunError("enough"); });
+        RunPool(2, script).perform(
+            one_is_quick, [](unsigned int) {},
+            [](unsigned int, const std::string &) { throw RunError("enough"); });
       },
       "enough");
 
@@ -149,8 +152,8 @@ UNIT_TEST(run_pool)
   std::vector<char *> arguments = {program, file};
   check::is_true("a command of a user", !is_run_of_a_pool(arguments) && arguments.size() == 2);
   arguments = {program, mark, file};
-  check::is_true("a run of a pool", is_run_of_a_pool(arguments) && arguments.size() == 2 &&
-                                        arguments[1] == file);
+  check::is_true("a run of a pool",
+                 is_run_of_a_pool(arguments) && arguments.size() == 2 && arguments[1] == file);
   std::filesystem::remove_all(place);
   std::filesystem::remove(script);
 }

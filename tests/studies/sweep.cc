@@ -1,4 +1,5 @@
-// A sweep: what it is refused for, its runs against closed formulas, what a restart takes as it was, and --sweep.
+// A sweep: what it is refused for, its runs against closed formulas, what a restart takes as it
+// was, and --sweep.
 
 #include <continua/base/input_error.h>
 #include <continua/program/analyses.h>
@@ -157,8 +158,7 @@ UNIT_TEST(sweep)
 
   perform(sweep_of(modulus + height), Mode::restart, printed);
   check::is_true("a restart runs none", count(printed, again) == 6);
-  perform(sweep_of(modulus + "set Geometry/Size 2 = 1 m to 4 m in 4\n"),
-          Mode::restart, printed);
+  perform(sweep_of(modulus + "set Geometry/Size 2 = 1 m to 4 m in 4\n"), Mode::restart, printed);
   check::is_true("and takes those of a longer list",
                  count(printed, again) == 6 && count(printed, anew) == 2);
   std::string other_case = sweep_of(modulus + height);
@@ -171,8 +171,7 @@ UNIT_TEST(sweep)
   check::is_true("what is swept is no part of the case", count(printed, again) == 6);
 
   const std::map<std::string, double> together =
-      perform(sweep_of(modulus + "set Geometry/Size 2 = 1 m, 2 m\n",
-                       "set Combine = together\n"),
+      perform(sweep_of(modulus + "set Geometry/Size 2 = 1 m, 2 m\n", "set Combine = together\n"),
               Mode::overwrite, printed);
   check::is_true("two runs together", count(printed, anew) == 2 && together.at("runs") == 2.);
 
@@ -186,13 +185,14 @@ UNIT_TEST(sweep)
           "Entries/.*Young's modulus.*with a unit like Pa");
   refuses("no such place", sweep_of("set Geometry/Size 7 = 1 m, 2 m\n"),
           "Give a place from 1 to 2");
-  refuses("a study", "set Analysis = sweep\n" + std::string(bar) +
-                         "subsection Sweep\nset Analysis = comparison\nsubsection Entries\n" + one +
-                         "end\nend\n",
+  refuses("a study",
+          "set Analysis = sweep\n" + std::string(bar) +
+              "subsection Sweep\nset Analysis = comparison\nsubsection Entries\n" + one +
+              "end\nend\n",
           "'comparison' is a study");
-  refuses("no analysis", "set Analysis = sweep\n" + std::string(bar) +
-                             "subsection Sweep\nset Analysis = stedy\nsubsection Entries\n" + one +
-                             "end\nend\n",
+  refuses("no analysis",
+          "set Analysis = sweep\n" + std::string(bar) +
+              "subsection Sweep\nset Analysis = stedy\nsubsection Entries\n" + one + "end\nend\n",
           "Did you mean 'steady'");
   refuses("nothing is swept", sweep_of(""), "no entry is swept");
   refuses("a quantity that no run has", sweep_of(one, "set Quantities = end: frequenzy\n"),

@@ -46,28 +46,30 @@ UNIT_TEST(sweep_parameters)
 {
   const std::string modulus = "set Materials/wall/Young's modulus = 1 MPa, 2 MPa\n",
                     thickness = "set Geometry/Wall thickness = 1 mm, 2 mm\n";
-  check::equal("a grid, the last entry first", names(sweep_of(entries(modulus + thickness))),
-               "young's modulus 1 MPa, wall thickness 1 mm; young's modulus 1 MPa, wall thickness 2 "
-               "mm; young's modulus 2 MPa, wall thickness 1 mm; young's modulus 2 MPa, wall "
-               "thickness 2 mm");
-  check::equal("together", names(sweep_of("set Combine = together\n" + entries(modulus + thickness))),
-               "young's modulus 1 MPa, wall thickness 1 mm; young's modulus 2 MPa, wall thickness 2 "
-               "mm");
-  check::equal("keys that are the same",
-               names(sweep_of("set Combine = together\n" +
-                              entries("set Materials/inner/Density = 1, 2\n"
-                                      "set Materials/outer/Density = 3, 4\n"
-                                      "set Model = a, b\n"))),
-               "inner/Density 1, outer/Density 3, model a; inner/Density 2, outer/Density 4, model "
-               "b");
+  check::equal(
+      "a grid, the last entry first", names(sweep_of(entries(modulus + thickness))),
+      "young's modulus 1 MPa, wall thickness 1 mm; young's modulus 1 MPa, wall thickness 2 "
+      "mm; young's modulus 2 MPa, wall thickness 1 mm; young's modulus 2 MPa, wall "
+      "thickness 2 mm");
+  check::equal(
+      "together", names(sweep_of("set Combine = together\n" + entries(modulus + thickness))),
+      "young's modulus 1 MPa, wall thickness 1 mm; young's modulus 2 MPa, wall thickness 2 "
+      "mm");
+  check::equal(
+      "keys that are the same",
+      names(sweep_of("set Combine = together\n" + entries("set Materials/inner/Density = 1, 2\n"
+                                                          "set Materials/outer/Density = 3, 4\n"
+                                                          "set Model = a, b\n"))),
+      "inner/Density 1, outer/Density 3, model a; inner/Density 2, outer/Density 4, model "
+      "b");
   check::equal("a value with a colon",
                names(sweep_of(entries("set Time/Time step changes = 0 s : 1 ms\n"))),
                "time step changes 0 s 1 ms");
   const SweepParameters three =
       sweep_of(entries(modulus + thickness + "set Geometry/Length = 1 m to 3 m in 3\n"));
   const std::vector<unsigned int> last = {1, 1, 2}, middle = {0, 1, 2};
-  check::is_true("places", three.n_runs() == 12 && three.places(11) == last &&
-                               three.places(5) == middle);
+  check::is_true("places",
+                 three.n_runs() == 12 && three.places(11) == last && three.places(5) == middle);
   check::is_true("nothing is swept yet", sweep_of("set Combine = grid\n").axes.empty());
 
   refuses("an empty list", entries("set Geometry/Length = \n"), "it lists no value");

@@ -1,4 +1,5 @@
-// The table of a sweep: numbers and words, a run that failed, quantities that are not everywhere, smallest and largest.
+// The table of a sweep: numbers and words, a run that failed, quantities that are not everywhere,
+// smallest and largest.
 
 #include <continua/base/input_file.h>
 #include <continua/base/quantity_names.h>
@@ -38,11 +39,13 @@ double number(const Summary &summary, const std::string &name, const std::string
 
 UNIT_TEST(sweep_report)
 {
-  const std::vector<SweptEntry> entries = {{"Materials/wall/Young's modulus", "Pa", {"1e6", "2e6", "3e6"}},
-                                           {"Time/Scheme", "", {"crank nicolson", "bdf", "bdf"}}};
+  const std::vector<SweptEntry> entries = {
+      {"Materials/wall/Young's modulus", "Pa", {"1e6", "2e6", "3e6"}},
+      {"Time/Scheme", "", {"crank nicolson", "bdf", "bdf"}}};
   std::vector<SweptRun> runs = {
-      run_of("a", "modulus 1 MPa",
-             {{"frequency", 2., "Hz", "tip"}, {"energy error", 1., "1", ""}, {"mass", 4., "kg", ""}}),
+      run_of(
+          "a", "modulus 1 MPa",
+          {{"frequency", 2., "Hz", "tip"}, {"energy error", 1., "1", ""}, {"mass", 4., "kg", ""}}),
       run_of("b", "modulus 2 MPa", {{"frequency", 3., "Hz", "tip"}}),
       run_of("c", "modulus 3 MPa", {{"frequency", 9., "Hz", "tip"}}, "it \"diverges\"")};
   runs[0].wall_time = 1.5;
@@ -65,7 +68,8 @@ UNIT_TEST(sweep_report)
   check::absolute("smallest", number(summary, "smallest", "tip: frequency"), 2., 0.);
   check::absolute("largest", number(summary, "largest", "tip: frequency"), 3., 0.);
   check::absolute("one alone", number(summary, "largest", "mass"), 4., 0.);
-  check::absolute("none of the computation", number(summary, "largest", "energy error"), -1e300, 0.);
+  check::absolute("none of the computation", number(summary, "largest", "energy error"), -1e300,
+                  0.);
   check::absolute("runs", number(summary, "runs", ""), 3., 0.);
   check::absolute("failed runs", number(summary, "failed runs", ""), 1., 0.);
 

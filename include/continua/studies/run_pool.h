@@ -35,9 +35,8 @@ public:
    * Interrupted when all have ended after a signal; a run that the signal ended is not reported.
    * On one rank alone.
    */
-  void perform(const std::vector<PlannedRun> &plans,
-               const Begins &begins,
-               const Ended &ended) const;
+  void
+  perform(const std::vector<PlannedRun> &plans, const Begins &begins, const Ended &ended) const;
 
   /// The cores that this process may use, at least one.
   static unsigned int n_cores();

@@ -44,7 +44,7 @@ private:
   struct ReadRun
   {
     QuantityNames quantities;
-    double memory = 0.;          ///< by estimate [bytes]
+    double memory = 0.;           ///< by estimate [bytes]
     std::string content_of_files; ///< by their names
   };
   using Settings = std::vector<std::pair<std::string, std::string>>;
