@@ -6,7 +6,9 @@
 #include <continua/base/units.h>
 
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <sstream>
 
 namespace Continua
@@ -84,32 +86,47 @@ EvaluationTable::EvaluationTable(const OutputDirectory &directory,
 {
   const std::string file = directory.file("checkpoint/evaluations");
   if (restart)
-  {
-    std::ifstream stream(file);
-    std::string line;
-    std::getline(stream, line);
-    Evaluation evaluation;
-    // What stands behind the last whole line is computed anew.
-    for (; std::getline(stream, line); evaluation = Evaluation())
-      if (read_line(line, parameters.size(), evaluation) && !stream.eof())
-        known_ones.push_back(evaluation);
-      else
-        break;
-  }
+    read(file, parameters.size());
   table.open(directory.file("evaluations.csv"));
-  checkpoint.open(file);
   table << "evaluation [1],purpose";
   for (const FitParameter &parameter : parameters)
     table << "," << csv_cell(parameter.name + " [" + parameter.unit + "]");
   table << ",misfit [1],failure\n";
-  checkpoint << identity << "\n";
   for (const Evaluation &evaluation : known_ones)
     write_row(evaluation);
+  checkpoint.open(file, restart ? std::ios::app : std::ios::trunc);
+  if (!restart)
+    checkpoint << identity << "\n" << std::flush;
+}
+
+void EvaluationTable::read(const std::string &file, const std::size_t n_numbers)
+{
+  std::uintmax_t n_bytes = 0;
+  {
+    std::ifstream stream(file, std::ios::binary);
+    std::string line;
+    std::getline(stream, line);
+    n_bytes = line.size() + 1;
+    Evaluation evaluation;
+    for (; std::getline(stream, line); evaluation = Evaluation())
+    {
+      if (stream.eof() || !read_line(line, n_numbers, evaluation))
+        break;
+      known_ones.push_back(evaluation);
+      n_bytes += line.size() + 1;
+    }
+  }
+  // What stands behind the last whole line is computed anew.
+  if (std::filesystem::file_size(file) > n_bytes)
+    std::filesystem::resize_file(file, n_bytes);
 }
 
 void EvaluationTable::add(const Evaluation &evaluation)
 {
   write_row(evaluation);
+  checkpoint << line_of(evaluation) << "\n" << std::flush;
+  if (!table || !checkpoint)
+    throw RunError("cannot write evaluations.csv or checkpoint/evaluations: the disk refuses");
 }
 
 void EvaluationTable::write_row(const Evaluation &evaluation)
@@ -120,8 +137,5 @@ void EvaluationTable::write_row(const Evaluation &evaluation)
   table << "," << csv_cell(evaluation.misfit) << "," << csv_cell(evaluation.prediction.failure)
         << "\n"
         << std::flush;
-  checkpoint << line_of(evaluation) << "\n" << std::flush;
-  if (!table || !checkpoint)
-    throw RunError("cannot write evaluations.csv or checkpoint/evaluations: the disk refuses");
 }
 } // namespace Continua

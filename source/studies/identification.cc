@@ -16,7 +16,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
 
 namespace Continua
 {
@@ -47,6 +47,7 @@ Identification::Identification(const AnalysisInput &input)
   else
     read_case<3>();
   check_numbers();
+  check_other_model();
   IdentificationReport::name_quantities(parameters, expected, quantities);
   quantities.refuse_others(file, section().subsection("Expected"), parameters.expected);
 }
@@ -91,8 +92,14 @@ void Identification::read_sought()
       if (sought[i].entry.path() == sought[j].entry.path())
         family.subsection(parameters.sought[i].name)
             .refuse("Entry", "this number is sought twice", "Remove one of the two subsections");
-  if (sought.empty())
-    section().refuse("", "nothing is sought",
+  for (const SoughtEntry &number : sought)
+    if (parameters.is_design() && !number.clock_of().empty())
+      family.subsection(number.parameter.name)
+          .refuse("Entry", "the clock of measurements is no number of an experiment to come",
+                  "Remove the subsection, or the subsection 'Expected noise'");
+  if (std::all_of(sought.begin(), sought.end(),
+                  [](const SoughtEntry &number) { return number.parameter.is_held(); }))
+    section().refuse("Parameters", "nothing is sought",
                      "Add 'subsection Parameters' with a subsection for each number, in which Entry "
                      "names it");
 }
@@ -135,6 +142,43 @@ void Identification::check_numbers() const
                      "Seek fewer numbers, or give more data");
 }
 
+void Identification::check_other_model() const
+{
+  if (parameters.other_model == OtherModel::none)
+    return;
+  if (measured.records.empty())
+    section().refuse("Model error", "there are no data, and so no estimates that could be off",
+                     "Give a probe the entry Measured, or remove the entry");
+  if ((parameters.other_model == OtherModel::theory) == by_theory &&
+      parameters.other_entries.empty())
+    section().refuse("Model error", "it is the model of the fit, which has no bias to itself",
+                     "Choose the other model, or add 'Entries of the other model'");
+  if (n_dimensions == 2)
+    read_other_case<2>();
+  else
+    read_other_case<3>();
+}
+
+template <int dim>
+void Identification::read_other_case() const
+{
+  CommandLine of_other = without_data(command_line);
+  set_entry(of_other, "Analysis",
+            parameters.other_model == OtherModel::theory ? "linear wave theory" : "transient");
+  for (const auto &[path, value] : parameters.other_entries)
+    set_entry(of_other, path, value);
+  try
+  {
+    ParameterFile other(of_other.parameter_file, of_other.overrides);
+    analyses.read_case<dim>(other, communicator, CaseUse::check);
+  }
+  catch (const InputError &error)
+  {
+    section().refuse("Model error",
+                     std::string("with it the case is refused: ") + error.what(), "");
+  }
+}
+
 std::vector<std::string> Identification::outline() const
 {
   std::vector<std::string> names;
@@ -155,8 +199,18 @@ std::vector<std::string> Identification::outline() const
 
 std::string Identification::identity() const
 {
-  return file.identity({"Title", "Output", "Expected", "Identification"}) + " of " + version() +
-         " " + revision();
+  // What is asked, and of which model: a prediction of something else is no answer.
+  std::string text = by_theory ? "theory" : "simulation";
+  for (const SoughtEntry &number : sought)
+    text += "; " + number.entry.path();
+  for (const DataRecord &record : measured.records)
+  {
+    text += "; " + record.name;
+    for (const double time : record.times)
+      text += " " + shortest_number(time);
+  }
+  return file.identity({"Title", "Output", "Expected", "Identification"}) + " " +
+         std::to_string(std::hash<std::string>()(text)) + " of " + version() + " " + revision();
 }
 
 void Identification::check_restart(const OutputDirectory &directory) const
@@ -215,12 +269,11 @@ void Identification::compute(const OutputDirectory &directory, Log &log, Summary
                                             " rows outside the time of the run are left out"
                                       : ""));
     StationFitModel of_data(*model, sought, measured, probes);
-    set_noise_from_rest(of_data, log);
+    for (const std::string &note : measured.notes)
+      log.line(note);
     fit(of_data, directory, log, results);
-    if (parameters.other_model != OtherModel::none)
-      find_bias(directory, log, results);
   }
-  if (parameters.is_design())
+  if (parameters.is_design() && (!results.fit || results.fit->converged))
     design(*model, log, results);
   finish(directory, log, summary, results);
 }

@@ -58,7 +58,8 @@ void read_fit(ParameterSection &section, IdentificationParameters &parameters)
               "bounds; the best fit is taken [1].",
               1, 1000);
   section.add("Difference step", parameters.difference_step, Dimensions::none,
-              "Half the distance of the two runs of a derivative, as a part of the number.",
+              "Half the distance of the two runs of a derivative: on a logarithmic scale as a part of "
+              "the number, else of the smaller one of the number and of its size (start or range).",
               Range{1e-8, 0.1});
   section.add("Profiles", parameters.profiles,
               "Whether the misfit over each number is told, with the others fitted anew: the "
@@ -71,8 +72,12 @@ void read_noise(ParameterSection &section, IdentificationParameters &parameters)
 {
   parameters.noise.deviations = section.subsection("Noise").add_free_entries(
       "Standard deviation of the noise of a field (pressure = 0.2 mmHg) or of one record (stations "
-      "0.1 m: pressure = 0.3 mmHg), with a unit of the field; or 'from rest': from the rows before "
-      "the pulse arrives. What is not named is estimated from the residuals of the fit.");
+      "0.1 m: pressure = 0.3 mmHg), with a unit of the field; or 'from rest': its correlation in "
+      "time is that of the rows before Rest until, its deviation that of the residuals. What is not "
+      "named is estimated from the residuals of the fit.");
+  section.add("Rest until", parameters.rest_until, Dimensions::time,
+              "The pulse arrives later than this time of the tables at each record whose noise comes "
+              "'from rest': the rows before it are at rest.");
   section.add("Correlation time", parameters.correlation_time, Dimensions::time,
               "Of noise that is given as a number: its correlation falls as exp(-t/this time), as "
               "behind a low-pass filter of the bandwidth 1/(2 pi this time); 0: white.",
@@ -127,7 +132,7 @@ void SoughtNumber::read(ParameterSection section)
               "empty: nothing.");
   section.add("Prior standard deviation", prior_standard_deviation,
               "What is known of the number from elsewhere: its standard deviation, with a unit of "
-              "the entry.");
+              "the entry. On a logarithmic scale the logarithm is normal, with this over the mean.");
   section.require("Entry");
   if (prior_mean.empty() != prior_standard_deviation.empty())
     section.refuse(prior_mean.empty() ? "Prior standard deviation" : "Prior mean",
@@ -170,6 +175,17 @@ void IdentificationParameters::read(ParameterSection root)
   if (!other_entries.empty() && other_model == OtherModel::none)
     others.refuse(other_entries.front().first, "there is no other model",
                   "Set Model error, or remove the entry");
+  const auto is_from_rest = [](const auto &deviation) { return deviation.second == "from rest"; };
+  if (std::any_of(noise.deviations.begin(), noise.deviations.end(), is_from_rest))
+    section.require("Rest until");
+  else if (section.given("Rest until"))
+    section.refuse("Rest until", "no noise is to come from rest",
+                   "Write 'from rest' for a field in Noise, or remove the entry");
+  if (is_design() && !section.given("Correlation time"))
+    section.refuse("Expected noise",
+                   "nothing says how the noise is correlated in time: with white noise any "
+                   "experiment would become exact by faster sampling",
+                   "Set Correlation time, 1/(2 pi bandwidth) of the instruments; 0: white noise");
   for (const char *const key : {"Sampling interval", "Candidates", "Records to add", "Criterion"})
     if (section.given(key) && !is_design())
       section.refuse(key, "there is no experiment to design: nothing says its noise",

@@ -82,8 +82,7 @@ void IdentificationReport::add_fit_lines(std::vector<std::string> &all) const
     for (std::size_t k = 0; k < i; ++k)
       if (std::abs(fit.correlation(i, k)) > 0.9)
         all.push_back("'" + results.parameters[fit.free[k]].name + "' and '" +
-                      results.parameters[fit.free[i]].name + "' are known together better than " +
-                      "alone: their errors are correlated by " +
+                      results.parameters[fit.free[i]].name + "': their errors are correlated by " +
                       number_text(fit.correlation(i, k), 3));
   table = {{"record", "unit", "residuals", "noise", "treatment", "white"}};
   for (std::size_t r = 0; r < fit.records.size(); ++r)
@@ -166,6 +165,8 @@ void IdentificationReport::add_synthetic_lines(std::vector<std::string> &all) co
     const SyntheticExperiments::OfParameter &of = outcome.parameters[j];
     table.push_back({results.parameters[j].name, number_text(of.mean_error, 2),
                      number_text(of.spread, 3), share_text(of.coverage)});
+    if (of.n_at_bound > 0)
+      table.back().back() += " (" + std::to_string(of.n_at_bound) + " experiments end at a bound)";
   }
   for (const std::string &line : aligned_lines(table))
     all.push_back(line);
@@ -181,7 +182,6 @@ std::vector<std::string> IdentificationReport::warnings() const
   };
   if (results.fit)
   {
-    add_flat(results.fit->flat_directions);
     for (const std::string &note : results.fit->notes)
       all.push_back(note);
     // A misfit that noise alone has once in a thousand times.

@@ -4,7 +4,7 @@
 
 #include <continua/base/citations.h>
 #include <continua/base/input_error.h>
-#include <continua/inference/autoregressive_model.h>
+#include <continua/base/interruption.h>
 #include <continua/inference/least_squares_fit.h>
 #include <continua/postprocess/writing_rank.h>
 #include <continua/studies/evaluation_table.h>
@@ -12,19 +12,13 @@
 #include <continua/studies/station_fit_model.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
+#include <functional>
 #include <sstream>
 
 namespace Continua
 {
 namespace
 {
-/// A pulse has arrived where the prediction is more than this part of its largest value.
-constexpr double arrived = 1e-3;
-/// Rows at rest from which noise can be told.
-constexpr std::size_t fewest_rows_at_rest = 20;
-
 /// The numbers where the fit, or the design, stands.
 std::vector<double> start_of(const std::vector<FitParameter> &parameters)
 {
@@ -33,64 +27,7 @@ std::vector<double> start_of(const std::vector<FitParameter> &parameters)
     start.push_back(parameter.start);
   return start;
 }
-
-/// What the model says of each record at a set.
-std::vector<std::vector<double>> predictions_of(FitModel &model,
-                                                const std::vector<DataRecord> &records,
-                                                const std::vector<double> &set)
-{
-  const FitModel::Prediction prediction = model.predict({set}).front();
-  if (!prediction.failure.empty())
-    throw RunError("the model fails: " + prediction.failure);
-  return by_record(records, prediction.values);
-}
-
-/// The values before the pulse arrives.
-std::vector<double> rest_of(const DataRecord &record, const std::vector<double> &prediction)
-{
-  double largest = 0.;
-  for (const double value : prediction)
-    largest = std::max(largest, std::abs(value));
-  std::vector<double> rest;
-  for (std::size_t i = 0; i < prediction.size() && std::abs(prediction[i]) <= arrived * largest; ++i)
-    rest.push_back(record.values[i]);
-  return rest;
-}
 } // namespace
-
-void Identification::set_noise_from_rest(StationFitModel &model, Log &log)
-{
-  if (std::none_of(measured.sources.begin(), measured.sources.end(),
-                   [](const RecordSource &source) { return source.noise_from_rest; }))
-    return;
-  const std::vector<std::vector<double>> predictions =
-      predictions_of(model, measured.records, start_of(fit_parameters()));
-  for (std::size_t r = 0; r < measured.records.size(); ++r)
-  {
-    if (!measured.sources[r].noise_from_rest)
-      continue;
-    DataRecord &record = measured.records[r];
-    const std::vector<double> rest = rest_of(record, predictions[r]);
-    if (rest.size() < fewest_rows_at_rest)
-      throw RunError("'" + record.name + "' has " + std::to_string(rest.size()) +
-                     " rows before the pulse arrives, and its noise from rest needs " +
-                     std::to_string(fewest_rows_at_rest) +
-                     ": give a number in Identification/Noise, or more rows");
-    const bool in_time =
-        record.interval > 0. && parameters.correlated_noise != CorrelatedNoise::as_given;
-    const AutoregressiveModel found =
-        in_time ? fit_autoregressive_model_of_best_order(rest, parameters.order_criterion, true)
-                : fit_autoregressive_model(rest, 0, true);
-    record.noise.standard_deviation = found.standard_deviation;
-    record.noise.autoregressive = found.coefficients;
-    std::ostringstream text;
-    text.precision(3);
-    text << "Noise of '" << record.name << "' from " << rest.size()
-         << " rows before the pulse: " << found.standard_deviation << " " << record.unit << ", "
-         << record.noise.description();
-    log.line(text.str());
-  }
-}
 
 void Identification::fit(StationFitModel &model,
                          const OutputDirectory &directory,
@@ -118,13 +55,49 @@ void Identification::fit(StationFitModel &model,
   results.fit = LeastSquaresFit(results.parameters, measured.records, model, options).solve();
   for (unsigned int r = 0; r < measured.records.size(); ++r)
     results.shifts.push_back(model.shift_of(r, results.fit->estimates));
-  if (parameters.profiles)
-    for (const unsigned int number : results.fit->free)
-      results.profiles.emplace_back(number,
-                                    profile_likelihood(results.parameters, measured.records, model,
-                                                       options, *results.fit, number));
-  if (parameters.n_experiments == 0)
+  // Whatever fails later, the fit is there.
+  IdentificationReport(sought, measured, expected, results).write(directory);
+  const auto step = [&](const std::string &what, const std::function<void()> &perform)
+  {
+    try
+    {
+      perform();
+    }
+    catch (const Interrupted &)
+    {
+      throw;
+    }
+    catch (const std::exception &error)
+    {
+      results.failures.push_back(what + ": " + error.what());
+    }
+  };
+  if (!results.fit->converged || results.fit->free.empty())
+  {
+    log.line(results.fit->converged
+                 ? "Each number is held or at a bound: there are no profiles and no bias of it"
+                 : "The fit did not converge: nothing else is computed at its last numbers");
     return;
+  }
+  if (parameters.profiles)
+    step("profiles",
+         [&]()
+         {
+           for (const unsigned int number : results.fit->free)
+             results.profiles.emplace_back(
+                 number, profile_likelihood(results.parameters, measured.records, model, options,
+                                            *results.fit, number));
+         });
+  if (parameters.other_model != OtherModel::none)
+    step("bias", [&]() { find_bias(directory, log, results); });
+  if (parameters.n_experiments > 0)
+    step("synthetic experiments", [&]() { repeat_fit(model, options, results); });
+}
+
+void Identification::repeat_fit(StationFitModel &model,
+                                const FitOptions &options,
+                                IdentificationResults &results) const
+{
   std::vector<NoiseModel> noise;
   for (const RecordFit &record : results.fit->records)
     noise.push_back(record.noise);
@@ -183,24 +156,29 @@ void Identification::design(ForwardModel &model, Log &log, IdentificationResults
       for (const unsigned int candidate : choice.candidates)
         results.choices.back().records.push_back(candidates[candidate].front());
     }
-  if (parameters.n_experiments == 0 || results.synthetic || !results.errors_of_file)
+  if (parameters.n_experiments == 0 || results.synthetic)
     return;
-  // Of the records that are there.
-  StationRecords of_file;
+  // Of the records that are there, or of the best choice.
+  std::vector<unsigned int> chosen = always;
+  const ExpectedErrors::Errors &errors_of_chosen =
+      results.choices.empty() ? *results.errors_of_file : results.choices.front().errors;
+  if (!results.choices.empty())
+    chosen.insert(chosen.end(), results.choices.front().records.begin(),
+                  results.choices.front().records.end());
+  StationRecords of_chosen;
   std::vector<NoiseModel> noise;
-  for (const unsigned int r : always)
+  for (const unsigned int r : chosen)
   {
-    of_file.records.push_back(expected.records[r]);
-    of_file.sources.push_back(expected.sources[r]);
+    of_chosen.records.push_back(expected.records[r]);
+    of_chosen.sources.push_back(expected.sources[r]);
     noise.push_back(expected.records[r].noise);
     if (!parameters.noise_is_known)
-      of_file.records.back().noise = NoiseModel();
+      of_chosen.records.back().noise = NoiseModel();
   }
-  StationFitModel of_experiments(model, sought, of_file, probes);
-  results.synthetic =
-      SyntheticExperiments(at, start_of(at), results.errors_of_file->standard_errors,
-                           of_file.records, noise, fit_options())
-          .perform(of_experiments, parameters.n_experiments, parameters.seed);
+  StationFitModel of_experiments(model, sought, of_chosen, probes);
+  results.synthetic = SyntheticExperiments(at, start_of(at), errors_of_chosen.standard_errors,
+                                           of_chosen.records, noise, fit_options())
+                          .perform(of_experiments, parameters.n_experiments, parameters.seed);
 }
 
 void Identification::finish(const OutputDirectory &directory,
@@ -214,10 +192,14 @@ void Identification::finish(const OutputDirectory &directory,
   for (const std::string &warning : report.warnings())
     log.warning(warning);
   summary.set_possible(quantities);
-  const bool is_found = !results.fit || results.fit->converged;
-  summary.set("status", is_found ? "finished" : "failed");
-  if (!is_found)
-    summary.set("failure", results.fit->stop_reason);
+  std::string failure;
+  if (results.fit && !results.fit->converged)
+    failure = "the fit did not converge: " + results.fit->stop_reason;
+  for (const std::string &text : results.failures)
+    failure += (failure.empty() ? "" : "; ") + text;
+  summary.set("status", failure.empty() ? "finished" : "failed");
+  if (!failure.empty())
+    summary.set("failure", failure);
   summary.set("model", general.model);
   summary.set("model of the data", results.model);
   std::vector<std::string> names;
@@ -231,7 +213,7 @@ void Identification::finish(const OutputDirectory &directory,
   summary.set("warnings", log.warnings());
   report.write(directory);
   summary.write(directory.file("summary.json"));
-  if (!is_found)
-    throw RunError("the fit has not come to an end: " + results.fit->stop_reason);
+  if (!failure.empty())
+    throw RunError(failure);
 }
 } // namespace Continua

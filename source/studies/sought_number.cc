@@ -64,6 +64,9 @@ void check_scale(const ParameterSection &section, const FitParameter &p)
   if (p.scale == FitParameter::Scale::logarithmic && (p.lower < 0. || p.start <= 0.))
     section.refuse("Scale", "a logarithmic scale is for positive numbers",
                    "Give a Start and bounds above 0, or set Scale = linear");
+  if (p.scale == FitParameter::Scale::logarithmic && p.prior && p.prior->mean <= 0.)
+    section.refuse("Prior mean", "a logarithmic scale is for positive numbers",
+                   "Give a positive mean, or set Scale = linear");
   if (p.prior && p.prior->standard_deviation <= 0.)
     section.refuse("Prior standard deviation", "it is not positive", "Give a positive number");
   const bool has_bounds = std::isfinite(p.lower) && std::isfinite(p.upper);
@@ -90,6 +93,12 @@ find_sought_entry(const ParameterFile &file, ParameterSection section, const Sou
   if (entry.is_whole())
     section.refuse("Entry", "'" + entry.path() + "' is a whole number, which no fit can find",
                    "Give the path of a number with decimals");
+  for (const char *const place :
+       {"Identification/", "Output/", "Expected/", "Time/", "Sweep/", "Comparison/",
+        "Refinement study/", "Wave theory/Spectral tolerance", "Wave theory/Highest frequency"})
+    if (entry.path().compare(0, std::string(place).size(), place) == 0)
+      section.refuse("Entry", "'" + entry.path() + "' is no number of the model",
+                     "Seek a number of the body, its materials, boundaries or stations");
   if (key == "Measured factors" || key == "Measured period")
     section.refuse("Entry", "'" + entry.path() + "' changes the data, and not what is predicted",
                    "Seek a number of the model, or 'Measured shift'");

@@ -2,18 +2,22 @@
 
 #include <continua/base/nearest_name.h>
 #include <continua/base/unit_scale.h>
+#include <continua/inference/autoregressive_model.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <sstream>
 #include <stdexcept>
 
 namespace Continua
 {
 namespace
 {
-/// Of an interval, by which the times of rows may differ from equal ones.
-constexpr double interval_slack = 1e-6;
+/// Of an interval, by which the times of rows may differ from equal ones: they may be rounded.
+constexpr double interval_slack = 0.1;
+/// Rows at rest from which correlation can be told.
+constexpr std::size_t fewest_rows_at_rest = 20;
 
 /// The interval [s] of times that follow each other equally; 0 if they do not.
 double interval_of(const std::vector<double> &times)
@@ -40,18 +44,47 @@ find_deviation(const Deviations &deviations, const std::string &record, const st
   return nullptr;
 }
 
-/// Sets the noise of the record.
+/// Finds the correlation of a record's noise in the rows before a time [s]. `deviation`: its entry
+/// in the section.
+void set_noise_from_rest(const ParameterSection &section,
+                         const std::string &deviation,
+                         const double until,
+                         const OrderCriterion criterion,
+                         DataRecord &record,
+                         std::vector<std::string> &notes)
+{
+  const auto refuse = [&](const std::string &problem)
+  {
+    section.refuse(deviation, "'" + record.name + "' " + problem,
+                   "Give a number with a unit instead, or another table");
+  };
+  const std::size_t n =
+      std::lower_bound(record.times.begin(), record.times.end(), until) - record.times.begin();
+  if (record.interval == 0.)
+    refuse("has rows that do not follow each other equally, so nothing tells their correlation");
+  if (n < fewest_rows_at_rest)
+    refuse("has " + std::to_string(n) + " rows before Rest until, and its noise needs " +
+           std::to_string(fewest_rows_at_rest));
+  const std::vector<double> rest(record.values.begin(), record.values.begin() + n);
+  if (std::all_of(rest.begin(), rest.end(),
+                  [&rest](const double value) { return value == rest.front(); }))
+    refuse("has equal values at rest, which is no noise");
+  const AutoregressiveModel found = fit_autoregressive_model_of_best_order(rest, criterion, true);
+  record.noise.autoregressive = found.coefficients;
+  std::ostringstream text;
+  text.precision(3);
+  text << "Noise of '" << record.name << "' at rest (" << n << " rows): "
+       << found.standard_deviation << " " << record.unit << ", " << record.noise.description();
+  notes.push_back(text.str());
+}
+
+/// Sets the noise of the record to a number.
 void set_noise(const ParameterSection &section,
                const std::pair<std::string, std::string> &deviation,
                const double correlation_time,
                DataRecord &record,
-               RecordSource &source)
+               const RecordSource &source)
 {
-  if (deviation.second == "from rest")
-  {
-    source.noise_from_rest = true;
-    return;
-  }
   try
   {
     record.noise.standard_deviation =
@@ -182,9 +215,17 @@ StationRecords StationRecords::measured(const Case<dim> &input,
                                  "no row of '" + record.name + "' lies in the time of the run",
                                  "Check Measured shift and Time/End time");
       record.interval = interval_of(record.times);
-      if (const auto *deviation =
-              find_deviation(parameters.noise.deviations, record.name, all.sources.back().field_name))
+      const auto *deviation =
+          find_deviation(parameters.noise.deviations, record.name, all.sources.back().field_name);
+      if (deviation != nullptr && deviation->second == "from rest")
+        set_noise_from_rest(noise, deviation->first, parameters.rest_until - in_file,
+                            parameters.order_criterion, record, all.notes);
+      else if (deviation != nullptr)
         set_noise(noise, *deviation, parameters.correlation_time, record, all.sources.back());
+      if (record.interval == 0.)
+        all.notes.push_back("The rows of '" + record.name +
+                            "' do not follow each other equally: their noise counts as white, and "
+                            "nothing checks that");
       if (record.interval == 0. && record.noise.correlation_time > 0.)
         section.refuse("Correlation time",
                        "the rows of '" + record.name + "' do not follow each other equally",

@@ -39,7 +39,12 @@ SyntheticExperiments::SyntheticExperiments(const std::vector<FitParameter> &of_f
                                            const std::vector<DataRecord> &records,
                                            const std::vector<NoiseModel> &noise,
                                            const FitOptions &of_user)
-    : parameters(of_fit), truth(truth), records(records), noise(noise), options(of_user)
+    : parameters(of_fit),
+      truth(truth),
+      standard_errors(standard_errors),
+      records(records),
+      noise(noise),
+      options(of_user)
 {
   for (std::size_t j = 0; j < parameters.size(); ++j)
   {
@@ -146,7 +151,7 @@ void SyntheticExperiments::summarise(Outcome &outcome) const
 {
   for (std::size_t j = 0; j < parameters.size(); ++j)
   {
-    double sum = 0., squares = 0., errors = 0.;
+    double sum = 0., squares = 0.;
     unsigned int n = 0, n_covered = 0, n_at_bound = 0;
     for (const FitResult &fit : outcome.fits)
       if (fit.at_bound[j] || !std::isfinite(fit.standard_errors[j]))
@@ -156,13 +161,12 @@ void SyntheticExperiments::summarise(Outcome &outcome) const
         const double error = fit.estimates[j] - truth[j];
         sum += error;
         squares += error * error;
-        errors += fit.standard_errors[j];
         n_covered += fit.intervals[j].lower <= truth[j] && truth[j] <= fit.intervals[j].upper;
         ++n;
       }
-    const double mean = n > 0 ? sum / n : undefined, mean_error = n > 0 ? errors / n : undefined;
+    const double mean = n > 0 ? sum / n : undefined, foretold = standard_errors[j];
     const double variance = n > 1 ? (squares - n * mean * mean) / (n - 1) : undefined;
-    outcome.parameters.push_back({mean / mean_error, std::sqrt(variance) / mean_error,
+    outcome.parameters.push_back({mean / foretold, std::sqrt(variance) / foretold,
                                   n > 0 ? static_cast<double>(n_covered) / n : undefined,
                                   n_at_bound});
   }

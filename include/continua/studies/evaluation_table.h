@@ -36,6 +36,7 @@ private:
   std::ofstream table, checkpoint;
   unsigned int n_written = 0;
 
+  void read(const std::string &file, std::size_t n_numbers);
   void write_row(const Evaluation &evaluation);
 };
 } // namespace Continua

@@ -53,6 +53,9 @@ private:
   void read_sought();
   void read_candidates();
   void check_numbers() const;
+  void check_other_model() const;
+  template <int dim>
+  void read_other_case() const;
   std::string identity() const;
   /// `runs`: what the folders of a simulation are called.
   std::unique_ptr<ForwardModel>
@@ -61,12 +64,14 @@ private:
   FitOptions fit_options() const;
 
   void compute(const OutputDirectory &directory, Log &log, Summary &summary) override;
-  /// Finds the noise of the records that is to come from the rest before the pulse.
-  void set_noise_from_rest(StationFitModel &model, Log &log);
   void fit(StationFitModel &model,
            const OutputDirectory &directory,
            Log &log,
            IdentificationResults &results);
+  /// Synthetic experiments with the estimates as the truth.
+  void repeat_fit(StationFitModel &model,
+                  const FitOptions &options,
+                  IdentificationResults &results) const;
   void find_bias(const OutputDirectory &directory, Log &log, IdentificationResults &results) const;
   void design(ForwardModel &model, Log &log, IdentificationResults &results) const;
   void finish(const OutputDirectory &directory,

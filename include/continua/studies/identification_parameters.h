@@ -55,6 +55,7 @@ struct IdentificationParameters
   std::vector<SoughtNumber> sought;
   NoiseEntries noise;
   NoiseEntries expected_noise;
+  double rest_until = 0.; ///< [s] in the time of the tables: rows before it are at rest
   double correlation_time = 0.; ///< [s] of noise whose deviation is given; 0: white
   CorrelatedNoise correlated_noise = CorrelatedNoise::autoregressive;
   OrderCriterion order_criterion = OrderCriterion::corrected_akaike;

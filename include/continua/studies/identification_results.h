@@ -25,6 +25,7 @@ struct DesignChoice
 struct IdentificationResults
 {
   std::string model; ///< by which
+  std::vector<std::string> failures; ///< of steps behind the fit, and why
   std::vector<FitParameter> parameters;
   std::optional<FitResult> fit;
   std::vector<double> shifts; ///< by measured record: of its clock, at the estimates [s]

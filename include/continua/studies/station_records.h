@@ -19,7 +19,6 @@ struct RecordSource
   unsigned int field;   ///< its place in the probe
   double position;      ///< of the station [m]
   std::string probe_name, field_name;
-  bool noise_from_rest = false;
 };
 
 /// Records at the stations of a file's probes, measured ones or those of an experiment that is to be
@@ -29,6 +28,7 @@ struct StationRecords
   std::vector<DataRecord> records;
   std::vector<RecordSource> sources; ///< of each
   unsigned int n_left_out = 0;       ///< rows outside the time of the run
+  std::vector<std::string> notes;    ///< what a user should know of them
 
   /// Those that were measured, with the noise that the file gives: what it does not give is unknown.
   /// `before_start`: rows before t = 0 count, since the body is at rest there. Throws InputError.

@@ -23,8 +23,8 @@ public:
   /// Of one parameter.
   struct OfParameter
   {
-    double mean_error;     ///< of the estimate, over the mean standard error [1]
-    double spread;         ///< standard deviation of the estimates over the mean standard error [1]
+    double mean_error; ///< of the estimate, over the standard error that was foretold [1]
+    double spread;     ///< standard deviation of the estimates over the same [1]
     double coverage;       ///< part of the intervals that have the truth [1]
     unsigned int n_at_bound; ///< experiments in which it is at a bound, and has no interval
   };
@@ -38,7 +38,7 @@ public:
     double seconds = 0.;             ///< [s] of all fits
   };
 
-  /// `truth` [unit]; `standard_errors` there set the size of the box in which the model is
+  /// `truth` [unit]; `standard_errors`, foretold for it, also set the size of the box in which the model is
   /// interpolated [unit]. `records`: as the fits take them, their values do not count. `noise`: that
   /// is drawn, by record.
   SyntheticExperiments(const std::vector<FitParameter> &parameters,
@@ -53,7 +53,7 @@ public:
 
 private:
   std::vector<FitParameter> parameters;
-  std::vector<double> truth, half_widths;
+  std::vector<double> truth, standard_errors, half_widths;
   std::vector<DataRecord> records;
   std::vector<NoiseModel> noise;
   FitOptions options;
