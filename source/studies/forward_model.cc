@@ -34,7 +34,10 @@ void leave_out(const std::vector<std::string> &path,
                   overrides.end());
   const std::vector<std::string> parent(path.begin(), path.end() - 1);
   const ParameterText::Section *const section = file.find(parent);
-  if (section != nullptr && (section->entry(path.back()) != nullptr || file.find(path) != nullptr))
+  const ParameterText::Section *const itself = file.find(path);
+  const bool has_entries =
+      itself != nullptr && (!itself->entries.empty() || !itself->sections.empty());
+  if (has_entries || (section != nullptr && section->entry(path.back()) != nullptr))
     overrides.push_back(join_path(path));
 }
 } // namespace
