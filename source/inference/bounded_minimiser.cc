@@ -48,6 +48,49 @@ std::vector<double> to_std(const gsl_vector *vector)
     result[i] = gsl_vector_get(vector, i);
   return result;
 }
+
+/// Whether a search ends, and why; an empty reason: it goes on.
+struct EndOfSearch
+{
+  bool converged;
+  std::string reason;
+};
+
+/// `unit`: of a standard error, in the rows.
+EndOfSearch end_of_search(const gsl_multifit_nlinear_workspace &workspace,
+                          const int status,
+                          const double unit,
+                          const unsigned int n_evaluations,
+                          const FitOptions &options)
+{
+  std::vector<std::vector<double>> columns(workspace.J->size2,
+                                           std::vector<double>(workspace.J->size1));
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    for (std::size_t i = 0; i < columns[k].size(); ++i)
+      columns[k][i] = gsl_matrix_get(workspace.J, i, k);
+  const LeastSquaresFactor factor(columns);
+  const std::vector<double> rows = to_std(workspace.f);
+  const double remaining = factor.length_in_range(rows);
+  if (remaining <= options.tolerance * unit)
+    return {true, "a further step would move no parameter by more than " +
+                      six_digits(options.tolerance) + " standard errors"};
+  const std::vector<double> newton_step = factor.solve(rows);
+  if (std::all_of(newton_step.begin(), newton_step.end(),
+                  [&](const double step) { return std::abs(step) <= options.step_tolerance; }))
+    return {true, "a further step would move no parameter by more than " +
+                      six_digits(options.step_tolerance) + " of its size"};
+  if (status == GSL_ENOPROG)
+  {
+    const bool is_near = remaining <= 0.1 * unit;
+    return {is_near,
+            "no shorter step makes the misfit smaller" +
+                std::string(is_near ? ", and what is left is below 0.1 standard errors" : "")};
+  }
+  if (n_evaluations >= options.largest_n_evaluations)
+    return {false, "the largest number of evaluations, " +
+                       std::to_string(options.largest_n_evaluations) + ", is reached"};
+  return {false, ""};
+}
 } // namespace
 
 /// GSL's variable of a parameter is 1 at the start of a search and changes by 1 with the size of
@@ -300,44 +343,13 @@ bool BoundedMinimiser::minimise_free(Minimum &minimum, const std::vector<unsigne
     if (meets_bound)
       return true;
 
-    std::vector<std::vector<double>> columns(free.size(), std::vector<double>(functions.n));
-    for (std::size_t k = 0; k < free.size(); ++k)
-      for (std::size_t i = 0; i < functions.n; ++i)
-        columns[k][i] = gsl_matrix_get(workspace->J, i, k);
-    const LeastSquaresFactor factor(columns);
-    const std::vector<double> rows = to_std(workspace->f);
-    const double unit = unit_of_error(minimum.misfit, free.size());
-    const double remaining = factor.length_in_range(rows);
-    const std::vector<double> newton_step = factor.solve(rows);
-    const bool step_is_short =
-        std::all_of(newton_step.begin(), newton_step.end(),
-                    [&](const double step) { return std::abs(step) <= options.step_tolerance; });
-    if (remaining <= options.tolerance * unit)
+    const EndOfSearch end =
+        end_of_search(*workspace, status, unit_of_error(minimum.misfit, free.size()),
+                      model.n_evaluations(), options);
+    if (!end.reason.empty())
     {
-      minimum.converged = true;
-      minimum.stop_reason = "a further step would move no parameter by more than " +
-                            six_digits(options.tolerance) + " standard errors";
-      return false;
-    }
-    if (step_is_short)
-    {
-      minimum.converged = true;
-      minimum.stop_reason = "a further step would move no parameter by more than " +
-                            six_digits(options.step_tolerance) + " of its size";
-      return false;
-    }
-    if (status == GSL_ENOPROG)
-    {
-      minimum.converged = remaining <= 0.1 * unit;
-      minimum.stop_reason =
-          "no shorter step makes the misfit smaller" +
-          std::string(minimum.converged ? ", and what is left is below 0.1 standard errors" : "");
-      return false;
-    }
-    if (model.n_evaluations() >= options.largest_n_evaluations)
-    {
-      minimum.stop_reason = "the largest number of evaluations, " +
-                            std::to_string(options.largest_n_evaluations) + ", is reached";
+      minimum.converged = end.converged;
+      minimum.stop_reason = end.reason;
       return false;
     }
     status = gsl_multifit_nlinear_iterate(workspace.get());

@@ -26,7 +26,8 @@ FreedomMatrix information_of(const FreedomColumns &columns)
 }
 
 /// d ln C_jj of C = A^-1, for a change of A.
-std::vector<double> change_of_log_variances(const FreedomMatrix &covariance, const FreedomMatrix &change)
+std::vector<double> change_of_log_variances(const FreedomMatrix &covariance,
+                                            const FreedomMatrix &change)
 {
   std::vector<double> result(covariance.m(), 0.);
   for (unsigned int j = 0; j < covariance.m(); ++j)
@@ -36,7 +37,8 @@ std::vector<double> change_of_log_variances(const FreedomMatrix &covariance, con
   return result;
 }
 
-/// Noise with one coefficient changed; the innovations or, if it is known, the standard deviation stay.
+/// Noise with one coefficient changed; the innovations or, if it is known, the standard deviation
+/// stay.
 NoiseModel with_changed_coefficient(const NoiseModel &noise,
                                     const unsigned int which,
                                     const double by,
@@ -101,8 +103,7 @@ void add_record_variance(std::vector<double> &variances,
 {
   if (estimated.deviation)
   {
-    const std::vector<double> change =
-        change_of_log_variances(covariance, information_of(white));
+    const std::vector<double> change = change_of_log_variances(covariance, information_of(white));
     const double n_left = std::max(record.size() - n_taken, 1e-3);
     for (std::size_t j = 0; j < variances.size(); ++j)
       variances[j] += 2. / n_left * change[j] * change[j];
@@ -144,7 +145,8 @@ std::vector<double> degrees_of_freedom_of_errors(const std::vector<DataRecord> &
     begin = end;
   }
   for (double &variance : variances)
-    variance = variance > 0. ? std::max(1., 2. / variance) : std::numeric_limits<double>::infinity();
+    variance =
+        variance > 0. ? std::max(1., 2. / variance) : std::numeric_limits<double>::infinity();
   return variances;
 }
 } // namespace Continua

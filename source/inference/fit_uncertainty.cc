@@ -133,33 +133,6 @@ within_bounds(const FitParameter &parameter, const double lower, const double up
   return interval;
 }
 
-/**
- * Of a parameter at its bound, from there to where chi-square, the others fitted anew, has grown by
- * the square of the one-sided quantile: with the free minimum at d beyond the bound (d <= 0) and
- * the standard error s of the linear model, (x - d)^2/s^2 - d^2/s^2 = q^2.
- */
-ConfidenceInterval one_sided_interval(const FitResult &result,
-                                      const FitParameter &parameter,
-                                      const unsigned int j,
-                                      const std::vector<std::vector<double>> &columns,
-                                      const std::vector<double> &rows,
-                                      const double q)
-{
-  std::vector<std::vector<double>> with_j;
-  for (const unsigned int k : result.free)
-    with_j.push_back(columns[k]);
-  with_j.push_back(columns[j]);
-  const LeastSquaresFactor factor(with_j);
-  const double variance = factor.inverse_of_normal_matrix()(with_j.size() - 1, with_j.size() - 1);
-  const bool is_lower = result.estimates[j] <= parameter.lower;
-  const double inwards = is_lower ? 1. : -1.;
-  const double beyond = std::min(0., -inwards * factor.solve(rows).back());
-  const double reach = beyond + std::sqrt(beyond * beyond + q * q * variance);
-  const double bound = parameter.coordinate(result.estimates[j]);
-  const double end = bound + inwards * reach;
-  return is_lower ? within_bounds(parameter, bound, end) : within_bounds(parameter, end, bound);
-}
-
 std::vector<std::vector<double>> data_rows(const std::vector<std::vector<double>> &columns,
                                            const std::size_t n_values)
 {
@@ -170,32 +143,64 @@ std::vector<std::vector<double>> data_rows(const std::vector<std::vector<double>
   return result;
 }
 
-void set_covariance(FitResult &result,
-                    const WeightedResiduals &residuals,
-                    const std::vector<std::vector<double>> &columns,
-                    const std::vector<double> &rows,
-                    const std::vector<DataRecord> &records,
-                    const FitOptions &options)
+/// Plain covariance of the coordinates of some columns, and the one with the treatment of each
+/// record, which is noted in the records. The two are equal if a direction is not seen.
+struct Covariances
 {
-  result.covariance = LeastSquaresFactor(columns).inverse_of_normal_matrix();
+  SquareMatrix plain, treated;
+};
+
+Covariances covariances_of(const std::vector<std::vector<double>> &columns,
+                           const std::vector<double> &rows,
+                           const std::vector<DataRecord> &records,
+                           const FitOptions &options,
+                           std::vector<RecordFit> &record_fits)
+{
+  Covariances result;
+  result.plain = LeastSquaresFactor(columns).inverse_of_normal_matrix();
+  result.treated = result.plain;
   const unsigned int n = columns.size();
-  const double n_values = residuals.n_values();
+  std::size_t n_values = 0;
+  for (const DataRecord &record : records)
+    n_values += record.size();
+  const double correction = n_values > n ? static_cast<double>(n_values) / (n_values - n) : 1.;
   SquareMatrix middle(n, n);
   std::size_t begin = 0;
-  for (std::size_t r = 0; r < result.records.size(); ++r)
+  for (std::size_t r = 0; r < records.size(); ++r)
   {
-    RecordFit &record = result.records[r];
-    const RowRange range{begin, begin + record.whitened.size()};
+    const RowRange range{begin, begin + records[r].size()};
     begin = range.end;
-    add_record(middle, record, columns, rows, range, records[r].interval > 0., options,
-               n_values > n ? n_values / (n_values - n) : 1.);
+    add_record(middle, record_fits[r], columns, rows, range, records[r].interval > 0., options,
+               correction);
   }
-  add_products(middle, columns, nullptr, {begin, residuals.n_rows()}, 0, 1.);
-  bool is_finite = true;
+  add_products(middle, columns, nullptr, {begin, rows.size()}, 0, 1.);
   for (unsigned int a = 0; a < n; ++a)
-    is_finite = is_finite && std::isfinite(result.covariance(a, a));
-  if (is_finite)
-    result.covariance = product_of(product_of(result.covariance, middle), result.covariance);
+    if (!std::isfinite(result.plain(a, a)))
+      return result;
+  result.treated = product_of(product_of(result.plain, middle), result.plain);
+  return result;
+}
+
+/**
+ * Of a parameter at its bound, from there to where chi-square, the others fitted anew, has grown by
+ * the square of the one-sided quantile: with the free minimum at d beyond the bound (d <= 0) and
+ * the standard error s of the linear model, (x - d)^2/s^2 - d^2/s^2 = q^2. `columns` of the free
+ * parameters and of this one, whose treated variance is s^2.
+ */
+ConfidenceInterval one_sided_interval(const FitParameter &parameter,
+                                      const double estimate,
+                                      const std::vector<std::vector<double>> &columns,
+                                      const std::vector<double> &rows,
+                                      const double variance,
+                                      const double q)
+{
+  const bool is_lower = estimate <= parameter.lower;
+  const double inwards = is_lower ? 1. : -1.;
+  const double beyond = std::min(0., -inwards * LeastSquaresFactor(columns).solve(rows).back());
+  const double reach = beyond + std::sqrt(beyond * beyond + q * q * variance);
+  const double bound = parameter.coordinate(estimate);
+  const double end = bound + inwards * reach;
+  return is_lower ? within_bounds(parameter, bound, end) : within_bounds(parameter, end, bound);
 }
 } // namespace
 
@@ -218,10 +223,16 @@ void set_uncertainty(FitResult &result,
                                  ? result.degrees_of_freedom
                                  : std::numeric_limits<double>::infinity();
   result.degrees_of_freedom_of_errors.assign(parameters.size(), all_degrees);
+  result.treated_over_plain_variance.assign(parameters.size(), 1.);
   if (!columns.empty())
   {
-    set_covariance(result, residuals, columns, rows, records, options);
+    const Covariances covariances = covariances_of(columns, rows, records, options, result.records);
+    result.covariance = covariances.treated;
     set_correlation(result);
+    for (std::size_t k = 0; k < result.free.size(); ++k)
+      if (std::isfinite(covariances.plain(k, k)))
+        result.treated_over_plain_variance[result.free[k]] =
+            covariances.treated(k, k) / covariances.plain(k, k);
     const std::vector<double> degrees =
         degrees_of_freedom_of_errors(records, estimated, columns, result.covariance);
     for (std::size_t k = 0; k < result.free.size(); ++k)
@@ -239,8 +250,18 @@ void set_uncertainty(FitResult &result,
     if (parameter.is_held())
       result.intervals[j] = {estimate, estimate, true, true};
     else if (place == result.free.end())
-      result.intervals[j] = one_sided_interval(result, parameter, j, minimum.columns, rows,
+    {
+      std::vector<std::vector<double>> with_this = columns;
+      with_this.push_back(minimum.columns[j]);
+      const Covariances covariances =
+          covariances_of(with_this, rows, records, options, result.records);
+      const unsigned int last = with_this.size() - 1;
+      const double variance = covariances.treated(last, last);
+      if (std::isfinite(variance))
+        result.treated_over_plain_variance[j] = variance / covariances.plain(last, last);
+      result.intervals[j] = one_sided_interval(parameter, estimate, with_this, rows, variance,
                                                student_quantile(options.confidence, degrees));
+    }
     else
     {
       const unsigned int k = place - result.free.begin();

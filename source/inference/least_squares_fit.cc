@@ -14,6 +14,7 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace Continua
 {
@@ -100,6 +101,23 @@ RecordFit record_fit(const DataRecord &record,
   return fit;
 }
 
+/// Sets the records of a result; what of their noise was estimated.
+std::vector<EstimatedNoise> set_records(FitResult &result,
+                                        const std::vector<DataRecord> &weighted,
+                                        const Minimum &minimum,
+                                        const ResidualNoise &noise)
+{
+  const auto predictions = by_record(weighted, minimum.prediction);
+  const auto differences = residuals_by_record(weighted, minimum.prediction);
+  std::vector<EstimatedNoise> estimated;
+  for (unsigned int r = 0; r < weighted.size(); ++r)
+  {
+    result.records.push_back(record_fit(weighted[r], predictions[r], differences[r], noise, r));
+    estimated.push_back({noise.deviation_is_unknown(r), noise.n_fitted_coefficients(r)});
+  }
+  return estimated;
+}
+
 void add_notes(FitResult &result,
                const std::vector<FitParameter> &parameters,
                const std::vector<DataRecord> &records,
@@ -180,7 +198,7 @@ FitResult LeastSquaresFit::solve()
     const WeightedResiduals residuals(parameters, weighted);
     model.set_misfit([&residuals](const std::vector<double> &set, const std::vector<double> &values)
                      { return residuals.misfit(set, values); });
-    const Minimum minimum =
+    Minimum minimum =
         BoundedMinimiser(parameters, model, residuals, options, noise_is_known).minimise(start);
     model.set_misfit({});
     result.n_iterations += minimum.n_iterations;
@@ -233,20 +251,15 @@ FitResult LeastSquaresFit::solve()
   result.stop_reason = best.stop_reason;
   result.n_evaluations = model.n_evaluations();
   result.n_failures = model.n_failures();
-  const auto predictions = by_record(weighted, best.prediction);
-  const auto differences = residuals_by_record(weighted, best.prediction);
-  std::vector<EstimatedNoise> estimated;
-  for (unsigned int r = 0; r < weighted.size(); ++r)
-  {
-    result.records.push_back(record_fit(weighted[r], predictions[r], differences[r], noise, r));
-    estimated.push_back({noise.deviation_is_unknown(r), noise.n_fitted_coefficients(r)});
-  }
+  const std::vector<EstimatedNoise> estimated = set_records(result, weighted, best, noise);
   if (!best.columns.empty() && !best.columns[result.free.empty() ? 0 : result.free[0]].empty())
     set_uncertainty(result, parameters, weighted, estimated, best, options);
   else
   {
     result.standard_errors.assign(parameters.size(), undefined);
     result.intervals.assign(parameters.size(), {undefined, undefined, false, false});
+    result.degrees_of_freedom_of_errors.assign(parameters.size(), undefined);
+    result.treated_over_plain_variance.assign(parameters.size(), 1.);
   }
   add_notes(result, parameters, records, model.last_failure());
   return result;

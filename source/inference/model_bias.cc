@@ -4,6 +4,7 @@
 #include <continua/inference/least_squares_factor.h>
 #include <continua/inference/weighted_residuals.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -16,6 +17,10 @@ ModelBias model_bias(const std::vector<FitParameter> &parameters,
                      const std::vector<double> &model,
                      const std::vector<double> &other)
 {
+  if (fit.whitened_jacobian.size() != parameters.size() || fit.free.empty())
+    throw std::invalid_argument("the bias of a model needs a fit with derivatives, and a parameter "
+                                "that is neither held nor "
+                                "at a bound");
   std::vector<DataRecord> weighted = records;
   for (std::size_t r = 0; r < records.size(); ++r)
     weighted[r].noise = fit.records.at(r).noise;

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 
 namespace Continua
 {
@@ -134,10 +136,9 @@ double
 profile_threshold(const FitResult &fit, const unsigned int parameter, const double confidence)
 {
   const double degrees = fit.degrees_of_freedom_of_errors[parameter];
-  const double mean_square =
-      fit.noise_is_known || fit.degrees_of_freedom == 0 ? 1. : fit.misfit / fit.degrees_of_freedom;
-  return mean_square * (std::isfinite(degrees) ? gsl_cdf_fdist_Pinv(confidence, 1., degrees)
-                                               : gsl_cdf_chisq_Pinv(confidence, 1.));
+  return fit.treated_over_plain_variance[parameter] *
+         (std::isfinite(degrees) ? gsl_cdf_fdist_Pinv(confidence, 1., degrees)
+                                 : gsl_cdf_chisq_Pinv(confidence, 1.));
 }
 
 /// Of the coordinate, to one side: so that `n_points` reach the end of the interval if the model is
@@ -171,6 +172,9 @@ Profile profile_likelihood(const std::vector<FitParameter> &parameters,
                            const unsigned int parameter,
                            const unsigned int n_points)
 {
+  if (fit.intervals.size() != parameters.size() || !std::isfinite(fit.misfit) ||
+      std::isnan(fit.degrees_of_freedom_of_errors.at(parameter)))
+    throw std::invalid_argument("a profile needs a fit with derivatives");
   std::vector<DataRecord> weighted = records;
   for (std::size_t r = 0; r < records.size(); ++r)
     weighted[r].noise = fit.records.at(r).noise;
@@ -181,6 +185,8 @@ Profile profile_likelihood(const std::vector<FitParameter> &parameters,
   Profile profile;
   profile.threshold = profile_threshold(fit, parameter, options.confidence);
   profile.points.push_back({fit.estimates[parameter], 0., fit.estimates});
+  if (!fit.converged)
+    profile.remark = "the fit has not converged";
   double ends[2];
   for (const int side : {0, 1})
   {

@@ -19,8 +19,8 @@ namespace
 /// Coefficients of reflection closer to 1 are those of noise that does not come back.
 constexpr double largest_reflection = 0.9999;
 
-/// ln det of a positive matrix, by Cholesky's factor of the matrix with ones on its diagonal. A direction
-/// without information counts with round-off, the same for each noise.
+/// ln det of a positive matrix, by Cholesky's factor of the matrix with ones on its diagonal. A
+/// direction without information counts with round-off, the same for each noise.
 double log_determinant_of(const dealii::FullMatrix<double> &matrix)
 {
   const unsigned int n = matrix.m();
@@ -32,8 +32,8 @@ double log_determinant_of(const dealii::FullMatrix<double> &matrix)
     sum += std::log(diagonal);
     for (unsigned int i = j; i < n; ++i)
     {
-      double value =
-          matrix(i, j) / std::sqrt(diagonal * std::max(matrix(i, i), 1e-300)) + (i == j ? 1e-12 : 0.);
+      double value = matrix(i, j) / std::sqrt(diagonal * std::max(matrix(i, i), 1e-300)) +
+                     (i == j ? 1e-12 : 0.);
       for (unsigned int k = 0; k < j; ++k)
         value -= factor(i, k) * factor(j, k);
       factor(i, j) = i == j ? std::sqrt(std::max(value, 1e-13)) : value / factor(j, j);
@@ -43,7 +43,8 @@ double log_determinant_of(const dealii::FullMatrix<double> &matrix)
   return sum;
 }
 
-/// GSL's variables: inverse hyperbolic tangents of the reflections, then ln of the standard deviation.
+/// GSL's variables: inverse hyperbolic tangents of the reflections, then ln of the standard
+/// deviation.
 struct RestrictedLikelihood
 {
   const ResidualsOfRecord &record;
@@ -55,16 +56,14 @@ struct RestrictedLikelihood
     NoiseModel result;
     for (unsigned int m = 1; m <= order; ++m)
     {
-      const double reflection =
-          largest_reflection * std::tanh(gsl_vector_get(variables, m - 1));
+      const double reflection = largest_reflection * std::tanh(gsl_vector_get(variables, m - 1));
       std::vector<double> next(m, reflection);
       for (unsigned int j = 0; j + 1 < m; ++j)
         next[j] = result.autoregressive[j] - reflection * result.autoregressive[m - 2 - j];
       result.autoregressive = next;
     }
-    result.standard_deviation = std::isnan(known_deviation)
-                                    ? std::exp(gsl_vector_get(variables, order))
-                                    : known_deviation;
+    result.standard_deviation =
+        std::isnan(known_deviation) ? std::exp(gsl_vector_get(variables, order)) : known_deviation;
     return result;
   }
 
@@ -101,8 +100,8 @@ std::vector<double> reflections_of(std::vector<double> coefficients)
     reflections[m - 1] = reflection;
     std::vector<double> lower(m - 1);
     for (std::size_t j = 0; j + 1 < m; ++j)
-      lower[j] = (coefficients[j] + reflection * coefficients[m - 2 - j]) /
-                 (1. - reflection * reflection);
+      lower[j] =
+          (coefficients[j] + reflection * coefficients[m - 2 - j]) / (1. - reflection * reflection);
     coefficients = lower;
   }
   return reflections;

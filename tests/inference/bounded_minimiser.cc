@@ -1,5 +1,6 @@
 #include "../unit_test.h"
 #include "function_model.h"
+#include "random_noise.h"
 #include "records.h"
 
 #include <continua/inference/least_squares_fit.h>
@@ -70,6 +71,32 @@ void test_bound()
                   1e-6);
 }
 
+/// Enlarging reaches the interval of a parameter at its bound, too.
+void test_enlarged_at_bound()
+{
+  std::vector<double> values = RandomNoise(31).autoregressive({0.7}, 300);
+  double mean = 0.;
+  for (double &value : values)
+  {
+    value -= 0.3;
+    mean += value / values.size();
+  }
+  FunctionModel model([](const Values &set) -> Values { return Values(300, set[0]); });
+  FitOptions options = accurate();
+  options.correlated_noise = CorrelatedNoise::enlarged;
+  const FitResult result = LeastSquaresFit({bounded_parameter("level", 1., 0., 5.)},
+                                           {uniform_record("y", 1., values, 1.4)}, model, options)
+                               .solve();
+  check::is_true("level at its bound", mean < 0. && result.at_bound[0]);
+  const double ratio =
+      fit_autoregressive_model_of_best_order(values, options.order_criterion, false)
+          .largest_spectral_ratio();
+  check::relative("ratio", result.treated_over_plain_variance[0], ratio, 1e-10);
+  const double q = 1.6448536269514722;
+  check::relative("enlarged one-sided interval", result.intervals[0].upper,
+                  mean + std::sqrt(mean * mean + q * q * ratio * 1.4 * 1.4 / 300.), 1e-8);
+}
+
 /// A valley that touches a bound on its way to the least value, which lies inside.
 void test_release()
 {
@@ -123,6 +150,7 @@ void test_stops()
 UNIT_TEST(bounded_minimiser)
 {
   test_bound();
+  test_enlarged_at_bound();
   test_release();
   test_stops();
 }

@@ -109,7 +109,7 @@ void test_sandwich()
 void test_conservative()
 {
   const std::size_t n = 400;
-  const Values noise = RandomNoise(5).autoregressive({0.7}, n);
+  const Values values = RandomNoise(5).autoregressive({0.7}, n);
   FunctionModel model(
       [](const Values &set) -> Values
       {
@@ -118,7 +118,6 @@ void test_conservative()
           values[i] = -set[0];
         return values;
       });
-  Values values = noise;
   const double truth = std::sqrt(1. / 0.51 * 0.3 / 1.7 / n);
   const FitResult generalised = LeastSquaresFit({parameter_of("amplitude", 1.)},
                                                 {uniform_record("y", 0.01, values, undefined)},

@@ -16,6 +16,7 @@ using Columns = std::vector<std::vector<double>>;
 std::vector<FitParameter> logarithmic(const std::vector<std::string> &names)
 {
   std::vector<FitParameter> parameters;
+  parameters.reserve(names.size());
   for (const std::string &name : names)
     parameters.push_back(parameter_of(name, 2., FitParameter::Scale::logarithmic));
   return parameters;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 /// A model given by a function. What it throws is a failure.
 class FunctionModel : public Continua::FitModel

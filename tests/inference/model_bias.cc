@@ -80,6 +80,9 @@ UNIT_TEST(model_bias)
                                      decay(informed.estimates, 0.05))
                               .bias[1]) < 1e-3 * std::abs(of_rates.bias[1]));
   check::throws<std::invalid_argument>(
+      "no derivatives", [&]() { model_bias(parameters, FitResult(), records, model, other); },
+      "a fit with derivatives");
+  check::throws<std::invalid_argument>(
       "lengths", [&]() { model_bias(parameters, fit, records, {1.}, other); },
       "predictions of all values");
 }

@@ -5,6 +5,7 @@
 #include <continua/inference/model_derivatives.h>
 
 #include <cmath>
+#include <stdexcept>
 
 namespace test_of_model_derivatives
 {
@@ -57,6 +58,14 @@ UNIT_TEST(model_derivatives)
   check::relative("narrow bounds",
                   model_derivatives(parameters, model, {0.5 - 4e-6, 3.}, {0}, 1e-3).columns[0][1],
                   3. * std::pow(0.5 - 4e-6, 2), 1e-7);
+
+  FitParameter narrow = parameter_of("b", 3., logarithmic);
+  narrow.lower = 3. - 1e-4;
+  narrow.upper = 3. + 1e-4;
+  check::relative(
+      "narrow bounds of a logarithm",
+      model_derivatives({parameters[0], narrow}, model, {0.5, 3.}, {1}, 1e-3).columns[1][0],
+      3. * std::exp(0.5), 1e-8);
 
   // Failures on one side, and on both.
   FunctionModel wall(

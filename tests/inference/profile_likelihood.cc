@@ -1,10 +1,12 @@
 #include "../unit_test.h"
 #include "function_model.h"
+#include "random_noise.h"
 #include "records.h"
 
 #include <continua/inference/profile_likelihood.h>
 
 #include <cmath>
+#include <stdexcept>
 
 namespace test_of_profile_likelihood
 {
@@ -91,7 +93,27 @@ void test_line()
   check::relative("Student's upper end", profile.interval.upper, 1.94 + half, 1e-5);
 }
 
-/// sin(a x) has several minima: the profile of the wrong one finds a better one.
+/// The profile of a linear model is the interval of the fit, with a sandwich, too.
+void test_sandwich()
+{
+  FunctionModel model([](const Values &set) -> Values { return Values(200, set[0]); });
+  const DataRecord record =
+      uniform_record("y", 1., RandomNoise(41).autoregressive({0.6}, 200), undefined);
+  FitOptions options;
+  options.tolerance = 1e-8;
+  options.correlated_noise = CorrelatedNoise::sandwich;
+  const FitResult fit =
+      LeastSquaresFit({parameter_of("mean", 1.)}, {record}, model, options).solve();
+  const Profile profile =
+      profile_likelihood({parameter_of("mean", 1.)}, {record}, model, options, fit, 0);
+  check::is_true("the sandwich is larger", fit.treated_over_plain_variance[0] > 2.);
+  check::absolute("lower end of the sandwich", profile.interval.lower, fit.intervals[0].lower,
+                  1e-4);
+  check::absolute("upper end of the sandwich", profile.interval.upper, fit.intervals[0].upper,
+                  1e-4);
+}
+
+/// A curve with two minima: the profile of the wrong one finds the better one.
 void test_other_minimum()
 {
   FunctionModel model(
@@ -104,6 +126,12 @@ void test_other_minimum()
       });
   const DataRecord record = uniform_record("y", 0., Values(12, -0.7), 4.);
   const Profile profile = profile_of(model, {parameter_of("a", -0.9)}, record, 0);
+  check::throws<std::invalid_argument>(
+      "no fit",
+      [&]() {
+        profile_likelihood({parameter_of("a", 1.)}, {record}, model, FitOptions(), FitResult(), 0);
+      },
+      "needs a fit");
   check::is_true("another minimum",
                  check::matches(profile.remark, "a smaller misfit was found at"));
 }
@@ -113,6 +141,7 @@ UNIT_TEST(profile_likelihood)
 {
   test_square();
   test_line();
+  test_sandwich();
   test_other_minimum();
 }
 } // namespace test_of_profile_likelihood

@@ -5,6 +5,7 @@
 #include <continua/inference/fit_parameter.h>
 
 #include <cmath>
+#include <vector>
 
 /// Parameters and records of the tests, whose unit is 1.
 inline Continua::FitParameter

@@ -2,6 +2,7 @@
 
 #include <continua/inference/whitening.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -83,6 +84,16 @@ UNIT_TEST(whitening)
                   error_of_white(Whitening(noise, 1.), covariance_of_order_two(0.2, 0.5, 7)), 0.,
                   1e-13);
   check::equal("words", noise.description(), "autoregressive of order 2");
+  const std::vector<double> values{1., -2., 3., 0.5, 7.};
+  const Whitening whitening(noise, 1.);
+  const std::vector<double> back = whitening.undo(whitening.apply(values));
+  double largest = 0.;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    largest = std::max(largest, std::abs(back[i] - values[i]));
+  check::absolute("undone", largest, 0., 1e-14);
+  // v (1 - b) = variance (1 + b) ((1 - b)^2 - a^2)
+  check::relative("innovations", whitening.innovation_deviation(),
+                  std::sqrt(1.5 / 0.5 * (0.25 - 0.04)), 1e-14);
   noise.autoregressive = {1.2, -0.1};
   check::throws<std::invalid_argument>(
       "not stationary", [&]() { Whitening(noise, 1.); }, "not stationary");

@@ -3,7 +3,10 @@
 
 #include <continua/inference/evaluation.h>
 
+#include <functional>
 #include <map>
+#include <string>
+#include <vector>
 
 namespace Continua
 {

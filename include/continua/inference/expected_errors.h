@@ -8,6 +8,7 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 

@@ -52,6 +52,9 @@ struct FitResult
   std::vector<double> estimates;       ///< [unit]
   std::vector<double> standard_errors; ///< [unit]; NaN at a bound and if held, infinite if not seen
   std::vector<ConfidenceInterval> intervals;
+  /// Variance of each coordinate with the treatment of correlated noise (sandwich, enlarged), over
+  /// the one without [1].
+  std::vector<double> treated_over_plain_variance;
   std::vector<bool> at_bound;
   std::vector<unsigned int>
       free; ///< indices of the parameters that are neither held nor at a bound

@@ -20,7 +20,8 @@ struct ModelBias
 /**
  * First-order bias (J^T W J)^-1 J^T W (other - model) of the parameters of a fit whose data follow
  * `other`, with the J and W of the fit, priors included. Both are predictions of all records for
- * the estimates [unit of each record]. A larger noise does not cover a bias.
+ * the estimates [unit of each record]. A larger noise does not cover a bias. Throws
+ * std::invalid_argument for predictions of another length, and if no parameter is free.
  */
 ModelBias model_bias(const std::vector<FitParameter> &parameters,
                      const FitResult &fit,

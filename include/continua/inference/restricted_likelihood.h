@@ -19,15 +19,15 @@ struct ResidualsOfRecord
 };
 
 /**
- * Autoregressive noise by restricted maximum likelihood (Patterson and Thompson, Biometrika 58, 1971,
- * 545): the least
+ * Autoregressive noise by restricted maximum likelihood (Patterson and Thompson, Biometrika 58,
+ * 1971, 545): the least
  *
  *   ln det V + e^T V^-1 e + ln det(further information + J^T V^-1 J),
  *
- * V being the covariance of the noise. A fit makes residuals less correlated than the noise is; the last
- * term takes this off. Sought from `start` by the simplex of Nelder and Mead, in the inverse hyperbolic tangents of the
- * coefficients of reflection, so that the noise is always stationary. The standard deviation of `start`
- * stays as it is if `deviation_is_known`.
+ * V being the covariance of the noise. A fit makes residuals less correlated than the noise is; the
+ * last term takes this off. Sought from `start` by the simplex of Nelder and Mead, in the inverse
+ * hyperbolic tangents of the coefficients of reflection, so that the noise is always stationary.
+ * The standard deviation of `start` stays as it is if `deviation_is_known`.
  */
 NoiseModel restricted_likelihood_noise(const ResidualsOfRecord &record,
                                        const NoiseModel &start,
