@@ -229,7 +229,7 @@ std::vector<Source> sources()
        "Which numbers of the file are sought, and what is known of the noise.",
        {"Identification/Parameters/<number>/Entry=Geometry/Wall thickness",
         "Identification/Noise/<field>=from rest", "Identification/Expected noise/<field>=1 Pa",
-        "Identification/Model error=simulation", "Identification/Entries of the other model/<entry>=1",
+        "Identification/Correlation time=1 ms", "Identification/Model error=simulation", "Identification/Entries of the other model/<entry>=1",
         "Identification/Expected/<quantity>=1 +- 1 %"},
        [](Root &root, const General &) { IdentificationParameters().read(root); },
        "",
