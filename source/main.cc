@@ -18,6 +18,8 @@
 #include <continua/program/parameter_templates.h>
 #include <continua/program/several_runs.h>
 #include <continua/program/unknown_names.h>
+#include <continua/studies/run_pool.h>
+#include <continua/studies/sweep_command.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -33,6 +35,7 @@
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <vector>
 
 namespace
 {
@@ -89,8 +92,9 @@ void print_all(const std::string &text)
 }
 
 /// Reads what the file asks for and performs it; --print-parameters and --validate only read.
-void perform_file(const CommandLine &command_line, const MPI_Comm communicator)
+void perform_file(const CommandLine &of_user, const MPI_Comm communicator)
 {
+  const CommandLine command_line = with_sweeps(of_user);
   const bool is_writer = is_writing_rank(communicator);
   ParameterFile file(command_line.parameter_file, command_line.overrides);
   const ParameterText::Section &given = file.text().root();
@@ -345,6 +349,14 @@ int main(int argc, char **argv)
     return run_gmsh_process(argc, argv);
   if (argc == 3 && argv[1] == std::string("--serve"))
     return serve(argv[2]);
+  std::vector<char *> arguments(argv, argv + argc);
+  if (is_run_of_a_pool(arguments))
+  {
+    // What the run states of its command line is what a user would have typed.
+    const int n_arguments = static_cast<int>(arguments.size());
+    arguments.push_back(nullptr);
+    return run_command_line(n_arguments, arguments.data());
+  }
   if (const std::optional<int> status = perform_several_files(argc, argv))
     return *status;
   return run_command_line(argc, argv);

@@ -18,6 +18,17 @@ N_PLACES = 200  # columns of the space-time picture
 
 
 def draw(sheet, runs, normalised):
+    waves = draw_curves(sheet, runs, normalised)
+    there = [name for _, fields in waves for name in fields]
+    if not there or "pressure" in sheet.choice.fields_of(there):
+        draw_space_time(sheet, waves, len(runs) > 1)
+    draw_dispersion(sheet, runs[0])
+    draw_loaded_tube(sheet, runs)
+    draw_spin_coating(sheet, runs)
+
+
+def draw_curves(sheet, runs, normalised):
+    """The curves at the stations, one figure a field; [(run, fields)] of the runs that have some."""
     waves = []
     for run in runs:
         fields = wave_tables.read_waves(run["folder"])
@@ -30,11 +41,7 @@ def draw(sheet, runs, normalised):
         entries = [(run, fields[name], time_scale(sheet, run, fields) if normalised else 1.0)
                    for run, fields in waves if name in fields]
         draw_stations(sheet, name, [entry for entry in entries if entry[2]], normalised, len(runs) > 1)
-    if not there or "pressure" in sheet.choice.fields_of(there):
-        draw_space_time(sheet, waves, len(runs) > 1)
-    draw_dispersion(sheet, runs[0])
-    draw_loaded_tube(sheet, runs)
-    draw_spin_coating(sheet, runs)
+    return waves
 
 
 def time_scale(sheet, run, fields):
@@ -117,7 +124,9 @@ def draw_stations(sheet, name, entries, normalised, several):
                 columns.append(factor * values)
             if repeats(entries, i, source) or source in crowded:
                 continue
-            look = look_of(i, source, several, len(time))
+            # Theory alone is what the run has computed.
+            is_result = source == "theory" and several and "simulated" not in field.sources
+            look = look_of(i, "simulated" if is_result else source, several, len(time))
             for position, values in zip(field.positions, curves):
                 every = {"markevery": marked(time, values)} if source == "measured" else {}
                 axes.plot(time_factor * time, place_factor * (position + height * factor * values), **{**look, **every})

@@ -91,6 +91,12 @@ void AnalysisOfCase<dim>::write_mesh(const std::string &mesh_file)
 }
 
 template <int dim>
+double AnalysisOfCase<dim>::estimated_memory() const
+{
+  return input.analysis.has_fields ? CostEstimate(cost_input(input)).memory : 0.;
+}
+
+template <int dim>
 void AnalysisOfCase<dim>::compute(const OutputDirectory &directory, Log &log, Summary &summary)
 {
   Run<dim> run(input, file, command_line, directory, log, summary);

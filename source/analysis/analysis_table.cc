@@ -80,7 +80,7 @@ void AnalysisTable::refuse_sections_of_others(ParameterSection root, const Analy
       if (reads(other, section))
       {
         others += (others.empty() ? "" : " or ") + other.name;
-        is_read = is_read || (other.is_study() && row.has_case());
+        is_read = is_read || (other.is_study() && (row.has_case() || other.performs_any));
       }
     if (is_read || others.empty())
       continue;
@@ -117,6 +117,11 @@ std::unique_ptr<Analysis> AnalysisTable::make_of(ParameterFile &file,
   const AnalysisRow &chosen = row(general.analysis);
   if (!chosen.is_study())
     refuse_sections_of_others(file.root(), chosen);
+  // The file of a study may be run alone, too; who reads a case reads these sections itself.
+  if (!chosen.is_study() && !chosen.has_case())
+    for (const AnalysisRow &study : all_rows)
+      if (study.performs_any && file.root().has_subsection(study.sections.front()))
+        study.read_section(file.root());
   std::unique_ptr<Analysis> analysis =
       chosen.make({file, general, command_line, communicator, *this});
   require_same_input(file, communicator);

@@ -155,8 +155,8 @@ Checkpoint::Checkpoint(const MPI_Comm communicator,
                  directory.file("checkpoint"),
                  file.identity_text({"Title", "Time/End time", "Time/Velocity limit",
                                      "Mesh/Memory limit", "Linear solver", "Output", "Expected",
-                                     "Comparison", "Refinement study", "Periodic state/Tolerance",
-                                     "Periodic state/Stop"}))
+                                     "Comparison", "Refinement study", "Sweep",
+                                     "Periodic state/Tolerance", "Periodic state/Stop"}))
 {
 }
 

@@ -7,6 +7,7 @@
 #include <continua/base/interruption.h>
 #include <continua/case/loaded_tube_case.h>
 #include <continua/case/measured_waves.h>
+#include <continua/case/station_waves.h>
 #include <continua/case/tube_wave_case.h>
 #include <continua/postprocess/writing_rank.h>
 #include <continua/signal/beats.h>
@@ -37,52 +38,6 @@ simulated_histories(const StationsProbe &probe,
 }
 
 constexpr unsigned int n_samples_of_load = 4096;
-
-/// What theory says of the fields of the probe.
-Histories theoretical_histories(const StationsProbe &probe,
-                                const TubeWaveTheory &theory,
-                                const TubeWaveCase &wave_case,
-                                const std::vector<double> &times)
-{
-  // Each station, and the sections of its pair where that is asked for.
-  std::vector<double> places = probe.positions;
-  if (std::find(probe.fields.begin(), probe.fields.end(), "pressure gradient") !=
-      probe.fields.end())
-    for (const double position : probe.positions)
-      for (const double to_second : {0., probe.pair_distance})
-        places.push_back(position + probe.pair_offset + to_second);
-  for (double &place : places)
-    place = wave_case.place(place);
-  std::vector<WaveHistory> waves = theory.histories(places, times, probe.branch);
-  for (WaveHistory &wave : waves)
-    for (std::vector<double> *const directed : {&wave.flow_rate, &wave.wall_shear_stress})
-      for (double &value : *directed)
-        value *= wave_case.direction();
-  const unsigned int n_stations = probe.positions.size();
-  Histories histories(n_stations);
-  for (unsigned int s = 0; s < n_stations; ++s)
-    for (const std::string &field : probe.fields)
-    {
-      const WaveHistory &wave = waves[s];
-      if (field == "pressure gradient")
-      {
-        const std::vector<double> &first = waves[n_stations + 2 * s].pressure,
-                                  &second = waves[n_stations + 2 * s + 1].pressure;
-        histories[s].emplace_back();
-        for (std::size_t i = 0; i < times.size(); ++i)
-          histories[s].back().push_back((second[i] - first[i]) / probe.pair_distance);
-      }
-      else
-        histories[s].push_back(field == "pressure"            ? wave.pressure
-                               : field == "axis pressure"     ? wave.axis_pressure
-                               : field == "flow rate"         ? wave.flow_rate
-                               : field == "velocity integral" ? wave.flow_rate
-                               : field == "wall distension"   ? wave.wall_distension
-                               : field == "wall shear stress" ? wave.wall_shear_stress
-                                                              : wave.hoop_stress);
-    }
-  return histories;
-}
 
 /// The frequency [Hz] of the load at the inlet: below it lies 90 % of its energy. 1 Hz if it does
 /// not vary.
@@ -280,7 +235,7 @@ void LinearWaveTheory<dim>::report(const std::vector<double> &times, const bool 
                                   input.wave_theory.spectral_tolerance);
       for (const StationsProbe &probe : input.probes.stations())
       {
-        theoretical.push_back(theoretical_histories(probe, theory, wave_case, times));
+        theoretical.push_back(station_waves(probe, theory, wave_case, times));
         // Beside a run only one rank comes here.
         if (!simulated)
           SignalWatch::stop_if_asked(input.communicator, "after the waves at the probe '" +

@@ -25,22 +25,16 @@ struct Option
 
 const std::vector<Option> &options()
 {
-  static const std::vector<Option> table = {{"--set", Option::Value::required},
-                                            {"--unset", Option::Value::required},
-                                            {"--output", Option::Value::required},
-                                            {"--overwrite", Option::Value::none},
-                                            {"--restart", Option::Value::none},
-                                            {"--validate", Option::Value::none},
-                                            {"--print-parameters", Option::Value::optional},
-                                            {"--version", Option::Value::none},
-                                            {"--help", Option::Value::none},
-                                            {"-h", Option::Value::none},
-                                            {"--allow-mesh-commands", Option::Value::none},
-                                            {"--new", Option::Value::next},
-                                            {"--mesh", Option::Value::required},
-                                            {"--examples", Option::Value::none},
-                                            {"--jobs", Option::Value::required},
-                                            {"--serve", Option::Value::required}};
+  static const std::vector<Option> table = {
+      {"--set", Option::Value::required},   {"--unset", Option::Value::required},
+      {"--sweep", Option::Value::required}, {"--output", Option::Value::required},
+      {"--overwrite", Option::Value::none}, {"--restart", Option::Value::none},
+      {"--validate", Option::Value::none},  {"--print-parameters", Option::Value::optional},
+      {"--version", Option::Value::none},   {"--help", Option::Value::none},
+      {"-h", Option::Value::none},          {"--allow-mesh-commands", Option::Value::none},
+      {"--new", Option::Value::next},       {"--mesh", Option::Value::required},
+      {"--examples", Option::Value::none},  {"--jobs", Option::Value::required},
+      {"--serve", Option::Value::required}};
   return table;
 }
 
@@ -95,6 +89,14 @@ void apply(CommandLine &result, const std::string &name, const std::string &valu
       refuse("--set " + value, "this names no entry and value",
              "Write --set \"Section/Key=value\"");
     result.overrides.push_back(value);
+  }
+  else if (name == "--sweep")
+  {
+    const std::size_t equals = find_unquoted(value, "=");
+    if (equals == std::string::npos || equals == 0 || equals + 1 == value.size())
+      refuse("--sweep " + value, "this names no entry and values",
+             "Write --sweep \"Section/Key=1 MPa, 2 MPa\" or \"Section/Key=1 MPa to 3 MPa in 5\"");
+    result.sweeps.push_back(value);
   }
   else if (name == "--unset")
   {
@@ -198,7 +200,7 @@ CommandLine CommandLine::parse(const int argc, const char *const *argv)
     const std::size_t equals = argument.find('=');
     const std::string name = argument.substr(0, equals);
     const Option &option = find_option(name);
-    if (option.name != "--set" && option.name != "--unset")
+    if (option.name != "--set" && option.name != "--unset" && option.name != "--sweep")
     {
       if (std::find(seen.begin(), seen.end(), option.name) != seen.end())
         refuse(option.name, "this option is given twice", "Give it once");
@@ -218,6 +220,7 @@ CommandLine CommandLine::parse(const int argc, const char *const *argv)
         refuse(option.name, "its value is missing",
                option.name == "--set"     ? "Write --set \"Section/Key=value\""
                : option.name == "--unset" ? "Write --unset \"Section/Key\""
+               : option.name == "--sweep" ? "Write --sweep \"Section/Key=1 MPa, 2 MPa\""
                : option.name == "--mesh"  ? "Write --mesh FILE.vtu"
                : option.name == "--serve" ? "Write continua --serve SOCKET"
                : option.name == "--jobs"  ? "Write --jobs N"
@@ -251,7 +254,7 @@ CommandLine CommandLine::parse(const int argc, const char *const *argv)
       refuse("--mesh",
              std::string("it excludes ") + other + ": the mesh is written instead of a run",
              "Give one of the two");
-  if (result.new_file && seen.size() + result.overrides.size() > 1)
+  if (result.new_file && seen.size() + result.overrides.size() + result.sweeps.size() > 1)
     refuse("--new", "it writes a first parameter file, and takes no other option",
            "Write continua --new NAME FILE.prm, then continua FILE.prm");
   if (!result.mesh_file.empty() && result.parameter_file.empty())
@@ -296,6 +299,9 @@ Runs what the parameter file describes. Several files are run one after the othe
   --new NAME [FILE.prm]       prints a template, or writes it to FILE.prm: a file with comments that runs
   --set "Section/Key=value"   sets an entry, over the file; as often as you like
   --unset "Section/Key"       takes out an entry or a section that the file has; as often as you like
+  --sweep "Section/Key=1 MPa, 2 MPa"
+                              runs the file for each of these values, also of a range (1 MPa to 3 MPa
+                              in 5), side by side; several entries: each value with each other one
   --output DIR                the folder of the results (default: output/<name of the file>)
                               of several files: DIR/<name of the file>
   --jobs N                    runs so many of several files at the same time

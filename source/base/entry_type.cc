@@ -2,6 +2,7 @@
 
 #include <continua/base/joined.h>
 #include <continua/base/nearest_name.h>
+#include <continua/base/numeric_entry.h>
 #include <continua/base/parameter_text.h>
 #include <continua/base/quoted_name.h>
 
@@ -33,12 +34,6 @@ std::string range_text(const Range &range, const Dimension &dimension)
     text += (text.empty() ? "" : " and ") + std::string(range.upper_open ? "< " : "<= ") +
             bound(range.upper);
   return text;
-}
-
-bool contains(const Range &range, const double value)
-{
-  return (range.lower_open ? value > range.lower : value >= range.lower) &&
-         (range.upper_open ? value < range.upper : value <= range.upper);
 }
 
 /// At the commas outside parentheses and quotes; the items without blanks at their ends.
@@ -123,6 +118,13 @@ std::string quantity_remedy(const Dimension &dimension, const Range &range, cons
          (units.empty() ? "" : ", with a unit like " + units);
 }
 
+NumericForm
+whole_numbers(const bool is_list, const unsigned int lower, const unsigned int upper)
+{
+  return {is_list, true, Dimensions::none,
+          Range{static_cast<double>(lower), static_cast<double>(upper), false, false}};
+}
+
 std::string itself(const std::string &text)
 {
   return text;
@@ -166,7 +168,8 @@ EntryType<double> quantity_type(const double value, const Dimension &dimension, 
           quantity_remedy(dimension, range, false),
           [dimension, range](const std::string &text)
           { return read_quantity(text, dimension, range); },
-          shortest_number};
+          shortest_number,
+          NumericForm{false, false, dimension, range}};
 }
 
 EntryType<std::vector<double>> quantity_list_type(const std::vector<double> &values,
@@ -186,7 +189,8 @@ EntryType<std::vector<double>> quantity_list_type(const std::vector<double> &val
           quantity_remedy(dimension, range, true) + ", separated by commas",
           [dimension, range](const std::string &text)
           { return read_quantities(text, dimension, range); },
-          [](const std::vector<double> &numbers) { return list_text(numbers, shortest_number); }};
+          [](const std::vector<double> &numbers) { return list_text(numbers, shortest_number); },
+          NumericForm{true, false, dimension, range}};
 }
 
 EntryType<unsigned int>
@@ -199,7 +203,8 @@ integer_type(const unsigned int value, const unsigned int lower, const unsigned 
           false,
           "Give a " + range,
           [lower, upper](const std::string &text) { return read_integer(text, lower, upper); },
-          write_integer};
+          write_integer,
+          whole_numbers(false, lower, upper)};
 }
 
 EntryType<std::vector<unsigned int>> integer_list_type(const std::vector<unsigned int> &values,
@@ -220,8 +225,8 @@ EntryType<std::vector<unsigned int>> integer_list_type(const std::vector<unsigne
               numbers.push_back(read_integer(item, lower, upper));
             return numbers;
           },
-          [](const std::vector<unsigned int> &numbers)
-          { return list_text(numbers, write_integer); }};
+          [](const std::vector<unsigned int> &numbers) { return list_text(numbers, write_integer); },
+          whole_numbers(true, lower, upper)};
 }
 
 EntryType<bool> truth_type(const bool value)

@@ -29,21 +29,12 @@ struct Refusal
   std::string remedy;
 };
 
-/// A checkpoint that was finished: its files have lost the ending of the temporary ones.
-bool has_checkpoint(const fs::path &directory)
-{
-  std::error_code error;
-  for (const fs::directory_entry &entry : fs::directory_iterator(directory / "checkpoint", error))
-    if (entry.path().extension() != ".new")
-      return true;
-  return false;
-}
-
 bool holds_run(const fs::path &directory)
 {
   std::error_code error;
   return fs::exists(directory / "summary.json", error) ||
-         fs::exists(directory / "parameters.prm", error) || has_checkpoint(directory);
+         fs::exists(directory / "parameters.prm", error) ||
+         OutputDirectory::has_checkpoint(directory.string());
 }
 
 const std::string list_of_others = "other-files.txt";
@@ -174,7 +165,7 @@ Refusal prepare(const fs::path &directory,
   {
     problem_of_lock = error.what();
   }
-  if (mode == Mode::restart && !has_checkpoint(directory))
+  if (mode == Mode::restart && !OutputDirectory::has_checkpoint(directory.string()))
     return no_checkpoint;
   if (mode == Mode::fresh && holds_run(directory))
     return {"the folder holds a run",
@@ -265,6 +256,16 @@ OutputDirectory::OutputDirectory(const std::string &path,
   if (!all[0].empty())
     throw InputError({directory, 0}, "", all[0], all[1]);
   text_of_warning = all[2];
+}
+
+bool OutputDirectory::has_checkpoint(const std::string &path)
+{
+  std::error_code error;
+  for (const fs::directory_entry &entry :
+       fs::directory_iterator(fs::path(path) / "checkpoint", error))
+    if (entry.path().extension() != ".new")
+      return true;
+  return false;
 }
 
 std::string OutputDirectory::file(const std::string &name) const

@@ -126,8 +126,15 @@ MeasuredWaves::MeasuredWaves(const MeasuredWavesEntries &entries,
     reading.shift = entries.shift;
     reading.period = entries.period;
     reading.period_key = "Measured period";
-    columns.push_back(
-        {station, field, TimeTable(table, c, dimension_of_station_field(field_name), reading)});
+    const Dimension &dimension = dimension_of_station_field(field_name);
+    columns.push_back({station, field, TimeTable(table, c, dimension, reading)});
+    Record record{station, field, table.increasing_values(0, Dimensions::time, "time", "later"),
+                  table.values(c, dimension)};
+    for (double &time : record.times)
+      time += reading.shift;
+    for (double &value : record.values)
+      value *= reading.factor;
+    rows.push_back(std::move(record));
   }
 }
 

@@ -9,7 +9,9 @@
 #include <continua/laboratory/material_laboratory.h>
 #include <continua/laboratory/spin_coating_analysis.h>
 #include <continua/studies/comparison.h>
+#include <continua/studies/identification.h>
 #include <continua/studies/refinement_study.h>
+#include <continua/studies/sweep.h>
 
 namespace Continua
 {
@@ -44,6 +46,18 @@ row_of_study(const std::string &name, const std::string &description, const std:
   row.read_section = [](ParameterSection root) { Parameters().read(root); };
   return row;
 }
+/// The row of the sweep, whose runs may be of any analysis but a study.
+AnalysisRow row_of_sweep()
+{
+  AnalysisRow row =
+      row_of_study<Sweep, SweepParameters>("sweep",
+                                           "The same file for several values of its entries, side "
+                                           "by side: one table, and curves or maps.",
+                                           "Sweep");
+  row.performs_any = true;
+  return row;
+}
+
 /// The row of the theory, which passes over what Expected says of a run of the same file.
 AnalysisRow row_of_theory()
 {
@@ -84,6 +98,12 @@ const AnalysisTable &analyses()
            "The same case on finer and finer meshes, uniform and adaptive: errors, orders and what "
            "they cost.",
            "Refinement study"),
+       row_of_study<Identification, IdentificationParameters>(
+           "identification",
+           "Numbers of the file, such as the modulus of a wall, from what was measured at stations, "
+           "with their errors; or the errors that an experiment would give.",
+           "Identification"),
+       row_of_sweep(),
        row_of<SpinCoatingAnalysis>("spin coating",
                                    "How a tube is made: what the motors do along the rod.",
                                    {"Spin coating"}),

@@ -15,7 +15,9 @@
 #include <continua/mesh/geometry.h>
 #include <continua/program/analyses.h>
 #include <continua/studies/comparison_parameters.h>
+#include <continua/studies/identification_parameters.h>
 #include <continua/studies/refinement_study_parameters.h>
+#include <continua/studies/sweep_parameters.h>
 #include <continua/vessel/spin_coating.h>
 
 #include <nlohmann/json.hpp>
@@ -221,6 +223,21 @@ std::vector<Source> sources()
        "How the mesh becomes finer, how often, and to what errors are.",
        {"Refinement study/Reference/<quantity>=1", "Refinement study/Expected/<quantity>=1 +- 1 %"},
        [](Root &root, const General &) { RefinementStudyParameters().read(root); },
+       "",
+       {}},
+      {"Identification",
+       "Which numbers of the file are sought, and what is known of the noise.",
+       {"Identification/Parameters/<number>/Entry=Geometry/Wall thickness",
+        "Identification/Noise/<field>=from rest", "Identification/Expected noise/<field>=1 Pa",
+        "Identification/Correlation time=1 ms", "Identification/Model error=simulation", "Identification/Entries of the other model/<entry>=1",
+        "Identification/Expected/<quantity>=1 +- 1 %"},
+       [](Root &root, const General &) { IdentificationParameters().read(root); },
+       "",
+       {}},
+      {"Sweep",
+       "Which entries take which values, and what the table has.",
+       {"Sweep/Entries/<entry>=1, 2", "Sweep/Expected/<quantity>=1 +- 1 %"},
+       [](Root &root, const General &) { SweepParameters().read(root); },
        "",
        {}},
       {"Spin coating",

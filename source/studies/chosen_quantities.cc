@@ -11,10 +11,17 @@ namespace Continua
 {
 namespace
 {
-/// Whether a word of Quantities means this one: its label, or its name at whatever probe.
-bool matches(const std::string &asked, const Quantity &quantity)
+/// Behind the last colon: a probe of several fields is called "PROBE: FIELD" itself.
+std::string name_of_label(const std::string &label)
 {
-  return asked == label_of(quantity) || asked == quantity.name;
+  const std::size_t colon = label.rfind(": ");
+  return colon == std::string::npos ? label : label.substr(colon + 2);
+}
+
+/// Whether a word of Quantities means this one: its label, or its name at whatever probe.
+bool matches(const std::string &asked, const std::string &label)
+{
+  return asked == label || asked == name_of_label(label);
 }
 } // namespace
 
@@ -46,13 +53,22 @@ bool is_of_the_computation(const std::string &name)
   return false;
 }
 
+bool is_chosen(const std::vector<std::string> &all_asked, const std::string &label)
+{
+  if (all_asked.empty())
+    return !is_of_the_computation(name_of_label(label));
+  return std::any_of(all_asked.begin(), all_asked.end(),
+                     [&label](const std::string &asked) { return matches(asked, label); });
+}
+
 void check_asked(const std::string &entry,
                  const std::vector<std::string> &all_asked,
                  const RunResult &run)
 {
   for (const std::string &asked : all_asked)
     if (std::none_of(run.quantities.begin(), run.quantities.end(),
-                     [&asked](const Quantity &quantity) { return matches(asked, quantity); }))
+                     [&asked](const Quantity &quantity)
+                     { return matches(asked, label_of(quantity)); }))
     {
       std::vector<std::string> names;
       for (const Quantity &quantity : run.quantities)
@@ -67,17 +83,10 @@ void check_asked(const std::string &entry,
 std::vector<std::string> chosen_labels(const std::vector<std::string> &all_asked,
                                        const std::vector<RunResult> &runs)
 {
-  const auto counts = [&all_asked](const Quantity &quantity)
-  {
-    if (all_asked.empty())
-      return !is_of_the_computation(quantity.name);
-    return std::any_of(all_asked.begin(), all_asked.end(),
-                       [&quantity](const std::string &asked) { return matches(asked, quantity); });
-  };
   std::vector<std::string> result;
   for (const RunResult &run : runs)
     for (const Quantity &quantity : run.quantities)
-      if (counts(quantity) &&
+      if (is_chosen(all_asked, label_of(quantity)) &&
           std::find(result.begin(), result.end(), label_of(quantity)) == result.end())
         result.push_back(label_of(quantity));
   return result;

@@ -8,7 +8,7 @@
 namespace Continua
 {
 Comparison::Comparison(const AnalysisInput &input)
-    : Study(input, {"Comparison", "mesh", "compared", true})
+    : MeshStudy(input, {"Comparison", "mesh", "compared", true})
 {
   parameters.read(file.root());
   read_case(parameters);
@@ -50,7 +50,7 @@ void Comparison::refine_mesh(CommandLine &of_run,
   set_entry(of_run, "Mesh/Refinements", std::to_string(variant.refinements + mesh));
 }
 
-std::unique_ptr<StudyReport> Comparison::make_report(const std::vector<StudiedRun> &runs) const
+std::unique_ptr<StudyReport> Comparison::make_report_of(const std::vector<StudiedRun> &runs) const
 {
   std::vector<ConvergenceOrders> orders(variants.size());
   for (std::size_t i = 0; i < variants.size(); ++i)

@@ -8,7 +8,7 @@
 namespace Continua
 {
 RefinementStudy::RefinementStudy(const AnalysisInput &input)
-    : Study(input, {"Refinement study", "cycle", "refinement", false})
+    : MeshStudy(input, {"Refinement study", "cycle", "refinement", false})
 {
   parameters.read(file.root());
   read_case(parameters);
@@ -77,7 +77,8 @@ void RefinementStudy::refine_mesh(CommandLine &of_run,
     set_entry(of_run, "Adaptivity/Cycles", std::to_string(cycle));
 }
 
-std::unique_ptr<StudyReport> RefinementStudy::make_report(const std::vector<StudiedRun> &runs) const
+std::unique_ptr<StudyReport>
+RefinementStudy::make_report_of(const std::vector<StudiedRun> &runs) const
 {
   return std::make_unique<RefinementReport>(parameters, n_dimensions(), runs);
 }

@@ -5,10 +5,10 @@
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
 #include <continua/base/parameter_text.h>
-#include <continua/base/quoted_name.h>
 #include <continua/base/rank_agreement.h>
 #include <continua/base/version.h>
 #include <continua/postprocess/writing_rank.h>
+#include <continua/studies/run_pool.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -25,33 +25,6 @@ using namespace dealii;
 
 namespace
 {
-/// The path of an override "Section/Key=value", without blanks that do not count.
-std::string path_of(const std::string &override_text)
-{
-  std::vector<std::string> names;
-  for (const std::string &part :
-       split_unquoted(override_text.substr(0, find_unquoted(override_text, "=")), '/'))
-    names.push_back(without_quotes(collapse_blanks(part)));
-  return join_path(names);
-}
-
-/// As a shell reads it back.
-std::string quoted(const std::string &text)
-{
-  std::string result = "'";
-  for (const char letter : text)
-    result += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  return result + "'";
-}
-
-std::string text_of(const CommandLine &command_line)
-{
-  std::string text = "continua " + quoted(command_line.parameter_file);
-  for (const std::string &entry : command_line.overrides)
-    text += (entry.find('=') == std::string::npos ? " --unset " : " --set ") + quoted(entry);
-  return text + " --output " + quoted(command_line.output_directory);
-}
-
 /// What tells this program from others: of one revision there may be several, changed and not
 /// committed.
 std::string program_identity(const MPI_Comm communicator)
@@ -77,126 +50,205 @@ std::string content_of(const std::string &file, const MPI_Comm communicator)
   }
   return broadcast(communicator, content);
 }
+
+/// What the line of a run begins with.
+std::string beginning_of(const std::string &run)
+{
+  return run + " case ";
+}
+
+/// The lines without that of a run.
+std::string without_run(const std::string &lines, const std::string &run)
+{
+  std::istringstream stream(lines);
+  std::string kept;
+  for (std::string line; std::getline(stream, line);)
+    if (line.compare(0, beginning_of(run).size(), beginning_of(run)) != 0)
+      kept += line + "\n";
+  return kept;
+}
 } // namespace
-
-std::string folder_name(const std::string &text)
-{
-  std::string name;
-  for (const unsigned char letter : text)
-    if (std::isalnum(letter) != 0)
-      name += static_cast<char>(std::tolower(letter));
-    else if (!name.empty() && name.back() != '-')
-      name += '-';
-  return name;
-}
-
-void set_entry(CommandLine &command_line, const std::string &path, const std::string &value)
-{
-  std::vector<std::string> &all = command_line.overrides;
-  const std::string text = path + "=" + value;
-  all.erase(std::remove_if(all.begin(), all.end(),
-                           [&text](const std::string &other)
-                           { return path_of(other) == path_of(text); }),
-            all.end());
-  all.push_back(text);
-}
 
 RunSeries::RunSeries(const AnalysisTable &analyses,
                      const MPI_Comm communicator,
                      const unsigned int dimension,
                      const CommandLine &command_line,
                      const std::vector<std::string> &input_files,
-                     const double volume)
+                     const double volume,
+                     const unsigned int n_parallel)
     : analyses(analyses),
       communicator(communicator),
       dimension(dimension),
       command_line(command_line),
       input_files(input_files),
-      volume(volume)
+      volume(volume),
+      n_parallel(Utilities::MPI::n_mpi_processes(communicator) > 1 ? 1 : n_parallel)
 {
 }
 
 std::string RunSeries::identity(const PlannedRun &plan) const
 {
   std::ostringstream text;
-  text << plan.name << " case " << plan.identity << " ranks "
+  text << beginning_of(plan.name) << plan.identity << " ranks "
        << Utilities::MPI::n_mpi_processes(communicator) << " program "
        << program_identity(communicator);
   return text.str();
 }
 
-std::vector<RunResult>
-RunSeries::perform(const std::vector<PlannedRun> &plans,
-                   const OutputDirectory &directory,
-                   Log &log,
-                   const std::function<void(const RunResult &, unsigned int)> &finished_run) const
+RunSeries::State RunSeries::state_of(const PlannedRun &plan) const
 {
-  // The checkpoint of a series: a line for each run that is finished.
-  const std::string checkpoint = directory.file("checkpoint/finished runs");
-  std::string finished =
-      command_line.restart ? content_of(checkpoint, communicator) : std::string();
-  const auto is_finished = [&](const PlannedRun &plan)
-  {
-    return ("\n" + finished).find("\n" + identity(plan) + "\n") != std::string::npos &&
-           !content_of(plan.command_line.output_directory + "/summary.json", communicator).empty();
-  };
+  if (!command_line.restart)
+    return State::fresh;
+  const std::string line = "\n" + identity(plan) + "\n";
+  const std::string &folder = plan.command_line.output_directory;
+  if (("\n" + finished_runs).find(line) != std::string::npos &&
+      !content_of(folder + "/summary.json", communicator).empty())
+    return State::finished;
+  // What rank 0 sees holds for all.
+  const bool goes_on = ("\n" + begun_runs).find(line) != std::string::npos &&
+                       OutputDirectory::has_checkpoint(folder);
+  return !broadcast(communicator, std::string(goes_on ? "x" : "")).empty() ? State::begun
+                                                                           : State::fresh;
+}
 
-  // Before the first run, since a folder may be refused.
+void RunSeries::prepare_folders(const std::vector<PlannedRun> &plans,
+                                const std::vector<State> &states,
+                                const OutputDirectory &directory) const
+{
   on_writing_rank(communicator,
                   [&]()
                   {
                     for (const PlannedRun &plan : plans)
                       directory.file_of_case(plan.name + "/");
                   });
-  std::vector<std::unique_ptr<OutputDirectory>> folders;
-  folders.reserve(plans.size());
-  for (const PlannedRun &plan : plans)
-    folders.push_back(is_finished(plan) ? nullptr
-                                        : std::make_unique<OutputDirectory>(
-                                              plan.command_line.output_directory,
-                                              command_line.overwrite || command_line.restart
-                                                  ? OutputDirectory::Mode::overwrite
-                                                  : OutputDirectory::Mode::fresh,
-                                              communicator, input_files));
-  // From now on there is something to restart from, if only from the first run.
-  on_writing_rank(communicator, [&]() { write_file_atomically(checkpoint, finished); });
-  std::vector<RunResult> runs;
-  for (unsigned int i = 0; i < plans.size(); ++i)
+  for (std::size_t i = 0; i < plans.size(); ++i)
+    if (states[i] == State::fresh)
+      OutputDirectory(plans[i].command_line.output_directory,
+                      command_line.overwrite || command_line.restart
+                          ? OutputDirectory::Mode::overwrite
+                          : OutputDirectory::Mode::fresh,
+                      communicator, input_files);
+}
+
+void RunSeries::note(const PlannedRun &plan, const OutputDirectory &directory, const State state)
+{
+  // Its folder holds this run alone: nothing that was said before of the folder holds.
+  for (std::string *const lines : {&finished_runs, &begun_runs})
+    *lines = without_run(*lines, plan.name);
+  (state == State::finished ? finished_runs : begun_runs) += identity(plan) + "\n";
+  write_records(directory);
+}
+
+void RunSeries::write_records(const OutputDirectory &directory) const
+{
+  on_writing_rank(communicator,
+                  [&]()
+                  {
+                    write_file_atomically(directory.file("checkpoint/finished runs"),
+                                          finished_runs);
+                    write_file_atomically(directory.file("checkpoint/begun runs"), begun_runs);
+                  });
+}
+
+PlannedRun RunSeries::in_state(PlannedRun plan, const State state)
+{
+  plan.command_line.restart = state == State::begun;
+  // Its folder is empty, or was emptied.
+  plan.command_line.overwrite = false;
+  return plan;
+}
+
+std::vector<RunResult> RunSeries::perform(const std::vector<PlannedRun> &plans,
+                                          const OutputDirectory &directory,
+                                          Log &log,
+                                          const Finished &finished)
+{
+  if (command_line.restart && finished_runs.empty() && begun_runs.empty())
   {
-    Summary summary;
-    std::string failure;
-    if (folders[i] == nullptr)
-      summary = summary_in_folder(plans[i]);
-    else
-      failure = perform(plans[i], *folders[i], summary);
-    runs.push_back(result(plans[i], summary));
-    RunResult &run = runs.back();
-    run.failure = failure;
-    log.line(run.name + (!failure.empty()        ? ": failed"
-                         : folders[i] == nullptr ? ": was finished before"
-                                                 : ": finished"));
-    if (!failure.empty())
-      continue;
-    std::ostringstream detail;
-    detail << run.name << " took " << run.wall_time << " s";
-    log.detail(detail.str());
-    finished_run(run, i);
-    if (folders[i] != nullptr)
-      finished += identity(plans[i]) + "\n";
-    on_writing_rank(communicator, [&]() { write_file_atomically(checkpoint, finished); });
+    finished_runs = content_of(directory.file("checkpoint/finished runs"), communicator);
+    begun_runs = content_of(directory.file("checkpoint/begun runs"), communicator);
   }
+  std::vector<State> states;
+  for (const PlannedRun &plan : plans)
+    states.push_back(state_of(plan));
+  // Before the first run, since a folder may be refused.
+  prepare_folders(plans, states, directory);
+  // From now on there is something to restart from, if only from the first run.
+  write_records(directory);
+
+  std::vector<RunResult> runs(plans.size());
+  std::vector<bool> has_ended(plans.size(), false);
+  std::size_t n_told = 0;
+  // In the order of the plans, which no machine changes.
+  const auto tell = [&]()
+  {
+    for (; n_told < plans.size() && has_ended[n_told]; ++n_told)
+    {
+      const RunResult &run = runs[n_told];
+      log.line(run.name + (!run.failure.empty()                ? ": failed"
+                           : states[n_told] == State::finished ? ": was finished before"
+                                                               : ": finished"));
+      if (!run.failure.empty())
+        continue;
+      std::ostringstream detail;
+      detail << run.name << " took " << run.wall_time << " s";
+      log.detail(detail.str());
+      finished(run, static_cast<unsigned int>(n_told));
+    }
+  };
+  const auto end =
+      [&](const unsigned int number, const Summary &summary, const std::string &failure)
+  {
+    runs[number] = result(plans[number], summary);
+    runs[number].failure = failure;
+    has_ended[number] = true;
+    if (failure.empty() && states[number] != State::finished)
+      note(plans[number], directory, State::finished);
+    tell();
+  };
+  std::vector<PlannedRun> to_perform;
+  std::vector<unsigned int> numbers; // of these
+  for (unsigned int i = 0; i < plans.size(); ++i)
+    if (states[i] == State::finished)
+      end(i, summary_in_folder(plans[i]), "");
+    else
+    {
+      to_perform.push_back(in_state(plans[i], states[i]));
+      numbers.push_back(i);
+    }
+  const auto begin = [&](const unsigned int i)
+  { note(plans[numbers[i]], directory, State::begun); };
+  if (n_parallel > 1 && to_perform.size() > 1)
+    RunPool(n_parallel)
+        .perform(to_perform, begin,
+                 [&](const unsigned int i, const std::string &failure)
+                 { end(numbers[i], summary_in_folder(plans[numbers[i]]), failure); });
+  else
+    for (unsigned int i = 0; i < to_perform.size(); ++i)
+    {
+      SignalWatch::stop_if_asked(communicator, among_runs);
+      begin(i);
+      Summary summary;
+      const std::string failure = perform(to_perform[i], summary);
+      end(numbers[i], summary, failure);
+    }
   return runs;
 }
 
-std::string
-RunSeries::perform(const PlannedRun &plan, const OutputDirectory &directory, Summary &summary) const
+std::string RunSeries::perform(const PlannedRun &plan, Summary &summary) const
 {
   CommandLine of_run = plan.command_line;
   of_run.text = text_of(of_run);
   try
   {
+    const OutputDirectory directory(of_run.output_directory,
+                                    of_run.restart ? OutputDirectory::Mode::restart
+                                                   : OutputDirectory::Mode::fresh,
+                                    communicator, input_files);
     ParameterFile file(of_run.parameter_file, of_run.overrides);
     const std::unique_ptr<Analysis> analysis = analyses.make(file, of_run, communicator);
+    if (of_run.restart && analysis->has_checkpoints())
+      analysis->check_restart(directory);
     Log log(communicator, false);
     analysis->perform(directory, log, summary);
   }
@@ -217,8 +269,10 @@ RunSeries::perform(const PlannedRun &plan, const OutputDirectory &directory, Sum
 
 Summary RunSeries::summary_in_folder(const PlannedRun &plan) const
 {
-  return Summary::read(
-      content_of(plan.command_line.output_directory + "/summary.json", communicator));
+  const std::string text =
+      content_of(plan.command_line.output_directory + "/summary.json", communicator);
+  // A run that failed early has none.
+  return text.empty() ? Summary() : Summary::read(text);
 }
 
 RunResult RunSeries::result(const PlannedRun &plan, const Summary &summary) const

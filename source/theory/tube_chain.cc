@@ -143,10 +143,11 @@ bool is_interpolated(const TubeWaveProblem &problem, const std::size_t n_section
 
 TubeChain::TubeChain(const TubeWaveProblem &problem,
                      const double shift,
-                     const double last_frequency)
+                     const double last_frequency,
+                     KeptWaves *const kept)
     : problem(problem), shift(shift)
 {
-  compute_sections(last_frequency);
+  compute_sections(last_frequency, kept);
 }
 
 std::vector<std::size_t> TubeChain::computed_segments(const TubeWaveProblem &problem)
@@ -162,17 +163,19 @@ std::vector<std::size_t> TubeChain::computed_segments(const TubeWaveProblem &pro
   return nodes;
 }
 
-void TubeChain::compute_sections(const double last_frequency)
+void TubeChain::compute_sections(const double last_frequency, KeptWaves *const kept)
 {
   const std::vector<TubeSegment> &segments = problem.segments;
   const std::vector<std::size_t> nodes = computed_segments(problem);
   for (const std::size_t node : nodes)
-    if (problem.level == WaveLevel::exact)
+    if (problem.level != WaveLevel::exact)
       waves.push_back(
-          std::make_unique<DispersionCurves>(segments[node].section, shift, last_frequency));
+          std::make_shared<ClosedFormWaves>(segments[node].section, problem.level, shift));
+    else if (kept != nullptr)
+      waves.push_back(kept->waves(segments[node].section, shift, last_frequency));
     else
       waves.push_back(
-          std::make_unique<ClosedFormWaves>(segments[node].section, problem.level, shift));
+          std::make_shared<DispersionCurves>(segments[node].section, shift, last_frequency));
   sections_of.resize(segments.size());
   if (!is_interpolated(problem, first_segments(problem).size()))
   {

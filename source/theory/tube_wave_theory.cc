@@ -109,7 +109,8 @@ double n_roots_of(const TubeWaveProblem &problem, const double shift, const doub
 TubeWaveTheory::TubeWaveTheory(const TubeWaveProblem &problem,
                                const std::function<double(double)> &inlet,
                                const double end_time,
-                               const double spectral_tolerance)
+                               const double spectral_tolerance,
+                               KeptWaves *const kept)
     : period(window_of(end_time)), shift(shift_of(end_time)), n_samples(fewest_samples)
 {
   // Sampled ever finer until the upper half of the spectrum is below the tolerance.
@@ -136,21 +137,24 @@ TubeWaveTheory::TubeWaveTheory(const TubeWaveProblem &problem,
     spectrum.push_back(samples[n] * 0.5 * (1. + std::cos(PI * share)));
   }
 
-  add_chains(problem, 0);
+  add_chains(problem, 0, kept);
 }
 
-void TubeWaveTheory::add_chains(const TubeWaveProblem &problem, const std::size_t before)
+void TubeWaveTheory::add_chains(const TubeWaveProblem &problem,
+                                const std::size_t before,
+                                KeptWaves *const kept)
 {
   const std::size_t here = chains.size();
   const bool divides = problem.outlet == TubeWaveProblem::Outlet::divided;
   if (divides == problem.branches.empty())
     throw std::invalid_argument("A tube has branches if its outlet is divided, and only then.");
-  chains.push_back({TubeChain(problem, shift, last_frequency), problem.length(), before, divides});
+  chains.push_back({TubeChain(problem, shift, last_frequency, kept), problem.length(), before,
+                    divides});
   for (const TubeWaveProblem &branch : problem.branches)
   {
     if (branch.inlet != TubeWaveProblem::Inlet::pressure)
       throw std::invalid_argument("What drives a branch is the pressure before it.");
-    add_chains(branch, here);
+    add_chains(branch, here, kept);
   }
 }
 

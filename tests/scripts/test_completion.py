@@ -41,6 +41,7 @@ class Completion(unittest.TestCase):
 
     def test_keys(self):
         self.assertEqual(offered("tube.prm", "--set", "Time/End"), ["Time/End\\ time="])
+        self.assertEqual(offered("tube.prm", "--sweep", "Time/End"), ["Time/End\\ time="])
         self.assertEqual(offered("tube.prm", "--set", '"Time/End'), ["Time/End time="])
         self.assertEqual(offered("tube.prm", "--set", "'Materials/wall/You"), ["Materials/wall/Young'\\''s modulus="])
         self.assertEqual(offered("tube.prm", "--set", "Materials/wall/You"), ["Materials/wall/Young\\'s\\ modulus="])

@@ -132,6 +132,9 @@ UNIT_TEST(comparison)
   check::is_true("another case is run again", count(other, again) == 0 && count(other, anew) == 4);
   check::is_true("and then that one is finished",
                  count(compare(with("Geometry/Size=2 m, 2 m"), Mode::restart), again) == 4);
+  check::is_true("the first case is not that of the folders any more",
+                 count(compare({}, Mode::restart), anew) == 4 &&
+                     count(compare(with("Geometry/Size=2 m, 2 m"), Mode::restart), anew) == 4);
   std::filesystem::remove(output + "/velocity-degree-3-1/summary.json");
   check::is_true("a run whose summary is gone is run again",
                  count(compare(with("Geometry/Size=2 m, 2 m"), Mode::restart), anew) == 1);

@@ -5,6 +5,7 @@
 #include <continua/base/log.h>
 #include <continua/base/output_directory.h>
 #include <continua/base/parameter_file.h>
+#include <continua/base/quantity_names.h>
 #include <continua/base/summary.h>
 #include <continua/case/case.h>
 
@@ -56,6 +57,11 @@ public:
   /// Whether the screen has its results in a table of its own, which the answer at the end need not
   /// repeat.
   virtual bool has_own_table() const { return false; }
+  /// The quantities that its summary can state, known before.
+  virtual QuantityNames quantity_names() const { return {}; }
+  /// The memory that it may hold on all ranks together, by estimate [bytes]; 0: not known.
+  /// Collective.
+  virtual double estimated_memory() const { return 0.; }
   /// Opens the log in the folder, leaves there the resolved parameters and the user's files, and
   /// performs the analysis. `summary` is filled on the way, also of an analysis that fails; rank 0
   /// has all of it. Collective; throws RunError or Interrupted.

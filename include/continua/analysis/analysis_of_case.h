@@ -22,6 +22,8 @@ public:
   void check_restart(const OutputDirectory &directory) const override;
   std::vector<std::string> outline() const override;
   void write_mesh(const std::string &mesh_file) override;
+  QuantityNames quantity_names() const override { return input.quantities; }
+  double estimated_memory() const override;
 
 private:
   Case<dim> input;

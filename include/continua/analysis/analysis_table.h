@@ -28,6 +28,8 @@ struct AnalysisRow
   /// Of a study: reads and checks its section, which is the first of `sections` and may also stand
   /// in the file of each of the study's runs; else null.
   void (*read_section)(ParameterSection root) = nullptr;
+  /// Of a study: its runs may be of any analysis, also of one that reads no case.
+  bool performs_any = false;
 
   /// Whether it reads a case.
   bool has_case() const { return traits_2d.check != nullptr; }

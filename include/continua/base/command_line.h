@@ -8,8 +8,8 @@ namespace Continua
 {
 /**
  * What is typed behind the name of the program; usage() has the options. The value of --set,
- * --output, --mesh and --new may also follow an equals sign. FILE and options may stand in any
- * order.
+ * --sweep, --output, --mesh and --new may also follow an equals sign. FILE and options may stand in
+ * any order.
  */
 struct CommandLine
 {
@@ -19,6 +19,7 @@ struct CommandLine
   std::vector<std::string> further_files; ///< they are run, or checked, too
   unsigned int n_jobs = 1;                ///< of --jobs: so many of several files at the same time
   std::vector<std::string> overrides;     ///< of --set
+  std::vector<std::string> sweeps;        ///< of --sweep: "Section/Key=values" each
   std::string output_directory;           ///< default output/<name of the .prm>
   bool overwrite = false;
   bool restart = false;

@@ -1,9 +1,11 @@
 #ifndef continua_base_entry_type_h
 #define continua_base_entry_type_h
 
+#include <continua/base/numeric_form.h>
 #include <continua/base/parameter_section.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,8 @@ struct EntryType
   std::function<Value(const std::string &)> read;
   /// The value as text, in one form only.
   std::function<std::string(const Value &)> write;
+  /// Of numbers; empty for what is none.
+  std::optional<NumericForm> number = {};
 };
 
 /// The default of each type is `value`, where the type accepts it.

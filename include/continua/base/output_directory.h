@@ -37,6 +37,10 @@ public:
 
   OutputDirectory(OutputDirectory &&) = default;
 
+  /// Whether a checkpoint was finished in the folder: its files have lost the ending of the
+  /// temporary ones.
+  static bool has_checkpoint(const std::string &path);
+
   /// Path of a file in it; the name is one of output_files().
   std::string file(const std::string &name) const;
   /// Path of a file whose name depends on the case, or of the folder "NAME/" of a run of its own.

@@ -86,6 +86,7 @@ public:
 
 private:
   friend class ParameterSection;
+  friend class NumericEntry;
   std::unique_ptr<ParameterStore> store;
 };
 } // namespace Continua

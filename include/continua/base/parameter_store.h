@@ -1,11 +1,13 @@
 #ifndef continua_base_parameter_store_h
 #define continua_base_parameter_store_h
 
+#include <continua/base/numeric_form.h>
 #include <continua/base/parameter_text.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,8 @@ struct ParameterStore
     /// same.
     std::function<std::string(const std::string &)> one_form;
     bool is_input_file = false; ///< the value is the absolute path of a file
+    /// Of numbers; empty for what is none.
+    std::optional<NumericForm> number = {};
 
     /// The section and the key.
     std::vector<std::string> path() const;

@@ -38,6 +38,16 @@ public:
                 const std::vector<double> &positions,
                 const std::vector<std::string> &fields);
 
+  /// What one column says: a field of a station, row by row.
+  struct Record
+  {
+    std::size_t station, field;
+    std::vector<double> times;  ///< [s], shifted
+    std::vector<double> values; ///< [SI], with the factor
+  };
+  /// In the order of the columns.
+  const std::vector<Record> &records() const { return rows; }
+
   /// By station, field and time [s], linear between the rows; NaN where nothing was measured.
   std::vector<std::vector<std::vector<double>>> histories(const std::vector<double> &times) const;
 
@@ -49,6 +59,7 @@ private:
   };
   std::size_t n_stations, n_fields;
   std::vector<Column> columns;
+  std::vector<Record> rows;
 };
 
 /// The dimension of a field of stations, by its name; throws std::out_of_range for another name.

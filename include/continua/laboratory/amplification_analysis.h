@@ -19,6 +19,8 @@ class AmplificationAnalysis : public Analysis
 public:
   /// Throws InputError.
   explicit AmplificationAnalysis(const AnalysisInput &input);
+
+  QuantityNames quantity_names() const override { return quantities; }
   std::vector<std::string> outline() const override;
 
 private:

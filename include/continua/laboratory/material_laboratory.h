@@ -28,6 +28,8 @@ public:
   /// Throws InputError.
   explicit MaterialLaboratory(const AnalysisInput &input);
 
+  QuantityNames quantity_names() const override { return quantities; }
+
 private:
   std::string name; ///< of the material
   Material material;

@@ -21,6 +21,8 @@ public:
   /// Throws InputError.
   explicit SpinCoatingAnalysis(const AnalysisInput &input);
 
+  QuantityNames quantity_names() const override { return quantities; }
+
 private:
   TubeLaw law;
   SpinCoating coating;

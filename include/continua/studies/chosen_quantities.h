@@ -20,6 +20,10 @@ constexpr double round_off_share = 1e-10;
 /// Whether a quantity tells of the computation (an error, a count) rather than of the body.
 bool is_of_the_computation(const std::string &name);
 
+/// Whether a label is asked for: by itself, or by the name of the quantity; if nothing is asked
+/// for, each is but those of the computation.
+bool is_chosen(const std::vector<std::string> &asked, const std::string &label);
+
 /// Throws RunError for a quantity in `asked` ("PROBE: NAME", or "NAME" of whatever probe) that this
 /// run has not; `entry`: where they stand.
 void check_asked(const std::string &entry,

@@ -2,7 +2,7 @@
 #define continua_studies_comparison_h
 
 #include <continua/studies/comparison_parameters.h>
-#include <continua/studies/study.h>
+#include <continua/studies/mesh_study.h>
 
 #include <memory>
 #include <vector>
@@ -14,7 +14,7 @@ namespace Continua
  * discretisations, unless the section Comparison says otherwise - on a sequence of meshes, and
  * reports what they say of the same quantities (ComparisonReport).
  */
-class Comparison : public Study
+class Comparison : public MeshStudy
 {
 public:
   /// Reads the case in both variants, without its finer meshes. Throws InputError.
@@ -24,7 +24,7 @@ private:
   ComparisonParameters parameters;
 
   void refine_mesh(CommandLine &of_run, const Variant &variant, unsigned int mesh) const override;
-  std::unique_ptr<StudyReport> make_report(const std::vector<StudiedRun> &runs) const override;
+  std::unique_ptr<StudyReport> make_report_of(const std::vector<StudiedRun> &runs) const override;
 };
 } // namespace Continua
 

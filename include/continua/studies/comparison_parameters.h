@@ -2,7 +2,7 @@
 #define continua_studies_comparison_parameters_h
 
 #include <continua/base/parameter_section.h>
-#include <continua/studies/study_parameters.h>
+#include <continua/studies/mesh_study_parameters.h>
 
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@ namespace Continua
 {
 /// The section Comparison: two variants of one case on a sequence of meshes. `analysis` is
 /// transient or steady.
-struct ComparisonParameters : StudyParameters
+struct ComparisonParameters : MeshStudyParameters
 {
   std::string entry = "Discretisation"; ///< path of the entry in which the variants differ
   std::vector<std::string> values = {"taylor hood", "cell-wise"}; ///< its two values

@@ -3,6 +3,7 @@
 
 #include <continua/postprocess/grid_convergence.h>
 #include <continua/studies/comparison_parameters.h>
+#include <continua/studies/studied_run.h>
 #include <continua/studies/study_report.h>
 
 #include <string>

@@ -2,6 +2,7 @@
 #define continua_studies_refinement_report_h
 
 #include <continua/studies/refinement_study_parameters.h>
+#include <continua/studies/studied_run.h>
 #include <continua/studies/study_report.h>
 
 #include <string>

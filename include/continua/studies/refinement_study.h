@@ -1,8 +1,8 @@
 #ifndef continua_studies_refinement_study_h
 #define continua_studies_refinement_study_h
 
+#include <continua/studies/mesh_study.h>
 #include <continua/studies/refinement_study_parameters.h>
-#include <continua/studies/study.h>
 
 #include <memory>
 #include <vector>
@@ -14,7 +14,7 @@ namespace Continua
  * divided everywhere or where the indicator asks for it, and reports the errors of its quantities
  * over the unknowns (RefinementReport). The variants are the ways of refinement.
  */
-class RefinementStudy : public Study
+class RefinementStudy : public MeshStudy
 {
 public:
   /// Reads the case, without its finer meshes. Throws InputError.
@@ -25,7 +25,7 @@ private:
 
   void check(const Variant &variant) const;
   void refine_mesh(CommandLine &of_run, const Variant &variant, unsigned int mesh) const override;
-  std::unique_ptr<StudyReport> make_report(const std::vector<StudiedRun> &runs) const override;
+  std::unique_ptr<StudyReport> make_report_of(const std::vector<StudiedRun> &runs) const override;
 };
 } // namespace Continua
 

@@ -2,7 +2,7 @@
 #define continua_studies_refinement_study_parameters_h
 
 #include <continua/base/parameter_section.h>
-#include <continua/studies/study_parameters.h>
+#include <continua/studies/mesh_study_parameters.h>
 
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@ namespace Continua
 {
 /// The section Refinement study: one case on finer and finer meshes, divided everywhere or where
 /// the solution asks for it. `analysis` is transient, steady or modal.
-struct RefinementStudyParameters : StudyParameters
+struct RefinementStudyParameters : MeshStudyParameters
 {
   std::vector<std::string> variants = {"uniform"}; ///< uniform, adaptive or both
   unsigned int cycles = 3;                         ///< the finest; the file's own mesh is cycle 0

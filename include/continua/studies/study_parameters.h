@@ -12,8 +12,8 @@ namespace Continua
 struct StudyParameters
 {
   std::string analysis = "automatic";  ///< of the runs; the analysis itself after read()
-  bool refine_time_step = false;       ///< divided as often as the mesh is refined
   std::vector<std::string> quantities; ///< "PROBE: QUANTITY" or "QUANTITY"; empty: all
+  unsigned int n_parallel = 1;         ///< runs at a time
   std::vector<ExpectedValue> expected;
 };
 } // namespace Continua

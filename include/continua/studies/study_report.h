@@ -3,21 +3,12 @@
 
 #include <continua/base/output_directory.h>
 #include <continua/base/summary.h>
-#include <continua/studies/run_series.h>
 
 #include <string>
 #include <vector>
 
 namespace Continua
 {
-/// One run of a study.
-struct StudiedRun : RunResult
-{
-  unsigned int variant = 0; ///< number of the variant of the case
-  unsigned int mesh = 0;    ///< how often the file's mesh is refined
-  double time_step = 0.;    ///< [s]; 0: none
-};
-
 /// What a study makes of its runs.
 class StudyReport
 {

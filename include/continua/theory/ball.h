@@ -103,6 +103,12 @@ public:
 private:
   const slong previous;
 };
+
+/// Gives back what the library keeps for the present thread: at the end of a thread.
+inline void release_memory_of_balls()
+{
+  flint_cleanup();
+}
 } // namespace Continua
 
 #endif

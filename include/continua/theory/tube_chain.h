@@ -1,6 +1,7 @@
 #ifndef continua_theory_tube_chain_h
 #define continua_theory_tube_chain_h
 
+#include <continua/theory/kept_waves.h>
 #include <continua/theory/tube_wave_problem.h>
 #include <continua/theory/wave_families.h>
 
@@ -25,8 +26,12 @@ public:
   using Complex = std::complex<double>;
 
   /// The branches of `problem` do not count: see `load` of solve(). Throws RunError if a wave
-  /// cannot be followed up to `last_frequency` [Hz]; `shift` in 1/s.
-  TubeChain(const TubeWaveProblem &problem, double shift, double last_frequency);
+  /// cannot be followed up to `last_frequency` [Hz]; `shift` in 1/s. Exact waves are taken from
+  /// `kept`, if there is one, and left there.
+  TubeChain(const TubeWaveProblem &problem,
+            double shift,
+            double last_frequency,
+            KeptWaves *kept = nullptr);
   TubeChain(TubeChain &&) = default;
 
   /// The segments whose waves are computed; those of the others are theirs, or between them.
@@ -61,11 +66,11 @@ public:
 private:
   const TubeWaveProblem problem;
   const double shift;
-  std::vector<std::unique_ptr<WaveFamilies>> waves; ///< of the sections that are computed
+  std::vector<std::shared_ptr<const WaveFamilies>> waves; ///< of the sections that are computed
   /// Of each segment: sections and weights that its waves are interpolated from.
   std::vector<std::vector<std::pair<std::size_t, double>>> sections_of;
 
-  void compute_sections(double last_frequency);
+  void compute_sections(double last_frequency, KeptWaves *kept);
   /// The waves of all segments at a frequency [Hz].
   std::vector<std::vector<WaveMode>> modes_at(double frequency) const;
 };

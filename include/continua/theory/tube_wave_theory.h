@@ -37,11 +37,13 @@ public:
   using Complex = std::complex<double>;
 
   /// `inlet`: pressure [Pa] or flow rate [m^3/s] over time [s], zero before t = 0. `end_time` [s]:
-  /// histories are wanted up to there. Throws RunError if a wave cannot be followed.
+  /// histories are wanted up to there. Exact waves are taken from `kept`, if there is one, and left
+  /// there. Throws RunError if a wave cannot be followed.
   TubeWaveTheory(const TubeWaveProblem &problem,
                  const std::function<double(double)> &inlet,
                  double end_time,
-                 double spectral_tolerance = 1e-5);
+                 double spectral_tolerance = 1e-5,
+                 KeptWaves *kept = nullptr);
 
   /// What the time of the theory grows with [1].
   struct Work
@@ -82,7 +84,7 @@ private:
   };
   std::vector<Chain> chains; ///< each before its branches
 
-  void add_chains(const TubeWaveProblem &problem, std::size_t before);
+  void add_chains(const TubeWaveProblem &problem, std::size_t before, KeptWaves *kept);
   /// The values at the stations of a chain at a frequency [Hz].
   std::vector<TubeChain::Values> values(double frequency,
                                         const Complex &inlet,

@@ -1,0 +1,197 @@
+#include <continua/studies/run_pool.h>
+
+#include <continua/base/child_process.h>
+#include <continua/base/input_error.h>
+#include <continua/base/input_file.h>
+#include <continua/base/interruption.h>
+#include <continua/base/memory_limit.h>
+#include <continua/base/parameter_text.h>
+
+#include <sched.h>
+#include <unistd.h>
+#if defined(__linux__)
+#include <sys/prctl.h>
+#endif
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <list>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+namespace Continua
+{
+namespace
+{
+const std::string mark_of_a_run = "--continua-internal-run-of-a-study";
+
+/// For what the runs print: each has a log of its own, and nobody sees their screens.
+class FolderOfScreens
+{
+public:
+  FolderOfScreens()
+  {
+    std::string name = (std::filesystem::temp_directory_path() / "continua-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr)
+      throw RunError("no folder can be made in " + std::filesystem::temp_directory_path().string() +
+                     ": " + std::strerror(errno));
+    path = name;
+  }
+  ~FolderOfScreens()
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+  FolderOfScreens(const FolderOfScreens &) = delete;
+  FolderOfScreens &operator=(const FolderOfScreens &) = delete;
+
+  std::string file(const unsigned int number) const
+  {
+    return (path / std::to_string(number)).string();
+  }
+
+private:
+  std::filesystem::path path;
+};
+
+/// A run at work.
+struct RunningRun
+{
+  unsigned int number;
+  double memory;
+  std::unique_ptr<ChildProcess> process;
+};
+
+/// What the run said last: its error with all that follows, or its last line.
+std::string last_words(const std::string &screen)
+{
+  const std::string beginning = "error: ";
+  std::string text = "\n" + read_input_file(screen);
+  if (const std::size_t error = text.rfind("\n" + beginning); error != std::string::npos)
+    return collapse_blanks(text.substr(error + 1 + beginning.size()));
+  std::istringstream lines(text);
+  std::string last;
+  for (std::string line; std::getline(lines, line);)
+    if (!collapse_blanks(line).empty())
+      last = collapse_blanks(line);
+  return last;
+}
+
+/// Why a run failed; empty if it finished.
+std::string failure_of(const int status, const std::string &screen)
+{
+  if (status == 0)
+    return "";
+  const std::string said = last_words(screen);
+  if (status > 0)
+    return said.empty() ? "it ended with the status " + std::to_string(status) : said;
+  return "it was ended by the signal '" + std::string(::strsignal(-status)) + "'" +
+         (status == -SIGKILL ? ", as by the system where memory is at its end" : "") +
+         (said.empty() ? "" : "; it said last: " + said);
+}
+
+std::unique_ptr<ChildProcess>
+start(const std::string &program, const PlannedRun &plan, const std::string &screen)
+{
+  ChildProcess::Program run;
+  run.file = program;
+  run.arguments = {"continua", mark_of_a_run};
+  for (const std::string &argument : arguments_of(plan.command_line))
+    run.arguments.push_back(argument);
+  run.environment = environment_without_launcher();
+  run.screen = screen;
+  return std::make_unique<ChildProcess>(run);
+}
+} // namespace
+
+const std::string among_runs =
+    "among the runs of the study; --restart goes on with those that are not finished";
+
+RunPool::RunPool(const unsigned int n_parallel, std::string program)
+    : n_parallel(std::max(n_parallel, 1u)), program(std::move(program))
+{
+}
+
+void RunPool::perform(const std::vector<PlannedRun> &plans,
+                      const Begins &begins,
+                      const Ended &ended) const
+{
+  const FolderOfScreens screens;
+  const double memory_limit = Continua::memory_limit().bytes;
+  std::list<RunningRun> running; // gone before the screens
+  unsigned int next = 0;
+  double memory = 0.;
+  bool is_interrupted = false;
+  constexpr std::chrono::milliseconds longest_pause(20);
+  std::chrono::milliseconds pause(1);
+  while (!running.empty() || (next < plans.size() && !is_interrupted))
+  {
+    if (!is_interrupted && SignalWatch::pending() != 0)
+    {
+      is_interrupted = true;
+      for (const RunningRun &run : running)
+        ::kill(run.process->number(), SignalWatch::pending());
+      continue;
+    }
+    while (!is_interrupted && next < plans.size() && running.size() < n_parallel &&
+           (running.empty() || memory + plans[next].memory <= memory_limit))
+    {
+      begins(next);
+      running.push_back(
+          {next, plans[next].memory, start(program, plans[next], screens.file(next))});
+      memory += plans[next].memory;
+      ++next;
+    }
+    bool has_any_ended = false;
+    for (auto run = running.begin(); run != running.end();)
+    {
+      const auto end = run->process->end();
+      if (!end)
+      {
+        ++run;
+        continue;
+      }
+      has_any_ended = true;
+      const unsigned int number = run->number;
+      const int status = end->exit_status();
+      memory -= run->memory;
+      run = running.erase(run);
+      if (!is_interrupted || status == 0)
+        ended(number, failure_of(status, screens.file(number)));
+    }
+    pause = has_any_ended ? std::chrono::milliseconds(1) : std::min(2 * pause, longest_pause);
+    if (!has_any_ended)
+      std::this_thread::sleep_for(pause);
+  }
+  if (is_interrupted)
+    throw Interrupted("interrupted by " + SignalWatch::name(SignalWatch::pending()) + " " +
+                      among_runs);
+}
+
+unsigned int RunPool::n_cores()
+{
+  cpu_set_t cores;
+  if (::sched_getaffinity(0, sizeof(cores), &cores) == 0)
+    return static_cast<unsigned int>(std::max(CPU_COUNT(&cores), 1));
+  return static_cast<unsigned int>(std::max(::sysconf(_SC_NPROCESSORS_ONLN), 1L));
+}
+
+bool is_run_of_a_pool(std::vector<char *> &arguments)
+{
+  if (arguments.size() < 2 || arguments[1] != mark_of_a_run)
+    return false;
+  arguments.erase(arguments.begin() + 1);
+#if defined(__linux__)
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+#endif
+  return true;
+}
+} // namespace Continua

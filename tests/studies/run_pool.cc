@@ -1,0 +1,160 @@
+// Runs side by side: how many at a time, how they end, and what a signal, a lack of memory and an
+// error do. A shell script stands for the program.
+
+#include <continua/base/input_error.h>
+#include <continua/base/input_file.h>
+#include <continua/base/interruption.h>
+#include <continua/studies/run_pool.h>
+
+#include "../unit_test.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace test_of_run_pool
+{
+using namespace Continua;
+
+namespace
+{
+const std::string script = "./run-pool-test.sh", place = "run-pool-test";
+
+/// Writes a program that notes how many of its kind are at work, does what stands in its parameter
+/// file, and ends.
+void write_script()
+{
+  std::filesystem::remove_all(place);
+  std::filesystem::create_directory(place);
+  std::ofstream(script) << "#!/bin/sh\n"
+                           "cd "
+                        << place
+                        << "\n"
+                           "mkdir at-work.$$\n"
+                           "echo \"$*, launched $OMPI_COMM_WORLD_SIZE\" >> arguments\n"
+                           "trap 'rmdir at-work.$$' EXIT\n"
+                           "trap 'echo kept >> checkpoints; exit 1' TERM\n"
+                           "ls -d at-work.* | wc -l >> counts\n"
+                           "eval \"$2\"\n";
+  std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+}
+
+PlannedRun run_of(const std::string &what_it_does, const double memory = 0.)
+{
+  PlannedRun plan;
+  plan.command_line.parameter_file = what_it_does;
+  plan.command_line.output_directory = "results";
+  plan.memory = memory;
+  return plan;
+}
+
+/// Performs the runs; why each failed.
+std::vector<std::string> perform(
+    const std::vector<PlannedRun> &plans,
+    const unsigned int n_parallel,
+    const RunPool::Begins &begins = [](unsigned int) {})
+{
+  std::vector<std::string> failures(plans.size(), "not ended");
+  RunPool(n_parallel, script)
+      .perform(plans, begins,
+               [&failures](const unsigned int number, const std::string &failure)
+               { failures[number] = failure; });
+  return failures;
+}
+
+/// The largest number of runs that were at work at a time, since the last call.
+int most_at_work()
+{
+  std::istringstream counts(read_input_file(place + "/counts"));
+  std::filesystem::remove(place + "/counts");
+  int most = 0;
+  for (int count = 0; counts >> count;)
+    most = std::max(most, count);
+  return most;
+}
+} // namespace
+
+UNIT_TEST(run_pool)
+{
+  const SignalWatch watch;
+  write_script();
+  ::setenv("OMPI_COMM_WORLD_SIZE", "2", 1);
+  const std::vector<PlannedRun> slow(4, run_of("sleep 0.1"));
+  check::is_true("all finish", perform(slow, 3) == std::vector<std::string>(4));
+  check::is_true("three at a time", most_at_work() == 3);
+  perform(slow, 1);
+  check::is_true("one at a time", most_at_work() == 1);
+  perform(std::vector<PlannedRun>(3, run_of("sleep 0.05", 1e18)), 3);
+  check::is_true("not more than the memory holds", most_at_work() == 1);
+  check::is_true("there is a core", RunPool::n_cores() > 0);
+
+  const std::vector<std::string> failures = perform(
+      {run_of("exit 0"), run_of("echo no; echo 'error: it diverges'; echo '  at 1 s'; exit 1"),
+       run_of("echo one; echo 'the last'; exit 2"), run_of("exit 3"), run_of("kill -9 $$")},
+      2);
+  check::equal("finished", failures[0], "");
+  check::equal("its error", failures[1], "it diverges at 1 s");
+  check::equal("its last words", failures[2], "the last");
+  check::equal("without a word", failures[3], "it ended with the status 3");
+  check::is_true("killed", check::matches(failures[4], "by the signal 'Killed', as by the system"));
+
+  std::filesystem::remove(place + "/arguments");
+  PlannedRun plan = run_of("exit 0");
+  plan.command_line.overrides = {"A/B=--1", "C", "\"D=E\"=2"};
+  plan.command_line.restart = true;
+  plan.command_line.allow_mesh_commands = true;
+  perform({plan}, 2);
+  check::equal("arguments", read_input_file(place + "/arguments"),
+               "--continua-internal-run-of-a-study exit 0 --set=A/B=--1 --unset=C --set=\"D=E\"=2 "
+               "--output=results --restart --allow-mesh-commands, launched \n");
+
+  // What throws ends the others.
+  const std::vector<PlannedRun> one_is_quick = {run_of("while :; do sleep 0.01; done"),
+                                                run_of("exit 0")};
+  check::throws<RunError>(
+      "an error at an end",
+      [&one_is_quick]
+      {
+        RunPool(2, script).perform(
+            one_is_quick, [](unsigned int) {},
+            [](unsigned int, const std::string &) { throw RunError("enough"); });
+      },
+      "enough");
+
+  // A signal goes to the runs, and no other begins.
+  std::vector<PlannedRun> long_ones(3, run_of("touch begun; while :; do sleep 0.01; done"));
+  unsigned int n_begun = 0;
+  check::throws<Interrupted>(
+      "a signal",
+      [&]
+      {
+        perform(long_ones, 2,
+                [&n_begun](unsigned int)
+                {
+                  // The first one has its trap once it works.
+                  if (++n_begun == 2)
+                  {
+                    while (!std::filesystem::exists(place + "/begun"))
+                      ;
+                    ::raise(SIGTERM);
+                  }
+                });
+      },
+      "interrupted by SIGTERM among the runs.*--restart");
+  check::is_true("two were begun", n_begun == 2);
+  check::is_true("the first kept a checkpoint",
+                 check::matches(read_input_file(place + "/checkpoints"), "kept"));
+
+  char program[] = "continua", mark[] = "--continua-internal-run-of-a-study", file[] = "a.prm";
+  std::vector<char *> arguments = {program, file};
+  check::is_true("a command of a user", !is_run_of_a_pool(arguments) && arguments.size() == 2);
+  arguments = {program, mark, file};
+  check::is_true("a run of a pool",
+                 is_run_of_a_pool(arguments) && arguments.size() == 2 && arguments[1] == file);
+  std::filesystem::remove_all(place);
+  std::filesystem::remove(script);
+}
+} // namespace test_of_run_pool
