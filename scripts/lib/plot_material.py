@@ -5,6 +5,7 @@ import glob
 import os
 import re
 
+import matplotlib.ticker
 import numpy
 import plot_style
 import tables
@@ -82,7 +83,7 @@ def draw_table(sheet, runs):
         law, fitted = column(names, data, "modulus of the power law"), column(names, data, "fitted") > 0
         for axes in panels:
             axes.plot(time[~fitted], factor * modulus[~fitted], "x", color="#999999", markersize=3,
-                      label=f"{prefix(shown, run)}loading, not fitted")
+                      label=f"{prefix(shown, run)}not fitted")
             axes.plot(time[fitted], factor * modulus[fitted], "o", color=colour, markersize=2.5, fillstyle="none",
                       markeredgewidth=0.6, label=f"{prefix(shown, run)}table")
             axes.plot(time[fitted], factor * law[fitted], "-", color="#000000", linewidth=0.9,
@@ -92,6 +93,10 @@ def draw_table(sheet, runs):
     for axes in panels:
         axes.set_xlabel("Time [s]")
         axes.set_ylabel(plot_style.axis_label("stress over the strain held", unit))
+    # Moduli seldom go over more than a decade or two, where powers of ten alone would label nothing.
+    panels[0].yaxis.set_major_locator(matplotlib.ticker.LogLocator(subs=(1, 2, 5)))
+    panels[0].yaxis.set_major_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
+    panels[0].yaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
     panels[1].set_ylim(0, None)
     panels[1].set_xlim(0, None)
     legend_above(sheet, figure, panels[0])

@@ -1,8 +1,10 @@
 #include <continua/case/power_laws.h>
 
+#include <continua/base/input_error.h>
 #include <continua/base/misfit.h>
 #include <continua/base/units.h>
 #include <continua/materials/power_law_fit.h>
+#include <continua/theory/bar_law_fit.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -28,9 +30,49 @@ std::string warning_of_prony_series(const std::string &region, const double erro
                         "Set a smaller Fit tolerance, or leave it out");
 }
 
+std::string warning_of_better_series(const std::string &region, const RelaxationTest &test)
+{
+  // The rows of the power law's fit.
+  BarRecord record;
+  record.loading_time = test.loading_time;
+  record.abscissae.assign(test.times.begin() + test.first_used, test.times.end());
+  record.values.assign(test.moduli.begin() + test.first_used, test.moduli.end());
+  record.noise_units = record.values;
+  record.is_logarithmic = true;
+  BarLaw power_law;
+  power_law.type = "power law";
+  constexpr unsigned int most_branches = 8;
+  std::ostringstream text;
+  try
+  {
+    const BarLawFit line = fit_bar_law(start_of_scan(power_law, {record}), {record});
+    const BarLawFit series =
+        simplest_of(fit_prony_series_to_bar(power_law.poissons_ratio, {record}, most_branches));
+    if (series.law.type != "prony" || line.criterion - series.criterion <= clear_difference)
+      return "";
+    text.precision(2);
+    text << "Materials/" << region << "/Relaxation table: the power law misses by "
+         << 100. * line.misfits[0] << " % (root of the mean square), " << series.law.description()
+         << " by " << 100. * series.misfits[0]
+         << " %. By Schwarz's criterion the series is very clearly better. Fit the table with "
+            "'Analysis = material fit', and take the entries of its material.prm";
+  }
+  catch (const std::invalid_argument &)
+  {
+    return ""; // too few rows to compare laws
+  }
+  catch (const RunError &)
+  {
+    return ""; // neither law can be fitted
+  }
+  return text.str();
+}
+
 void PowerLaws::note_table(const std::string &region, const ParameterSection &section)
 {
-  tables[region] = fit_relaxation_test(read_relaxation_test(section));
+  const RelaxationTest test = read_relaxation_test(section);
+  tables[region] = fit_relaxation_test(test);
+  warnings_of_laws[region] = warning_of_better_series(region, test);
 }
 
 void PowerLaws::report_tables(Log &log, Summary &summary) const
@@ -44,6 +86,8 @@ void PowerLaws::report_tables(Log &log, Summary &summary) const
     log.line(text.str());
     if (const std::string warning = warning_of_relaxation_table(region, fit.misfit);
         !warning.empty())
+      log.warning(warning);
+    if (const std::string &warning = warnings_of_laws.at(region); !warning.empty())
       log.warning(warning);
     summary.add({"c", fit.modulus, "Pa", region});
     summary.add({"n", fit.exponent, "1", region});

@@ -4,6 +4,7 @@
 #include <continua/base/misfit.h>
 #include <continua/base/six_digits.h>
 #include <continua/base/units.h>
+#include <continua/laboratory/fit_report.h>
 #include <continua/laboratory/relaxing_law.h>
 #include <continua/materials/strain_law_types.h>
 #include <continua/postprocess/writing_rank.h>
@@ -94,10 +95,21 @@ std::vector<double> LargeStrainTests::points(const double first, const double la
   return result;
 }
 
+void LargeStrainTests::fit_tables(Material &fitted)
+{
+  if (parameters.tables.empty())
+    return;
+  const double before = shear_modulus;
+  fit();
+  for (Branch &branch : fitted.shear.branches)
+    if (std::isinf(branch.relaxation_time))
+      branch.shear_modulus *= shear_modulus / before;
+  if (fitted.compression.kind() == Compression::Kind::elastic)
+    fitted.compression = Compression::elastic(inverse_bulk_modulus);
+}
+
 void LargeStrainTests::perform(const std::vector<std::string> &tests)
 {
-  if (!parameters.tables.empty())
-    fit();
   for (const std::string &test : tests)
   {
     SignalWatch::stop_if_asked(communicator, "before the test " + test +
@@ -126,18 +138,17 @@ void LargeStrainTests::fit()
   text.precision(6);
   text << "Fit of the law " << law_parameters.type << ": shear modulus " << shear_modulus
        << " Pa, Young's modulus " << young << " Pa";
-  summary.add({"shear modulus", shear_modulus, "Pa", "fit"});
   summary.add({"Young's modulus", young, "Pa", "fit"});
   for (const StrainLawConstant &constant : strain_law_type(law_parameters.type).constants)
   {
     const double value = law_parameters.*constant.member;
     text << ", " << constant.key << " " << value
          << (constant.dimension == Dimensions::none ? "" : " " + constant.dimension.unit());
-    summary.add({constant.key, value, constant.dimension.unit(), "fit"});
   }
   text.precision(2);
   text << "; root mean square of the difference " << found.misfit << " of the largest stress";
   log.line(text.str());
+  report_fit(found.sought, found.result, log, summary);
   if (const std::string warning =
           misfit_warning("Laboratory: the law " + law_parameters.type, found.misfit,
                          "root of the mean square, of the largest stress",
@@ -377,9 +388,10 @@ void LargeStrainTests::name_quantities(const StrainLawParameters &law,
   };
   if (!parameters.tables.empty())
   {
-    add("fit", {"shear modulus", "Young's modulus", "misfit"});
+    add("fit", {"Young's modulus", "misfit"});
+    name_fit_quantities("shear modulus", names);
     for (const StrainLawConstant &constant : strain_law_type(law.type).constants)
-      names.add(constant.key, "fit");
+      name_fit_quantities(constant.key, names);
   }
   const auto add_limit_points = [&add](const std::string &test, const std::string &load)
   {

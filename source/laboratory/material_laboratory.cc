@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <memory>
 #include <sstream>
 
 namespace Continua
@@ -103,12 +104,11 @@ void MaterialLaboratory::read_strain_law(ParameterSection section)
   for (const StretchTable &measured : laboratory.large_strain.tables)
     n_rows += measured.measures.size();
   const std::size_t n_constants = 1 + strain_law_type(strain_law.type).constants.size();
-  if (n_rows > 0 && n_rows < n_constants)
+  if (n_rows > 0 && n_rows <= n_constants)
     section.refuse("Strain law",
                    "the law has " + std::to_string(n_constants) +
-                       " constants, and the tables of "
-                       "the laboratory have " +
-                       std::to_string(n_rows) + " rows",
+                       " constants, and the tables of the laboratory have " +
+                       std::to_string(n_rows) + " rows: more are needed to tell the noise, too",
                    "Give tables with more rows");
 }
 
@@ -177,6 +177,14 @@ void MaterialLaboratory::compute(const OutputDirectory &directory, Log &log, Sum
                               ? "a point"
                               : word_of(specimen_words(), laboratory.specimen));
   summary.set("material", name + ", " + material.type);
+  std::unique_ptr<LargeStrainTests> large_strain_tests;
+  if (laboratory.is_large_strain)
+  {
+    large_strain_tests = std::make_unique<LargeStrainTests>(
+        material, strain_law, laboratory.large_strain, time, directory, communicator, log, summary);
+    // First of all: what is said of the material is then that of the fit.
+    large_strain_tests->fit_tables(material);
+  }
   report(log, summary);
   if (is_writer)
   {
@@ -185,10 +193,8 @@ void MaterialLaboratory::compute(const OutputDirectory &directory, Log &log, Sum
     if (!table.file.empty())
       write_table(directory);
   }
-  if (laboratory.is_large_strain)
-    LargeStrainTests(material, strain_law, laboratory.large_strain, time, directory, communicator,
-                     log, summary)
-        .perform(laboratory.tests);
+  if (large_strain_tests)
+    large_strain_tests->perform(laboratory.tests);
   else if (laboratory.specimen == SpecimenShape::cylinder)
     simulate<2>(directory, log, summary);
   else
@@ -222,6 +228,7 @@ void MaterialLaboratory::report(Log &log, Summary &summary) const
     for (const std::string &warning :
          {table.file.empty() ? std::string()
                              : warning_of_relaxation_table(name, fit_relaxation_test(table).misfit),
+          table.file.empty() ? std::string() : warning_of_better_series(name, table),
           warning_of_prony_series(name, series.error)})
       if (!warning.empty())
         log.warning(warning);

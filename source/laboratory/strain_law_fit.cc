@@ -1,103 +1,138 @@
 #include <continua/laboratory/strain_law_fit.h>
 
 #include <continua/base/input_error.h>
-#include <continua/base/quiet_gsl.h>
+#include <continua/base/undefined.h>
+#include <continua/inference/least_squares_fit.h>
 #include <continua/materials/strain_law_types.h>
-
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_multifit_nlinear.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <memory>
 
 namespace Continua
 {
 namespace
 {
-struct FreeFitWorkspace
+/// Of a table: what its residuals are divided by [Pa].
+double largest_stress(const StretchTable &table)
 {
-  void operator()(gsl_multifit_nlinear_workspace *w) const { gsl_multifit_nlinear_free(w); }
-};
+  double largest = 0.;
+  for (const double stress : table.stresses)
+    largest = std::max(largest, std::abs(stress));
+  return largest;
+}
 
-/// What GSL works on: the search begins at 0 in every unknown.
-struct StretchFit
+/// Shear modulus and constants -> nominal stresses of all tables, one after the other, over the
+/// largest of the table [1].
+class StretchModel : public FitModel
 {
-  const StrainLawParameters &start;
-  double shear_modulus;
-  double inverse_bulk_modulus;
-  CuttingDirection direction;
-  const std::vector<StretchTable> &tables;
-
-  /// The law at these unknowns: the logarithm of the shear modulus, squares of the other constants
-  /// and of a share that of a sine, which reach 0 and come back where logarithms would stay there.
-  StrainLawFit law(const gsl_vector *unknowns) const
+public:
+  StretchModel(const StrainLawParameters &start,
+               const double shear_modulus,
+               const double inverse_bulk_modulus,
+               const CuttingDirection direction,
+               const std::vector<StretchTable> &tables)
+      : start(start),
+        shear_modulus(shear_modulus),
+        inverse_bulk_modulus(inverse_bulk_modulus),
+        direction(direction),
+        tables(tables)
   {
-    StrainLawFit fit;
-    fit.parameters = start;
-    fit.shear_modulus = shear_modulus * std::exp(gsl_vector_get(unknowns, 0));
+  }
+
+  StrainLawParameters parameters(const std::vector<double> &set) const
+  {
+    StrainLawParameters parameters = start;
     std::size_t i = 1;
     for (const StrainLawConstant &constant : strain_law_type(start.type).constants)
-    {
-      const double change = gsl_vector_get(unknowns, i++);
-      double &value = fit.parameters.*constant.member;
-      const double first = value > 0. ? value : constant.usual;
-      // From an end of the range no direction leads away.
-      if (constant.is_share)
-        value = std::pow(std::sin(std::asin(std::sqrt(std::min(first, 0.95))) + change), 2);
-      else
-        value = first * std::pow(1. + change, 2);
-    }
-    return fit;
+      parameters.*constant.member = set[i++];
+    return parameters;
   }
 
-  /// One after the other, over the largest of the table. Returns whether the law has a stress in
-  /// every row.
-  bool set_residuals(const gsl_vector *unknowns, gsl_vector *result) const
+  std::vector<Prediction> predict(const std::vector<std::vector<double>> &sets) override
   {
-    // GSL gives up where a residual is not there; from a large one it turns back.
-    constexpr double far_away = 1e6;
-    gsl_vector_set_all(result, far_away);
-    const StrainLawFit fit = law(unknowns);
-    // Poisson's ratio stays.
-    const double ratio = fit.shear_modulus / shear_modulus;
-    if (!std::isfinite(ratio) || !(ratio > 0.))
-      return false;
-    const double inverse = inverse_bulk_modulus / ratio;
-    const auto strain_law = make_strain_law(fit.parameters, fit.shear_modulus, 1. / inverse);
-    const HomogeneousTest specimen(*strain_law, inverse,
-                                   fibres_of_specimen(fit.parameters, direction));
-    bool is_complete = true;
-    std::size_t i = 0;
-    for (const StretchTable &table : tables)
+    std::vector<Prediction> predictions;
+    for (const std::vector<double> &set : sets)
     {
-      double largest = 0.;
-      for (const double stress : table.stresses)
-        largest = std::max(largest, std::abs(stress));
-      for (std::size_t row = 0; row < table.measures.size(); ++row, ++i)
-        try
-        {
-          const double stress = specimen.at(table.type, table.measures[row]).nominal_stress;
-          const double residual = (stress - table.stresses[row]) / largest;
-          if (std::abs(residual) < far_away)
-            gsl_vector_set(result, i, residual);
-          else
-            is_complete = false;
-        }
-        catch (const RunError &)
-        {
-          is_complete = false;
-        }
+      Prediction prediction;
+      try
+      {
+        prediction.values = stresses(set);
+      }
+      catch (const RunError &error)
+      {
+        prediction.failure = error.what();
+      }
+      predictions.push_back(prediction);
     }
-    return is_complete;
+    return predictions;
+  }
+
+private:
+  const StrainLawParameters &start;
+  const double shear_modulus, inverse_bulk_modulus;
+  const CuttingDirection direction;
+  const std::vector<StretchTable> &tables;
+
+  std::vector<double> stresses(const std::vector<double> &set) const
+  {
+    const StrainLawParameters law_parameters = parameters(set);
+    // Poisson's ratio stays.
+    const double inverse = inverse_bulk_modulus * shear_modulus / set[0];
+    const auto strain_law = make_strain_law(law_parameters, set[0], 1. / inverse);
+    const HomogeneousTest specimen(*strain_law, inverse,
+                                   fibres_of_specimen(law_parameters, direction));
+    std::vector<double> values;
+    for (const StretchTable &table : tables)
+      for (const double measure : table.measures)
+      {
+        values.push_back(specimen.at(table.type, measure).nominal_stress / largest_stress(table));
+        if (!std::isfinite(values.back()))
+          throw RunError("the stress is larger than a number can hold");
+      }
+    return values;
   }
 };
 
-int residuals_of_stretch_fit(const gsl_vector *unknowns, void *data, gsl_vector *result)
+std::vector<FitParameter> constants_sought(const StrainLawParameters &start,
+                                           const double shear_modulus)
 {
-  static_cast<const StretchFit *>(data)->set_residuals(unknowns, result);
-  return GSL_SUCCESS;
+  FitParameter modulus;
+  modulus.name = "shear modulus";
+  modulus.unit = "Pa";
+  modulus.start = shear_modulus;
+  modulus.lower = 1e-6 * shear_modulus;
+  modulus.upper = 1e6 * shear_modulus;
+  modulus.scale = FitParameter::Scale::logarithmic;
+  std::vector<FitParameter> sought = {modulus};
+  for (const StrainLawConstant &constant : strain_law_type(start.type).constants)
+  {
+    const double value = start.*constant.member;
+    FitParameter parameter;
+    parameter.name = constant.key;
+    parameter.unit = constant.dimension.unit();
+    parameter.start = value > 0. ? value : constant.usual;
+    parameter.lower = 0.;
+    if (constant.is_share)
+      parameter.upper = 1.;
+    sought.push_back(parameter);
+  }
+  return sought;
+}
+
+/// All tables as one record, since their noise is the same share of the largest stress.
+DataRecord data_of_tables(const std::vector<StretchTable> &tables)
+{
+  DataRecord record;
+  record.name = "stress over the largest of its table";
+  record.unit = "1";
+  record.noise.standard_deviation = undefined;
+  for (const StretchTable &table : tables)
+    for (std::size_t row = 0; row < table.measures.size(); ++row)
+    {
+      record.times.push_back(table.measures[row]);
+      record.values.push_back(table.stresses[row] / largest_stress(table));
+    }
+  return record;
 }
 } // namespace
 
@@ -115,35 +150,21 @@ StrainLawFit fit_strain_law(const StrainLawParameters &start,
                             const CuttingDirection direction,
                             const std::vector<StretchTable> &tables)
 {
-  StretchFit problem{start, shear_modulus, inverse_bulk_modulus, direction, tables};
-  gsl_multifit_nlinear_fdf system{};
-  system.f = residuals_of_stretch_fit; // its derivatives are differences
-  for (const StretchTable &table : tables)
-    system.n += table.measures.size();
-  system.p = 1 + strain_law_type(start.type).constants.size();
-  system.params = &problem;
-  const QuietGsl quiet;
-  gsl_multifit_nlinear_parameters settings = gsl_multifit_nlinear_default_parameters();
-  settings.fdtype = GSL_MULTIFIT_NLINEAR_CTRDIFF;
-  settings.h_df = 1e-5; // of central differences: round-off and error are both about 1e-10
-  const std::unique_ptr<gsl_multifit_nlinear_workspace, FreeFitWorkspace> workspace(
-      gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &settings, system.n, system.p));
-  const std::vector<double> zero(system.p, 0.);
-  const gsl_vector_const_view first = gsl_vector_const_view_array(zero.data(), zero.size());
-  std::vector<double> at_start(system.n);
-  gsl_vector_view residuals = gsl_vector_view_array(at_start.data(), at_start.size());
-  if (!problem.set_residuals(&first.vector, &residuals.vector) || !workspace ||
-      gsl_multifit_nlinear_init(&first.vector, &system, workspace.get()) != GSL_SUCCESS)
+  StretchModel model(start, shear_modulus, inverse_bulk_modulus, direction, tables);
+  StrainLawFit fit;
+  fit.sought = constants_sought(start, shear_modulus);
+  std::vector<double> first;
+  for (const FitParameter &parameter : fit.sought)
+    first.push_back(parameter.start);
+  if (!model.predict({first})[0].failure.empty())
     throw RunError("the fit of the law cannot begin: with the constants of the parameter file the "
                    "law has no stress in some row of the tables; begin with smaller ones");
-  int reason = 0;
-  gsl_multifit_nlinear_driver(500, 1e-10, 1e-14, 0., nullptr, nullptr, &reason, workspace.get());
-  StrainLawFit fit = problem.law(gsl_multifit_nlinear_position(workspace.get()));
-  const gsl_vector *residual = gsl_multifit_nlinear_residual(workspace.get());
-  double sum = 0.;
-  for (std::size_t i = 0; i < system.n; ++i)
-    sum += std::pow(gsl_vector_get(residual, i), 2);
-  fit.misfit = std::sqrt(sum / system.n);
+  FitOptions options;
+  options.tolerance = 1e-6;
+  fit.result = LeastSquaresFit(fit.sought, {data_of_tables(tables)}, model, options).solve();
+  fit.parameters = model.parameters(fit.result.estimates);
+  fit.shear_modulus = fit.result.estimates[0];
+  fit.misfit = fit.result.records[0].root_mean_square;
   return fit;
 }
 } // namespace Continua

@@ -427,6 +427,12 @@ Material read_material(ParameterSection section, const Model model)
   std::string type = "hookean";
   section.add_choice("Type", type, names, text);
   section.require("Type");
+  // A table names what is missing otherwise.
+  if (type != "power law" && section.given("Relaxation table"))
+    section.refuse("Relaxation table",
+                   "a material '" + type + "' does not take its constants from a table",
+                   "Fit the table with 'Analysis = material fit', and write the entries of its "
+                   "material.prm here; only 'Type = power law' is fitted to a table here");
   for (const Row &row : table())
     if (type == row.name)
     {

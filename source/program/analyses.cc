@@ -6,6 +6,8 @@
 #include <continua/analysis/steady.h>
 #include <continua/analysis/transient.h>
 #include <continua/laboratory/amplification_analysis.h>
+#include <continua/laboratory/artery_fit.h>
+#include <continua/laboratory/material_fit.h>
 #include <continua/laboratory/material_laboratory.h>
 #include <continua/laboratory/spin_coating_analysis.h>
 #include <continua/studies/comparison.h>
@@ -110,6 +112,14 @@ const AnalysisTable &analyses()
        row_of<MaterialLaboratory>(
            "material", "What a solid is like: its complex modulus, and simulated material tests.",
            {"Laboratory", "Time"}),
+       row_of<MaterialFit>(
+           "material fit",
+           "The law of a solid from tables of relaxation, creep, storage and loss modulus.",
+           {"Material fit"}),
+       row_of<ArteryFit>(
+           "artery fit",
+           "Layers, fibres and opening angle of an artery from an inflation-extension test.",
+           {"Artery fit"}),
        row_of<AmplificationAnalysis>(
            "amplification",
            "What schemes in time do to waves: damping and speed by Courant number and wavelength.",

@@ -9,7 +9,9 @@
 #include <continua/continuum/convection.h>
 #include <continua/continuum/wall_directions_parameters.h>
 #include <continua/laboratory/amplification_parameters.h>
+#include <continua/laboratory/artery_fit_parameters.h>
 #include <continua/laboratory/laboratory_parameters.h>
+#include <continua/laboratory/material_fit_parameters.h>
 #include <continua/materials/material.h>
 #include <continua/materials/strain_law_types.h>
 #include <continua/mesh/geometry.h>
@@ -251,6 +253,21 @@ std::vector<Source> sources()
        {},
        [](Root &root, const General &)
        { LaboratoryParameters().read(root.subsection("Laboratory")); },
+       "",
+       {}},
+      {"Material fit",
+       "Tables of tests of a bar, and the law that is fitted to them.",
+       {},
+       [](Root &root, const General &)
+       { MaterialFitParameters().read(root.subsection("Material fit")); },
+       "",
+       {}},
+      {"Artery fit",
+       "An inflation-extension test of an artery, and a family of what is sought in it: one "
+       "subsection of Parameters for each, called as you like.",
+       {"Artery fit/Parameters/<parameter>/Entries=<layer>/Fibre stiffness"},
+       [](Root &root, const General &)
+       { ArteryFitParameters().read(root.subsection("Artery fit")); },
        "",
        {}},
       {"Amplification",

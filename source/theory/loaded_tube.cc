@@ -34,7 +34,7 @@ double square_of(const double x)
 const auto integrate_stress = [](const auto &integrand, const double begin, const double end)
 {
   static const QIterated<1> quadrature(QGauss<1>(8), 32);
-  double sum = 0.;
+  std::decay_t<decltype(integrand(begin))> sum{};
   for (unsigned int q = 0; q < quadrature.size(); ++q)
     sum += quadrature.weight(q) * integrand(begin + quadrature.point(q)[0] * (end - begin));
   return sum * (end - begin);
@@ -114,11 +114,13 @@ LoadedTube LoadedTube::of_image(const TubeSection &section, const double wanted)
   return of_radius(0.5 * (bracket.first + bracket.second));
 }
 
-template <typename Rule, typename Function>
-double
-LoadedTube::integral(const double inner_radius, const Rule &rule, const Function &function) const
+template <typename Value, typename Rule, typename Function>
+Value LoadedTube::integral(const double inner_radius,
+                           const Rule &rule,
+                           const Function &function) const
 {
-  double sum = 0., inner = mesh.inner_radius, present_inner = inner_radius;
+  Value sum{};
+  double inner = mesh.inner_radius, present_inner = inner_radius;
   for (unsigned int i = 0; i < mesh.layers.size(); ++i)
   {
     const Material &layer = mesh.layers[i];
@@ -132,7 +134,7 @@ LoadedTube::integral(const double inner_radius, const Rule &rule, const Function
     };
     WallPoint point;
     point.strain.fibres = fibres[i];
-    const auto integrand = [&](const double radius)
+    const auto integrand = [&](const double radius) -> Value
     {
       point.radius = present(radius);
       const double across = volume_ratio * radius / point.radius; // dr/dR
@@ -159,6 +161,21 @@ double LoadedTube::pressure(const double inner_radius) const
                     layer.strain_law->set_stress(point.strain, stress);
                     return stress[1][1] - stress[2][2];
                   });
+}
+
+LoadedTube::Loads LoadedTube::loads(const double inner_radius) const
+{
+  const auto both = integral<Tensor<1, 2>>(
+      inner_radius, integrate_stress,
+      [](const Material &layer, const WallPoint &point)
+      {
+        SymmetricTensor<2, 3> stress;
+        layer.strain_law->set_stress(point.strain, stress);
+        // The stress is a deviator: 2 along - around - across = 3 along.
+        return Tensor<1, 2>({stress[1][1] - stress[2][2],
+                             3. * numbers::PI * stress[0][0] * square_of(point.radius)});
+      });
+  return {both[0], both[1]};
 }
 
 double LoadedTube::stiffness(const double inner_radius) const

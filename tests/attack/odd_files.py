@@ -14,7 +14,8 @@ from program import Verdict, judge_reading
 ROLES = {"parameters": ("channel.prm", "channel.prm"), "include": ("channel.prm", "wall.prm"),
          "inlet": ("channel.prm", "pulse.csv"), "relaxation": ("relaxation.prm", "relaxation.csv"),
          "measured": ("measured.prm", "measured.csv"), "shape": ("shape.prm", "shape.csv"),
-         "stretch": ("stretch.prm", "stretch.csv"),
+         "stretch": ("stretch.prm", "stretch.csv"), "moduli": ("material-fit.prm", "moduli.csv"),
+         "inflation": ("artery-fit.prm", "inflation.csv"),
          "mesh": ("block.prm", "block.msh"), "drawing": ("block.prm", "block.geo")}
 KINDS = ("pipe", "folder", "circle", "dangling", "zero", "full", "null", "random", "terminal", "utf-16", "latin-1",
          "empty", "blank", "huge-line", "huge-comment", "deep-unit", "deep-sections", "deep-includes", "no-permission",

@@ -1,5 +1,5 @@
 """Tables (csv) with changes by chance: of an inlet, of a relaxation test, of measured waves, of a tube's shape, of a stretched
-rubber."""
+rubber, of moduli over frequency, of an inflated artery."""
 
 import os
 import random
@@ -12,12 +12,13 @@ from program import HERE, Verdict, judge_reading
 
 # Table: the case that reads it, and how many of its columns it reads. The first is run, too.
 CASES = {"pulse.csv": ("channel.prm", 2), "relaxation.csv": ("relaxation.prm", 2), "measured.csv": ("measured.prm", 2),
-         "shape.csv": ("shape.prm", 3), "stretch.csv": ("stretch.prm", 2)}
+         "shape.csv": ("shape.prm", 3), "stretch.csv": ("stretch.prm", 2), "moduli.csv": ("material-fit.prm", 3),
+         "inflation.csv": ("artery-fit.prm", 4)}
 
 
 class Attack:
     name = "tables"
-    summary = "tables of inlets, relaxation tests, measured waves, tubes and stretches with changes by chance"
+    summary = "tables of inlets, tests of materials, measured waves and tubes with changes by chance"
 
     def __init__(self, program, options):
         self.program = program

@@ -417,6 +417,39 @@ class Material(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stderr)
 
 
+class Fits(unittest.TestCase):
+    def test_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            residual = "residual over the noise [1]"
+            write(os.path.join(folder, "fit-relaxation.csv"),
+                  f"time [s],relaxation modulus [Pa],relaxation modulus of the fit [Pa],{residual}\n0.1,6e5,6.1e5,-1\n1,5e5,5e5,0\n10,4e5,3.9e5,1\n")
+            write(os.path.join(folder, "fit-creep.csv"),
+                  f"time [s],compliance [1/Pa],compliance of the fit [1/Pa],{residual}\n0.1,1e-6,1e-6,0\n1,2e-6,2e-6,0\n")
+            of_moduli = ",".join(f"{kind} modulus [Pa],{kind} modulus of the fit [Pa],residual of the {kind} modulus over the noise [1]"
+                                 for kind in ("storage", "loss"))
+            write(os.path.join(folder, "fit-moduli.csv"), f"frequency [Hz],{of_moduli}\n0.1,4e5,4e5,0,2e4,2e4,0.5\n1,5e5,5e5,0,3e4,3e4,1\n")
+            # Rows of two stretches, one after the other in turn.
+            rows = "".join(f"{1.5 + 0.1 * (i % 2)!r},{1e3 * i!r},{2e-3 + 1e-5 * i!r},{2e-3 + 1e-5 * i!r},0,{1e-2!r},{1e-2!r},0\n" for i in range(8))
+            write(os.path.join(folder, "fit-inflation.csv"),
+                  "axial stretch [1],pressure [Pa],outer diameter [m],outer diameter of the fit [m],residual of the diameter over the noise [1],"
+                  "axial force [N],axial force of the fit [N],residual of the axial force over the noise [1]\n" + rows)
+            write(os.path.join(folder, "correlation.csv"), "stiffness [1],exponent [1]\n1,-0.97\n-0.97,1\n")
+            done = plot(folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            plots = os.path.join(folder, "plots")
+            kinds = ("correlation", "fit-creep", "fit-inflation", "fit-moduli", "fit-relaxation")
+            self.assertEqual(sorted(os.listdir(plots)), sorted(f"{kind}.{end}" for kind in kinds for end in ("csv", "png", "svg")))
+            drawn = {}
+            for kind in kinds:
+                with open(os.path.join(plots, f"{kind}.svg"), encoding="utf-8") as stream:
+                    drawn[kind] = stream.read()
+            for kind, texts in (("fit-relaxation", ("Relaxation modulus [MPa]", "measured", "Rest / noise")),
+                                ("fit-inflation", ("axial stretch 1.5", "axial stretch 1.6", "Outer diameter [mm]", "Axial force [mN]")),
+                                ("correlation", ("stiffness", "exponent", "0.97"))):
+                for text in texts:
+                    self.assertIn(text, drawn[kind])
+
+
 class Files(unittest.TestCase):
     def test_probes_alone(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -105,7 +105,7 @@ UNIT_TEST(loaded_tube)
   // scripts/references/solids/artery.py.
   struct Row
   {
-    double pressure, inner_radius, outer_radius, distensibility;
+    double pressure, inner_radius, outer_radius, distensibility, axial_force;
   };
   const LoadedTube closed(artery(0.71e-3, 0.)), opened(artery(1.43e-3, 160.));
   const auto compare =
@@ -118,15 +118,21 @@ UNIT_TEST(loaded_tube)
       check::relative(name + ": outer radius", tube.outer_radius(inner), row.outer_radius, 2e-7);
       check::relative(name + ": distensibility", tube.distensibility(inner), row.distensibility,
                       1e-6);
+      // The script has the force of the wall alone.
+      const LoadedTube::Loads loads = tube.loads(inner);
+      check::absolute(name + ": pressure and force at once", loads.pressure, row.pressure, 1e-6);
+      check::absolute(name + ": axial force",
+                      loads.axial_force + 180. * degree * inner * inner * row.pressure,
+                      row.axial_force, 1e-7);
     }
   };
   compare("closed ring", closed,
-          {{0., 0.4778812e-3, 0.8022504e-3, 6.532547e-4},
-           {5e3, 1.0622350e-3, 1.2424083e-3, 5.984159e-5},
-           {13.33e3, 1.1892885e-3, 1.3526427e-3, 1.350235e-5}});
+          {{0., 0.4778812e-3, 0.8022504e-3, 6.532547e-4, 0.0188253},
+           {5e3, 1.0622350e-3, 1.2424083e-3, 5.984159e-5, 0.0421188},
+           {13.33e3, 1.1892885e-3, 1.3526427e-3, 1.350235e-5, 0.0724967}});
   compare("opened ring", opened,
-          {{0., 0.4923582e-3, 0.8103285e-3, 6.704961e-4},
-           {13.33e3, 1.2743468e-3, 1.4276468e-3, 1.462897e-5}});
+          {{0., 0.4923582e-3, 0.8103285e-3, 6.704961e-4, 0.0188146},
+           {13.33e3, 1.2743468e-3, 1.4276468e-3, 1.462897e-5, 0.0846735}});
   // The thin layer that stands for the wall: the same speed, 1/sqrt(rho D), from Korteweg's
   // formula.
   const TubeSection about = opened.section_about(13.33e3);

@@ -49,15 +49,19 @@ public:
   void load(const ArchiveReader &archive, Problem &problem, const TimeParameters &time);
 
 private:
-  std::map<std::string, RelaxationFit> tables; ///< by region
-  std::map<std::string, PronySeries> series;   ///< of the shear modulus, by region
-  double smallest_step = 0.;                   ///< [s]
+  std::map<std::string, RelaxationFit> tables;         ///< by region
+  std::map<std::string, std::string> warnings_of_laws; ///< what compares laws, by region
+  std::map<std::string, PronySeries> series;           ///< of the shear modulus, by region
+  double smallest_step = 0.;                           ///< [s]
 };
 
 /// What to warn of where a region's power law misses its relaxation table, or its Prony series the
 /// law, by more than `largest_misfit`; else empty.
 std::string warning_of_relaxation_table(const std::string &region, double misfit);
 std::string warning_of_prony_series(const std::string &region, double error);
+/// What to warn of where a Prony series follows a region's relaxation table very clearly better
+/// than the power law, by Schwarz's criterion (fit_prony_series_to_bar()); else empty.
+std::string warning_of_better_series(const std::string &region, const RelaxationTest &test);
 } // namespace Continua
 
 #endif

@@ -40,8 +40,10 @@ public:
                    Log &log,
                    Summary &summary);
 
-  /// Fits the law to the tables, if there are any (fit-NAME.csv); then performs the tests, with the
-  /// law that was found.
+  /// Fits the law to the tables, if there are any (fit-NAME.csv), and gives the material the shear
+  /// modulus that was found; the ratio of shear and bulk modulus stays.
+  void fit_tables(Material &fitted);
+  /// Performs the tests, after fit_tables() with the law that was found.
   void perform(const std::vector<std::string> &tests);
 
   /// The names of what perform() adds to the summary.

@@ -1,6 +1,8 @@
 #ifndef continua_laboratory_strain_law_fit_h
 #define continua_laboratory_strain_law_fit_h
 
+#include <continua/inference/fit_parameter.h>
+#include <continua/inference/fit_result.h>
 #include <continua/laboratory/large_strain_parameters.h>
 #include <continua/materials/strain_law_parameters.h>
 
@@ -16,15 +18,17 @@ struct StrainLawFit
   /// Root of the mean square of (law - measured)/(largest measured) over all rows; of each table
   /// its own largest.
   double misfit = 0.;
+  std::vector<FitParameter> sought; ///< `shear modulus` and the constants, called as their entries
+  FitResult result;                 ///< with standard errors
 };
 
 /**
  * The constants of the law that follow all tables most closely, in the sense of the misfit, by
- * Levenberg and Marquardt's nonlinear least squares (GSL): the shear modulus and the constants that
- * the row of the law names, in transforms that keep them in their ranges. The angle and the
- * dispersion of fibres stay; so does the ratio of shear and bulk modulus. `start` and
- * `shear_modulus` [Pa] are where the search begins. `direction` as of LargeStrainParameters. Throws
- * RunError where no law follows from the start.
+ * nonlinear least squares (LeastSquaresFit): the shear modulus and the constants that the row of
+ * the law names, in their ranges. The angle and the dispersion of fibres stay; so does the ratio of
+ * shear and bulk modulus. `start` and `shear_modulus` [Pa] are where the search begins. `direction`
+ * as of LargeStrainParameters. Throws RunError where no law follows from the start, and
+ * std::invalid_argument for no more rows than constants.
  */
 StrainLawFit fit_strain_law(const StrainLawParameters &start,
                             double shear_modulus,

@@ -30,8 +30,19 @@ public:
   /// image shows it. Throws as the constructor does, and std::domain_error if there is none.
   static LoadedTube of_image(const TubeSection &section, double pressure);
 
+  /// Radii and thicknesses of the mesh: without load, and with opening angles of the opened ring.
+  const TubeSection &section() const { return mesh; }
   /// [Pa], at the inner radius a > 0 [m]; all branches are relaxed.
   double pressure(double inner_radius) const;
+  /// Pressure and axial force at the inner radius a > 0 [m]; all branches are relaxed.
+  struct Loads
+  {
+    double pressure;    ///< [Pa]
+    double axial_force; ///< F of the wall less the pressure on the closed end, N - pi a^2 p [N]
+  };
+  /// Both at once. The force, which a transducer at the closed end of a tube shows, is the integral
+  /// of pi (2 sigma_along - sigma_around - sigma_across) r over the wall.
+  Loads loads(double inner_radius) const;
   /// dp/da [Pa/m], all branches relaxed.
   double stiffness(double inner_radius) const;
   /// a [m] under that pressure, on the way up from a pressure below it. Throws std::domain_error if
@@ -63,9 +74,10 @@ private:
   TubeSection mesh;
   std::vector<std::vector<dealii::Tensor<1, 3>>> fibres; ///< of the layers
 
-  /// Of function(layer, point)/r over the present wall, from the inner to the outer radius.
-  template <typename Rule, typename Function>
-  double integral(double inner_radius, const Rule &rule, const Function &function) const;
+  /// Of function(layer, point)/r over the present wall, from the inner to the outer radius; the
+  /// function has the type Value.
+  template <typename Value = double, typename Rule, typename Function>
+  Value integral(double inner_radius, const Rule &rule, const Function &function) const;
 };
 } // namespace Continua
 
