@@ -155,7 +155,7 @@ void check_augmentation(const std::string &name, const Setting<dim> &setting)
 template <int dim>
 void check_linear_velocities(const std::string &name, const Setting<dim> &setting)
 {
-  const LinearVelocities<dim> linear(setting.space, setting.constraints, setting.stiff(true));
+  const LinearVelocities<dim> linear(setting.space, setting.constraints.all(), setting.stiff(true));
   VolumetricStiffness volumetric{volumetric_of_regions, {}};
   assemble_volumetric_stiffness(setting.space, setting.operators, volumetric);
   TrilinosWrappers::SparseMatrix fine_matrix, coarse_matrix;

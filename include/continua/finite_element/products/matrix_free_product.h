@@ -48,6 +48,8 @@ public:
     std::vector<double> volumetric; ///< lambda [Pa s]; empty: none
     /// Added to lambda, by active_cell_index() of owned cells [Pa s]; empty: nothing.
     std::vector<double> volumetric_of_cells = {};
+    /// Added to alpha, likewise [Pa s].
+    std::vector<double> stiffness_of_cells = {};
   };
 
   virtual ~MatrixFreeProduct() = default;

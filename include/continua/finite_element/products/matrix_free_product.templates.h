@@ -166,10 +166,13 @@ void MatrixFreeProductOfWidth<dim, Number, width, n_points>::set(
       of_batches[batch].volumetric[lane] =
           coefficients.volumetric.empty() ? Number()
                                           : static_cast<Number>(coefficients.volumetric[material]);
+      const auto index = cells->get_cell_iterator(batch, lane)->active_cell_index();
       if (!coefficients.volumetric_of_cells.empty())
-        of_batches[batch].volumetric[lane] += static_cast<Number>(
-            coefficients
-                .volumetric_of_cells[cells->get_cell_iterator(batch, lane)->active_cell_index()]);
+        of_batches[batch].volumetric[lane] +=
+            static_cast<Number>(coefficients.volumetric_of_cells[index]);
+      if (!coefficients.stiffness_of_cells.empty())
+        of_batches[batch].stiffness[lane] +=
+            static_cast<Number>(coefficients.stiffness_of_cells[index]);
     }
 }
 
