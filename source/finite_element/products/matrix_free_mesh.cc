@@ -10,7 +10,7 @@ namespace Continua
 template <int dim>
 std::unique_ptr<MatrixFreeMesh<dim>>
 make_matrix_free_mesh(const InstructionSet instruction_set,
-                            const typename MatrixFreeMesh<dim>::Input &input)
+                      const typename MatrixFreeMesh<dim>::Input &input)
 {
   AssertThrow(can_run(instruction_set), dealii::ExcInternalError());
   [[maybe_unused]] const InstructionSet set = instruction_set_of_products<dim>(instruction_set);

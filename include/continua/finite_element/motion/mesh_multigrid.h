@@ -37,8 +37,8 @@ public:
   /// The space and the constraints must outlive it. Collective.
   MeshMultigrid(const Space<dim> &space, const Input &input);
 
-  /// Takes the operator at a displacement [m], and sets the rows to less the residual there, hanging
-  /// nodes condensed. Collective.
+  /// Takes the operator at a displacement [m], and sets the rows to less the residual there,
+  /// hanging nodes condensed. Collective.
   void linearise(const DistributedVector &displacement, DistributedVector &rows);
   /// Takes the operator's product with given displacements [m] from rows. Collective.
   void subtract_product(const DistributedVector &given, DistributedVector &rows);

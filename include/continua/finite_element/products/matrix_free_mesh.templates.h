@@ -138,8 +138,7 @@ MatrixFreeMeshOfWidth<dim, width, n_points>::displacement_gradient(const Evaluat
   Lanes of_circle = 0.;
   if constexpr (is_axisymmetric)
     of_circle = cell.get_value(q)[1] * hoop(cell, q);
-  return MeshStress::whole_gradient(dealii::Tensor<2, dim, Lanes>(cell.get_gradient(q)),
-                                    of_circle);
+  return MeshStress::whole_gradient(dealii::Tensor<2, dim, Lanes>(cell.get_gradient(q)), of_circle);
 }
 
 template <int dim, std::size_t width, int n_points>
