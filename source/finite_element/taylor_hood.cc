@@ -60,7 +60,10 @@ void TaylorHood<dim>::setup()
     metrics->reinit();
   log.memory_use().mark("loads, ends and evaluation");
   if (moving_mesh)
-    moving_mesh->reinit(systems.has_iterative_tangent());
+    moving_mesh->reinit(
+        {systems.has_iterative_tangent(), linear_solver.is_matrix_free(space.degree())
+                                              ? std::optional(linear_solver.instruction_set)
+                                              : std::nullopt});
   terms.reinit(log.memory_use());
   ends_and_cavities.reinit();
   evaluation.rebuild();

@@ -1,22 +1,14 @@
 #include <continua/linear_algebra/multigrid_solver.h>
 
-#include <continua/base/input_error.h>
+#include <continua/linear_algebra/conjugate_gradients.h>
 #include <continua/linear_algebra/function_as_matrix.h>
 
-#include <deal.II/lac/solver_cg.h>
-
-#include <sstream>
 #include <utility>
 #include <vector>
 
 namespace Continua
 {
 using namespace dealii;
-
-namespace
-{
-constexpr unsigned int most_iterations = 500;
-} // namespace
 
 MultigridSolver::MultigridSolver(const TrilinosWrappers::SparsityPattern &pattern,
                                  VelocityBlocks blocks)
@@ -53,29 +45,17 @@ void MultigridSolver::solve(DistributedVector &solution,
     multigrid->add_cycle(target, source);
   };
   const FunctionAsMatrix<decltype(precondition)> preconditioner{precondition};
-  const double size = right_hand_side.l2_norm();
-  if (size == 0.)
+  if (right_hand_side.l2_norm() == 0.)
   {
     solution = 0.;
     return;
   }
-  SolverControl control(most_iterations, tolerance * size);
-  try
-  {
-    SolverCG<DistributedVector>(control).solve(entries, solution, right_hand_side, preconditioner);
-  }
-  catch (const SolverControl::NoConvergence &error)
-  {
-    std::ostringstream text;
-    text << "conjugate gradients for the motion of the mesh left " << error.last_residual / size
-         << " of the right-hand side after " << error.last_step
-         << " iterations; use Linear solver/Type = direct";
-    throw StepFailure(text.str());
-  }
+  const unsigned int n_iterations = solve_mesh_by_conjugate_gradients(
+      entries, preconditioner, solution, right_hand_side, tolerance);
   if (!is_used)
-    first_iterations = control.last_step();
+    first_iterations = n_iterations;
   is_used = true;
-  is_worn = is_worn || (2 * control.last_step() > 3 * first_iterations &&
-                        control.last_step() > first_iterations + 5);
+  is_worn =
+      is_worn || (2 * n_iterations > 3 * first_iterations && n_iterations > first_iterations + 5);
 }
 } // namespace Continua

@@ -32,10 +32,15 @@ void SaddlePointSolver::multiply_blocks(const Blocks &blocks,
                                         DistributedVector &momentum,
                                         DistributedVector &mass)
 {
-  blocks.velocity.multiply(momentum, velocity);
-  blocks.divergence.multiply_transposed(velocity_work, pressure);
-  momentum.add(-1., velocity_work);
-  blocks.divergence.multiply(mass, velocity);
+  if (blocks.coupled)
+    blocks.coupled(velocity, pressure, momentum, mass);
+  else
+  {
+    blocks.velocity.multiply(momentum, velocity);
+    blocks.divergence.multiply_transposed(velocity_work, pressure);
+    momentum.add(-1., velocity_work);
+    blocks.divergence.multiply(mass, velocity);
+  }
   multiply(blocks.compression, pressure_work, pressure);
   mass.sadd(-1., -1., pressure_work);
 }

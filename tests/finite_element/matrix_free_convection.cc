@@ -143,6 +143,19 @@ void check_products(const std::string &name, const Model model)
   problem.materials[0].compression = Compression::elastic(0.05);
   problem.convection.term = ConvectiveTerm::skew;
   compare(name + ", at rest", space, problem, at_rest);
+
+  // A mesh that is bent, widened and moves; without convection its own motion carries.
+  problem.mesh_moves = true;
+  BalancedStep moved = state;
+  moved.mesh_displacement = small_problem::interpolated<dim>(
+      space, [](const Point<dim> &x)
+      { return 0.05 * wave(x, 3.) * Point<dim>::unit_vector(0) + 0.1 * x; });
+  moved.mesh_velocity = small_problem::interpolated<dim>(
+      space,
+      [](const Point<dim> &x) { return 0.4 * wave(x, 5.) * Point<dim>::unit_vector(1) - 0.2 * x; });
+  compare(name + ", mesh that moves", space, problem, moved);
+  problem.convection.is_on = false;
+  compare(name + ", mesh that moves, without convection", space, problem, moved);
 }
 } // namespace
 

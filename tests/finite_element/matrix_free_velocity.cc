@@ -7,6 +7,7 @@
 #include <continua/finite_element/products/supports.h>
 #include <continua/finite_element/solvers/chebyshev_relaxation.h>
 #include <continua/finite_element/solvers/condensed_system.h>
+#include <continua/finite_element/solvers/matrix_free_divergence.h>
 #include <continua/finite_element/solvers/matrix_free_velocity.h>
 #include <continua/linear_algebra/matrix_operator.h>
 
@@ -96,7 +97,16 @@ void check_products(const std::string &name, const Model model)
     assemble_velocity_block(space, operators, constraints, coefficients, nullptr, nullptr, matrix);
     const MatrixOperator assembled(matrix);
     assembled.multiply(expected, source);
-    double distance = 0., of_diagonal = 0.;
+    TrilinosWrappers::SparseMatrix divergence;
+    assemble_divergence(space, operators, constraints, divergence);
+    const DistributedVector pressure = small_problem::interpolated_pressure<dim>(
+        space, [](const Point<dim> &x, const unsigned int region)
+        { return std::sin(4. * x[0] + 3. * x[dim - 1] + region); });
+    DistributedVector of_velocity = pressure, of_pressure = expected, expected_volume = pressure,
+                      expected_force = expected;
+    multiply(divergence, expected_volume, source);
+    multiply_transposed(divergence, expected_force, pressure);
+    double distance = 0., of_diagonal = 0., of_divergence = 0., of_gradient = 0., of_both = 0.;
     for (const InstructionSet set :
          {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512})
       if (can_run(set))
@@ -108,10 +118,28 @@ void check_products(const std::string &name, const Model model)
         distance = std::max(distance, relative_distance(product, expected));
         of_diagonal =
             std::max(of_diagonal, relative_distance(matrix_free.diagonal(), assembled.diagonal()));
+
+        // Twice: the first product must leave nothing behind.
+        const MatrixFreeDivergence<dim> b(space, products.product());
+        for (unsigned int k = 0; k < 2; ++k)
+        {
+          b.multiply(of_velocity, source);
+          b.multiply_transposed(of_pressure, pressure);
+        }
+        of_divergence = std::max(of_divergence, relative_distance(of_velocity, expected_volume));
+        of_gradient = std::max(of_gradient, relative_distance(of_pressure, expected_force));
+        for (unsigned int k = 0; k < 2; ++k)
+          b.multiply_with(matrix_free, product, of_velocity, source, pressure);
+        of_pressure.sadd(-1., 1., expected);
+        of_both = std::max({of_both, relative_distance(product, of_pressure),
+                            relative_distance(of_velocity, expected_volume)});
       }
     const std::string title = name + (is_supported ? ", with a support" : "");
     check::absolute(title + ": product", distance, 0., 1e-13);
     check::absolute(title + ": diagonal", of_diagonal, 0., 1e-13);
+    check::absolute(title + ": divergence", of_divergence, 0., 1e-13);
+    check::absolute(title + ": gradient", of_gradient, 0., 1e-13);
+    check::absolute(title + ": both with the product", of_both, 0., 1e-13);
   }
 
   // One region alone.

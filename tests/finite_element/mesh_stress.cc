@@ -38,12 +38,12 @@ PointChange<dim> random_motion(std::mt19937 &random, const double size)
 }
 
 template <int dim>
-MeshPoint point_of(const PointChange<dim> &motion,
-                   const PointChange<dim> &change,
-                   const double factor,
-                   const bool is_hyperelastic)
+MeshPoint<> point_of(const PointChange<dim> &motion,
+                     const PointChange<dim> &change,
+                     const double factor,
+                     const bool is_hyperelastic)
 {
-  MeshPoint point;
+  MeshPoint<> point;
   point.is_hyperelastic = is_hyperelastic;
   point.hoop = dim == 2 ? 0.8 : 0.;
   point.displacement_gradient =
@@ -69,9 +69,9 @@ void check_stress(const std::string &name, const bool is_hyperelastic)
     const PointChange<dim> motion = random_motion<dim>(random, 0.2),
                            change = random_motion<dim>(random, 1.),
                            test = random_motion<dim>(random, 1.);
-    const MeshPoint here = point_of(motion, change, 0., is_hyperelastic),
-                    above = point_of(motion, change, h, is_hyperelastic),
-                    below = point_of(motion, change, -h, is_hyperelastic);
+    const MeshPoint<> here = point_of(motion, change, 0., is_hyperelastic),
+                      above = point_of(motion, change, h, is_hyperelastic),
+                      below = point_of(motion, change, -h, is_hyperelastic);
     Tested<dim> stress, of_above, of_below, derivative;
     MeshStress::add(here, stress);
     MeshStress::add(above, of_above);

@@ -1,11 +1,13 @@
 // Multigrid in the degree of the velocities: the product with B^T W B against the stored B, the
 // matrix of the linear velocities against that of the quadratic ones between interpolations, and
 // the cycle: symmetric, and it leaves less than 0.6 of an error where the cells are cubes. Hanging
-// nodes, inclined and curved rollers, supports, two regions of which both or one are stiff.
+// nodes, inclined and curved rollers, supports, two regions of which both or one are stiff. The
+// same cycle as the relaxation of a viscous fluid.
 
 #include <continua/finite_element/products/supports.h>
 #include <continua/finite_element/solvers/condensed_system.h>
 #include <continua/finite_element/solvers/polynomial_multigrid.h>
+#include <continua/finite_element/solvers/polynomial_relaxation.h>
 #include <continua/linear_algebra/matrix_product.h>
 
 #include "../unit_test.h"
@@ -155,7 +157,7 @@ void check_augmentation(const std::string &name, const Setting<dim> &setting)
 template <int dim>
 void check_linear_velocities(const std::string &name, const Setting<dim> &setting)
 {
-  const LinearVelocities<dim> linear(setting.space, setting.constraints, setting.stiff(true));
+  const LinearVelocities<dim> linear(setting.space, setting.constraints.all(), setting.stiff(true));
   VolumetricStiffness volumetric{volumetric_of_regions, {}};
   assemble_volumetric_stiffness(setting.space, setting.operators, volumetric);
   TrilinosWrappers::SparseMatrix fine_matrix, coarse_matrix;
@@ -278,6 +280,52 @@ void check_cycle(const std::string &name,
     }
 }
 
+/// The relaxation of a viscous fluid: the velocities that are not in the hard region, with and
+/// without a bulk stiffness of the cells.
+template <int dim>
+void check_relaxation(const std::string &name, const Setting<dim> &setting)
+{
+  const std::vector<bool> hard = setting.stiff(false);
+  std::vector<unsigned int> fluid;
+  for (unsigned int i = 0; i < hard.size(); ++i)
+    if (!hard[i] && !setting.space.velocity_hanging.is_constrained(
+                        setting.space.velocity_owned.nth_index_in_set(i)))
+      fluid.push_back(i);
+  const auto cells = make_matrix_free_product<dim, float>(
+      dim == 2 ? InstructionSet::baseline : widest_instruction_set(),
+      {setting.space.mapping, setting.space.velocity_dofs, setting.constraints.all(),
+       setting.space.is_axisymmetric()});
+  PolynomialRelaxation<dim> relaxation(*cells, setting.space, setting.constraints,
+                                       {{1., 1.}, {2e3, 1e5}, {}}, fluid, 1e9);
+  check::is_true(name + ": the fluid has multigrid",
+                 relaxation.name().find("degree 3,") != std::string::npos);
+  DistributedVector error = setting.space.velocity_vector(), residual = error, zero = error;
+  for (const double bulk : {0., 1e3})
+  {
+    if (bulk > 0.)
+      relaxation.set_volumetric_of_cells(
+          std::vector<double>(setting.space.triangulation.n_active_cells(), bulk));
+    fill(error);
+    for (unsigned int i = 0; i < hard.size(); ++i)
+      if (hard[i] || !setting.is_free[i])
+        error.begin()[i] = 0.;
+    double factor = 0., old_energy = 0.;
+    for (unsigned int step = 0; step < 8; ++step)
+    {
+      relaxation.leave_residual(residual, error, zero);
+      const double energy = -(error * residual);
+      factor = step == 0 ? 0. : std::sqrt(energy / old_energy);
+      old_energy = energy;
+      relaxation.add_relaxed(error, residual);
+    }
+    check::is_true(name + (bulk > 0. ? ", with a bulk stiffness" : "") +
+                       ": what a relaxation of the fluid leaves",
+                   factor > 0. && factor < 0.7);
+    if (!(factor < 0.7))
+      std::cout << factor << std::endl;
+  }
+}
+
 template <int dim>
 void check_all(const std::string &name, const Model model)
 {
@@ -326,6 +374,8 @@ void check_all(const std::string &name, const Model model)
     const Setting<dim> setting(mesh, model);
     if (n_refinements == 0)
       check_linear_velocities(name, setting);
+    if (n_refinements == 1)
+      check_relaxation(name, setting);
     if (is_long)
       check_cycle(name + ", long cells", setting, 0.8, "8");
     else

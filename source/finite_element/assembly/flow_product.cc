@@ -22,7 +22,9 @@ typename FlowProduct<dim>::Product::Input FlowProduct<dim>::input() const
 {
   typename Product::Input result(space.mapping, space.velocity_dofs, space.velocity_hanging);
   result.is_axisymmetric = space.is_axisymmetric();
-  result.is_skew = problem.convection.term == ConvectiveTerm::skew;
+  result.mesh_moves = problem.mesh_moves;
+  result.carries = problem.convection.is_on ? 1. : 0.;
+  result.is_skew = problem.convection.is_on && problem.convection.term == ConvectiveTerm::skew;
   result.constant_viscosity = problem.convection.constant_viscosity();
   for (const Material &of_region : problem.materials)
   {
@@ -78,6 +80,9 @@ void FlowProduct<dim>::make(const QuadratureCells<dim> &cells,
   for (typename Product::Vector *const vector :
        {&state.velocity, &state.acceleration, &velocity, &momentum})
     product->initialise(*vector);
+  if (problem.mesh_moves)
+    for (typename Product::Vector *const vector : {&state.mesh_displacement, &state.mesh_velocity})
+      product->initialise(*vector);
 }
 
 template <int dim>
@@ -85,13 +90,20 @@ void FlowProduct<dim>::set(const BalancedStep &balanced,
                            const DistributedVector &pressure,
                            const DistributedVector &pressure_rate)
 {
-  std::copy(balanced.velocity.begin(), balanced.velocity.end(), state.velocity.begin());
-  state.velocity.update_ghost_values();
+  const auto take = [](const DistributedVector &from, typename Product::Vector &to)
+  {
+    std::copy(from.begin(), from.end(), to.begin());
+    to.update_ghost_values();
+  };
+  take(balanced.velocity, state.velocity);
+  if (problem.mesh_moves)
+  {
+    take(balanced.mesh_displacement, state.mesh_displacement);
+    take(balanced.mesh_velocity, state.mesh_velocity);
+  }
   if (has_compressible_liquid)
   {
-    std::copy(balanced.acceleration.begin(), balanced.acceleration.end(),
-              state.acceleration.begin());
-    state.acceleration.update_ghost_values();
+    take(balanced.acceleration, state.acceleration);
     // With the ghost entries, which end() leaves out.
     const unsigned int n_entries = pressure.trilinos_vector().MyLength();
     state.pressure.assign(pressure.begin(), pressure.begin() + n_entries);

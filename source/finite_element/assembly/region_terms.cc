@@ -22,9 +22,8 @@ RegionTerms<dim>::RegionTerms(const Space<dim> &space,
   if (problem.has_regions_of(RegionModel::flow))
     terms.push_back(std::make_unique<ConvectiveTerms<dim>>(
         space, problem,
-        solver.is_matrix_free(space.degree()) && !problem.mesh_moves
-            ? std::optional(solver.instruction_set)
-            : std::nullopt));
+        solver.is_matrix_free(space.degree()) ? std::optional(solver.instruction_set)
+                                              : std::nullopt));
 }
 
 template <int dim>

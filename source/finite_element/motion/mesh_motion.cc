@@ -191,7 +191,7 @@ void MeshMotion<dim>::find_followers()
 }
 
 template <int dim>
-void MeshMotion<dim>::reinit(const bool is_iterative)
+void MeshMotion<dim>::reinit(const MeshSolver &solver)
 {
   cells.reinit();
   corners.reinit();
@@ -209,8 +209,13 @@ void MeshMotion<dim>::reinit(const bool is_iterative)
     owned.push_back(index);
   factor = nullptr;
   multigrid = nullptr;
-  if (is_iterative)
+  without_matrix = nullptr;
+  if (solver.is_iterative && solver.instruction_set)
+    make_products(*solver.instruction_set);
+  else if (solver.is_iterative)
     make_multigrid();
+  if (is_iterative())
+    last_extension = change_rows = space.velocity_vector();
   is_linearised = false;
   if (kind == MeshMotionKind::elastic)
     linearise();
@@ -255,8 +260,36 @@ void MeshMotion<dim>::make_multigrid()
       blocks.fluid.push_back(i);
   blocks.modes = rigid_motions(space.mapping, space.velocity_dofs);
   multigrid = std::make_unique<MultigridSolver>(pattern, std::move(blocks));
-  last_extension = space.velocity_vector();
-  change_rows = space.velocity_vector();
+}
+
+template <int dim>
+void MeshMotion<dim>::make_products(const InstructionSet instruction_set)
+{
+  const unsigned int n_cells = space.triangulation.n_active_cells();
+  typename MeshMultigrid<dim>::Input input{instruction_set,
+                                           constraints,
+                                           kind == MeshMotionKind::hyperelastic,
+                                           static_cast<unsigned int>(problem.regions.size()),
+                                           std::vector<double>(n_cells, 0.),
+                                           std::vector<bool>(n_cells, false)};
+  for (std::size_t k = 0; k < cells.all().size(); ++k)
+  {
+    const unsigned int index = cells.all()[k].velocity_cell->active_cell_index();
+    input.stiffness[index] = stiffness[k];
+    input.has_given[index] = has_known[k];
+  }
+  without_matrix = std::make_unique<MeshMultigrid<dim>>(space, input);
+}
+
+template <int dim>
+void MeshMotion<dim>::solve_iteratively(DistributedVector &solution,
+                                        const DistributedVector &rows,
+                                        const double tolerance)
+{
+  if (without_matrix != nullptr)
+    without_matrix->solve(solution, rows, tolerance);
+  else
+    multigrid->solve(solution, rows, tolerance);
 }
 
 template <int dim>
@@ -319,7 +352,7 @@ void MeshMotion<dim>::integrate(const Cell &cell,
                                 const double cell_stiffness,
                                 FullMatrix<double> &matrix)
 {
-  MeshPoint point;
+  MeshPoint<> point;
   point.is_hyperelastic = kind == MeshMotionKind::hyperelastic;
   for (unsigned int q = 0; q < cells.n_points(); ++q)
   {
@@ -383,6 +416,16 @@ void MeshMotion<dim>::add_triplets(const Cell &cell,
 template <int dim>
 void MeshMotion<dim>::linearise()
 {
+  if (is_iterative())
+    last_extension = 0.;
+  if (without_matrix != nullptr)
+  {
+    without_matrix->linearise(present, right_side);
+    if (kind == MeshMotionKind::elastic)
+      right_side = 0.; // it counts from rest
+    is_linearised = true;
+    return;
+  }
   space.copy_velocity(present, ghosted);
   right_side = 0.;
   matrices.resize(cells.all().size());
@@ -390,7 +433,6 @@ void MeshMotion<dim>::linearise()
   if (multigrid != nullptr)
   {
     multigrid->matrix() = 0.;
-    last_extension = 0.;
   }
   else
     begin_triplets(triplets);
@@ -436,7 +478,7 @@ void MeshMotion<dim>::begin_step(const Step &step)
   if (kind == MeshMotionKind::hyperelastic && !is_linearised && !step.finds_unloaded_shape)
     linearise();
   // The first guess is that of the step before; the elastic extension counts from rest.
-  if (multigrid != nullptr)
+  if (is_iterative())
     for (unsigned int i = 0; i < owned.size(); ++i)
       last_extension.begin()[i] = constraints.is_constrained(owned[i]) ? 0.
                                   : kind == MeshMotionKind::elastic
@@ -461,9 +503,9 @@ void MeshMotion<dim>::extend(const DistributedVector &solid_displacement,
   DistributedVector &rows = mesh_displacement;
   rows.equ(1., right_side);
   subtract_known(rows);
-  if (multigrid != nullptr)
+  if (is_iterative())
   {
-    multigrid->solve(last_extension, rows, from_rest ? tolerance_from_rest : tolerance_of_step);
+    solve_iteratively(last_extension, rows, from_rest ? tolerance_from_rest : tolerance_of_step);
     mesh_displacement.equ(1., last_extension);
   }
   else
@@ -476,6 +518,18 @@ void MeshMotion<dim>::extend(const DistributedVector &solid_displacement,
 
 template <int dim>
 void MeshMotion<dim>::subtract_known(DistributedVector &rows)
+{
+  if (without_matrix != nullptr)
+    without_matrix->subtract_product(known, rows);
+  else
+    subtract_known_by_matrices(rows);
+  for (std::size_t i = 0; i < owned.size(); ++i)
+    if (constraints.is_constrained(owned[i]))
+      rows.begin()[i] = 0.;
+}
+
+template <int dim>
+void MeshMotion<dim>::subtract_known_by_matrices(DistributedVector &rows)
 {
   space.copy_velocity(known, ghosted);
   for (std::size_t k = 0; k < matrices.size(); ++k)
@@ -496,9 +550,6 @@ void MeshMotion<dim>::subtract_known(DistributedVector &rows)
     sums.add(cell.velocity_places, cell_rows);
   }
   sums.add_to(rows);
-  for (std::size_t i = 0; i < owned.size(); ++i)
-    if (constraints.is_constrained(owned[i]))
-      rows.begin()[i] = 0.;
 }
 
 template <int dim>
@@ -525,12 +576,12 @@ void MeshMotion<dim>::set_change(const Step &step,
                                         ? way_by_velocity * of_velocity.begin()[follower.index]
                                         : 0.;
   subtract_known(of_mesh_displacement);
-  if (multigrid != nullptr)
+  if (is_iterative())
   {
     change_rows.equ(1., of_mesh_displacement);
     of_mesh_displacement = 0.;
-    multigrid->solve(of_mesh_displacement, change_rows,
-                     std::min(problem.newton.krylov_tolerance, largest_change_tolerance));
+    solve_iteratively(of_mesh_displacement, change_rows,
+                      std::min(problem.newton.krylov_tolerance, largest_change_tolerance));
   }
   else
     solve_by_factor(of_mesh_displacement);
@@ -541,9 +592,10 @@ void MeshMotion<dim>::set_change(const Step &step,
 template <int dim>
 void MeshMotion<dim>::forget_solver()
 {
-  if (multigrid == nullptr)
+  if (!is_iterative())
     return;
-  multigrid->forget();
+  if (multigrid != nullptr)
+    multigrid->forget();
   // That of a mesh which keeps its operator is made again as at a start.
   is_linearised = false;
   if (kind == MeshMotionKind::elastic)

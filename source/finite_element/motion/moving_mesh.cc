@@ -28,9 +28,9 @@ MovingMesh<dim>::MovingMesh(const Space<dim> &space, const Problem &problem, Log
 }
 
 template <int dim>
-void MovingMesh<dim>::reinit(const bool is_iterative)
+void MovingMesh<dim>::reinit(const MeshSolver &solver)
 {
-  motion.reinit(is_iterative);
+  motion.reinit(solver);
   liquid_balance.reinit();
 }
 

@@ -35,7 +35,7 @@ cell_of(const typename DoFHandler<dim>::active_cell_iterator &cell, const DoFHan
 
 template <int dim>
 LinearVelocities<dim>::LinearVelocities(const Space<dim> &space,
-                                        const BoundaryConstraints<dim> &constraints,
+                                        const AffineConstraints<double> &constraints,
                                         const std::vector<bool> &stiff)
     : space(space),
       constraints(constraints),
@@ -108,10 +108,10 @@ void LinearVelocities<dim>::constrain()
   // A prescribed component follows from the others of its node, which lie at the same vertex.
   for (const auto &[of_space, linear] : linear_of)
   {
-    if (!constraints.all().is_constrained(of_space) || lines.is_constrained(linear))
+    if (!constraints.is_constrained(of_space) || lines.is_constrained(linear))
       continue;
     lines.add_line(linear);
-    for (const auto &[master, weight] : *constraints.all().get_constraint_entries(of_space))
+    for (const auto &[master, weight] : *constraints.get_constraint_entries(of_space))
     {
       const auto linear_master = linear_of.find(master);
       if (linear_master != linear_of.end())
@@ -162,7 +162,7 @@ void LinearVelocities<dim>::interpolate(const std::vector<bool> &stiff)
       for (unsigned int i = 0; i < of_space.size(); ++i)
       {
         if (!space.velocity_owned.is_element(of_space[i]) ||
-            constraints.all().is_constrained(of_space[i]))
+            constraints.is_constrained(of_space[i]))
           continue;
         const unsigned int local = space.velocity_owned.index_within_set(of_space[i]);
         if (!stiff[local] || is_done[local])
@@ -231,9 +231,14 @@ void LinearVelocities<dim>::assemble(
   for (const auto &cell : cells)
   {
     values.reinit(cell);
-    const unsigned int region = cell->material_id();
-    const double mass = coefficients.mass[region], stiffness = coefficients.stiffness[region],
-                 lambda = coefficients.volumetric.empty() ? 0. : coefficients.volumetric[region];
+    const unsigned int region = cell->material_id(), number = cell->active_cell_index();
+    const auto value = [](const std::vector<double> &of_all, const unsigned int i)
+    { return of_all.empty() ? 0. : of_all[i]; };
+    const double mass = coefficients.mass[region],
+                 stiffness = coefficients.stiffness[region] +
+                             value(coefficients.stiffness_of_cells, number),
+                 lambda = value(coefficients.volumetric, region) +
+                          value(coefficients.volumetric_of_cells, number);
     of_cell = 0.;
     for (const unsigned int q : values.quadrature_point_indices())
     {

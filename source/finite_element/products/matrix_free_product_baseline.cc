@@ -1,5 +1,6 @@
 // As deal.II's package is compiled: one cell at a time.
 #include <continua/finite_element/products/matrix_free_convection.templates.h>
+#include <continua/finite_element/products/matrix_free_mesh.templates.h>
 #include <continua/finite_element/products/matrix_free_product.templates.h>
 
 CONTINUA_DEFINE_MATRIX_FREE_PRODUCT(matrix_free_product_baseline, 1)
@@ -10,3 +11,6 @@ CONTINUA_INSTANTIATE_MATRIX_FREE_PRODUCT(matrix_free_product_baseline, 3, float)
 CONTINUA_DEFINE_MATRIX_FREE_CONVECTION(matrix_free_convection_baseline, 1)
 CONTINUA_INSTANTIATE_MATRIX_FREE_CONVECTION(matrix_free_convection_baseline, 2)
 CONTINUA_INSTANTIATE_MATRIX_FREE_CONVECTION(matrix_free_convection_baseline, 3)
+CONTINUA_DEFINE_MATRIX_FREE_MESH(matrix_free_mesh_baseline, 1)
+CONTINUA_INSTANTIATE_MATRIX_FREE_MESH(matrix_free_mesh_baseline, 2)
+CONTINUA_INSTANTIATE_MATRIX_FREE_MESH(matrix_free_mesh_baseline, 3)

@@ -1,20 +1,47 @@
 #include <continua/finite_element/products/matrix_free_regions.h>
 
+#include <Epetra_BlockMap.h>
+
 #include <algorithm>
 
 namespace Continua
 {
 using namespace dealii;
 
+namespace
+{
+/// The places of all cells' pressures in a vector with ghost entries.
+template <int dim>
+std::vector<int> pressure_places(const Space<dim> &space)
+{
+  const DistributedVector ghosted(space.pressure_owned, space.pressure_relevant,
+                                  space.communicator);
+  constexpr unsigned int n_pressures = 1U << dim;
+  std::vector<int> places(std::size_t(space.triangulation.n_active_cells()) * n_pressures, -1);
+  std::vector<types::global_dof_index> indices(n_pressures);
+  for (const auto &cell : space.pressure_dofs.active_cell_iterators())
+    if (cell->is_locally_owned())
+    {
+      AssertDimension(cell->get_fe().n_dofs_per_cell(), n_pressures);
+      cell->get_dof_indices(indices);
+      for (unsigned int k = 0; k < n_pressures; ++k)
+        places[std::size_t(cell->active_cell_index()) * n_pressures + k] =
+            ghosted.trilinos_partitioner().LID(
+                static_cast<TrilinosWrappers::types::int_type>(indices[k]));
+    }
+  return places;
+}
+} // namespace
+
 template <int dim>
 MatrixFreeRegions<dim>::MatrixFreeRegions(const Space<dim> &space,
                                           const BoundaryConstraints<dim> &constraints,
                                           const unsigned int n_regions,
                                           const InstructionSet instruction_set)
-    : cells(make_matrix_free_product<dim, double>(instruction_set,
-                                                  {space.mapping, space.velocity_dofs,
-                                                   constraints.all(), space.is_axisymmetric(),
-                                                   &space.velocity_hanging})),
+    : cells(make_matrix_free_product<dim, double>(
+          instruction_set,
+          {space.mapping, space.velocity_dofs, constraints.all(), space.is_axisymmetric(),
+           &space.velocity_hanging, pressure_places(space)})),
       nodes_of_regions(n_regions)
 {
   cells->initialise_of_region(source_entries);

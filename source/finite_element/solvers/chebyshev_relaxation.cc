@@ -2,8 +2,6 @@
 
 namespace Continua
 {
-using namespace dealii;
-
 namespace
 {
 constexpr unsigned int polynomial_degree = 2;
@@ -12,58 +10,32 @@ constexpr double eigenvalue_ratio = 8.;
 } // namespace
 
 template <int dim>
-ChebyshevRelaxation<dim>::ChebyshevRelaxation(
-    const Product &cells,
-    const typename Product::Coefficients &coefficients_of_regions,
-    const std::vector<unsigned int> &fluid)
-    : product(cells.share()), product_at_fluid(cells.share()), coefficients(coefficients_of_regions)
+ChebyshevRelaxation<dim>::ChebyshevRelaxation(const Product &cells,
+                                              const typename Product::Coefficients &coefficients,
+                                              const std::vector<unsigned int> &fluid)
+    : MatrixFreeRelaxation<dim>(cells, coefficients, fluid)
 {
-  product->initialise(source_entries);
-  product->initialise(target_entries);
-  is_fluid.assign(source_entries.locally_owned_size(), false);
-  for (const unsigned int i : fluid)
-    is_fluid[i] = true;
-  product_at_fluid->restrict_to(is_fluid);
-  set_volumetric_of_cells({});
+  this->set_volumetric_of_cells({});
 }
 
 template <int dim>
-void ChebyshevRelaxation<dim>::set_volumetric_of_cells(const std::vector<double> &volumetric)
+void ChebyshevRelaxation<dim>::make(const Vector &diagonal)
 {
-  coefficients.volumetric_of_cells = volumetric;
-  product->set(coefficients);
-  product_at_fluid->set(coefficients);
-  product->find_diagonal(target_entries);
-  source_entries = 0.f;
-  for (unsigned int i = 0; i < is_fluid.size(); ++i)
-    if (is_fluid[i] && target_entries.local_element(i) > 0.f) // else constrained
-      source_entries.local_element(i) = 1.f / target_entries.local_element(i);
-  polynomial = std::make_unique<ChebyshevPolynomial>(
-      [this](Vector &target, const Vector &source) { product_at_fluid->multiply(target, source); },
-      source_entries, polynomial_degree, eigenvalue_ratio);
+  Vector inverse_diagonal(diagonal);
+  inverse_diagonal = 0.f;
+  for (unsigned int i = 0; i < this->is_fluid.size(); ++i)
+    if (this->is_fluid[i] && diagonal.local_element(i) > 0.f) // else constrained
+      inverse_diagonal.local_element(i) = 1.f / diagonal.local_element(i);
+  polynomial =
+      std::make_unique<ChebyshevPolynomial>([this](Vector &target, const Vector &source)
+                                            { this->product_at_fluid->multiply(target, source); },
+                                            inverse_diagonal, polynomial_degree, eigenvalue_ratio);
 }
 
 template <int dim>
-void ChebyshevRelaxation<dim>::add_relaxed(DistributedVector &velocity,
-                                           const DistributedVector &residual)
+void ChebyshevRelaxation<dim>::apply(Vector &solution, const Vector &right_hand_side)
 {
-  for (unsigned int i = 0; i < residual.locally_owned_size(); ++i)
-    source_entries.local_element(i) = static_cast<float>(residual.begin()[i]);
-  polynomial->apply(target_entries, source_entries);
-  for (unsigned int i = 0; i < residual.locally_owned_size(); ++i)
-    velocity.begin()[i] += target_entries.local_element(i);
-}
-
-template <int dim>
-void ChebyshevRelaxation<dim>::leave_residual(DistributedVector &residual,
-                                              const DistributedVector &velocity,
-                                              const DistributedVector &source)
-{
-  for (unsigned int i = 0; i < velocity.locally_owned_size(); ++i)
-    source_entries.local_element(i) = static_cast<float>(velocity.begin()[i]);
-  product->multiply(target_entries, source_entries);
-  for (unsigned int i = 0; i < residual.locally_owned_size(); ++i)
-    residual.begin()[i] = source.begin()[i] - target_entries.local_element(i);
+  polynomial->apply(solution, right_hand_side);
 }
 
 template class ChebyshevRelaxation<2>;

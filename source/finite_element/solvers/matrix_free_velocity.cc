@@ -58,6 +58,24 @@ void MatrixFreeVelocity<dim>::multiply(DistributedVector &target,
 {
   std::copy(source.begin(), source.end(), source_entries.begin());
   product->multiply(target_entries, source_entries);
+  finish(target, source);
+}
+
+template <int dim>
+void MatrixFreeVelocity<dim>::multiply_coupled(DistributedVector &momentum,
+                                               double *const volume,
+                                               const DistributedVector &velocity,
+                                               const double *const pressure) const
+{
+  std::copy(velocity.begin(), velocity.end(), source_entries.begin());
+  product->multiply_coupled(target_entries, volume, source_entries, pressure);
+  finish(momentum, velocity);
+}
+
+template <int dim>
+void MatrixFreeVelocity<dim>::finish(DistributedVector &target,
+                                     const DistributedVector &source) const
+{
   std::copy(target_entries.begin(), target_entries.end(), target.begin());
   if (is_supported)
   {

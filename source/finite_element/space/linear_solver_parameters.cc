@@ -87,7 +87,8 @@ void LinearSolverParameters::read(ParameterSection section)
               {"relaxation", FluidBlock::relaxation},
               {"algebraic multigrid", FluidBlock::algebraic_multigrid}},
              "What the iterative solver does with the fluid: automatic takes relaxation "
-             "unless viscosity evens velocities out over several cells within a step.");
+             "unless viscosity evens velocities out over several cells within a step, then "
+             "polynomial multigrid, or algebraic multigrid where the products have a matrix.");
   add_choice(section, "Velocity product", velocity_product,
              {{"automatic", VelocityProduct::automatic},
               {"assembled", VelocityProduct::assembled},

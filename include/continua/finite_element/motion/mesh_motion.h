@@ -6,6 +6,7 @@
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state_visitor.h>
 #include <continua/finite_element/assembly/cell_assembly.h>
+#include <continua/finite_element/motion/mesh_multigrid.h>
 #include <continua/finite_element/space/cell_sums.h>
 #include <continua/finite_element/space/quadrature_cells.h>
 #include <continua/finite_element/space/space.h>
@@ -20,6 +21,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,14 @@ struct MeshQuality
   double least_volume_ratio = 1.; ///< J of the mesh at Gauss points and vertices of the liquids [1]
   double time = 0.;               ///< at which the mesh had it [s]
   std::string place;              ///< of the worst cell: "in the region 'liquid' near (0.1, 0.2) m"
+};
+
+/// How the motion of a mesh is solved for.
+struct MeshSolver
+{
+  bool is_iterative = false; ///< else by a factor
+  /// Of products without a matrix, for quadratic velocities. Without a set there is a matrix.
+  std::optional<InstructionSet> instruction_set;
 };
 
 /**
@@ -51,8 +61,9 @@ struct MeshQuality
  * of its own past and W is what is given.
  *
  * The operator has a factor, or, where the equations of the step have an iterative solver, a
- * MultigridSolver. What that leaves of d is a difference of shape far below the step's own errors;
- * a change of d is solved for by itself, so that differences of residuals do not amplify it.
+ * MeshMultigrid or a MultigridSolver. What that leaves of d is a difference of shape far below the
+ * step's own errors; a change of d is solved for by itself, so that differences of residuals do not
+ * amplify it.
  */
 template <int dim>
 class MeshMotion
@@ -62,7 +73,7 @@ public:
   MeshMotion(const Space<dim> &space, const Problem &problem);
 
   /// The mesh at rest has changed. Collective. Throws RunError.
-  void reinit(bool is_iterative);
+  void reinit(const MeshSolver &solver);
   /// A step begins from the present state. Collective. Throws RunError.
   void begin_step(const Step &step);
   /// Sets the displacement [m] and the velocity [m/s] of the mesh at the level that a step
@@ -120,11 +131,13 @@ private:
   std::vector<double> followed;  ///< their d at the level of the step [m]
   std::vector<double> stiffness; ///< k of each cell
   std::unique_ptr<SymmetricFactor> factor;
-  std::unique_ptr<MultigridSolver> multigrid; ///< in the place of the factor, else null
-  DistributedVector last_extension;           ///< of the multigrid in this step
-  DistributedVector change_rows;              ///< work space of the multigrid
-  DistributedVector present, older;           ///< d [m]
-  DistributedVector predicted;                ///< of the present step [m]
+  // One of them in the place of the factor, else null.
+  std::unique_ptr<MultigridSolver> multigrid;
+  std::unique_ptr<MeshMultigrid<dim>> without_matrix;
+  DistributedVector last_extension; ///< of the iterative solver in this step
+  DistributedVector change_rows;    ///< its work space
+  DistributedVector present, older; ///< d [m]
+  DistributedVector predicted;      ///< of the present step [m]
   DistributedVector known, ghosted, right_side, work;
   std::vector<double> packed;
   std::vector<int> owned;
@@ -144,7 +157,11 @@ private:
   void find_known();
   /// Makes the operator at the present displacement, its factor, and the residual there.
   void linearise();
+  bool is_iterative() const { return multigrid != nullptr || without_matrix != nullptr; }
   void make_multigrid();
+  void make_products(InstructionSet instruction_set);
+  void
+  solve_iteratively(DistributedVector &solution, const DistributedVector &rows, double tolerance);
   /// Sets k.
   void set_stiffness();
   /// Sets the matrix of a cell at its displacement, and cell_rows to less its residual.
@@ -159,6 +176,7 @@ private:
                     SymmetricTriplets &triplets) const;
   /// Takes the operator's product with `known` from rows, in which hanging nodes are condensed.
   void subtract_known(DistributedVector &rows);
+  void subtract_known_by_matrices(DistributedVector &rows);
 };
 } // namespace Continua
 

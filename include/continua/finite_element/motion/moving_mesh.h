@@ -27,7 +27,7 @@ public:
   make(const Space<dim> &space, const Problem &problem, Log &log);
   MovingMesh(const Space<dim> &space, const Problem &problem, Log &log);
 
-  void reinit(bool is_iterative);
+  void reinit(const MeshSolver &solver);
   void begin_step(const Step &step);
   void move(BalancedStep &state) { motion.move(state); }
   void set_change(const Step &step,

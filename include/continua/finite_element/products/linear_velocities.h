@@ -1,7 +1,6 @@
 #ifndef continua_finite_element_products_linear_velocities_h
 #define continua_finite_element_products_linear_velocities_h
 
-#include <continua/finite_element/conditions/boundary_constraints.h>
 #include <continua/finite_element/products/matrix_free_product.h>
 #include <continua/finite_element/space/space.h>
 
@@ -25,9 +24,9 @@ class LinearVelocities
 {
 public:
   /// Those that are `stiff`, a flag for each owned velocity of the space; the others are zero.
-  /// Space and constraints must outlive it. Collective.
+  /// `constraints`: homogeneous, with the hanging nodes. Both must outlive it. Collective.
   LinearVelocities(const Space<dim> &space,
-                   const BoundaryConstraints<dim> &constraints,
+                   const dealii::AffineConstraints<double> &constraints,
                    const std::vector<bool> &stiff);
 
   /// Assembles the integrals of MatrixFreeProduct for these velocities [kg/s]. `supports`: a matrix
@@ -50,7 +49,7 @@ public:
 
 private:
   const Space<dim> &space;
-  const BoundaryConstraints<dim> &constraints;
+  const dealii::AffineConstraints<double> &constraints;
   dealii::FESystem<dim> element;
   dealii::DoFHandler<dim> dof_handler;
   dealii::IndexSet owned, relevant;

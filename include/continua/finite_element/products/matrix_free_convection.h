@@ -19,7 +19,8 @@ namespace Continua
 /**
  * Products with the derivative of the ConvectiveTerms without its matrix, for quadratic velocities:
  * the integrals are formed anew from the state in each product, for several cells at once. It has
- * neither FlowFaceTerms nor StreamlineTerms.
+ * neither FlowFaceTerms nor StreamlineTerms. On a mesh that moves the integrals are those of the
+ * present place, which is held.
  */
 template <int dim>
 class MatrixFreeConvection
@@ -49,6 +50,8 @@ public:
     const dealii::DoFHandler<dim> &dof_handler;       ///< of dim quadratic components
     const dealii::AffineConstraints<double> &hanging; ///< of hanging nodes alone
     bool is_axisymmetric = false;
+    bool mesh_moves = false;
+    double carries = 1.;            ///< FlowScheme::carries
     bool is_skew = false;           ///< ConvectiveTerm::skew
     double constant_viscosity = 0.; ///< of grad-div [Pa s]
     std::vector<Liquid> liquids;    ///< by material id
@@ -62,6 +65,7 @@ public:
   struct State
   {
     Vector velocity, acceleration;               ///< [m/s], [m/s^2]
+    Vector mesh_displacement, mesh_velocity;     ///< of a mesh that moves alone [m], [m/s]
     std::vector<double> pressure, pressure_rate; ///< with ghost entries [Pa], [Pa/s]; these and
                                                  ///< the acceleration of compressible liquids alone
     double acceleration_by_velocity = 0.;        ///< [1/s]

@@ -64,10 +64,20 @@ private:
 
   using Point = FlowPoint<dim, Lanes>;
 
+  /// What the motion of the mesh makes of integrals over the mesh at rest, at a point.
+  struct Motion
+  {
+    Vector2 inverse;         ///< F^-1 in the plane or in space [1]
+    Lanes volume_ratio = 1.; ///< without that of the circumferences [1]
+    Lanes stretch = 1.;      ///< of the circumferences, in axisymmetry [1]
+    Vector1 mesh_velocity;   ///< W [m/s]
+  };
+
   /// Pressures are read by the places that are given: this is for their shape functions alone.
   dealii::DoFHandler<dim> shapes_of_pressure;
   MatrixFree matrix_free;
   const std::vector<Liquid> liquids;
+  const bool mesh_moves;
   FlowScheme scheme;
   const std::vector<int> pressure_places;
   dealii::AlignedVector<Batch> batches;
@@ -78,6 +88,9 @@ private:
   void read(const Batch &batch, const double *entries, PressureCell &cell) const;
   /// Sets what the liquids of a batch are at a point.
   void set_materials(const Batch &batch, Point &point) const;
+  static Motion motion_at(const VelocityCell &of_displacement,
+                          const VelocityCell &of_mesh_velocity,
+                          unsigned int q);
 };
 
 template <int dim, std::size_t width, bool is_axisymmetric>
@@ -85,8 +98,10 @@ MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::MatrixFreeConvectionOf
     const Input &input)
     : shapes_of_pressure(input.dof_handler.get_triangulation()),
       liquids(input.liquids),
+      mesh_moves(input.mesh_moves),
       pressure_places(input.pressure_places)
 {
+  scheme.carries = input.carries;
   scheme.skew = input.is_skew ? 0.5 : 0.;
   scheme.grad_div_viscosity = input.constant_viscosity;
   typename MatrixFree::AdditionalData data;
@@ -184,6 +199,23 @@ void MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::set_materials(con
 }
 
 template <int dim, std::size_t width, bool is_axisymmetric>
+typename MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::Motion
+MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::motion_at(
+    const VelocityCell &of_displacement, const VelocityCell &of_mesh_velocity, const unsigned int q)
+{
+  Motion motion;
+  Vector2 gradient = of_displacement.get_gradient(q);
+  for (unsigned int c = 0; c < dim; ++c)
+    gradient[c][c] += Lanes(1.);
+  motion.inverse = invert(gradient);
+  motion.volume_ratio = determinant(gradient);
+  if constexpr (is_axisymmetric)
+    motion.stretch = 1. + of_displacement.get_value(q)[1] / of_displacement.quadrature_point(q)[1];
+  motion.mesh_velocity = of_mesh_velocity.get_value(q);
+  return motion;
+}
+
+template <int dim, std::size_t width, bool is_axisymmetric>
 void MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::multiply(
     Vector &momentum,
     std::vector<double> &volume,
@@ -191,13 +223,15 @@ void MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::multiply(
     const double *const pressure) const
 {
   const auto values = dealii::EvaluationFlags::values;
+  const auto gradients = dealii::EvaluationFlags::gradients;
   const auto both = dealii::EvaluationFlags::values | dealii::EvaluationFlags::gradients;
   matrix_free.template cell_loop<Vector, Vector>(
       [&](const MatrixFree &data, Vector &target, const Vector &source,
           const std::pair<unsigned int, unsigned int> &range)
       {
         VelocityCell of_state(data, of_velocity), of_acceleration(data, of_velocity),
-            of_change(data, of_velocity);
+            of_change(data, of_velocity), of_displacement(data, of_velocity),
+            of_mesh_velocity(data, of_velocity);
         PressureCell pressure_of_state(data, of_pressure), rate_of_state(data, of_pressure),
             pressure_of_change(data, of_pressure);
         for (unsigned int number = range.first; number < range.second; ++number)
@@ -223,22 +257,36 @@ void MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::multiply(
             pressure_of_state.evaluate(both);
             rate_of_state.evaluate(values);
           }
+          if (mesh_moves)
+          {
+            for (VelocityCell *const cell : {&of_displacement, &of_mesh_velocity})
+              cell->reinit(number);
+            of_displacement.gather_evaluate(state->mesh_displacement,
+                                            is_axisymmetric ? both : gradients);
+            of_mesh_velocity.gather_evaluate(state->mesh_velocity, values);
+          }
           for (unsigned int q = 0; q < of_change.n_q_points; ++q)
           {
             Point point;
+            Motion motion;
             PointChange<dim, Lanes> of_unknowns;
             point.scheme = scheme;
             point.scheme.rate_by_velocity = state->acceleration_by_velocity;
             point.scheme.pressure_rate_by_pressure = state->pressure_rate_by_pressure;
             Lanes factor = batch.share;
+            if (mesh_moves)
+            {
+              motion = motion_at(of_displacement, of_mesh_velocity, q);
+              factor *= motion.volume_ratio * motion.stretch;
+            }
             if constexpr (is_axisymmetric)
             {
               const Lanes radius = of_change.quadrature_point(q)[1];
-              point.hoop = 1. / radius;
+              point.hoop = 1. / (radius * motion.stretch);
               factor *= 2. * dealii::numbers::PI * radius;
             }
             point.velocity = of_state.get_value(q);
-            point.carrier = point.velocity;
+            point.carrier = scheme.carries * point.velocity;
             point.velocity_gradient = of_state.get_gradient(q);
             of_unknowns.velocity = of_change.get_value(q);
             of_unknowns.velocity_gradient = of_change.get_gradient(q);
@@ -251,11 +299,21 @@ void MatrixFreeConvectionOfWidth<dim, width, is_axisymmetric>::multiply(
               point.pressure_rate = rate_of_state.get_value(q);
               of_unknowns.pressure_gradient = pressure_of_change.get_gradient(q);
             }
+            if (mesh_moves)
+            {
+              point.carrier -= motion.mesh_velocity;
+              point.velocity_gradient = point.velocity_gradient * motion.inverse;
+              point.pressure_gradient = point.pressure_gradient * motion.inverse;
+              of_unknowns.velocity_gradient = of_unknowns.velocity_gradient * motion.inverse;
+              of_unknowns.pressure_gradient = of_unknowns.pressure_gradient * motion.inverse;
+            }
             point.set_strain_rate();
             set_materials(batch, point);
             point.finish();
             Tested<dim, Lanes> tested;
             FlowTerms::add_derivative(point, FlowChange<dim, Lanes>(point, of_unknowns), tested);
+            if (mesh_moves)
+              tested.by_gradient = tested.by_gradient * transpose(motion.inverse);
             of_change.submit_value(factor * tested.by_value, q);
             of_change.submit_gradient(factor * tested.by_gradient, q);
             pressure_of_change.submit_value(factor * tested.of_volume, q);

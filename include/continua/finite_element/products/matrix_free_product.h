@@ -39,6 +39,9 @@ public:
     bool is_axisymmetric;
     /// Of the products of single regions: the hanging nodes alone. Null: there are none of these.
     const dealii::AffineConstraints<double> *region_constraints = nullptr;
+    /// Of products with the divergence: the places of a cell's linear pressures in arrays of them,
+    /// 2^dim for each cell, by active_cell_index(). Empty: there are none of these.
+    std::vector<int> pressure_places = {};
   };
   /// By material id.
   struct Coefficients
@@ -48,6 +51,8 @@ public:
     std::vector<double> volumetric; ///< lambda [Pa s]; empty: none
     /// Added to lambda, by active_cell_index() of owned cells [Pa s]; empty: nothing.
     std::vector<double> volumetric_of_cells = {};
+    /// Added to alpha, likewise [Pa s].
+    std::vector<double> stiffness_of_cells = {};
   };
 
   virtual ~MatrixFreeProduct() = default;
@@ -65,6 +70,17 @@ public:
   virtual void initialise(Vector &vector) const = 0;
   /// target = A source [kg/s times the unit of the source]. Allocates nothing. Collective.
   virtual void multiply(Vector &target, const Vector &source) const = 0;
+  // B, with B_ki = int q_k div v_i, and the pressures as arrays by the places of the input, hanging
+  // ones and those of other ranks' cells included. All are collective and allocate nothing.
+  /// momentum = A velocity - B^T pressure, and adds B velocity to `volume`, in one pass.
+  virtual void multiply_coupled(Vector &momentum,
+                                double *volume,
+                                const Vector &velocity,
+                                const double *pressure) const = 0;
+  /// Adds B velocity to `volume`.
+  virtual void add_divergence(double *volume, const Vector &velocity) const = 0;
+  /// momentum = B^T pressure.
+  virtual void multiply_gradient(Vector &momentum, const double *pressure) const = 0;
   /// The diagonal of A, 0 at constrained entries [kg/s]. Collective.
   virtual void find_diagonal(Vector &diagonal) const = 0;
   // The same of one region alone, with its own constraints and with the coefficients given.

@@ -12,7 +12,8 @@
 namespace Continua
 {
 /// Mass and stiffness of the regions on quadratic velocities, formed anew in each product. The same
-/// object also serves for products of a whole step with the boundary constraints.
+/// object also serves for products of a whole step with the boundary constraints, those with the
+/// divergence included.
 template <int dim>
 class MatrixFreeRegions : public RegionProducts
 {

@@ -9,6 +9,7 @@
 #define FE_EVAL_FACTORY_DEGREE_MAX 2
 
 #include <continua/finite_element/products/matrix_free_convection.templates.h>
+#include <continua/finite_element/products/matrix_free_mesh.templates.h>
 #include <continua/finite_element/products/matrix_free_product.templates.h>
 
 #include <deal.II/matrix_free/evaluation_template_face_factory.templates.h>

@@ -32,6 +32,12 @@ public:
   /// Takes the coefficients of the products. Collective.
   void set(const SystemCoefficients &coefficients);
   void multiply(DistributedVector &target, const DistributedVector &source) const override;
+  /// momentum = A velocity - B^T pressure, and adds B velocity to `volume`: see MatrixFreeProduct,
+  /// whose arrays of pressures these are.
+  void multiply_coupled(DistributedVector &momentum,
+                        double *volume,
+                        const DistributedVector &velocity,
+                        const double *pressure) const;
   const DistributedVector &diagonal() const override { return diagonal_entries; }
   /// The part of the supports, with a one on the diagonal of constrained velocities; null without.
   /// Of the last set().
@@ -51,6 +57,9 @@ private:
   DistributedVector diagonal_entries;
   mutable DistributedVector support_forces;
   mutable typename Product::Vector source_entries, target_entries;
+
+  /// From a product of the cells to that of the whole system.
+  void finish(DistributedVector &target, const DistributedVector &source) const;
 };
 } // namespace Continua
 

@@ -1,9 +1,10 @@
 #ifndef continua_finite_element_solvers_polynomial_multigrid_h
 #define continua_finite_element_solvers_polynomial_multigrid_h
 
+#include <continua/finite_element/conditions/boundary_constraints.h>
 #include <continua/finite_element/products/linear_velocities.h>
 #include <continua/finite_element/products/matrix_free_product.h>
-#include <continua/linear_algebra/chebyshev_polynomial.h>
+#include <continua/finite_element/products/polynomial_cycle.h>
 #include <continua/linear_algebra/divergence_augmentation.h>
 #include <continua/linear_algebra/velocity_cycle.h>
 
@@ -14,14 +15,8 @@
 namespace Continua
 {
 /**
- * Multigrid in the degree of the velocities, for the stiff ones of A + B^T W B. The quadratic
- * velocities are relaxed by Chebyshev polynomials, before and after the linear ones have been
- * solved for: by their factor where it is small, otherwise by a cycle of algebraic multigrid. The
- * products of the relaxation have no matrix and are of single precision: this class stores no
- * matrix of the quadratic velocities.
- *
- * The linear velocities of a cell that is longer than thick bend poorly. The degree of the
- * polynomials, and the range of eigenvalues that they damp, grow with the ratio of the lengths.
+ * A PolynomialCycle for the stiff velocities of A + B^T W B. The products of the relaxation have no
+ * matrix and are of single precision: this class stores no matrix of the quadratic velocities.
  *
  * The relaxation takes B^T W B as it is. With the integral of W div v div u in its place, which is
  * nearly the same for smooth velocities, FGMRES takes 1.3 to 1.9 times as many iterations (a bar of
@@ -50,9 +45,9 @@ public:
                       double most_factor_bytes);
 
   /// Else the linear velocities have algebraic multigrid.
-  bool has_linear_factor() const { return is_factored; }
+  bool has_linear_factor() const { return cycle->has_linear_factor(); }
   /// What relaxes the quadratic velocities, and what solves for the linear ones.
-  std::string name() const;
+  std::string name() const { return cycle->name(); }
   void add_cycle(DistributedVector &target, const DistributedVector &source) override;
 
 private:
@@ -62,21 +57,11 @@ private:
   LinearVelocities<dim> linear_velocities;
   const std::unique_ptr<Product> product; ///< right at the stiff velocities alone
   DivergenceAugmentation<dim> augmentation;
-  std::unique_ptr<ChebyshevPolynomial> relaxation;
-  unsigned int degree;
-  std::unique_ptr<VelocityCycle> coarse_cycle;
-  std::string coarse_name;
-  bool is_factored = false;
-  std::vector<unsigned int> stiff_rows; ///< local indices
-  Vector right_hand_side, solution, residual, correction;
-  DistributedVector fine, coarse_source, coarse_solution;
-  DistributedVector support_force; ///< empty without supports
+  std::unique_ptr<PolynomialCycle<dim>> cycle;
+  Vector right_hand_side, solution;
+  DistributedVector support_velocity, support_force; ///< empty without supports
 
-  void make_coarse_cycle(const typename Product::Coefficients &coefficients,
-                         const Space<dim> &space,
-                         double most_factor_bytes);
   void multiply(Vector &target, const Vector &source);
-  void leave_residual();
 };
 } // namespace Continua
 

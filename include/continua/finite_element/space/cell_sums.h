@@ -6,6 +6,7 @@
 #include <deal.II/base/index_set.h>
 #include <deal.II/base/types.h>
 #include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/vector.h>
 
 #include <cstddef>
@@ -24,7 +25,7 @@ class CellSums
 public:
   /// The mesh has changed. `ghosted`: a vector with the ghost entries whose places the cells have
   /// (QuadratureCell); `owned_indices`: a contiguous range; `hanging`: the lines that are
-  /// condensed.
+  /// condensed. Collective.
   void reinit(const DistributedVector &ghosted,
               const dealii::IndexSet &owned_indices,
               const dealii::AffineConstraints<double> &hanging);
@@ -34,6 +35,8 @@ public:
     for (std::size_t i = 0; i < places.size(); ++i)
       sums[places[i]] += of_cell[i];
   }
+  /// The sums by place, to which cells may add without add().
+  double *by_place() { return sums.data(); }
   /// Adds the sums to an owned vector, with the hanging nodes condensed, and begins anew.
   /// Collective.
   void add_to(DistributedVector &rows);
@@ -45,15 +48,16 @@ private:
   struct Elsewhere
   {
     std::size_t place = 0;
-    std::vector<std::pair<dealii::types::global_dof_index, double>> entries; ///< with their weights
+    /// Entries of `of_others`, with their weights.
+    std::vector<std::pair<unsigned int, double>> entries;
   };
 
   std::vector<double> sums;    ///< by place
   std::size_t first_owned = 0; ///< place of the first entry of this rank
   std::vector<Elsewhere> elsewhere;
-  // Of all of these, one after the other.
-  std::vector<dealii::types::global_dof_index> indices;
-  std::vector<double> values;
+  bool some_are_elsewhere = false; ///< on any rank
+  /// What these give, with the entries of other ranks: keeps the plan of the exchange.
+  dealii::LinearAlgebra::distributed::Vector<double> of_others;
 };
 } // namespace Continua
 

@@ -13,13 +13,15 @@
 namespace Continua
 {
 /// The mesh of the liquids as a body, at a point of the mesh at rest. Its unknown is the
-/// displacement of the mesh, in the place of the velocity of a PointChange.
+/// displacement of the mesh, in the place of the velocity of a PointChange. `Number`: double, or
+/// several points at once.
+template <typename Number = double>
 struct MeshPoint
 {
   bool is_hyperelastic = true;
-  dealii::Tensor<2, 3> displacement_gradient; ///< Grad d [1]
-  double hoop = 0.;                           ///< 1/R in axisymmetry, else 0 [1/m]
-  dealii::Tensor<2, 3> inverse;               ///< (1 + Grad d)^-1 [1]
+  dealii::Tensor<2, 3, Number> displacement_gradient; ///< Grad d [1]
+  Number hoop = 0.;                                   ///< 1/R in axisymmetry, else 0 [1/m]
+  dealii::Tensor<2, 3, Number> inverse;               ///< (1 + Grad d)^-1 [1]
 };
 
 /**
@@ -28,29 +30,44 @@ struct MeshPoint
  */
 struct MeshStress
 {
-  template <int dim>
-  static void add(const MeshPoint &point, Tested<dim> &tested)
+  template <int dim, typename Number>
+  static void add(const MeshPoint<Number> &point, Tested<dim, Number> &tested)
   {
-    const dealii::Tensor<2, 3> &gradient = point.displacement_gradient;
+    const dealii::Tensor<2, 3, Number> &gradient = point.displacement_gradient;
     add_stress(point,
-               point.is_hyperelastic ? gradient + unit() - transpose(point.inverse)
+               point.is_hyperelastic ? gradient + unit<Number>() - transpose(point.inverse)
                                      : elastic_stress(gradient),
                tested);
   }
-  template <int dim>
-  static void
-  add_derivative(const MeshPoint &point, const PointChange<dim> &change, Tested<dim> &tested)
+  template <int dim, typename Number>
+  static void add_derivative(const MeshPoint<Number> &point,
+                             const PointChange<dim, Number> &change,
+                             Tested<dim, Number> &tested)
   {
-    const dealii::Tensor<2, 3> gradient =
-        whole_gradient<dim>(change.velocity_gradient, point.hoop * change.velocity[1]);
+    const Number of_circle = point.hoop * change.velocity[1];
+    const dealii::Tensor<2, 3, Number> gradient =
+        whole_gradient(change.velocity_gradient, of_circle);
     add_stress(point,
                point.is_hyperelastic
                    ? gradient + transpose(point.inverse * gradient * point.inverse)
                    : elastic_stress(gradient),
                tested);
   }
+  /// As that of Kinematics.
+  template <int dim, typename Number>
+  static dealii::Tensor<2, 3, Number> whole_gradient(const dealii::Tensor<2, dim, Number> &gradient,
+                                                     const Number &of_circle)
+  {
+    dealii::Tensor<2, 3, Number> whole;
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int d = 0; d < dim; ++d)
+        whole[c][d] = gradient[c][d];
+    if (dim == 2)
+      whole[2][2] = of_circle;
+    return whole;
+  }
   /// (tr C - 2 ln J)/2, whose derivative by F is the hyperelastic P.
-  static double energy(const MeshPoint &point)
+  static double energy(const MeshPoint<> &point)
   {
     const Kinematics kinematics(point.displacement_gradient);
     return 0.5 * kinematics.deformation_gradient().norm_square() -
@@ -58,16 +75,23 @@ struct MeshStress
   }
 
 private:
-  static dealii::Tensor<2, 3> unit() { return dealii::unit_symmetric_tensor<3>(); }
-  static dealii::Tensor<2, 3> elastic_stress(const dealii::Tensor<2, 3> &gradient)
+  template <typename Number>
+  static dealii::Tensor<2, 3, Number> unit()
   {
-    return gradient + transpose(gradient) + 2. * trace(gradient) * unit();
+    return dealii::unit_symmetric_tensor<3, Number>();
   }
-  template <int dim>
-  static void
-  add_stress(const MeshPoint &point, const dealii::Tensor<2, 3> &stress, Tested<dim> &tested)
+  template <typename Number>
+  static dealii::Tensor<2, 3, Number> elastic_stress(const dealii::Tensor<2, 3, Number> &gradient)
   {
-    dealii::Tensor<2, dim> plane;
+    const Number mean = 2. * trace(gradient);
+    return gradient + transpose(gradient) + mean * unit<Number>();
+  }
+  template <int dim, typename Number>
+  static void add_stress(const MeshPoint<Number> &point,
+                         const dealii::Tensor<2, 3, Number> &stress,
+                         Tested<dim, Number> &tested)
+  {
+    dealii::Tensor<2, dim, Number> plane;
     for (unsigned int c = 0; c < dim; ++c)
       for (unsigned int d = 0; d < dim; ++d)
         plane[c][d] = stress[c][d];

@@ -40,12 +40,12 @@ bool GradDivPreconditioner<dim>::take(const std::vector<double> &viscosities,
 template <int dim>
 void GradDivPreconditioner<dim>::add_to(StepPreconditioner<dim> &preconditioner) const
 {
-  if (grad_div.empty() || preconditioner.chebyshev == nullptr)
+  if (grad_div.empty() || preconditioner.relaxation == nullptr)
     return;
   std::vector<double> augmentation = grad_div;
   for (double &gamma : augmentation)
     gamma *= share_of_grad_div;
-  preconditioner.chebyshev->set_volumetric_of_cells(augmentation);
+  preconditioner.relaxation->set_volumetric_of_cells(augmentation);
   // The sum of the cells' parts of the mass form around each pressure, with 1/alpha and with
   // 1/(alpha + gamma).
   const SystemCoefficients &of_form = preconditioner.coefficients;

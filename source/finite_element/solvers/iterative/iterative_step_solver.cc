@@ -67,7 +67,7 @@ void IterativeStepSolver<dim>::make_preconditioner()
 template <int dim>
 void IterativeStepSolver<dim>::precondition_grad_div(const std::vector<double> &viscosities)
 {
-  if (viscosities.empty() || preconditioner->chebyshev == nullptr ||
+  if (viscosities.empty() || preconditioner->relaxation == nullptr ||
       parameters.schur_complement == SchurApproximation::simple)
     return;
   if (!grad_div.take(viscosities, *preconditioner))

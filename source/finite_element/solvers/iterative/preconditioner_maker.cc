@@ -100,6 +100,10 @@ PreconditionerPlan PreconditionerMaker<dim>::choose_blocks(const StiffRegions<di
   parts.fluid_is_viscous = parameters.fluid_block == FluidBlock::algebraic_multigrid ||
                            (parameters.fluid_block == FluidBlock::automatic &&
                             (fluid_ratio > viscous_ratio || !has_inertia));
+  plan.relaxes_without_matrix =
+      can_relax_without_matrix(stiff_regions, coefficients) &&
+      !(parts.fluid_is_viscous && parameters.fluid_block == FluidBlock::algebraic_multigrid);
+  plan.fluid_has_multigrid = plan.relaxes_without_matrix && parts.fluid_is_viscous;
   plan.has_joint_block = n_stiff > 0 && parts.stiff_is_direct && !is_simple();
 
   made.has_polynomial_multigrid = n_stiff > 0 && !parts.stiff_is_direct &&
@@ -107,12 +111,11 @@ PreconditionerPlan PreconditionerMaker<dim>::choose_blocks(const StiffRegions<di
                                   parameters.stiff_block != StiffBlock::algebraic_multigrid;
   const bool has_algebraic_multigrid =
       (n_stiff > 0 && !parts.stiff_is_direct && !made.has_polynomial_multigrid) ||
-      (has_fluid && parts.fluid_is_viscous);
+      (has_fluid && parts.fluid_is_viscous && !plan.fluid_has_multigrid);
   if (has_algebraic_multigrid)
     parts.modes = rigid_motions(space.mapping, space.velocity_dofs);
   if (plan.has_joint_block)
     plan.stiff_pressures = stiff_regions.pressures();
-  plan.relaxes_without_matrix = relaxes_without_matrix(stiff_regions, coefficients, parts);
   made.has_fluid = has_fluid;
   made.has_stiff = n_stiff > 0;
   made.stiff_is_direct = parts.stiff_is_direct;
@@ -125,11 +128,10 @@ PreconditionerPlan PreconditionerMaker<dim>::choose_blocks(const StiffRegions<di
 }
 
 template <int dim>
-bool PreconditionerMaker<dim>::relaxes_without_matrix(const StiffRegions<dim> &stiff_regions,
-                                                      const SystemCoefficients &coefficients,
-                                                      const VelocityBlocks &parts) const
+bool PreconditionerMaker<dim>::can_relax_without_matrix(
+    const StiffRegions<dim> &stiff_regions, const SystemCoefficients &coefficients) const
 {
-  if (blocks.matrix_free() == nullptr || parts.fluid_is_viscous)
+  if (blocks.matrix_free() == nullptr)
     return false;
   // Its products have no supports, and those of stiff regions are in the stiff block.
   if (coefficients.support_stiffness == 0. && coefficients.support_damping == 0.)
@@ -217,7 +219,8 @@ std::string PreconditionerMaker<dim>::name_of(const PreconditionerPlan &plan,
     text << ", since a factor would need " << memory_text(*refused_bytes);
   if (made.has_fluid)
     text << "; fluid block: "
-         << (parts.fluid_is_viscous        ? "algebraic multigrid"
+         << (plan.fluid_has_multigrid      ? made.fluid_multigrid_name
+             : parts.fluid_is_viscous      ? "algebraic multigrid"
              : plan.relaxes_without_matrix ? "Chebyshev relaxation"
                                            : "relaxation");
   text << "; Schur complement: " << (is_simple() ? "simple" : "cahouet-chabard");

@@ -33,6 +33,7 @@ void StepBlocks<dim>::set(const SystemCoefficients &coefficients)
                                                          parameters.instruction_set);
     matrix_free_velocity = std::make_unique<MatrixFreeVelocity<dim>>(space, operators, constraints,
                                                                      regions->product());
+    matrix_free_divergence = std::make_unique<MatrixFreeDivergence<dim>>(space, regions->product());
   }
   if (matrix_free_velocity)
     matrix_free_velocity->set(coefficients);
@@ -51,6 +52,20 @@ const VelocityOperator &StepBlocks<dim>::velocity() const
   if (matrix_free_velocity)
     return *matrix_free_velocity;
   return *assembled_velocity;
+}
+
+template <int dim>
+SaddlePointSolver::Blocks StepBlocks<dim>::all() const
+{
+  if (!matrix_free_divergence)
+    return {velocity(), divergence, compression_matrix};
+  return {velocity(), *matrix_free_divergence, compression_matrix,
+          [this](const DistributedVector &of_velocity, const DistributedVector &of_pressure,
+                 DistributedVector &momentum, DistributedVector &mass)
+          {
+            matrix_free_divergence->multiply_with(*matrix_free_velocity, momentum, mass,
+                                                  of_velocity, of_pressure);
+          }};
 }
 
 template class StepBlocks<2>;

@@ -4,6 +4,7 @@
 #include <continua/finite_element/solvers/iterative/joint_block_assembly.h>
 #include <continua/finite_element/solvers/iterative/velocity_rows.h>
 #include <continua/finite_element/solvers/polynomial_multigrid.h>
+#include <continua/finite_element/solvers/polynomial_relaxation.h>
 #include <continua/linear_algebra/matrix_relaxation.h>
 
 #include <Epetra_CrsMatrix.h>
@@ -96,13 +97,22 @@ VelocityInverseMaker<dim>::make_relaxation(const PreconditionerPlan &plan,
     return nullptr;
   if (!plan.relaxes_without_matrix)
     return std::make_unique<MatrixRelaxation>(made.velocity_matrix, plan.parts);
-  auto chebyshev = std::make_unique<ChebyshevRelaxation<dim>>(
-      single_precision_cells(),
-      typename ChebyshevRelaxation<dim>::Product::Coefficients{
-          made.coefficients.mass, made.coefficients.stiffness, volumetric},
-      plan.parts.fluid);
-  made.chebyshev = chebyshev.get();
-  return chebyshev;
+  const typename MatrixFreeRelaxation<dim>::Product::Coefficients coefficients{
+      made.coefficients.mass, made.coefficients.stiffness, volumetric};
+  std::unique_ptr<MatrixFreeRelaxation<dim>> relaxation;
+  if (plan.fluid_has_multigrid)
+  {
+    auto multigrid = std::make_unique<PolynomialRelaxation<dim>>(
+        single_precision_cells(), space, constraints, coefficients, plan.parts.fluid,
+        limit.most_linear_bytes());
+    made.fluid_multigrid_name = multigrid->name();
+    relaxation = std::move(multigrid);
+  }
+  else
+    relaxation = std::make_unique<ChebyshevRelaxation<dim>>(single_precision_cells(), coefficients,
+                                                            plan.parts.fluid);
+  made.relaxation = relaxation.get();
+  return relaxation;
 }
 
 template <int dim>

@@ -69,9 +69,8 @@ private:
   PreconditionerPlan choose_blocks(const StiffRegions<dim> &stiff_regions,
                                    StepPreconditioner<dim> &made);
   /// Whether the velocities outside the stiff block are relaxed by products without a matrix.
-  bool relaxes_without_matrix(const StiffRegions<dim> &stiff_regions,
-                              const SystemCoefficients &coefficients,
-                              const VelocityBlocks &parts) const;
+  bool can_relax_without_matrix(const StiffRegions<dim> &stiff_regions,
+                                const SystemCoefficients &coefficients) const;
   /// Sets the augmentation W, and the factors of the regions in the mass form [1/(Pa s)].
   void augment(const StiffRegions<dim> &stiff_regions,
                const PreconditionerPlan &plan,

@@ -20,6 +20,8 @@ struct PreconditionerPlan
   bool has_joint_block = false;
   /// Whether the velocities outside the stiff block are relaxed by products without a matrix.
   bool relaxes_without_matrix = false;
+  /// Whether these products are those of a multigrid, else of a polynomial.
+  bool fluid_has_multigrid = false;
 };
 } // namespace Continua
 

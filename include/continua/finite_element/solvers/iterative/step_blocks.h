@@ -4,6 +4,7 @@
 #include <continua/continuum/system_coefficients.h>
 #include <continua/finite_element/conditions/boundary_constraints.h>
 #include <continua/finite_element/products/region_operators.h>
+#include <continua/finite_element/solvers/matrix_free_divergence.h>
 #include <continua/finite_element/solvers/matrix_free_velocity.h>
 #include <continua/finite_element/solvers/region_divergence.h>
 #include <continua/finite_element/space/linear_solver_parameters.h>
@@ -17,7 +18,7 @@
 namespace Continua
 {
 /// The blocks A [kg/s], B [m^(dim-1)] and C [m^3/(Pa s)] of a step's system (see StepSystem) with
-/// the present coefficients. A is a product without a matrix, or a matrix.
+/// the present coefficients. A is a product without a matrix, and B with it, or a matrix.
 template <int dim>
 class StepBlocks
 {
@@ -39,10 +40,7 @@ public:
   const MatrixFreeVelocity<dim> *matrix_free() const { return matrix_free_velocity.get(); }
   /// C.
   const dealii::TrilinosWrappers::SparseMatrix &compression() const { return compression_matrix; }
-  SaddlePointSolver::Blocks all() const
-  {
-    return {velocity(), divergence, compression_matrix, nullptr};
-  }
+  SaddlePointSolver::Blocks all() const;
 
 private:
   const Space<dim> &space;
@@ -53,6 +51,7 @@ private:
   dealii::TrilinosWrappers::SparseMatrix velocity_matrix;
   std::unique_ptr<MatrixOperator> assembled_velocity;
   RegionDivergence<dim> divergence;
+  std::unique_ptr<MatrixFreeDivergence<dim>> matrix_free_divergence;
   dealii::TrilinosWrappers::SparseMatrix compression_matrix;
 };
 } // namespace Continua

@@ -2,7 +2,7 @@
 #define continua_finite_element_solvers_iterative_step_preconditioner_h
 
 #include <continua/continuum/system_coefficients.h>
-#include <continua/finite_element/solvers/chebyshev_relaxation.h>
+#include <continua/finite_element/solvers/matrix_free_relaxation.h>
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/linear_algebra/schur_complement.h>
 #include <continua/linear_algebra/velocity_preconditioner.h>
@@ -26,14 +26,14 @@ struct StepPreconditioner
   std::unique_ptr<VelocityPreconditioner> velocity;
   std::unique_ptr<SchurComplement> schur_complement;
   /// A part of the above; null: the fluid is not relaxed by products without a matrix.
-  ChebyshevRelaxation<dim> *chebyshev = nullptr;
+  MatrixFreeRelaxation<dim> *relaxation = nullptr;
   DistributedVector augmentation; ///< W
   std::vector<bool> is_stiff;     ///< of each owned velocity
   bool has_stiff = false, stiff_is_direct = true, fluid_is_viscous = false, has_inertia = true;
   bool has_polynomial_multigrid = false; ///< on the stiff block, else algebraic if not direct
   unsigned int first_iterations = 0;
   bool is_used = false, is_worn = false, has_fluid = true;
-  std::string name, multigrid_name;
+  std::string name, multigrid_name, fluid_multigrid_name;
 };
 } // namespace Continua
 
