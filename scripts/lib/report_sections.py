@@ -82,7 +82,7 @@ def warnings(runs):
         name = f"{run['title']}: " if len(runs) > 1 else ""
         if run["status"] != "finished":
             parts.append(tag("p", f"{name}the run {run['status']}" + (f": {run['reason']}" if run["reason"] else ""), class_="failed-run"))
-        parts += [tag("p", name + text, class_="warning") for text in run["summary"].get("warnings", [])]
+        parts += [tag("p", name + text, class_="warning") for text in run["warnings"]]
     return section("warnings", "Warnings", parts or tag("p", "none"))
 
 

@@ -18,7 +18,7 @@ COSTLY_TO_FOLLOW = 4e6  # points times states above which the liquid's mesh does
 # Fields at the nodes of walls, 0 elsewhere; in the order of what a reader looks for.
 OF_WALLS = ("wall_shear_stress", "time_averaged_wall_shear_stress", "oscillatory_shear_index")
 FIRST = ("pressure", "velocity", *OF_WALLS, "displacement")
-NOT_SHOWN = ("phase", "rank", "TIME", "CYCLE")
+NOT_SHOWN = ("phase", "rank", "material_id", "TIME", "CYCLE", "motion of the view", "number of the point")
 
 
 def pack(data):
@@ -154,11 +154,22 @@ def slices_of(bounds):
     return [{"name": name, "normal": numpy.eye(3)[d].tolist(), "distance": float(at)} for name, d, at in found]
 
 
-def field_names(grid, wanted):
+def liquids_of(grid):
+    import vtk
+    choose = vtk.vtkThreshold()
+    choose.SetInputData(grid)
+    choose.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_POINTS, "phase")
+    choose.SetThresholdFunction(vtk.vtkThreshold.THRESHOLD_LOWER)
+    choose.SetLowerThreshold(0.5)
+    choose.Update()
+    return choose.GetOutput()
+
+
+def field_names(grid):
+    """What the view can show, in the order of what a reader looks for."""
     data = grid.GetPointData()
     names = [data.GetArrayName(i) for i in range(data.GetNumberOfArrays()) if data.GetArrayName(i) not in NOT_SHOWN]
-    order = [name for name in FIRST if name in names] + sorted(name for name in names if name not in FIRST and name != "material_id")
-    return [name for name in order if wanted is None or name in wanted]
+    return [name for name in FIRST if name in names] + sorted(name for name in names if name not in FIRST)
 
 
 def read_states(run, states, follows):
@@ -195,11 +206,17 @@ def read_states(run, states, follows):
             dim = 2 if bounds[5] - bounds[4] < 1e-9 * max(bounds[1] - bounds[0], bounds[3] - bounds[2]) else 3
             slices = slices_of(bounds) if dim == 3 else []
             parts = [Part("surface")] + [Part(one["name"]) for one in slices]
-            names = field_names(grid, None)
+            names = field_names(grid)
+            # What a wall hides, and what is known at the wall of the lumen alone.
+            solid = render_field.in_solid(grid)
+            if dim == 3 and solid is not None and solid.any() and not solid.all():
+                parts.append(Part("liquids"))
         wanted = [*names, "motion of the view"]
         parts[0].add(outside(grid), wanted)
         for one, part in zip(slices, parts[1:]):
             part.add(cut(grid, one["normal"], one["distance"]), wanted)
+        if len(parts) > 1 + len(slices):
+            parts[-1].add(outside(liquids_of(grid)), wanted)
     factor = 1 if moves else min((value for value in factors if value > 0), default=0)
     return {"dim": dim, "slices": slices, "parts": parts, "names": names, "largest": largest, "factor": factor, "bounds": bounds}
 
@@ -319,7 +336,8 @@ class View:
         factor, shown = plot_style.readable(largest, unit, name)
         is_vector = any(name in arrays and arrays[name].shape[1] > 1 for part in parts for arrays in part.arrays)
         label = name.replace("_", " ") + (" magnitude" if is_vector else "")
-        return {"name": name, "label": label, "unit": "" if shown == "1" else shown, "factor": factor, "groups": groups, "values": values}
+        return {"name": name, "label": label, "unit": "" if shown == "1" else shown, "factor": factor, "groups": groups, "values": values,
+                "ofWalls": name in OF_WALLS}
 
     def data(self, budget, wanted):
         """(what the browser is given, names of fields that have no room)."""
@@ -342,6 +360,7 @@ class View:
         full = bool(solid.any()) and any(0 in mesh["groups"] for part in read["parts"][1:] for mesh in part.meshes)
         open_at_plane = abs(read["bounds"][4]) < 1e-3 * (read["bounds"][5] - read["bounds"][4])
         view["firstSlice"] = 0 if read["dim"] == 3 and full and not open_at_plane else -1
+        view["liquidPart"] = len(read["parts"]) - 1 if len(read["parts"]) > 1 + len(read["slices"]) else None
         if open_at_plane:
             view["turn"] = turn_of(-1.0)
         used, left_out = size_of(view), []

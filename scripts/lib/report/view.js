@@ -3,7 +3,7 @@
 
 const VERTEX = `#version 300 es
 in vec3 place; in vec3 motion; in float value; in float group;
-uniform vec3 low, extent, motionScale; uniform float factor, stretch; uniform mat3 turn; uniform vec3 centre; uniform vec2 zoom; uniform vec2 shift;
+uniform vec3 low, extent, motionScale; uniform float factor, stretch; uniform mat3 turn; uniform vec3 centre; uniform float depth; uniform int isLine; uniform vec2 zoom; uniform vec2 shift;
 uniform vec2 own[2]; uniform vec2 shown[2];
 out vec3 at; out vec3 body; out float share; out float there; out float row;
 void main() {
@@ -16,12 +16,13 @@ void main() {
   share = clamp((v - shown[g].x) / max(shown[g].y - shown[g].x, 1e-30), 0.0, 1.0);
   there = value < 0.0 ? 0.0 : 1.0;
   row = group;
-  gl_Position = vec4(at.xy * zoom + shift, -at.z * zoom.y * 0.05, 1.0);
+  // A line lies in front of the face that it bounds.
+  gl_Position = vec4(at.xy * zoom + shift, clamp(-at.z * depth, -0.99, 0.99) - (isLine == 1 ? 0.003 : 0.0), 1.0);
 }`;
 const FRAGMENT = `#version 300 es
-precision highp float;
+precision highp float; precision highp int;
 in vec3 at; in vec3 body; in float share; in float there; in float row;
-uniform sampler2D maps; uniform int flat_, isLine, cut; uniform vec4 plane;
+uniform sampler2D maps; uniform int flat_, cut; uniform int isLine; uniform vec4 plane;
 out vec4 colour;
 void main() {
   if (cut == 1 && dot(plane.xyz, body) > plane.w) discard;
@@ -79,7 +80,14 @@ class BodyView {
       bar.append(element("label", "", label + " ", {}, [input]));
       return input;
     };
-    choose("Field", d.fields.map(f => f.label), i => { this.field = i; this.ranges(); });
+    choose("Field", d.fields.map(f => f.label), i => {
+      this.field = i;
+      // What is known at the wall of the lumen is hidden by the wall.
+      if (d.fields[i].ofWalls && this.bodyInput) this.bodyInput.value = this.body = 1;
+      this.ranges();
+    });
+    this.body = 0;
+    if (d.liquidPart !== null) this.bodyInput = choose("of", ["the whole body", "the liquids"], i => { this.body = i; });
     if (d.times.length > 1) {
       this.timeInput = slide(d.modal ? "Mode" : "Time", 0, d.times.length - 1, 1, this.state, i => { this.state = i; });
       const play = element("button", "", "\u25b6 play", {type: "button"});
@@ -150,6 +158,7 @@ class BodyView {
     gl.attachShader(this.program, compile(gl.VERTEX_SHADER, VERTEX));
     gl.attachShader(this.program, compile(gl.FRAGMENT_SHADER, FRAGMENT));
     gl.linkProgram(this.program);
+    if (!gl.getProgramParameter(this.program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(this.program));
     gl.useProgram(this.program);
     this.uniform = name => gl.getUniformLocation(this.program, name);
     this.texture = gl.createTexture();
@@ -157,8 +166,6 @@ class BodyView {
     for (const [key, value] of [[gl.TEXTURE_MIN_FILTER, gl.NEAREST], [gl.TEXTURE_MAG_FILTER, gl.NEAREST], [gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE],
                                 [gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE]]) gl.texParameteri(gl.TEXTURE_2D, key, value);
     gl.enable(gl.DEPTH_TEST);
-    gl.enable(gl.POLYGON_OFFSET_FILL);
-    gl.polygonOffset(1, 1);
     gl.clearColor(1, 1, 1, 1);
   }
 
@@ -188,13 +195,13 @@ class BodyView {
   // The parts that are seen, with their arrays of the present state and field.
   async parts() {
     const gl = this.gl, d = this.data, found = [];
-    const numbers = [0];
+    const numbers = [this.body ? d.liquidPart : 0];
     if (this.slice >= 0) numbers.push(1 + this.slice);
     for (const number of numbers) {
       const part = d.parts[number], mesh = part.meshes[part.meshOfState[this.state]];
       if (!mesh || !mesh.n) continue;
       found.push({
-        n: mesh.n, isSlice: number > 0,
+        n: mesh.n, isSlice: number > 0 && number !== d.liquidPart,
         place: await this.get(mesh.points, "place", gl.ARRAY_BUFFER),
         group: await this.get(mesh.groups, "bytes", gl.ARRAY_BUFFER),
         triangles: await this.get(mesh.triangles, "whole", gl.ELEMENT_ARRAY_BUFFER),
@@ -238,6 +245,7 @@ class BodyView {
     gl.uniform1f(u("stretch"), this.stretch);
     gl.uniformMatrix3fv(u("turn"), false, this.turn);
     gl.uniform3fv(u("centre"), this.centre);
+    gl.uniform1f(u("depth"), 0.5 / (this.depth || 1));
     gl.uniform2fv(u("zoom"), this.zoom);
     gl.uniform2fv(u("shift"), this.shift);
     gl.uniform2fv(u("own"), two(field.groups).flatMap(g => [g.low, g.high]));
