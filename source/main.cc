@@ -16,6 +16,7 @@
 #include <continua/program/examples.h>
 #include <continua/program/parameter_catalogue.h>
 #include <continua/program/parameter_templates.h>
+#include <continua/program/script.h>
 #include <continua/program/several_runs.h>
 #include <continua/program/unknown_names.h>
 
@@ -345,6 +346,8 @@ int main(int argc, char **argv)
     return run_gmsh_process(argc, argv);
   if (argc == 3 && argv[1] == std::string("--serve"))
     return serve(argv[2]);
+  if (const std::optional<int> status = Continua::become_script(argc, argv))
+    return *status;
   if (const std::optional<int> status = perform_several_files(argc, argv))
     return *status;
   return run_command_line(argc, argv);

@@ -75,7 +75,10 @@ def draw_probes(sheet, runs):
 
 
 def is_oscillation(summary, name, field):
-    """Whether the fit of the summary says that the history is a damped oscillation, or there is none."""
+    """Whether the fit of the summary says that the history is a damped oscillation, or there is none. Beats have no envelope: they are
+    equal in the end."""
+    if summary.get("beats"):
+        return False
     labels = (name, name[: -len(field) - 2] if name.endswith(f": {field}") else name)
     residuals = [entry["value"] for entry in summary.get("quantities", []) if entry["name"] == "fit residual"
                  and entry["probe"] in labels]
@@ -209,7 +212,8 @@ def draw_power(sheet, runs):
             if not totals:
                 sheet.notes.append(f"power of the regions of {run['folder']} (power.csv has no such columns)")
         else:
-            totals = [entry for entry in watts if ": " not in entry[1]] or watts
+            # What leaves through an outlet is a term of the balance, too; what the outlet stores is a part of it.
+            totals = [entry for entry in watts if ": " not in entry[1] or is_outflow(entry[1])] or watts
         for i, name, unit in totals:
             finite = numpy.isfinite(data[:, i])
             if finite.any():
@@ -222,6 +226,11 @@ def draw_power(sheet, runs):
             sheet.notes.append("power balance (every term is zero)")
         return
     draw_balance(sheet, shown, residuals, len(runs) > 1)
+
+
+def is_outflow(name):
+    """Whether a column is the power that leaves through an outlet: "outlet distal: leaving"."""
+    return name.startswith("outlet ") and name.endswith(": leaving")
 
 
 def draw_balance(sheet, terms, residuals, several):
