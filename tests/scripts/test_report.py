@@ -118,14 +118,14 @@ class Pages(unittest.TestCase):
 
     def test_several_runs_without_the_library(self):
         other = os.path.join(self.folder, "other")
-        shutil.copytree(self.tube, other)
+        shutil.copytree(self.hostile, other)
         os.makedirs(self.assets)
-        page = self.page("several", self.tube, other, CONTINUA_BUILD_ROOT=self.assets)
-        self.assertIn("(tube)</th>", page)
+        page = self.page("several", self.hostile, other, CONTINUA_BUILD_ROOT=self.assets)
+        self.assertIn("(hostile)</th>", page)
         self.assertIn("(other)</th>", page)
         self.assertNotIn("data-chart=", page)
         self.assertIn("they need uPlot", page)
-        self.assertIn('alt="power"', page)
+        self.assertIn('alt="displacement y"', page)
 
     def test_running_and_missing(self):
         status, _, error = report(os.path.join(self.folder, "nothing"))

@@ -389,8 +389,8 @@ double FieldSamples<dim>::value(const FieldDefinition<dim> &field,
     // Between the nodes both integrals are interpolated, the vector and its magnitude, by functions
     // that have negative parts: there the magnitude may be less than the norm of the vector.
     return magnitude > 0.
-               ? std::max(
-                     0., 0.5 * (1. - vector_value(point, state.shear_integral).norm() / magnitude))
+               ? std::max(0.,
+                          0.5 * (1. - vector_value(point, state.shear_integral).norm() / magnitude))
                : 0.;
   }
   default:
