@@ -350,11 +350,10 @@ def write(sheet, figure, show_frame, n_frames, name, settings):
     figure.canvas.draw()
     figure.set_layout_engine("none")  # nothing moves from frame to frame but what is drawn
     sheet.check_frame(figure, name)
-    size = settings.size or tuple(round(length * plt.rcParams["savefig.dpi"]) for length in figure.get_size_inches())
     if settings.gif:
         write_gif(figure, show_frame, n_frames, path, settings.seconds, settings.size)
     else:
-        write_mp4(figure, show_frame, n_frames, path, settings.seconds, size)
+        write_mp4(figure, show_frame, n_frames, path, settings.seconds, settings.size)
     plt.close(figure)
     sheet.written.append(path)
 
@@ -366,13 +365,13 @@ def resolution_for(figure, size):
 
 def write_mp4(figure, show_frame, n_frames, path, seconds, size):
     """In the format that browsers and slides show: H.264 with an even number of pixels each way, white around the figure."""
-    width, height = (2 * -(-pixels // 2) for pixels in size)
+    width, height = (2 * -(-pixels // 2) for pixels in size) if size else ("ceil(iw/2)*2", "ceil(ih/2)*2")
     part = f"{path[:-4]}.part.mp4"
     writer = matplotlib.animation.FFMpegWriter(
         fps=min(FASTEST, n_frames / seconds), codec="libx264",
         extra_args=["-pix_fmt", "yuv420p", "-crf", "18", "-vf", f"pad={width}:{height}:-1:-1:color=white", "-movflags", "+faststart"])
     try:
-        with writer.saving(figure, part, dpi=math.floor(100 * resolution_for(figure, size)) / 100):
+        with writer.saving(figure, part, dpi=math.floor(100 * resolution_for(figure, size)) / 100 if size else plt.rcParams["savefig.dpi"]):
             for i in range(n_frames):
                 show_frame(i)
                 writer.grab_frame()

@@ -522,6 +522,8 @@ class Scale:
         self.regions, self.section = request["regions"], request.get("section")
         found, self.undeformed = [], None
         self.field, self.label, self.liquid = request["field"], "", False
+        if self.field is None:  # by the last state: at the start all may be at rest
+            self.field = values_of(only(read(request["states"][-1]), self.regions), None)[0]
         grids = (self.read_state(pieces, found) for pieces in request["states"])
         self.deformation = factor_of(grids)
         self.mesh_moves = request.get("deformation") == "finite"
