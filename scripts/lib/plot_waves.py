@@ -354,6 +354,8 @@ def draw_dispersion(sheet, run):
         elif drawn:
             axes.set_ylim(0.9 * min(values.min() for values in drawn), 1.1 * max(values.max() for values in drawn))
         mark_load(axes, run["summary"], axes is all_axes[0])
+        if axes.get_yscale() == "log":
+            plot_style.readable_logarithm(axes)
     all_axes[0].set_xscale("log")
     all_axes[-1].set_xlabel("Frequency [Hz]")
     all_axes[0].set_xlim(*limits)

@@ -359,9 +359,11 @@ def open_up(grid):
     solid = in_solid(grid)
     from_front, from_behind = numpy.array([0.35, 0.4, 1.0]), numpy.array([0.35, 0.4, -1.0])
     # The plane of symmetry is there up to the round-off of single precision, times the factor of the displacement.
+    if solid is not None and solid.all():  # there is nothing to see inside
+        return grid, from_front
     if abs(bounds[4]) < 1e-3 * (bounds[5] - bounds[4]):
         return grid, from_behind
-    if solid is None or solid.all() or not solid.any():
+    if solid is None or not solid.any():
         return grid, from_front
     plane = vtk.vtkPlane()
     plane.SetOrigin(*((bounds[2 * i] + bounds[2 * i + 1]) / 2 for i in range(3)))

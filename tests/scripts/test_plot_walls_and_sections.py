@@ -114,6 +114,11 @@ class Walls(unittest.TestCase):
             numpy.testing.assert_allclose(points[:, 1], y)
             numpy.testing.assert_allclose(values, 1 + points[:, 0] + y)
 
+    def test_edges_inside(self):
+        """Values at all nodes of a row of cells: the way around it, without the edges between two cells."""
+        (points, _), = plot_wall.walls_of(plane(4, 1, lambda x, y: 1.0), "oscillatory_shear_index")
+        self.assertEqual(len(points), 11)
+
     def test_wall_around_a_corner(self):
         """Along x = 1 and y = 1 the position is the length."""
         (points, _), = plot_wall.walls_of(plane(4, 4, lambda x, y: float(x == 1 or y == 1)), "oscillatory_shear_index")
