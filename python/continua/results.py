@@ -11,7 +11,7 @@ from .errors import ContinuaWarning, ResultsError
 from .version import version as own_version
 
 # What shows that a folder is one of Continua's.
-_TABLES = ("amplification", "beats", "comparison", "creep", "dispersion", "harmonic", "modes", "modulus", "power", "probes", "prony",
+_TABLES = ("amplification", "beats", "comparison", "creep", "dispersion", "harmonic", "load-steps", "modes", "modulus", "power", "probes", "prony",
            "refinement", "relaxation", "relaxation-table", "residuals", "runs", "spin-coating", "wave")
 _MARKS = ("summary.json", "parameters.prm", "log.txt", "fields.pvd", "checkpoint", "other-files.txt", *(f"{name}.csv" for name in _TABLES))
 _UNFINISHED = {"failed": "failed", "interrupted": "was interrupted", "running": "is still running", "killed": "was killed"}

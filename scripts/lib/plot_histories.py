@@ -3,6 +3,7 @@
 import os
 
 import numpy
+import plot_choice
 import plot_style
 import tables
 
@@ -72,6 +73,59 @@ def draw_probes(sheet, runs):
         # A value at a point and the integral over a boundary have different units, and a figure each.
         units = [other for name, other in curves if name == field]
         draw_field(sheet, field, unit, entries, len(runs) > 1, f" {unit}" if len(units) > 1 and unit != units[0] else "")
+
+
+def draw_over(sheet, runs, over):
+    """Each probe over another one, such as a diameter over the pressure: one figure a field. `over`: the column's name without its unit."""
+    shown = []
+    for run in runs:
+        table = tables.read_table(os.path.join(run["folder"], "probes.csv"))
+        names = [name for name, _ in table[0]] if table else []
+        if over not in names:
+            raise plot_choice.ChoiceError(f"--over {over}: probes.csv of {run['folder']} has no such column; it has {', '.join(names[1:]) or 'none'}")
+        columns, data = table
+        shown.append((run, columns[1:], data[:, 1:], names.index(over) - 1))
+    draw_columns(sheet, shown, len(runs) > 1, f"over {over}")
+
+
+def draw_loads(sheet, runs):
+    """The probes over the load of steady runs whose loads come in steps."""
+    shown = []
+    for run in runs:
+        table = tables.read_table(os.path.join(run["folder"], "load-steps.csv"))
+        if table is not None:
+            shown.append((run, *table, 0))
+    draw_columns(sheet, shown, len(runs) > 1, "load")
+
+
+def draw_columns(sheet, shown, several, prefix):
+    """One figure a field of tables [(run, columns, data, number of the column that is the abscissa)]."""
+    curves = {}
+    for run, columns, data, x in shown:
+        chosen = sheet.choice.fields_of([name.rpartition(": ")[2] for i, (name, _) in enumerate(columns) if i != x])
+        for i, (name, unit) in enumerate(columns):
+            probe, _, field = name.rpartition(": ")
+            finite = numpy.isfinite(data[:, i]) & numpy.isfinite(data[:, x])
+            if i != x and field in chosen and finite.sum() > 1:
+                curves.setdefault((field, unit), []).append((label_of(run["title"], probe, several), data[finite, x], data[finite, i]))
+    if not curves:
+        return
+    name, unit_of_x = shown[0][1][shown[0][3]]
+    x_factor, x_unit = plot_style.readable(max(numpy.nanmax(numpy.abs(data[:, x])) for *_, data, x in shown), unit_of_x, name.rpartition(": ")[2])
+    for (field, unit), entries in curves.items():
+        factor, axis_unit = plot_style.readable(max(numpy.abs(values).max() for *_, values in entries), unit, field)
+        figure, axes = sheet.figure()
+        header, kept = [], []
+        for i, (label, places, values) in enumerate(entries):
+            axes.plot(x_factor * places, factor * values, label=label, **plot_style.of_run(i))
+            header += [f"{label}: {name.rpartition(': ')[2]} [{unit_of_x}]", f"{label}: {field} [{unit}]"]
+            kept += [places, values]
+        axes.set_xlabel(plot_style.axis_label("part of the load" if name == "load" else name, x_unit))
+        axes.set_ylabel(plot_style.axis_label(field, axis_unit))
+        sheet.legend(axes, len(entries))
+        picture = plot_style.file_name(f"{prefix} {field}")
+        sheet.save(figure, picture)
+        sheet.save_data(picture, header, kept)
 
 
 def is_oscillation(summary, name, field):

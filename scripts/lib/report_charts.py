@@ -10,7 +10,7 @@ import numpy
 import plot_style
 from PIL import Image
 
-MOST_POINTS = 6000  # of a curve in the page
+MOST_POINTS = (6000, 2000, 700, 200)  # of a curve in the page: as many as there is room for
 MOST_COLOURS = 128  # of a picture
 # Curves that hide each other in one chart, or whose picture says more. (The picture of an envelope repeats the history.)
 PICTURES_ALONE = ("space-time", "field", "wall")
@@ -67,7 +67,7 @@ def parts_of(header):
     return found
 
 
-def charts_of(name, header, columns, scales):
+def charts_of(name, header, columns, scales, most):
     """The charts of one picture: one for each unit, or for each quantity."""
     if name.startswith((*PICTURES_ALONE, *WITHOUT)) or not columns or not header:
         return []
@@ -82,10 +82,10 @@ def charts_of(name, header, columns, scales):
             continue
         kind = quantity if name.startswith(BY_QUANTITY) else "difference" if " - " in quantity else ""
         groups.setdefault((unit, kind), []).append((x, i, label, quantity))
-    return [chart(name, kind, unit, lines, parts, columns, scales) for (unit, kind), lines in groups.items()]
+    return [chart(name, kind, unit, lines, parts, columns, scales, most) for (unit, kind), lines in groups.items()]
 
 
-def chart(name, kind, unit, lines, parts, columns, scales):
+def chart(name, kind, unit, lines, parts, columns, scales, most):
     quantities = list(dict.fromkeys(quantity for _, _, _, quantity in lines))
     largest = max(numpy.nanmax(numpy.abs(columns[i])) for _, i, _, _ in lines)
     field = quantities[0].partition(",")[0]
@@ -96,9 +96,11 @@ def chart(name, kind, unit, lines, parts, columns, scales):
     common = quantities[0] if len(quantities) == 1 else ""
     result = {"name": name + ("-" + plot_style.file_name(kind) if kind else ""), "x": plot_style.axis_label(x_name, x_shown),
               "y": plot_style.axis_label(kind or common or title_of(name), shown), "log": scales, "columns": [], "groups": [], "lines": []}
-    kept, labels, by_label = {}, list(dict.fromkeys(label for _, _, label, _ in lines)), name.startswith("wave-")
+    by_label, kept = name.startswith(("wave-", "last-beat")), {}
+    labels = list(dict.fromkeys(label.partition(", beat ")[0] for _, _, label, _ in lines))
+    last = max((label.partition(", beat ")[2] for _, _, label, _ in lines), key=lambda text: (len(text), text), default="")
     for x, i, label, quantity in lines:
-        step = max(1, -(-len(columns[i]) // MOST_POINTS))
+        step = max(1, -(-len(columns[i]) // most))
         places = columns[x][:len(columns[i]):step] * x_factor
         key = places.tobytes()
         if key not in kept:
@@ -111,10 +113,11 @@ def chart(name, kind, unit, lines, parts, columns, scales):
         text = ", ".join(filter(None, [label, "" if quantity == common else quantity.partition(", ")[2] if common == "" and name.startswith("wave-")
                                        else quantity])) or quantity
         # The curves of one station have one colour.
-        number = labels.index(label) if by_label else sum(len(one["ys"]) for one in result["groups"]) - 1
+        number = labels.index(label.partition(", beat ")[0]) if by_label else sum(len(one["ys"]) for one in result["groups"]) - 1
         measured = quantity.endswith(", measured")
+        is_thin = quantity.endswith(", theory") or name.startswith("last-beat") and label.partition(", beat ")[2] != last
         group["of"].append({"label": text, "colour": plot_style.COLOURS_OF_RUNS[number % 8],
-                            "dash": [3, 4] if quantity.endswith(", theory") else [[], [8, 3], [2, 3], [8, 3, 2, 3]][number // 8 % 4], "points": measured})
+                            "dash": [3, 4] if is_thin else [[], [8, 3], [2, 3], [8, 3, 2, 3]][number // 8 % 4], "points": measured})
     result["lines"] = [line for group in result["groups"] for line in group.pop("of")]
     return result
 

@@ -13,6 +13,7 @@ import plot_style
 MOST_STATES = 40
 MOST_POINTS = 40000  # of a part; more are thinned
 SLICES_ACROSS = 5
+MOST_LINES = 2500  # of the mesh that are drawn without being asked for
 ABSENT = 4095  # in place of a value of 12 bits
 COSTLY_TO_FOLLOW = 4e6  # points times states above which the liquid's mesh does not follow the solids
 # Fields at the nodes of walls, 0 elsewhere; in the order of what a reader looks for.
@@ -352,7 +353,7 @@ class View:
                 "factor": read["factor"] if moving else 0, "motionScale": read["largest"].tolist() if moving else None,
                 "placeFactor": place_factor, "placeUnit": place_unit, "times": [self.caption(at) for at, _ in self.states],
                 "modal": self.run["summary"].get("analysis") == "modal", "slices": read["slices"],
-                "lines": sum(len(mesh["edges"]) for mesh in meshes[0]) / max(len(meshes[0]), 1) < 12000,
+                "lines": sum(len(mesh["edges"]) for mesh in meshes[0]) / max(len(meshes[0]), 1) < MOST_LINES,
                 "turn": turn_of(), "fields": [],
                 "parts": [{"meshes": [self.packed_mesh(mesh) for mesh in of_part], "meshOfState": part.mesh_of_state,
                            "motion": self.packed_motion(part, of_part) if moving else None} for part, of_part in zip(read["parts"], meshes)]}

@@ -55,6 +55,23 @@ class Tables(unittest.TestCase):
             for row in list(csv.reader(stream))[1:]:
                 self.assertEqual(float(row[1]), float(row[3]) + float(row[5]))
 
+    def test_one_probe_over_another(self):
+        """A loop: the diameter 2 p - p^2/100 over the pressure, up and down."""
+        pressures = [*range(0, 50), *range(50, -1, -1)]
+        write(os.path.join(self.folder, "probes.csv"), "time [s],tube: pressure [Pa],tube: wall distension [m],axis: pressure [Pa]\n"
+              + "".join(f"{i},{p},{1e-3 * (2 * p - p * p / 100)},{p + 1}\n" for i, p in enumerate(pressures)))
+        plot_histories.draw_over(self.sheet, [self.run], "tube: pressure")
+        path = os.path.join(self.plots, "over-tube-pressure-wall-distension.csv")
+        self.assertEqual(header_of(path), ["tube: pressure [Pa]", "tube: wall distension [m]"])
+        with open(path, encoding="utf-8") as stream:
+            rows = [[float(value) for value in row] for row in list(csv.reader(stream))[1:]]
+        self.assertEqual([row[0] for row in rows], pressures)
+        for p, distension in rows:
+            self.assertAlmostEqual(distension, 1e-3 * (2 * p - p * p / 100))
+        with self.assertRaises(plot_choice.ChoiceError) as caught:
+            plot_histories.draw_over(self.sheet, [self.run], "tube: presure")
+        self.assertIn("it has tube: pressure, tube: wall distension, axis: pressure", str(caught.exception))
+
     def test_every_probe_with_stations(self):
         for probe in ("parent", "branch"):
             write(os.path.join(self.folder, f"wave-{probe}.csv"), f'time [s],"{probe} 0 m: pressure, simulated [Pa]","{probe} 0.1 m: pressure, simulated [Pa]"\n'
