@@ -619,7 +619,8 @@ def main():
                 lines = vtk.vtkPolyData()
             dump_for_matplotlib(faces, lines, request, number)
     with open(os.path.join(request["folder"], "picture.json"), "w", encoding="utf-8") as stream:
-        json.dump({"seen": cropped or [left, right, bottom, top], "section": scale.section, "field": scale.field, "label": scale.label, "ranges": scale.ranges, "extent": [left, right, bottom, top],
+        json.dump({"seen": cropped or [left, right, bottom, top], "section": scale.section, "field": scale.field,
+                   "label": scale.label, "ranges": scale.ranges, "extent": [left, right, bottom, top],
                    "plane": bool(scale.plane), "axes": axes, "deformation": scale.deformation, "stretch": stretch,
                    "liquid": scale.liquid}, stream)
 

@@ -36,7 +36,8 @@ def table(head, rows, numbers=(), classes=None):
         return tag(kind, child, class_=name or None)
 
     body = [tag("tr", *(cell("td", i, j, child) for j, child in enumerate(row))) for i, row in enumerate(rows)]
-    return tag("div", tag("table", tag("thead", tag("tr", *(cell("th", -1, j, child) for j, child in enumerate(head)))), tag("tbody", body)), class_="scroll")
+    first = tag("tr", *(cell("th", -1, j, child) for j, child in enumerate(head)))
+    return tag("div", tag("table", tag("thead", first), tag("tbody", body)), class_="scroll")
 
 
 def section(name, title, *children):
@@ -47,7 +48,8 @@ def section(name, title, *children):
 
 def picture(data, text, **attributes):
     """A figure of a PNG."""
-    return tag("figure", tag("img", src="data:image/png;base64," + base64.b64encode(data).decode("ascii"), alt=text), tag("figcaption", text), **attributes)
+    address = "data:image/png;base64," + base64.b64encode(data).decode("ascii")
+    return tag("figure", tag("img", src=address, alt=text), tag("figcaption", text), **attributes)
 
 
 def data_element(data):

@@ -86,13 +86,24 @@ def warnings(runs):
     return section("warnings", "Warnings", parts or tag("p", "none"))
 
 
+def key_of(check):
+    """What tells the lines of `Expected` apart."""
+    return check.get("probe", ""), check["name"], check["criterion"]
+
+
+def titles_of(runs):
+    """The heads of the columns of several runs; one needs none."""
+    return [run["title"] if len(runs) > 1 else "" for run in runs]
+
+
 def verdicts(runs):
     rows, classes = [], {}
-    names = list(dict.fromkeys((check.get("probe", ""), check["name"], check["criterion"]) for run in runs for check in run["summary"].get("checks", [])))
+    checks = [{key_of(check): check for check in run["summary"].get("checks", [])} for run in runs]
+    names = list(dict.fromkeys(key for of_run in checks for key in of_run))
     for i, (probe, name, criterion) in enumerate(names):
         row = [probe, name, criterion]
-        for run in runs:
-            check = next((one for one in run["summary"].get("checks", []) if (one.get("probe", ""), one["name"], one["criterion"]) == (probe, name, criterion)), None)
+        for of_run in checks:
+            check = of_run.get((probe, name, criterion))
             if check is None:
                 row += ["", ""]
                 continue
@@ -132,14 +143,19 @@ def answer(runs):
     rest = quantities_of(runs, lambda probe, name: bool(probe) and not WAVES.search(name) and not BEATS.search(name))
     if rest:
         parts.append(tag("details", tag("summary", "All other quantities"), rest))
-    absent = [[run["title"], entry.get("probe", ""), entry["name"], entry.get("reason", "")] for run in runs for entry in run["summary"].get("absent", [])]
+    absent = [[run["title"], entry.get("probe", ""), entry["name"], entry.get("reason", "")]
+              for run in runs for entry in run["summary"].get("absent", [])]
     if absent:
-        parts.append(tag("details", tag("summary", f"{len(absent)} quantities that the results cannot tell"), table(["run", "probe", "quantity", "reason"], absent)))
+        parts.append(tag("details", tag("summary", f"{len(absent)} quantities that the results cannot tell"),
+                         table(["run", "probe", "quantity", "reason"], absent)))
     largest = list(dict.fromkeys(name for run in runs for name in run["summary"].get("largest values", {})))
     if largest:
-        rows = [[name.rpartition(" [")[0], *(number(run["summary"].get("largest values", {}).get(name), name.rpartition(" [")[2].rstrip("]")) for run in runs)]
-                for name in largest]
-        parts += [tag("h3", "How far the run went"), table(["largest value", *(run["title"] if len(runs) > 1 else "" for run in runs)], rows, range(1, 1 + len(runs)))]
+        rows = []
+        for name in largest:
+            quantity, _, unit = name.rpartition(" [")
+            values = [run["summary"].get("largest values", {}).get(name) for run in runs]
+            rows.append([quantity, *(number(value, unit.rstrip("]")) for value in values)])
+        parts += [tag("h3", "How far the run went"), table(["largest value", *titles_of(runs)], rows, range(1, 1 + len(runs)))]
     return section("answer", "Results", parts)
 
 
@@ -234,7 +250,7 @@ def cost(runs):
     sections = list(dict.fromkeys(name for run in runs for name in run["summary"].get("wall time [s]", {})))
     for name in sorted(sections, key=lambda name: -max(run["summary"].get("wall time [s]", {}).get(name, 0) for run in runs)):
         row(f"wall time, {name}", lambda summary, name=name: seconds(summary.get("wall time [s]", {}).get(name)))
-    return section("cost", "Cost", table(["", *(run["title"] if len(runs) > 1 else "" for run in runs)], rows, range(1, 1 + len(runs))) if rows else None)
+    return section("cost", "Cost", table(["", *titles_of(runs)], rows, range(1, 1 + len(runs))) if rows else None)
 
 
 def seconds(value):
@@ -262,16 +278,19 @@ def repeat(runs):
         revision = summary.get("revision", "")
         if revision:
             changed = " with uncommitted changes" if summary.get("revision has uncommitted changes") else ""
-            parts.append(tag("p", f"Revision {revision}{changed}. " + ", ".join(f"{name} {version}" for name, version in summary.get("libraries", {}).items())))
+            libraries = ", ".join(f"{name} {version}" for name, version in summary.get("libraries", {}).items())
+            parts.append(tag("p", f"Revision {revision}{changed}. {libraries}"))
         files = sorted(name for name in os.listdir(folder) if os.path.isfile(os.path.join(folder, name)) and name != "lock")
         kept = os.path.join(folder, "input")
         inputs = sorted(os.listdir(kept)) if os.path.isdir(kept) else []
-        parts.append(tag("p", f"Files in {folder}: {', '.join(files)}." + (f" Files that the run read, in its folder input: {', '.join(inputs)}." if inputs else "")))
+        read = f" Files that the run read, in its folder input: {', '.join(inputs)}." if inputs else ""
+        parts.append(tag("p", f"Files in {folder}: {', '.join(files)}.{read}"))
         log = os.path.join(folder, "log.txt")
         if os.path.exists(log):
             with open(log, encoding="utf-8", errors="replace") as stream:
                 text = stream.read()
-            parts.append(tag("details", tag("summary", "log.txt"), tag("pre", text if len(text) < 60000 else text[:30000] + "\n...\n" + text[-30000:])))
+            shown = text if len(text) < 60000 else text[:30000] + "\n...\n" + text[-30000:]
+            parts.append(tag("details", tag("summary", "log.txt"), tag("pre", shown)))
     return section("repeat", "To repeat it", parts)
 
 

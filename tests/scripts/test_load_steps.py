@@ -17,12 +17,12 @@ import continua  # noqa: E402
 
 class LoadSteps(unittest.TestCase):
     def test_uniaxial_tension(self):
-        """A block of Mooney-Rivlin rubber: with the stretch l the force over the area at rest is 2 (C1 + C2/l) (l - 1/l^2), after Rivlin (Phil. Trans. R. Soc. A
-        241 (1948) 379), with 2 C1 = 70 kPa and 2 C2 = 30 kPa. The whole load is 148.75 kPa."""
+        """A block of Mooney-Rivlin rubber: with the stretch l the force over the area at rest is 2 (C1 + C2/l) (l - 1/l^2), after Rivlin
+        (Phil. Trans. R. Soc. A 241 (1948) 379), with 2 C1 = 70 kPa and 2 C2 = 30 kPa. The whole load is 148.75 kPa."""
         with tempfile.TemporaryDirectory() as folder:
             output = os.path.join(folder, "run")
-            command = [PROGRAM, os.path.join(ROOT, "parameter_files", "verification", "finite-strain-uniaxial.prm"), "--set", "Steady/Load steps=8", "--output", output]
-            subprocess.run(command, capture_output=True, check=True)
+            file = os.path.join(ROOT, "parameter_files", "verification", "finite-strain-uniaxial.prm")
+            subprocess.run([PROGRAM, file, "--set", "Steady/Load steps=8", "--output", output], capture_output=True, check=True)
             table = continua.open(output).table("load-steps")
             self.assertEqual(table["load"].tolist(), [i / 8 for i in range(1, 9)])
             for _, row in table.iterrows():
