@@ -2,7 +2,6 @@
 
 import numpy
 import plot_style
-from continua.fields import State
 
 OF_WALLS = ("wall_shear_stress", "time_averaged_wall_shear_stress", "oscillatory_shear_index")
 LABELS = {"wall_shear_stress": "wall shear stress, magnitude"}
@@ -62,6 +61,8 @@ def position_along(points):
 
 def draw(sheet, run, pieces, field, of, suffix=""):
     """The curves along the walls of a plane body. Whether the body is plane: of one in space the wall's surface is drawn."""
+    from continua.fields import State  # which needs VTK, as the pictures of states do
+
     data = State(0.0, pieces).dataset
     if numpy.ptp(data["z"].to_numpy()) > 1e-9 * numpy.ptp(data["x"].to_numpy()):
         return False

@@ -8,7 +8,6 @@ import subprocess
 import tempfile
 
 import continua
-import draw_mesh
 import plot_style
 import report_charts
 from report_html import Markup, escaped, picture, section, table, tag
@@ -188,6 +187,11 @@ def sketch(run, notes):
     if not os.path.exists(parameters) or run["summary"].get("cells", 1) > MOST_CELLS_OF_A_SKETCH:
         return None
     why = f"the sketch of {run['title']}"
+    try:
+        import draw_mesh
+    except ImportError:
+        notes.append(f"{why} (python3-vtk9 is not installed)")
+        return None
     try:
         program = continua.find_program()
     except continua.ContinuaError as error:
