@@ -5,7 +5,7 @@ install(DIRECTORY parameter_files DESTINATION share/continua)
 install(FILES scripts/completion/continua DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 
 # The scripts that draw, with what they share, and commands that call them from anywhere and from any prefix.
-set(CONTINUA_SCRIPTS plot plot-comparison plot-refinement editor-support)
+set(CONTINUA_SCRIPTS plot plot-comparison plot-refinement report editor-support)
 foreach(script ${CONTINUA_SCRIPTS})
   install(PROGRAMS scripts/${script} DESTINATION share/continua/scripts)
   set(command ${CMAKE_CURRENT_BINARY_DIR}/commands/continua-${script})
@@ -15,7 +15,9 @@ foreach(script ${CONTINUA_SCRIPTS})
   install(PROGRAMS ${command} DESTINATION ${CMAKE_INSTALL_BINDIR})
 endforeach()
 install(DIRECTORY scripts/lib DESTINATION share/continua/scripts
-        FILES_MATCHING PATTERN "*.py" PATTERN "thesis" EXCLUDE)
+        FILES_MATCHING PATTERN "*.py" PATTERN "report/*.js" PATTERN "report/*.css" PATTERN "thesis" EXCLUDE)
+# What scripts/build/report-assets has brought before, if anything: without it the curves of a report are pictures.
+install(DIRECTORY ${CMAKE_BINARY_DIR}/../report-assets/ DESTINATION share/continua/scripts/lib/report/assets OPTIONAL)
 
 # The Python package, where Debian's python3 looks in /usr; below another prefix PYTHONPATH names the folder. The scripts find it
 # beside what they share, as in the checkout.

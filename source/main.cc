@@ -16,6 +16,7 @@
 #include <continua/program/examples.h>
 #include <continua/program/parameter_catalogue.h>
 #include <continua/program/parameter_templates.h>
+#include <continua/program/script.h>
 #include <continua/program/several_runs.h>
 #include <continua/program/unknown_names.h>
 #include <continua/studies/run_pool.h>
@@ -357,6 +358,8 @@ int main(int argc, char **argv)
     arguments.push_back(nullptr);
     return run_command_line(n_arguments, arguments.data());
   }
+  if (const std::optional<int> status = Continua::become_script(argc, argv))
+    return *status;
   if (const std::optional<int> status = perform_several_files(argc, argv))
     return *status;
   return run_command_line(argc, argv);

@@ -12,8 +12,8 @@ from .version import version as own_version
 
 # What shows that a folder is one of Continua's.
 _TABLES = ("amplification", "beats", "branches", "comparison", "correlation", "creep", "dispersion", "fit-creep", "fit-inflation", "fit-moduli",
-           "fit-relaxation", "harmonic", "modes", "modulus", "power", "probes", "prony", "refinement", "relaxation", "relaxation-table", "residuals",
-           "runs", "spin-coating", "sweep", "wave")
+           "fit-relaxation", "harmonic", "load-steps", "modes", "modulus", "power", "probes", "prony", "refinement", "relaxation",
+           "relaxation-table", "residuals", "runs", "spin-coating", "sweep", "wave")
 _MARKS = ("summary.json", "parameters.prm", "log.txt", "fields.pvd", "checkpoint", "other-files.txt", *(f"{name}.csv" for name in _TABLES))
 _UNFINISHED = {"failed": "failed", "interrupted": "was interrupted", "running": "is still running", "killed": "was killed"}
 _DAMAGED = "The file is damaged: copy it again, or remove it to read the tables without it"

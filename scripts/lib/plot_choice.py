@@ -3,6 +3,7 @@
 import argparse
 import csv
 import glob
+import math
 import os
 import re
 import xml.etree.ElementTree
@@ -24,15 +25,33 @@ def read_names(text):
     return names
 
 
+def read_section(text):
+    """What --section takes: x=20mm."""
+    match = re.fullmatch(r"\s*([xyz])\s*=\s*([-+]?[\d.]+(?:[eE][-+]?\d+)?)\s*(m|cm|mm|um)\s*", text)
+    try:
+        at = float(match.group(2)) if match else math.nan
+    except ValueError:
+        at = math.nan
+    if not math.isfinite(at):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a plane such as x=20mm")
+    return {"axis": "xyz".index(match.group(1)), "at": at * {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6}[match.group(3)]}
+
+
 def words_of(name):
     return name.lower().replace("_", " ").split()
 
 
 class Choice:
-    """Fields, regions: lists of names, times: a list of [s] (of modes: numbers); None where all are wanted, or the last time."""
+    """Fields, regions: lists of names, times: a list of [s] (of modes: numbers); None where all are wanted, or the last time.
 
-    def __init__(self, fields=None, regions=None, times=None):
+    section   {"axis": 0, 1 or 2, "at": [m]} of a body in space; None: the body
+    mesh      whether the lines of the mesh are drawn; None: where they leave room for the colours
+    arrows    "vectors" or "streamlines" of the velocity, or None
+    """
+
+    def __init__(self, fields=None, regions=None, times=None, section=None, mesh=None, arrows=None):
         self.fields, self.regions, self.times = fields, regions, times
+        self.section, self.mesh, self.arrows = section, mesh, arrows
 
     def fields_of(self, available):
         """Those of the available fields that --fields wants. 'stress' means stress_xx and all others; 'pressure' is the pressure

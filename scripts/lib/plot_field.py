@@ -18,8 +18,10 @@ import matplotlib
 import matplotlib.pyplot as plt
 import matplotlib.ticker
 import numpy
+import plot_arrows
 import plot_choice
 import plot_style
+import plot_wall
 
 UNITS = {"velocity": "m/s", "displacement": "m", "pressure": "Pa"}
 FLATTEST = 5.0  # a longer and thinner picture is stretched across
@@ -40,7 +42,9 @@ def draw(sheet, run):
         sheet.notes.append(f"field picture of {run['folder']} (fields.pvd has no entries)")
         return
     choice = sheet.choice
-    fields = choice.fields_of(plot_choice.fields_of_states(run)) if choice.fields else [None]
+    there = plot_choice.fields_of_states(run)
+    # Without --fields one field, and what belongs to walls, which is not written unless it is asked for.
+    fields = choice.fields_of(there) if choice.fields else [None, *(name for name in plot_wall.OF_WALLS if name in there)]
     if not fields:
         sheet.notes.append(f"field picture of {run['folder']} (no state has {', '.join(choice.fields)})")
     modes = run["summary"].get("modes", [])
@@ -52,6 +56,8 @@ def draw(sheet, run):
         for time in choice.times or [None]:
             at, pieces = plot_choice.nearest(entries, time)
             suffix = f"-{at:.6g}-s" if choice.times and len(choice.times) > 1 else ""
+            if field in plot_wall.OF_WALLS and plot_wall.draw(sheet, run, pieces, field, caption(run, at, time), suffix):
+                continue
             draw_state(sheet, run, pieces, field, caption(run, at, time), suffix)
 
 
@@ -94,7 +100,8 @@ def render(sheet, run, states, field, folder):
     for pieces in states:
         check_pieces(pieces)
     request = {"states": states, "field": field, "folder": folder, "flattest": FLATTEST, "pixels": int(sheet.width * 200),
-               "regions": plot_choice.numbers_of_regions(sheet.choice, run), "deformation": run["summary"].get("deformation", "small")}
+               "regions": plot_choice.numbers_of_regions(sheet.choice, run), "deformation": run["summary"].get("deformation", "small"),
+               "section": sheet.choice.section, "mesh": sheet.choice.mesh, "arrows": sheet.choice.arrows}
     if not rendered(request, sheet):
         return None
     with open(os.path.join(folder, "picture.json"), encoding="utf-8") as stream:
@@ -118,6 +125,8 @@ def rendered(request, sheet):
         if done.returncode == 0:
             return True
         said = (done.stderr or done.stdout).strip().splitlines()[-1:] or [f"exit status {done.returncode}"]
+        if done.returncode == 4:
+            break
         if done.returncode == 3:  # a fault of the data or the request, which another way would not mend
             raise plot_style.PlotError(said[0])
     sheet.notes.append(f"field picture ({said[0]})")
@@ -128,19 +137,31 @@ def compose(sheet, run, picture, folder, of):
     """(the figure of the first state, a function that shows another state: its number, and its time or what it is)."""
     unit = unit_of(run["summary"], picture["field"])
     ranges = picture["ranges"]
-    left, right, bottom, top = picture["extent"]
+    left, right, bottom, top = picture.get("seen", picture["extent"])
     shape = (top - bottom) * picture["stretch"] / (right - left)
     room = ROOM + BAR * (len(ranges) - 1)
     below = 0 if picture["plane"] else BELOW
     figure, axes = plt.subplots(figsize=(sheet.width, 0.95 * sheet.width * (shape + below) + room), constrained_layout=True)
     body = draw_body(axes, picture, folder, 0)
+    axes.set_xlim(left, right)
+    axes.set_ylim(bottom, top)
     axes.set_aspect(picture["stretch"])
     if picture["plane"]:
-        for axis, name, ends in ((axes.xaxis, "x", (left, right)), (axes.yaxis, "y", (bottom, top))):
+        section = picture.get("section")
+        names = [name for d, name in enumerate("xyz") if not section or d != section["axis"]]
+        # No more marks than there is room for: a long body is low.
+        room_up = 0.85 * sheet.width * shape
+        for axis, name, ends, most in ((axes.xaxis, names[0], (left, right), 6), (axes.yaxis, names[1], (bottom, top), min(4, int(room_up / 0.18)))):
             place_factor, place_unit = plot_style.readable(max(map(abs, ends)), "m", name)
-            label_places(axis, ends, place_factor)
-            axis.set_label_text(plot_style.axis_label(name, place_unit).replace("X", "x").replace("Y", "y"))
+            label_places(axis, ends, place_factor, most)
+            axis.set_label_text(plot_style.axis_label(name, place_unit)[:1].lower() + plot_style.axis_label(name, place_unit)[1:])
+        if room_up < 0.5:  # the name of a low axis lies, so that it does not reach beyond the axis
+            axes.yaxis.label.set(rotation=0, ha="right", va="center")
+        if sheet.choice.arrows:
+            plot_arrows.draw(axes, sheet.choice.arrows, picture, folder, body)
     else:
+        if sheet.choice.arrows:
+            raise plot_choice.ChoiceError(f"--{sheet.choice.arrows}: this is for plane bodies and sections (--section x=20mm)")
         axes.set_axis_off()
         orient(axes, picture["axes"], right - left, bottom)
     axes.set_title(title_of(sheet, picture, of), fontsize=8.5, loc="left")
@@ -186,6 +207,9 @@ def draw_body(axes, picture, folder, i):
 
 def title_of(sheet, picture, of):
     remarks = [of]
+    if picture.get("section"):
+        factor, unit = plot_style.readable(abs(picture["section"]["at"]), "m")
+        remarks.append(f"section {'xyz'[picture['section']['axis']]} = {factor * picture['section']['at']:g} {unit}")
     if sheet.choice.regions:
         remarks.append(("regions " if len(sheet.choice.regions) > 1 else "region ") + ", ".join(sheet.choice.regions))
     if picture["deformation"] not in (0, 1):
@@ -212,9 +236,9 @@ def orient(axes, directions, width, bottom):
     axes.set_ylim(bottom - BELOW * width, axes.get_ylim()[1])
 
 
-def label_places(axis, ends, factor):
-    """Round numbers of another unit on an axis in metres."""
-    ticks = matplotlib.ticker.MaxNLocator(6 if axis.axis_name == "x" else 4).tick_values(factor * ends[0], factor * ends[1])
+def label_places(axis, ends, factor, most):
+    """At most so many round numbers, and at least one, of another unit on an axis in metres."""
+    ticks = matplotlib.ticker.MaxNLocator(max(1, most)).tick_values(factor * ends[0], factor * ends[1])
     ticks = [tick for tick in ticks if factor * ends[0] - 1e-9 <= tick <= factor * ends[1] + 1e-9]
     axis.set_ticks([tick / factor for tick in ticks], [f"{tick:g}" for tick in ticks])
 

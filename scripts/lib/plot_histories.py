@@ -3,6 +3,7 @@
 import os
 
 import numpy
+import plot_choice
 import plot_style
 import tables
 
@@ -74,8 +75,64 @@ def draw_probes(sheet, runs):
         draw_field(sheet, field, unit, entries, len(runs) > 1, f" {unit}" if len(units) > 1 and unit != units[0] else "")
 
 
+def draw_over(sheet, runs, over):
+    """Each probe over another one, such as a diameter over the pressure: one figure a field. `over`: the column's name without its unit."""
+    shown = []
+    for run in runs:
+        table = tables.read_table(os.path.join(run["folder"], "probes.csv"))
+        names = [name for name, _ in table[0]] if table else []
+        if over not in names:
+            raise plot_choice.ChoiceError(f"--over {over}: probes.csv of {run['folder']} has no such column; it has {', '.join(names[1:]) or 'none'}")
+        columns, data = table
+        shown.append((run, columns[1:], data[:, 1:], names.index(over) - 1))
+    draw_columns(sheet, shown, len(runs) > 1, f"over {over}")
+
+
+def draw_loads(sheet, runs):
+    """The probes over the load of steady runs whose loads come in steps."""
+    shown = []
+    for run in runs:
+        table = tables.read_table(os.path.join(run["folder"], "load-steps.csv"))
+        if table is not None:
+            shown.append((run, *table, 0))
+    draw_columns(sheet, shown, len(runs) > 1, "load")
+
+
+def draw_columns(sheet, shown, several, prefix):
+    """One figure a field of tables [(run, columns, data, number of the column that is the abscissa)]."""
+    curves = {}
+    for run, columns, data, x in shown:
+        chosen = sheet.choice.fields_of([name.rpartition(": ")[2] for i, (name, _) in enumerate(columns) if i != x])
+        for i, (name, unit) in enumerate(columns):
+            probe, _, field = name.rpartition(": ")
+            finite = numpy.isfinite(data[:, i]) & numpy.isfinite(data[:, x])
+            if i != x and field in chosen and finite.sum() > 1:
+                curves.setdefault((field, unit), []).append((label_of(run["title"], probe, several), data[finite, x], data[finite, i]))
+    if not curves:
+        return
+    name, unit_of_x = shown[0][1][shown[0][3]]
+    x_factor, x_unit = plot_style.readable(max(numpy.nanmax(numpy.abs(data[:, x])) for *_, data, x in shown), unit_of_x, name.rpartition(": ")[2])
+    for (field, unit), entries in curves.items():
+        factor, axis_unit = plot_style.readable(max(numpy.abs(values).max() for *_, values in entries), unit, field)
+        figure, axes = sheet.figure()
+        header, kept = [], []
+        for i, (label, places, values) in enumerate(entries):
+            axes.plot(x_factor * places, factor * values, label=label, **plot_style.of_run(i))
+            header += [f"{label}: {name.rpartition(': ')[2]} [{unit_of_x}]", f"{label}: {field} [{unit}]"]
+            kept += [places, values]
+        axes.set_xlabel(plot_style.axis_label("part of the load" if name == "load" else name, x_unit))
+        axes.set_ylabel(plot_style.axis_label(field, axis_unit))
+        sheet.legend(axes, len(entries))
+        picture = plot_style.file_name(f"{prefix} {field}")
+        sheet.save(figure, picture)
+        sheet.save_data(picture, header, kept)
+
+
 def is_oscillation(summary, name, field):
-    """Whether the fit of the summary says that the history is a damped oscillation, or there is none."""
+    """Whether the fit of the summary says that the history is a damped oscillation, or there is none. Beats have no envelope: they are
+    equal in the end."""
+    if summary.get("beats"):
+        return False
     labels = (name, name[: -len(field) - 2] if name.endswith(f": {field}") else name)
     residuals = [entry["value"] for entry in summary.get("quantities", []) if entry["name"] == "fit residual"
                  and entry["probe"] in labels]
@@ -209,7 +266,8 @@ def draw_power(sheet, runs):
             if not totals:
                 sheet.notes.append(f"power of the regions of {run['folder']} (power.csv has no such columns)")
         else:
-            totals = [entry for entry in watts if ": " not in entry[1]] or watts
+            # What leaves through an outlet is a term of the balance, too; what the outlet stores is a part of it.
+            totals = [entry for entry in watts if ": " not in entry[1] or is_outflow(entry[1])] or watts
         for i, name, unit in totals:
             finite = numpy.isfinite(data[:, i])
             if finite.any():
@@ -222,6 +280,11 @@ def draw_power(sheet, runs):
             sheet.notes.append("power balance (every term is zero)")
         return
     draw_balance(sheet, shown, residuals, len(runs) > 1)
+
+
+def is_outflow(name):
+    """Whether a column is the power that leaves through an outlet: "outlet distal: leaving"."""
+    return name.startswith("outlet ") and name.endswith(": leaving")
 
 
 def draw_balance(sheet, terms, residuals, several):

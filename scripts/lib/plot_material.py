@@ -100,6 +100,7 @@ def draw_table(sheet, runs):
     panels[1].set_ylim(0, None)
     panels[1].set_xlim(0, None)
     legend_above(sheet, figure, panels[0])
+    plot_style.readable_logarithm(panels[0])
     sheet.save(figure, "relaxation-table")
     sheet.save_data("relaxation-table", header, columns)
 
@@ -131,6 +132,7 @@ def draw_history(sheet, runs, test, quantity):
     panels[1].set_xlim(0, None)
     panels[1].set_ylim(0, None)
     legend_above(sheet, figure, panels[0])
+    plot_style.readable_logarithm(panels[0])
     sheet.save(figure, test)
     sheet.save_data(test, header, columns)
 
@@ -138,6 +140,11 @@ def draw_history(sheet, runs, test, quantity):
 def draw_modulus(sheet, runs):
     """Storage modulus, loss modulus and tan delta over frequency: the law, and the harmonic tests as points."""
     shown = read_all(runs, "modulus.csv")
+    # A fit finds another modulus than that of the parameter file, from which its search starts.
+    fitted = [run for run, _, _ in shown if glob.glob(os.path.join(glob.escape(run["folder"]), "fit-*.csv"))]
+    for run in fitted:
+        sheet.notes.append(f"modulus of {run['folder']} (modulus.csv has that from which the fit starts)")
+    shown = [entry for entry in shown if entry[0] not in fitted]
     if not shown:
         return
     tests = {run["folder"]: (names, data) for run, names, data in read_all(runs, "harmonic.csv")}

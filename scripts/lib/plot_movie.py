@@ -29,10 +29,10 @@ WALL = "wall distension"
 
 
 class Settings:
-    """As GIF in place of MP4; at most how many frames; how many seconds in all."""
+    """As GIF in place of MP4; at most how many frames; how many seconds in all; (width, height) of a frame in pixels or None."""
 
-    def __init__(self, gif, frames, seconds):
-        self.gif, self.frames, self.seconds = gif, frames, seconds
+    def __init__(self, gif, frames, seconds, size=None):
+        self.gif, self.frames, self.seconds, self.size = gif, frames, seconds, size
 
 
 def read_frames(text):
@@ -40,6 +40,14 @@ def read_frames(text):
     if not text.isdigit() or int(text) < 2:
         raise argparse.ArgumentTypeError(f"'{text}' is not a number of frames: 2 or more")
     return int(text)
+
+
+def read_size(text):
+    """What --size takes."""
+    width, times, height = text.partition("x")
+    if not times or not width.isdigit() or not height.isdigit() or not 100 <= int(width) <= 8000 or not 100 <= int(height) <= 8000:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a size in pixels such as 1920x1080, 100 to 8000 each")
+    return int(width), int(height)
 
 
 def read_seconds(text):
@@ -343,21 +351,27 @@ def write(sheet, figure, show_frame, n_frames, name, settings):
     figure.set_layout_engine("none")  # nothing moves from frame to frame but what is drawn
     sheet.check_frame(figure, name)
     if settings.gif:
-        write_gif(figure, show_frame, n_frames, path, settings.seconds)
+        write_gif(figure, show_frame, n_frames, path, settings.seconds, settings.size)
     else:
-        write_mp4(figure, show_frame, n_frames, path, settings.seconds)
+        write_mp4(figure, show_frame, n_frames, path, settings.seconds, settings.size)
     plt.close(figure)
     sheet.written.append(path)
 
 
-def write_mp4(figure, show_frame, n_frames, path, seconds):
-    """In the format that browsers and slides show: H.264 with an even number of pixels each way."""
+def resolution_for(figure, size):
+    """Dots per inch with which the figure fills a frame of (width, height) pixels as far as its shape allows."""
+    return min(pixels / length for pixels, length in zip(size, figure.get_size_inches()))
+
+
+def write_mp4(figure, show_frame, n_frames, path, seconds, size):
+    """In the format that browsers and slides show: H.264 with an even number of pixels each way, white around the figure."""
+    width, height = (2 * -(-pixels // 2) for pixels in size) if size else ("ceil(iw/2)*2", "ceil(ih/2)*2")
     part = f"{path[:-4]}.part.mp4"
     writer = matplotlib.animation.FFMpegWriter(
         fps=min(FASTEST, n_frames / seconds), codec="libx264",
-        extra_args=["-pix_fmt", "yuv420p", "-crf", "18", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-movflags", "+faststart"])
+        extra_args=["-pix_fmt", "yuv420p", "-crf", "18", "-vf", f"pad={width}:{height}:-1:-1:color=white", "-movflags", "+faststart"])
     try:
-        with writer.saving(figure, part, dpi=plt.rcParams["savefig.dpi"]):
+        with writer.saving(figure, part, dpi=math.floor(100 * resolution_for(figure, size)) / 100 if size else plt.rcParams["savefig.dpi"]):
             for i in range(n_frames):
                 show_frame(i)
                 writer.grab_frame()
@@ -373,14 +387,14 @@ def write_mp4(figure, show_frame, n_frames, path, seconds):
             os.remove(part)
 
 
-def write_gif(figure, show_frame, n_frames, path, seconds):
+def write_gif(figure, show_frame, n_frames, path, seconds, size):
     """All frames have the same colours, so that none flickers and the file stays small."""
     frames = []
     for i in range(n_frames):
         show_frame(i)
         data = io.BytesIO()
-        figure.savefig(data, format="png")
-        frames.append(PIL.Image.open(data).convert("RGB"))
+        figure.savefig(data, format="png", dpi=resolution_for(figure, size) if size else "figure")
+        frames.append(filled(PIL.Image.open(data).convert("RGB"), size))
     palette = common_palette([frames[i] for i in evenly(n_frames, 8)])
     frames = [in_colours(frame, palette) for frame in frames]
     each = max(20, round(100 * seconds / n_frames) * 10)  # ms; browsers show no shorter ones
@@ -388,6 +402,15 @@ def write_gif(figure, show_frame, n_frames, path, seconds):
         frames[0].save(path, save_all=True, append_images=frames[1:], duration=each, loop=0, optimize=False)
     except OSError as error:
         raise plot_style.cannot_write(path, error) from error
+
+
+def filled(frame, size):
+    """The frame in the middle of a white one of that size."""
+    if size is None:
+        return frame
+    result = PIL.Image.new("RGB", size, "white")
+    result.paste(frame, ((size[0] - frame.width) // 2, (size[1] - frame.height) // 2))
+    return result
 
 
 def common_palette(frames):

@@ -11,6 +11,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+import matplotlib.ticker  # noqa: E402
 import plot_choice  # noqa: E402
 
 # Okabe and Ito's palette, which colour-blind readers can tell apart.
@@ -145,6 +146,17 @@ def readable(largest, unit, field=""):
     exponent = 3 * math.floor((math.log10(largest) + 0.3) / 3)
     exponent = min(max(exponent, -12), 9)
     return 10.0**-exponent, PREFIXES[exponent] + unit
+
+
+def readable_logarithm(axes):
+    """Marks of a logarithmic axis that has less than two decades: plain numbers, some of them, in place of 2.4 x 10^-2."""
+    for axis in (axes.xaxis, axes.yaxis):
+        low, high = sorted(axis.get_view_interval())
+        if axis.get_scale() == "log" and 0 < low and high < 30 * low:
+            axis.set_major_locator(matplotlib.ticker.MaxNLocator(5, steps=[1, 2, 2.5, 5, 10]) if high < 8 * low
+                                   else matplotlib.ticker.LogLocator(subs=(1, 2, 5)))
+            axis.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda value, _: f"{value:g}"))
+            axis.set_minor_locator(matplotlib.ticker.NullLocator())
 
 
 def whole_decades(axes):

@@ -15,33 +15,36 @@ N_MARKERS = 40  # of a measured curve
 OVERLAP = 1.6  # height of the tallest curve, in distances of stations
 MOST_THEORIES = 3  # in one picture of several runs
 N_PLACES = 200  # columns of the space-time picture
+MOST_ON_A_LINEAR_AXIS = 8.0  # the largest value over the smallest one; above, the axis is logarithmic
 
 
 def draw(sheet, runs, normalised):
-    waves = draw_curves(sheet, runs, normalised)
-    there = [name for _, fields in waves for name in fields]
-    if not there or "pressure" in sheet.choice.fields_of(there):
-        draw_space_time(sheet, waves, len(runs) > 1)
+    for probe, waves in draw_curves(sheet, runs, normalised).items() or [("", [])]:
+        there = [name for _, fields in waves for name in fields]
+        if not there or "pressure" in sheet.choice.fields_of(there):
+            draw_space_time(sheet, waves, len(runs) > 1, probe)
     draw_dispersion(sheet, runs[0])
     draw_loaded_tube(sheet, runs)
     draw_spin_coating(sheet, runs)
 
 
 def draw_curves(sheet, runs, normalised):
-    """The curves at the stations, one figure a field; [(run, fields)] of the runs that have some."""
-    waves = []
+    """The curves at the stations, one figure a probe and field; of each probe [(run, fields)] of the runs that have some."""
+    of_probes = {}
     for run in runs:
-        fields = wave_tables.read_waves(run["folder"])
-        if fields:
-            waves.append((run, fields))
-        else:
+        found = wave_tables.read_waves_of_probes(run["folder"])
+        # One probe of each run: they are compared, whatever their names are.
+        for probe, fields in found.items():
+            of_probes.setdefault(probe if len(found) > 1 else "", []).append((run, fields))
+        if not found:
             sheet.notes.append(f"waves of {run['folder']} (no rows in wave.csv or wave-PROBE.csv)")
-    there = list(dict.fromkeys(name for _, fields in waves for name in fields))
-    for name in sheet.choice.fields_of(there):
-        entries = [(run, fields[name], time_scale(sheet, run, fields) if normalised else 1.0)
-                   for run, fields in waves if name in fields]
-        draw_stations(sheet, name, [entry for entry in entries if entry[2]], normalised, len(runs) > 1)
-    return waves
+    for probe, waves in of_probes.items():
+        there = list(dict.fromkeys(name for _, fields in waves for name in fields))
+        for name in sheet.choice.fields_of(there):
+            entries = [(run, fields[name], time_scale(sheet, run, fields) if normalised else 1.0)
+                       for run, fields in waves if name in fields]
+            draw_stations(sheet, name, [entry for entry in entries if entry[2]], normalised, len(runs) > 1, probe)
+    return of_probes
 
 
 def time_scale(sheet, run, fields):
@@ -82,10 +85,50 @@ def repeats(entries, i, source):
     return source != "simulated" and any(same(field, entries[i][1]) for _, field, _ in entries[:i])
 
 
-def draw_stations(sheet, name, entries, normalised, several):
+def draw_one_station(sheet, name, entries, several, probe):
+    """The curves of one field at the only station there is, over time."""
+    unit = entries[0][1].unit
+    largest = max(numpy.nanmax(numpy.abs(curves)) for _, field, _ in entries for curves in field.sources.values())
+    if not (largest > 0 and math.isfinite(largest)):
+        sheet.notes.append(f"waves of {name} (nothing but zero)")
+        return
+    factor, axis_unit = plot_style.readable(largest, unit, name)
+    time_factor, time_unit = plot_style.readable(max(field.time[-1] for _, field, _ in entries), "s")
+    figure, axes = sheet.figure()
+    header, columns = [], []
+    for i, (run, field, _) in enumerate(entries):
+        label = f"{run['title']}: " if several else ""
+        header.append(f"{label}time [s]")
+        columns.append(field.time)
+        for source, curves in field.sources.items():
+            header.append(f"{label}{field.positions[0]:g} m: {name}, {source} [{unit}]")
+            columns.append(curves[0])
+            if not repeats(entries, i, source):
+                every = {"markevery": marked(field.time, curves[0])} if source == "measured" else {}
+                axes.plot(time_factor * field.time, factor * curves[0], label=f"{label}{source}",
+                          **{**look_of(i, source, several, len(field.time)), **every})
+    place_factor, place_unit = plot_style.readable(entries[0][1].positions[0], "m")
+    axes.set_title(f"{probe + ', ' if probe else ''}station at {place_factor * entries[0][1].positions[0]:.4g} {place_unit}", fontsize=8.5,
+                   loc="left", pad=22)
+    axes.set_xlim(0, None)
+    axes.set_xlabel(plot_style.axis_label("time", time_unit))
+    axes.set_ylabel(plot_style.axis_label(name, axis_unit))
+    sheet.legend(axes, len(axes.lines))
+    save(sheet, figure, "wave-" + plot_style.file_name(f"{name} {probe}"), header, columns)
+
+
+def save(sheet, figure, name, header, columns):
+    sheet.save(figure, name)
+    sheet.save_data(name, header, columns)
+
+
+def draw_stations(sheet, name, entries, normalised, several, probe=""):
     """The curves of one field, each from the height of its station's position; below them, where something was measured, the
-    differences from it."""
+    differences from it. `probe`: its name where a run has several with stations."""
     if not entries:
+        return
+    if not normalised and all(len(field.positions) == 1 for _, field, _ in entries) and not differences(entries):
+        draw_one_station(sheet, name, entries, several, probe)
         return
     unit = entries[0][1].unit
     positions = numpy.unique([position for _, field, _ in entries for position in field.positions])
@@ -148,9 +191,10 @@ def draw_stations(sheet, name, entries, normalised, several):
         axes.grid(axis="y", linewidth=0.3, color="#BBBBBB")
         axes.set_ylabel(plot_style.axis_label("axial position", place_unit))
     axes.set_xlabel("Time / travel time to the last station" if normalised else plot_style.axis_label("time", time_unit))
+    if probe:
+        handles.insert(0, matplotlib.lines.Line2D([], [], linestyle="none", label=f"Probe {probe}:"))
     sheet.legend(all_axes[0, 0], len(handles), handles)
-    sheet.save(figure, "wave-" + plot_style.file_name(name))
-    sheet.save_data("wave-" + plot_style.file_name(name), header, columns)
+    save(sheet, figure, "wave-" + plot_style.file_name(f"{name} {probe}"), header, columns)
 
 
 def differences(entries):
@@ -236,11 +280,11 @@ def space_time(fields, name="pressure"):
     return places, pressure.time, numpy.array(found), source
 
 
-def draw_space_time(sheet, waves, several):
+def draw_space_time(sheet, waves, several, probe=""):
     shown = [(run, fields) for run, fields in waves if "pressure" in fields and len(fields["pressure"].positions) > 1
              and numpy.isfinite(fields["pressure"].best()).all()]
     if waves and not shown:
-        sheet.notes.append("space-time picture (no pressure at two stations or more)")
+        sheet.notes.append(f"space-time picture{' of ' + probe if probe else ''} (no pressure at two stations or more)")
     if not shown:
         return
     pictures = [space_time(fields) for _, fields in shown]
@@ -278,9 +322,10 @@ def draw_space_time(sheet, waves, several):
         axes.set_xlabel(plot_style.axis_label("axial position", place_unit))
     for axes in all_axes[:, 0]:
         axes.set_ylabel(plot_style.axis_label("time", time_unit))
+    if probe and not several:
+        all_axes[0, 0].set_title(f"Probe {probe}", fontsize=8.5, loc="left")
     figure.colorbar(image, ax=all_axes, label=plot_style.axis_label("pressure", unit), shrink=0.9, aspect=30)
-    sheet.save(figure, "space-time-pressure")
-    sheet.save_data("space-time-pressure", header, columns)
+    save(sheet, figure, plot_style.file_name(f"space time pressure {probe}"), header, columns)
 
 
 def draw_dispersion(sheet, run):
@@ -295,36 +340,60 @@ def draw_dispersion(sheet, run):
     families = list(dict.fromkeys(name.rpartition(": ")[0] for name, _ in names[1:]))
     exact = [family for family in families if family.endswith(" wave")]
     figure, all_axes = sheet.figure((1.1 if sheet.width > 4 else 1.8) * len(panels) / 3, nrows=len(panels), sharex=True)
+    limits = data[0, 0], max(highest_frequency(run["summary"], data[-1, 0]), 2 * data[0, 0])
+    inside = (data[:, 0] >= limits[0]) & (data[:, 0] <= limits[1])
     for axes, quantity in zip(all_axes, panels):
+        drawn = []
         for i, (name, unit) in enumerate(names[1:], 1):
             family, _, what = name.rpartition(": ")
             positive = numpy.isfinite(data[:, i]) & (data[:, i] > 0)
-            if what != quantity or not positive.any():
+            # A wave that there is only beyond these frequencies would be in the legend alone.
+            if what != quantity or (positive & inside).sum() < 2:
                 continue
+            drawn.append(data[positive & inside, i])
             is_exact = family in exact
             values = numpy.where(positive, data[:, i], numpy.nan)
             axes.plot(data[:, 0], values, "-" if is_exact else plot_style.LINES[1 + families.index(family) % 3],
                       color=plot_style.COLOURS[families.index(family) % len(plot_style.COLOURS)],
                       linewidth=1.4 if is_exact else 0.9, label=family)
             axes.set_ylabel(plot_style.axis_label(quantity, unit))
-        axes.set_yscale("log")
+        # A logarithmic axis is for decades; from 6 to 9 m/s it has no readable marks.
+        if drawn and max(values.max() for values in drawn) > MOST_ON_A_LINEAR_AXIS * min(values.min() for values in drawn):
+            axes.set_yscale("log")
+        elif drawn:
+            axes.set_ylim(0.9 * min(values.min() for values in drawn), 1.1 * max(values.max() for values in drawn))
+        mark_load(axes, run["summary"], axes is all_axes[0])
+        if axes.get_yscale() == "log":
+            plot_style.readable_logarithm(axes)
     all_axes[0].set_xscale("log")
     all_axes[-1].set_xlabel("Frequency [Hz]")
-    all_axes[0].set_xlim(data[0, 0], max(highest_frequency(run["summary"], data[-1, 0]), 2 * data[0, 0]))
+    all_axes[0].set_xlim(*limits)
     handles = {}
     for axes in all_axes:
         for handle, label in zip(*axes.get_legend_handles_labels()):
             handles.setdefault(label, handle)
-    sheet.legend(all_axes[0], len(handles), [handles[family] for family in families if family in handles])
+    sheet.legend(all_axes[0], len(handles), [handles[family] for family in [*families, "load"] if family in handles])
     sheet.save(figure, "dispersion")
     sheet.save_data("dispersion", [name if unit == "1" else f"{name} [{unit}]" for name, unit in names], list(data.T))
 
 
+def frequency_of_load(summary):
+    """Below which nine tenths of the load's energy are [Hz]; None if it does not vary."""
+    report = summary.get("pre-flight report", {})
+    return report.get("load frequency [Hz]") if isinstance(report, dict) else None
+
+
 def highest_frequency(summary, last):
     """Up to which frequency the load has something to say: ten times its own, or the end of the table."""
-    report = summary.get("pre-flight report", {})
-    own = report.get("load frequency [Hz]") if isinstance(report, dict) else None
+    own = frequency_of_load(summary)
     return min(last, 10 * own) if own else last
+
+
+def mark_load(axes, summary, is_named):
+    """The band in which the load is, in grey."""
+    own = frequency_of_load(summary)
+    if own:
+        axes.axvspan(1e-9 * own, own, color="#DDDDDD", zorder=0, linewidth=0, label="load" if is_named else "_")
 
 
 def draw_loaded_tube(sheet, runs):

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Draws states of a run with VTK, all with the same colours, factor of the displacement and section. Reads a request (json) from
 stdin, writes picture-0.png, picture-1.png, ... (or picture-0.npz, ... for a plane mesh without OpenGL) and picture.json into the
-request's folder. Exit status 3: the data or the request are at fault.
+request's folder. Exit status 3: the data or the request are at fault; 4: the field has no value yet.
 """
 
 import json
@@ -12,12 +12,16 @@ import sys
 import matplotlib
 import numpy
 import vtk
+from PIL import Image
 from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 
-def fault(text):
+NOTHING_TO_SEE = 4
+
+
+def fault(text, status=3):
     print(text, file=sys.stderr)
-    sys.exit(3)
+    sys.exit(status)
 
 
 def read(pieces):
@@ -42,15 +46,17 @@ def values_of(grid, field):
     data = grid.GetPointData()
     names = [data.GetArrayName(i) for i in range(data.GetNumberOfArrays())]
     if field is None:
-        field = next((name for name in ("velocity", "pressure", "displacement") if name in names), None)
-        if field is None and names:
-            field = names[0]
+        # A solid at rest has no velocity to show.
+        usual = [name for name in ("velocity", "displacement", "pressure") if name in names]
+        field = next((name for name in usual if vtk_to_numpy(data.GetArray(name)).any()), (usual or names or [None])[0])
     if field not in names:
         fault(f"there is no field {field}; there are {', '.join(names) or 'none'}")
     values = vtk_to_numpy(data.GetArray(field)).astype(float)
+    label = f"{field} magnitude" if values.ndim == 2 else field
     if values.ndim == 2:
-        return field, f"{field} magnitude", numpy.linalg.norm(values, axis=1)
-    return field, field, values
+        values = numpy.linalg.norm(values, axis=1)
+    # There are no values but at the nodes of walls: the files have 0 elsewhere.
+    return field, label, numpy.where(values == 0, numpy.nan, values) if field in OF_WALLS else values
 
 
 def nice(number):
@@ -251,13 +257,18 @@ def stretched(data, stretch):
 MOST_LINES = 30000  # of the mesh of a body in space: more make the picture dark
 # Fields that are the same on both sides of an interface; of others liquids and solids have a range each.
 COMMON = ("velocity", "displacement")
+# Fields at the nodes of walls.
+OF_WALLS = ("wall_shear_stress", "time_averaged_wall_shear_stress", "oscillatory_shear_index")
+NOT_THERE = (0.85, 0.85, 0.85)
+LONG = 1.5  # times as long along x as high, from which a body lies from left to right
+FINEST_MESH = 7.0  # pixels of the middle edge of a cell, below which the mesh's lines would cover the colours
 MAPS = {"liquid": ("viridis", "RdBu_r"), "solid": ("cividis", "PuOr_r")}  # of one sign, of both
 
 
 def extremes(values, solid, field):
     """{what: (low, high)} of the liquids and the solids, or of both together."""
     groups = {"": numpy.isfinite(values)}
-    if solid is not None and solid.any() and not solid.all() and field not in COMMON:
+    if solid is not None and solid.any() and not solid.all() and field not in COMMON + OF_WALLS:
         groups = {name: numpy.isfinite(values) & (solid == (name == "solid")) for name in ("liquid", "solid")}
     return {what: (float(values[chosen].min()), float(values[chosen].max())) if chosen.any() else None
             for what, chosen in groups.items()}
@@ -296,7 +307,49 @@ def colour_table(ranges):
     for i, colour in enumerate(colours):
         table.SetTableValue(i, *colour)
     table.SetRange(0, len(ranges))
+    table.SetNanColor(*NOT_THERE, 1.0)
     return table
+
+
+def wall_of(grid):
+    """(the liquids, whose surface has the values at walls; the side from which the wall is seen that is not a plane of symmetry)."""
+    solid = in_solid(grid)
+    if solid is not None and not solid.all():
+        choose = vtk.vtkThreshold()
+        choose.SetInputData(grid)
+        choose.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_POINTS, "phase")
+        choose.SetThresholdFunction(vtk.vtkThreshold.THRESHOLD_LOWER)
+        choose.SetLowerThreshold(0.5)
+        choose.Update()
+        grid = choose.GetOutput()
+    low, high = grid.GetBounds()[4:]
+    return grid, numpy.array([0.35, 0.4, -1.0 if abs(high) < 1e-3 * (high - low) else 1.0])
+
+
+def cut_plane(grid, section):
+    """The section of a body in space by the plane `axis` = `at` [m], turned into the plane of its two other axes."""
+    axis, at = section["axis"], section["at"]
+    plane = vtk.vtkPlane()
+    plane.SetNormal(*numpy.eye(3)[axis])
+    plane.SetOrigin(*(at * numpy.eye(3)[axis]))
+    cutter = vtk.vtkCutter()
+    cutter.SetInputData(grid)
+    cutter.SetCutFunction(plane)
+    cutter.GenerateTrianglesOff()
+    append = vtk.vtkAppendFilter()
+    append.AddInputConnection(cutter.GetOutputPort())
+    append.Update()
+    result = vtk.vtkUnstructuredGrid()
+    result.ShallowCopy(append.GetOutput())
+    if result.GetNumberOfPoints() == 0:
+        low, high = grid.GetBounds()[2 * axis:2 * axis + 2]
+        fault(f"the section {'xyz'[axis]} = {at:g} m does not meet the body, which goes from {low:g} m to {high:g} m")
+    others = [d for d in range(3) if d != axis]
+    points = vtk_to_numpy(result.GetPoints().GetData()).astype(float)
+    moved = vtk.vtkPoints()
+    moved.SetData(numpy_to_vtk(numpy.column_stack([points[:, others], numpy.zeros(len(points))]), deep=True))
+    result.SetPoints(moved)
+    return result
 
 
 def open_up(grid):
@@ -306,9 +359,11 @@ def open_up(grid):
     solid = in_solid(grid)
     from_front, from_behind = numpy.array([0.35, 0.4, 1.0]), numpy.array([0.35, 0.4, -1.0])
     # The plane of symmetry is there up to the round-off of single precision, times the factor of the displacement.
+    if solid is not None and solid.all():  # there is nothing to see inside
+        return grid, from_front
     if abs(bounds[4]) < 1e-3 * (bounds[5] - bounds[4]):
         return grid, from_behind
-    if solid is None or solid.all() or not solid.any():
+    if solid is None or not solid.any():
         return grid, from_front
     plane = vtk.vtkPlane()
     plane.SetOrigin(*((bounds[2 * i] + bounds[2 * i + 1]) / 2 for i in range(3)))
@@ -332,6 +387,9 @@ def camera_of(renderer, bounds, direction):
     across = numpy.cross([0, 1, 0], direction)
     across /= numpy.linalg.norm(across)
     up = numpy.cross(direction, across)
+    if across[0] < 0 and bounds[1] - bounds[0] > LONG * (bounds[3] - bounds[2]):
+        # Of a long body x goes to the right, as it is read, also where it is seen from behind.
+        across, up = -across, -up
     corners = numpy.array([[bounds[i], bounds[2 + j], bounds[4 + k]]
                            for i in (0, 1) for j in (0, 1) for k in (0, 1)]) - centre
     size = numpy.abs(corners).max()
@@ -372,11 +430,10 @@ def draw_with_opengl(faces, lines, plane, ranges, request, direction, bounds, nu
     drawn.GetProperty().SetColor(0.1, 0.1, 0.1)
     drawn.GetProperty().SetLineWidth(1.0)
     drawn.GetProperty().LightingOff()
-    if plane or lines.GetNumberOfLines() < MOST_LINES:
-        renderer.AddActor(drawn)
-
     (left, right, bottom, top), axes = camera_of(renderer, bounds, direction)
     width = 2 * request["pixels"]
+    if wants_lines(lines, width / (right - left), request.get("mesh"), plane):
+        renderer.AddActor(drawn)
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
@@ -394,11 +451,68 @@ def draw_with_opengl(faces, lines, plane, ranges, request, direction, bounds, nu
     return left, right, bottom, top, axes
 
 
+def wants_lines(lines, pixels_a_metre, asked, plane):
+    """Whether the mesh is drawn: as asked for, or where its lines leave room for the colours."""
+    if asked is not None:
+        return asked
+    if not plane and lines.GetNumberOfLines() >= MOST_LINES or lines.GetNumberOfLines() == 0:
+        return False
+    ends = vtk_to_numpy(lines.GetPoints().GetData())[vtk_to_numpy(lines.GetLines().GetConnectivityArray()).reshape(-1, 2)]
+    lengths = numpy.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    return bool(numpy.median(lengths) * pixels_a_metre > FINEST_MESH)
+
+
+def without_margins(path, extent):
+    """The extent of a picture of a body in space without what is white at its sides, which the picture loses."""
+    with Image.open(path) as image:
+        shown = numpy.asarray(image.convert("RGB")) < 250
+    rows, columns = numpy.flatnonzero(shown.any(axis=(1, 2))), numpy.flatnonzero(shown.any(axis=(0, 2)))
+    if not len(rows) or not len(columns):
+        return extent
+    return crop_of(extent, shown.shape[:2], rows, columns)
+
+
+def crop_of(extent, shape, rows, columns):
+    """The part of the extent between the first and the last of these rows and columns of pixels, and a hundredth around it."""
+    left, right, bottom, top = extent
+    margin = 0.01 * max(shape)
+    across, up = (right - left) / shape[1], (top - bottom) / shape[0]
+    return (left + across * max(0, columns[0] - margin), left + across * min(shape[1], columns[-1] + 1 + margin),
+            top - up * min(shape[0], rows[-1] + 1 + margin), top - up * max(0, rows[0] - margin))
+
+
+def dump_velocity(grid, request, number, extent, stretch):
+    """The velocity [m/s] in the plane that is shown on an even grid over the extent [m]; nan outside of the body."""
+    left, right, bottom, top = extent
+    shape = (top - bottom) * stretch / (right - left)
+    longer = {"vectors": 28, "streamlines": 160}[request["arrows"]]
+    n_across, n_up = (longer, max(6, round(longer * shape))) if shape <= 1 else (max(6, round(longer / shape)), longer)
+    x = left + (numpy.arange(n_across) + 0.5) / n_across * (right - left)
+    y = bottom + (numpy.arange(n_up) + 0.5) / n_up * (top - bottom)
+    places, at = vtk.vtkPolyData(), vtk.vtkPoints()
+    at.SetData(numpy_to_vtk(numpy.array([[one, other, 0.0] for other in y for one in x]), deep=True))
+    places.SetPoints(at)
+    probe = vtk.vtkProbeFilter()
+    probe.SetInputData(places)
+    probe.SetSourceData(grid)
+    probe.Update()
+    data = probe.GetOutput().GetPointData()
+    if data.GetArray("velocity") is None:
+        fault("the states have no velocity, of which arrows or streamlines are")
+    section = request.get("section")
+    components = [d for d in range(3) if not section or d != section["axis"]][:2]
+    velocity = vtk_to_numpy(data.GetArray("velocity")).astype(float)[:, components]
+    velocity[vtk_to_numpy(data.GetArray(probe.GetValidPointMaskArrayName())) == 0] = numpy.nan
+    numpy.savez(os.path.join(request["folder"], f"velocity-{number}.npz"), x=x, y=y, velocity=velocity.reshape(n_up, n_across, 2))
+
+
 def dump_for_matplotlib(faces, lines, request, number):
     points = vtk_to_numpy(faces.GetPoints().GetData())
     triangles = vtk_to_numpy(faces.GetPolys().GetData()).reshape(-1, 4)[:, 1:]
-    ends = vtk_to_numpy(lines.GetLines().GetData()).reshape(-1, 3)[:, 1:]
-    corners = vtk_to_numpy(lines.GetPoints().GetData())[:, :2]
+    ends, corners = numpy.zeros((0, 2), int), numpy.zeros((0, 2))
+    if lines.GetNumberOfLines():
+        ends = vtk_to_numpy(lines.GetLines().GetData()).reshape(-1, 3)[:, 1:]
+        corners = vtk_to_numpy(lines.GetPoints().GetData())[:, :2]
     numpy.savez(os.path.join(request["folder"], f"picture-{number}.npz"), x=points[:, 0], y=points[:, 1], triangles=triangles,
                 values=vtk_to_numpy(faces.GetPointData().GetArray("shown")), edges=corners[ends])
 
@@ -407,16 +521,24 @@ class Scale:
     """What all states have in common: the field, its colours, the factor of the displacement, and which place is seen."""
 
     def __init__(self, request):
-        self.regions = request["regions"]
+        self.regions, self.section = request["regions"], request.get("section")
         found, self.undeformed = [], None
         self.field, self.label, self.liquid = request["field"], "", False
+        if self.field is None:  # by the last state: at the start all may be at rest
+            self.field = values_of(only(read(request["states"][-1]), self.regions), None)[0]
         grids = (self.read_state(pieces, found) for pieces in request["states"])
         self.deformation = factor_of(grids)
         self.mesh_moves = request.get("deformation") == "finite"
         if self.mesh_moves:  # its equations are those of the body as it is
             self.deformation = 1
+        if self.field in OF_WALLS and not any(state.get("") for state in found):
+            fault(f"no wall has a value of {self.field}", NOTHING_TO_SEE)
         self.ranges = ranges_of(found)
         bounds = self.undeformed
+        if self.section and bounds[5] - bounds[4] < 1e-9 * max(bounds[1] - bounds[0], bounds[3] - bounds[2]):
+            fault("a section is of a body in space, and this one is plane")
+        if self.section:
+            bounds = [bounds[2 * d + i] for d in range(3) if d != self.section["axis"] for i in (0, 1)] + [0.0, 0.0]
         self.plane = bounds[5] - bounds[4] < 1e-9 * max(bounds[1] - bounds[0], bounds[3] - bounds[2])
 
     def read_state(self, pieces, found):
@@ -424,13 +546,18 @@ class Scale:
         grid = read(pieces)
         shown = only(grid, self.regions)
         self.field, self.label, values = values_of(shown, self.field)
-        if not numpy.isfinite(values).any():
+        if not numpy.isfinite(values).any() and self.field not in OF_WALLS:
             fault(f"the field {self.field} has no finite value")
         solid = in_solid(shown)
         self.liquid = self.liquid or bool(solid is not None and not solid.all())
         found.append(extremes(values, solid, self.field))
         self.undeformed = united(self.undeformed, grid.GetBounds())
         return grid
+
+
+def union_of(one, other):
+    """The extent (left, right, bottom, top) of both."""
+    return other if one is None else (min(one[0], other[0]), max(one[1], other[1]), min(one[2], other[2]), max(one[3], other[3]))
 
 
 def united(bounds, others):
@@ -444,14 +571,17 @@ def prepared(pieces, scale, liquid_follows=True):
     grid = read(pieces)
     deform(grid, scale.deformation, liquid_follows, scale.mesh_moves)
     grid = only(grid, scale.regions)
+    if scale.section:
+        grid = cut_plane(grid, scale.section)
     _, _, values = values_of(grid, scale.field)
-    shown = numpy_to_vtk(on_the_maps(numpy.nan_to_num(values), in_solid(grid), scale.ranges), deep=True)
+    of_wall = scale.field in OF_WALLS
+    shown = numpy_to_vtk(on_the_maps(values if of_wall else numpy.nan_to_num(values), in_solid(grid), scale.ranges), deep=True)
     shown.SetName("shown")
     grid.GetPointData().AddArray(shown)
     grid.GetPointData().SetActiveScalars("shown")
     if scale.plane:
         return grid, numpy.array([0, 0, 1.0])
-    return open_up(grid)
+    return wall_of(grid) if of_wall else open_up(grid)
 
 
 def main():
@@ -467,9 +597,11 @@ def main():
     ratio = (bounds[1] - bounds[0]) / max(bounds[3] - bounds[2], 1e-300)
     flattest = request["flattest"]
     stretch = nice(ratio / flattest) if scale.plane and ratio > 1.99 * flattest else 1
-    axes = None
+    axes, cropped, mesh = None, None, request.get("mesh")
     for number, pieces in enumerate(states):
         grid, direction = one or prepared(pieces, scale)
+        if request.get("arrows") and scale.plane:
+            dump_velocity(grid, request, number, bounds[:4], stretch)
         faces, lines = surface(grid), mesh_lines(surface(grid) if not scale.plane else grid)
         faces.GetPointData().SetActiveScalars("shown")
         if request["way"] == "gl":
@@ -478,11 +610,17 @@ def main():
             seen = [bound * (stretch if i in (2, 3) else 1) for i, bound in enumerate(bounds)]
             left, right, bottom, top, axes = draw_with_opengl(faces, lines, scale.plane, scale.ranges, request, direction, seen, number)
             bottom, top = bottom / stretch, top / stretch
+            if not scale.plane:
+                path = os.path.join(request["folder"], f"picture-{number}.png")
+                cropped = union_of(cropped, without_margins(path, (left, right, bottom, top)))
         else:
-            dump_for_matplotlib(faces, lines, request, number)
             left, right, bottom, top = bounds[:4]
+            if not wants_lines(lines, 2 * request["pixels"] / (right - left), mesh, True):
+                lines = vtk.vtkPolyData()
+            dump_for_matplotlib(faces, lines, request, number)
     with open(os.path.join(request["folder"], "picture.json"), "w", encoding="utf-8") as stream:
-        json.dump({"field": scale.field, "label": scale.label, "ranges": scale.ranges, "extent": [left, right, bottom, top],
+        json.dump({"seen": cropped or [left, right, bottom, top], "section": scale.section, "field": scale.field,
+                   "label": scale.label, "ranges": scale.ranges, "extent": [left, right, bottom, top],
                    "plane": bool(scale.plane), "axes": axes, "deformation": scale.deformation, "stretch": stretch,
                    "liquid": scale.liquid}, stream)
 

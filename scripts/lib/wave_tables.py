@@ -35,6 +35,12 @@ def read_waves(folder, probe=None):
     return fields
 
 
+def read_waves_of_probes(folder):
+    """{probe: {name: Field}} of all probes with stations that have values."""
+    found = {name: read_waves(folder, name) for name in waves_of_probes(folder)}
+    return {name: fields for name, fields in found.items() if fields}
+
+
 def first_peak(time, values):
     """(time, magnitude) of the first peak of |values|: the highest before they have fallen to half of it, if that is
     above a fifth of the largest."""

@@ -105,6 +105,26 @@ void Steady<dim>::perform()
 }
 
 template <int dim>
+void Steady<dim>::record_load(const double load)
+{
+  const std::vector<double> values = run.input.probes.present_values();
+  last_load = load;
+  if (values.empty() || !run.is_writer)
+    return;
+  if (!load_table)
+  {
+    std::vector<std::string> header = {"load [1]"};
+    for (const std::string &name : run.input.probes.column_names())
+      header.push_back(name);
+    load_table = std::make_unique<TableWriter>(run.directory.file("load-steps.csv"), header);
+  }
+  std::vector<double> row = {load};
+  row.insert(row.end(), values.begin(), values.end());
+  load_table->row(row);
+  load_table->flush();
+}
+
+template <int dim>
 void Steady<dim>::solve(const bool loads_come)
 {
   const double time = run.input.rest.time_of_loads;
@@ -112,8 +132,14 @@ void Steady<dim>::solve(const bool loads_come)
     run.solver->solve_steady(time);
   else
   {
-    const auto sink = [this](const StepReport &report, const double passed, double)
+    // The last row is that of the state at rest, whatever the step with the last part came to.
+    const bool has_table = loads_come && run.input.rest.load_steps > 1;
+    const RestSearch<dim> *search = nullptr;
+    const auto sink = [&](const StepReport &report, const double passed, double)
     {
+      if (has_table && search != nullptr && search->present_load() > last_load &&
+          search->present_load() < 1.)
+        record_load(search->present_load());
       loop.take(report, passed, run.log);
       flow.take(report, 0.);
       ++n_steps;
@@ -124,11 +150,14 @@ void Steady<dim>::solve(const bool loads_come)
     if (finds_unloaded_shape)
       RestSearch<dim>(run, sink, interrupted).find_unloaded_shape(loads_come);
     using Loads = typename RestSearch<dim>::Loads;
-    RestSearch<dim>(run, sink, interrupted)
-        .perform(finds_unloaded_shape && time != 0.    ? Loads::along_time
-                 : !finds_unloaded_shape && loads_come ? Loads::in_parts
-                                                       : Loads::present,
-                 time);
+    RestSearch<dim> to_rest(run, sink, interrupted);
+    search = &to_rest;
+    to_rest.perform(finds_unloaded_shape && time != 0.    ? Loads::along_time
+                    : !finds_unloaded_shape && loads_come ? Loads::in_parts
+                                                          : Loads::present,
+                    time);
+    if (has_table && last_load > 0.)
+      record_load(1.);
   }
 }
 

@@ -11,6 +11,8 @@
 #include <continua/mesh/refinement_tree.h>
 #include <continua/postprocess/writing_rank.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -129,6 +131,7 @@ template <int dim>
 void Transient<dim>::start()
 {
   run.initialise();
+  report_how_to_stop();
   adapt_before_start();
   if (run.input.problem.finds_unloaded_shape())
     RestSearch<dim>(
@@ -191,6 +194,16 @@ void Transient<dim>::adapt_before_start()
 }
 
 template <int dim>
+void Transient<dim>::report_how_to_stop()
+{
+  if (dealii::Utilities::MPI::n_mpi_processes(run.input.communicator) > 1 && run.is_writer)
+    run.log.note("To stop this run without loss: kill -USR1 " + std::to_string(::getpid()) +
+                 " on the machine of the first rank, or to mpirun itself; it ends after its step, "
+                 "with a checkpoint. After Ctrl-C mpirun kills the ranks within seconds, in the "
+                 "middle of a long step");
+}
+
+template <int dim>
 void Transient<dim>::report_initial_jumps()
 {
   const InteriorData &interior = run.input.problem.interior;
@@ -208,7 +221,10 @@ void Transient<dim>::report_initial_jumps()
           for (unsigned int c = 0; c < dim; ++c)
             point[c] = cell->face(f)->center()[c];
     const std::string text = condition.initial_jump(point);
-    if (!text.empty())
+    // A constant load is meant to begin at once; a table of absolute pressures seldom is.
+    if (!text.empty() && condition.table_begins_with_jump())
+      run.log.warning(text + ", and 'Offset' counts a table from its value at rest");
+    else if (!text.empty())
       run.log.detail(text);
   }
 }

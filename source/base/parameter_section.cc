@@ -155,7 +155,9 @@ void ParameterSection::add_input_file(const std::string &key,
   // name the file from the working directory unless the user gives the whole path herself.
   EntryType<std::string> type = text_type(path);
   type.values = "file";
-  type.remedy = "Check its name; it is relative to the file that names it";
+  type.remedy = naming_file == ParameterText::command_line
+                    ? "Check its name; on the command line it is relative to the working directory"
+                    : "Check its name; it is relative to the file that names it";
   type.read = [is_given, is_whole](const std::string &value)
   {
     const std::string file = without_quotes(value);

@@ -453,22 +453,34 @@ bool BoundaryPart::depends_on_time() const
   return along_normal.depends_on_time();
 }
 
-std::vector<Waveform::Remark> BoundaryCondition::table_remarks(const double end_time) const
+std::vector<const Waveform *> BoundaryCondition::waveforms() const
 {
-  std::vector<const Waveform *> waveforms;
+  std::vector<const Waveform *> result;
   for (const BoundaryPart *part : {&normal, &tangential})
   {
-    waveforms.push_back(&part->along_normal);
+    result.push_back(&part->along_normal);
     for (const Waveform &component : part->vector)
-      waveforms.push_back(&component);
+      result.push_back(&component);
   }
   if (is_cavity())
-    waveforms.push_back(&volume_ratio);
+    result.push_back(&volume_ratio);
   if (free_flow)
-    waveforms.push_back(&free_flow->rate);
+    result.push_back(&free_flow->rate);
   if (outlet)
-    waveforms.push_back(&outlet->pressure_behind);
-  return Waveform::table_remarks(waveforms, "the boundary '" + name + "': ", end_time);
+    result.push_back(&outlet->pressure_behind);
+  return result;
+}
+
+std::vector<Waveform::Remark> BoundaryCondition::table_remarks(const double end_time) const
+{
+  return Waveform::table_remarks(waveforms(), "the boundary '" + name + "': ", end_time);
+}
+
+bool BoundaryCondition::table_begins_with_jump() const
+{
+  const std::vector<const Waveform *> all = waveforms();
+  return std::any_of(all.begin(), all.end(),
+                     [](const Waveform *one) { return one->table_begins_with_jump(); });
 }
 
 std::string BoundaryCondition::initial_jump(const double *point) const

@@ -86,7 +86,9 @@ void FlowNumbers::report_reynolds_numbers()
   }
   const double cell = cell_reynolds_number(input.largest_speed);
   add("cell Reynolds number", cell, "1",
-      "largest speed and longest cell, " + quantity_text(input.largest_cell, "m") + rest);
+      (input.is_developed ? "largest speed and longest cell across the developed flow, "
+                          : "largest speed and longest cell, ") +
+          quantity_text(input.largest_cell, "m") + rest);
   if (is_above(cell, largest_cell_reynolds_number))
     warning_list.push_back("pre-flight: the cell Reynolds number is " + short_text(cell) +
                            ", above " + short_text(largest_cell_reynolds_number) +

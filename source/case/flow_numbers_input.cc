@@ -275,6 +275,67 @@ void set_cells(const Case<dim> &input, FlowNumbersInput &flow)
     }
 }
 
+/// The axis that the liquid flows along if its region is a straight duct with rigid walls, whose
+/// volume is that section times its length; else `dim`.
+template <int dim>
+unsigned int axis_of_straight_duct(const Case<dim> &input, const FlowSection<dim> &section)
+{
+  for (const Material &material : input.problem.materials)
+    if (material.is_solid())
+      return dim;
+  unsigned int axis = dim;
+  for (unsigned int d = 0; d < dim; ++d)
+    if (std::abs(section.points.front().normal[d]) > 1. - 1e-9)
+      axis = d;
+  if (axis == dim)
+    return dim;
+  const MappingQ<dim> mapping(4);
+  const FE_Nothing<dim> element;
+  FEValues<dim> values(mapping, element, QGauss<dim>(4),
+                       update_JxW_values | update_quadrature_points);
+  double volume = 0., low = std::numeric_limits<double>::max(), high = -low;
+  for (const auto &cell : input.triangulation->cell_iterators_on_level(0))
+  {
+    values.reinit(cell);
+    for (const unsigned int q : values.quadrature_point_indices())
+      volume += values.JxW(q) * circumference(input, values.quadrature_point(q));
+    for (const unsigned int v : cell->vertex_indices())
+    {
+      low = std::min(low, cell->vertex(v)[axis]);
+      high = std::max(high, cell->vertex(v)[axis]);
+    }
+  }
+  const double straight = section.area * (high - low);
+  // The curved faces are known to this share.
+  return std::abs(volume - straight) < 1e-4 * straight ? axis : dim;
+}
+
+/// A profile that stays as it is on its way through a straight duct: the cells along it do not
+/// matter.
+template <int dim>
+void set_developed(const Case<dim> &input,
+                   const BoundaryCondition &condition,
+                   const FlowSection<dim> &section,
+                   FlowNumbersInput &flow)
+{
+  using Shape = FlowProfile::Shape;
+  if (!condition.profile ||
+      (*condition.profile != Shape::parabolic && *condition.profile != Shape::womersley))
+    return;
+  const unsigned int axis = axis_of_straight_duct(input, section);
+  if (axis == dim)
+    return;
+  flow.is_developed = true;
+  flow.largest_cell = 0.;
+  const double parts =
+      std::pow(2., input.mesh.refinements) * 0.5 * input.discretisation.velocities_per_cell();
+  for (const auto &cell : input.triangulation->cell_iterators_on_level(0))
+    for (unsigned int c = 0; c < dim; ++c)
+      if (c != axis)
+        flow.largest_cell =
+            std::max(flow.largest_cell, cell->bounding_box().side_length(c) / parts);
+}
+
 template <int dim>
 void set_liquid(const Case<dim> &input, const unsigned int region, FlowNumbersInput &flow)
 {
@@ -312,6 +373,7 @@ FlowNumbersInput flow_numbers_input(const Case<dim> &input)
     FlowNumbersInput candidate = flow;
     set_width(input, section, candidate);
     set_liquid(input, section.liquid, candidate);
+    set_developed(input, condition, section, candidate);
     if (!drives(condition))
     {
       // What flows in by a pressure has its section at least.

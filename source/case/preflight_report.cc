@@ -331,18 +331,27 @@ void PreflightReport::report_time()
 
 void PreflightReport::report_stiffest_mode()
 {
+  // An incompressible liquid has no speed of sound, and its constraint no time of its own.
   double fastest = 0.;
+  bool is_incompressible = false;
   for (const PreflightInput::Region &region : input.regions)
   {
     const double speed =
         region.material.is_solid()
             ? region.material.longitudinal_speed()
             : acoustic_speed(region.material.density, region.material.inverse_bulk_modulus());
-    fastest = std::max(fastest, speed / region.smallest_cell);
+    if (std::isfinite(speed))
+      fastest = std::max(fastest, speed / region.smallest_cell);
+    else
+      is_incompressible = true;
   }
-  const double courant = fastest * input.step.size();
-  add("largest Courant number", courant, "1",
-      "of sound and longitudinal waves in the shortest edge");
+  if (fastest > 0.)
+    add("largest Courant number", fastest * input.step.size(), "1",
+        is_incompressible ? "of longitudinal waves and sound in the shortest edge; not of what is "
+                            "incompressible"
+                          : "of sound and longitudinal waves in the shortest edge");
+  const double courant =
+      is_incompressible ? std::numeric_limits<double>::infinity() : fastest * input.step.size();
   // The shortest wave on the mesh has two nodes.
   const double theta = std::min(dealii::numbers::PI * input.velocities_per_cell * courant, 1e6);
   const double radius = Amplification(input.step, theta / input.step.size()).spectral_radius();
@@ -369,8 +378,10 @@ std::string PreflightReport::headline() const
     text += " tube wave " + quantity_text(input.length / transit, "m/s") +
             (input.starts_loaded ? " (of the wall without load), " : ", ") +
             quantity_text(transit, "s") + " to the far end";
+  else if (const double courant = value("largest Courant number"); std::isfinite(courant))
+    text += " largest Courant number " + quantity_text(courant, "1");
   else
-    text += " largest Courant number " + quantity_text(value("largest Courant number"), "1");
+    text += " no waves of compression";
   return text + "; more in log.txt";
 }
 } // namespace Continua

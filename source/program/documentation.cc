@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
+#include <map>
 #include <sstream>
 
 namespace Continua
@@ -127,6 +129,39 @@ std::string code(const std::string &text)
   return text.empty() ? "" : "`" + escaped + "`";
 }
 
+/// Where the text explains that word of an entry, as in "CHOICE - what it is"; npos if it does not.
+std::size_t explanation_of(const std::string &word, const std::string &text)
+{
+  const std::string wanted = word + " - ";
+  for (std::size_t at = text.find(wanted); at != std::string::npos; at = text.find(wanted, at + 1))
+    if (at == 0 || (at > 1 && text[at - 1] == ' ' &&
+                    std::string(":.;").find(text[at - 2]) != std::string::npos))
+      return at;
+  return std::string::npos;
+}
+
+/// The text in a cell, with a line for each choice that it explains.
+std::string with_choices(const CatalogueEntry &entry)
+{
+  std::map<std::size_t, std::string> choices; ///< by their place in the text
+  std::istringstream values(entry.values);
+  for (std::string word; std::getline(values >> std::ws, word, ',');)
+    if (const std::size_t at = explanation_of(word, entry.text); at != std::string::npos)
+      choices[at] = word;
+  if (choices.size() < 2)
+    return plain(entry.text);
+  std::string result = plain(entry.text.substr(0, choices.begin()->first));
+  for (auto choice = choices.begin(); choice != choices.end(); ++choice)
+  {
+    const auto &[at, word] = *choice;
+    const std::size_t begin = at + word.size() + 3, end = std::next(choice) == choices.end()
+                                                              ? entry.text.size()
+                                                              : std::next(choice)->first - 1;
+    result += "<br>• " + code(word) + ": " + plain(entry.text.substr(begin, end - begin));
+  }
+  return result;
+}
+
 void print_markdown(std::ostream &out, const CataloguePart &part)
 {
   if (!part.type.empty())
@@ -147,7 +182,7 @@ void print_markdown(std::ostream &out, const CataloguePart &part)
                         for (const CatalogueEntry &entry : entries)
                           out << "| " << code(entry.key) << " | " << code(entry.default_value)
                               << " | " << plain(entry.values) << " | "
-                              << plain(with_condition(entry) + entry.text) << " |\n";
+                              << plain(with_condition(entry)) << with_choices(entry) << " |\n";
                         out << '\n';
                       });
 }

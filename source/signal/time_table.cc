@@ -92,6 +92,7 @@ TimeTable::TimeTable(const CsvTable &table,
       length = reading.period;
     }
   }
+  range_of_values = range;
   jump_of_period = range > 0. ? std::abs(numbers.back() - numbers.front()) / range : 0.;
   values = Interpolant(times, numbers, reading.interpolation,
                        reading.after == Outside::repeat && numbers.front() == numbers.back());

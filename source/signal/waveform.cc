@@ -481,6 +481,13 @@ std::vector<Waveform::Remark> Waveform::table_remarks(
   return remarks;
 }
 
+bool Waveform::table_begins_with_jump() const
+{
+  constexpr double least_jump = 0.05; // of the range of the rows
+  return of_time && of_time->table && ramp == 0. &&
+         std::abs(of_time->value(0.)) > least_jump * of_time->table->range();
+}
+
 bool Waveform::is_zero() const
 {
   return expression.is_zero();

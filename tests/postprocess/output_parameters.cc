@@ -33,6 +33,7 @@ UNIT_TEST(output_parameters)
   check::is_true("no first fields", !defaults.field_schedule(1.).due(0., 0.));
   check::is_true("final fields", defaults.field_schedule(1.).due(1., 0.001));
   check::is_true("no checkpoints", !defaults.checkpoint_schedule(1.).due(1., 0.001));
+  check::absolute("but one after half an hour", defaults.checkpoint_wall_time, 1800., 0.);
   check::absolute("subdivisions as the degree", defaults.subdivisions_for(2), 2., 0.);
 
   const OutputParameters given = read("  set Probe interval = 2 ms\n"

@@ -123,6 +123,11 @@ UNIT_TEST(documentation)
         "Modal", "Spin coating", "Laboratory", "Wave theory", "Adaptivity", "Output", "Probes",
         "Exact solution", "Expected"})
     check::is_true(title, contains(markdown(), std::string("## ") + title + "\n"));
+  check::is_true("choices as a list",
+                 contains(markdown(), "What is done: <br>• `transient`: Steps through time.<br>• "
+                                      "`steady`: State at rest"));
+  check::is_true("a text without choices",
+                 contains(markdown(), "What the run is called in summaries and legends. |"));
   check_types("Geometry and mesh", geometry_types<2>());
   check_types("Materials", material_types());
   check_types("Boundaries", boundary_types());

@@ -51,14 +51,10 @@ class Sketches(unittest.TestCase):
         script = self.script
         template, mesh_file = os.path.join(script.TEMPLATES, name + ".prm"), os.path.join(folder, "mesh.vtu")
         subprocess.run([PROGRAM, template, "--mesh", mesh_file], capture_output=True, check=True)
-        mesh, figures = script.Mesh(mesh_file), []
-        script.save = lambda figure, path: figures.append(figure)
-        if mesh.dim == 3:
-            script.draw_space(mesh, "unused")
-        else:
-            script.draw_plane(mesh, script.materials_of(template), ("x", "y"), "unused")
-        texts = texts_of(figures[0])
-        script.plt.close(figures[0])
+        mesh = script.draw_mesh.Mesh(mesh_file)
+        figure = script.draw(mesh, template)
+        texts = texts_of(figure)
+        script.draw_mesh.plt.close(figure)
         written = [text for text, _ in texts]
         filled = {mesh.regions[number] for number in mesh.cell_regions}
         for wanted in [*filled, *mesh.faces]:

@@ -21,6 +21,21 @@ class Installed(unittest.TestCase):
         self.assertGreater(len(options), 10)
         self.assertEqual({option for option in options if option not in page}, set())
 
+    def test_scripts(self):
+        """continua report and continua plot are the scripts, with their arguments and their exit status."""
+        for name in ("report", "plot"):
+            done = subprocess.run([PROGRAM, name, "/nonexistent"], capture_output=True, text=True, check=False)
+            self.assertEqual((done.returncode, done.stderr.partition(":")[0]), (1, "error"))
+            self.assertIn("/nonexistent: there is no such folder", done.stderr)
+            self.assertIn(f"scripts/{name} OUTPUT_DIR", printed(name, "--help"))
+
+    def test_file_of_the_command_line(self):
+        """The remedy names what a file on the command line is relative to."""
+        template = os.path.join(ROOT, "parameter_files", "new", "gmsh.prm")
+        done = subprocess.run([PROGRAM, template, "--set", "Geometry/File=nothere.geo", "--validate"], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("on the command line it is relative to the working directory", done.stderr)
+
     def test_examples(self):
         text = printed("--examples")
         folder = re.match(r"Parameter files in (.*):\n", text).group(1)

@@ -15,11 +15,8 @@ using namespace Continua;
 
 namespace
 {
-/// What is said of a table in a run to 2 s, with more entries: a line for each sentence, and
-/// "warning: " before those that warn.
-std::string remarks(const std::string &entries,
-                    const double end_time = 2.,
-                    const std::string &rows = "0, 0\n1, 5\n")
+/// Of a table of pressures, with more entries.
+Waveform of_table(const std::string &entries, const std::string &rows)
 {
   const std::string path = "waveform-test.prm";
   std::ofstream("waveform-test.csv") << "time [s], p [Pa]\n" + rows;
@@ -30,8 +27,17 @@ std::string remarks(const std::string &entries,
       Waveform::read(root, "Pressure", Dimensions::pressure, "A pressure.", true);
   std::filesystem::remove(path);
   std::filesystem::remove("waveform-test.csv");
+  return waveform;
+}
+
+/// What is said of a table in a run to 2 s, with more entries: a line for each sentence, and
+/// "warning: " before those that warn.
+std::string remarks(const std::string &entries,
+                    const double end_time = 2.,
+                    const std::string &rows = "0, 0\n1, 5\n")
+{
   std::string text;
-  for (const Waveform::Remark &remark : waveform.table_remarks(end_time))
+  for (const Waveform::Remark &remark : of_table(entries, rows).table_remarks(end_time))
     text.append(text.empty() ? "" : "\n")
         .append(remark.is_warning ? "warning: " : "")
         .append(remark.text);
@@ -188,5 +194,16 @@ UNIT_TEST(waveform)
       "a period shorter than the rows", [&] { remarks(repeat + "set Table period = 0.9 s\n"); },
       "waveform-test.csv:3: .*1 s later.*0.9 s.*longer 'Table period'");
   check::is_true("no table", Waveform(3.).table_remarks(2.).empty());
+
+  const auto jumps = [](const std::string &entries, const std::string &rows)
+  { return of_table(entries, rows).table_begins_with_jump(); };
+  check::is_true("a table of absolute pressures jumps", jumps("", "0, 80\n1, 120\n"));
+  check::is_true("but not from its value at rest",
+                 !jumps("set Offset = -80 Pa\n", "0, 80\n1, 120\n"));
+  check::is_true("nor with a ramp", !jumps("set Ramp = 0.1 s\n", "0, 80\n1, 120\n"));
+  check::is_true("nor by the noise of a record", !jumps("", "0, 1\n1, 100\n"));
+  check::is_true("a twentieth is none", !jumps("", "0, 5\n1, 105\n"));
+  check::is_true("more is one", jumps("", "0, 5.1\n1, 105\n"));
+  check::is_true("a constant does not jump", !Waveform(3.).table_begins_with_jump());
 }
 } // namespace test_of_waveform

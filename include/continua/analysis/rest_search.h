@@ -45,6 +45,9 @@ public:
   /// The same for the unloaded shape of a body that has that of the mesh under the loads at t = 0.
   void find_unloaded_shape(bool loads_come);
 
+  /// The part of the loads, or of their time, that the last step had [1].
+  double present_load() const { return load; }
+
   /// Whether the body of a case has a state at rest, and something that holds it. Throws
   /// InputError; `remedy` is what the user can do instead.
   static void check(const Case<dim> &input, ParameterSection root, const std::string &remedy);

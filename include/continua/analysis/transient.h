@@ -57,6 +57,8 @@ private:
   void adapt_before_start();
   /// Which boundaries begin with a value that a body at rest meets as a jump.
   void report_initial_jumps();
+  /// On several ranks: how the run is ended with a checkpoint.
+  void report_how_to_stop();
   /// Says the periods of tables, and warns of what they leave open.
   void report_tables();
   /// What linear theory says of a run with fluid and solid, and the numbers of a flow.

@@ -152,8 +152,14 @@ struct BoundaryCondition
   /// A sentence for the log where the prescribed value at t = 0 is not zero at `point` (three
   /// coordinates [m]), so that a body at rest meets a jump; else empty.
   std::string initial_jump(const double *point) const;
+  /// Whether a table of this boundary begins with a value that counts beside its range.
+  bool table_begins_with_jump() const;
   /// What is to be said of its tables in a run to `end_time` [s], each sentence once.
   std::vector<Waveform::Remark> table_remarks(double end_time) const;
+
+private:
+  /// All that it has, for what is said of tables.
+  std::vector<const Waveform *> waveforms() const;
 };
 
 /// The types that exist: name and a line of description, for the manual and `Type`.

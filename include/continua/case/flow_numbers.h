@@ -31,7 +31,10 @@ struct FlowNumbersInput
   /// [m]: of a channel its gap; of a pipe four times the area over the wetted perimeter; where
   /// there is no wall the extent of the section.
   double width = 0.;
-  double largest_cell = 0.;         ///< [m], longest extent of a cell along an axis, for degree 2
+  double largest_cell = 0.; ///< [m], longest extent of a cell along an axis, for degree 2
+  /// A developed flow through a straight duct with rigid walls: it does not change along the cells,
+  /// and `largest_cell` is the longest extent across the flow.
+  bool is_developed = false;
   double shortest_cell = 0.;        ///< [m], the shortest of these longest extents
   double time_step = 0.;            ///< [s]; 0: a steady flow
   double frequency = 0.;            ///< [Hz] of the load; 0: it does not vary

@@ -10,13 +10,13 @@ namespace Continua
 /// The section Output: what a run writes, and how often.
 struct OutputParameters
 {
-  double probe_interval = 0.;        ///< [s]; 0: every step
-  double power_interval = 0.;        ///< [s]; 0: every step
-  double field_interval = 0.;        ///< [s]; 0: none between start and end
-  bool final_fields = true;          ///< whether the state at the end is drawn in any case
-  double checkpoint_interval = 0.;   ///< [s]; 0: none
-  unsigned int checkpoint_steps = 0; ///< 0: none
-  double checkpoint_wall_time = 0.;  ///< [s]; 0: none
+  double probe_interval = 0.;          ///< [s]; 0: every step
+  double power_interval = 0.;          ///< [s]; 0: every step
+  double field_interval = 0.;          ///< [s]; 0: none between start and end
+  bool final_fields = true;            ///< whether the state at the end is drawn in any case
+  double checkpoint_interval = 0.;     ///< [s]; 0: none
+  unsigned int checkpoint_steps = 0;   ///< 0: none
+  double checkpoint_wall_time = 1800.; ///< [s]; 0: none
   bool checkpoint_at_end = false;
   unsigned int subdivisions = 0; ///< of a cell in each direction in the fields; 0: as below
   bool higher_order_cells = false;

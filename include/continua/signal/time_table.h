@@ -67,11 +67,15 @@ public:
   /// Of the difference between the largest and the smallest value, by how much the value jumps
   /// after a period.
   double jump() const { return jump_of_period; }
+  double range() const
+  {
+    return range_of_values;
+  } ///< largest minus smallest value of the rows [SI]
 
 private:
   Reading reading;
   double begin = 0., end = 0., length = 0.; ///< [s]
-  double jump_of_period = 0.;
+  double jump_of_period = 0., range_of_values = 0.;
   Interpolant values; ///< over time, with factor and offset, to the end of a period
 };
 } // namespace Continua

@@ -73,6 +73,10 @@ public:
   bool depends_on_space() const;
   bool is_zero() const;
 
+  /// Whether it is a table, without a ramp, whose value at t = 0 is more than a twentieth of the
+  /// range of its rows: one of absolute values, or cut out of a record.
+  bool table_begins_with_jump() const;
+
   /// A sentence about a table.
   struct Remark
   {

@@ -3,6 +3,7 @@
 #include <continua/continuum/rest_state.h>
 #include <continua/continuum/stress_and_strain.h>
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -385,8 +386,11 @@ double FieldSamples<dim>::value(const FieldDefinition<dim> &field,
   case Quantity::oscillatory_shear_index:
   {
     const double magnitude = vector_value(point, state.magnitude_integral)[0];
+    // Between the nodes both integrals are interpolated, the vector and its magnitude, by functions
+    // that have negative parts: there the magnitude may be less than the norm of the vector.
     return magnitude > 0.
-               ? 0.5 * (1. - vector_value(point, state.shear_integral).norm() / magnitude)
+               ? std::max(0.,
+                          0.5 * (1. - vector_value(point, state.shear_integral).norm() / magnitude))
                : 0.;
   }
   default:

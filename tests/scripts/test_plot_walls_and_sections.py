@@ -1,0 +1,231 @@
+#!/usr/bin/python3
+"""What scripts/plot draws of walls, outlets, several probes with stations, sections; which field and which lines of the mesh; sizes; --follow."""
+
+import argparse
+import csv
+import importlib.machinery
+import importlib.util
+import math
+import os
+import sys
+import tempfile
+import types
+import unittest
+
+import numpy
+import vtk
+import xarray
+from vtk.util.numpy_support import numpy_to_vtk
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import test_plot  # noqa: E402
+from test_plot import SCRIPTS, write  # noqa: E402
+
+import plot_choice  # noqa: E402
+import plot_histories  # noqa: E402
+import plot_movie  # noqa: E402
+import plot_wall  # noqa: E402
+import plot_waves  # noqa: E402
+import render_field  # noqa: E402
+
+
+def header_of(path):
+    with open(path, encoding="utf-8") as stream:
+        return next(csv.reader(stream))
+
+
+class Tables(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = temporary.name
+        self.plots = os.path.join(self.folder, "plots")
+        os.mkdir(self.plots)
+        self.sheet = test_plot.Looks.Sheet(self.plots, 6)
+        self.run = {"folder": self.folder, "title": "run", "summary": {}}
+
+    def test_power_balances(self):
+        """What leaves through an outlet is drawn; what it stores is a part of it, and a region's share a part of a term."""
+        write(os.path.join(self.folder, "power.csv"), "time [s],external [W],kinetic [W],fluid: kinetic [W],outlet end: leaving [W],outlet end: stored [W]\n"
+                                                      "0,5,2,1,3,1\n1,6,2,1,4,2\n")
+        plot_histories.draw_power(self.sheet, [self.run])
+        names = header_of(os.path.join(self.plots, "power.csv"))[1::2]
+        self.assertEqual(names, ["external [W]", "kinetic [W]", "outlet end: leaving [W]"])
+        with open(os.path.join(self.plots, "power.csv"), encoding="utf-8") as stream:
+            for row in list(csv.reader(stream))[1:]:
+                self.assertEqual(float(row[1]), float(row[3]) + float(row[5]))
+
+    def test_one_probe_over_another(self):
+        """A loop: the diameter 2 p - p^2/100 over the pressure, up and down."""
+        pressures = [*range(0, 50), *range(50, -1, -1)]
+        write(os.path.join(self.folder, "probes.csv"), "time [s],tube: pressure [Pa],tube: wall distension [m],axis: pressure [Pa]\n"
+              + "".join(f"{i},{p},{1e-3 * (2 * p - p * p / 100)},{p + 1}\n" for i, p in enumerate(pressures)))
+        plot_histories.draw_over(self.sheet, [self.run], "tube: pressure")
+        path = os.path.join(self.plots, "over-tube-pressure-wall-distension.csv")
+        self.assertEqual(header_of(path), ["tube: pressure [Pa]", "tube: wall distension [m]"])
+        with open(path, encoding="utf-8") as stream:
+            rows = [[float(value) for value in row] for row in list(csv.reader(stream))[1:]]
+        self.assertEqual([row[0] for row in rows], pressures)
+        for p, distension in rows:
+            self.assertAlmostEqual(distension, 1e-3 * (2 * p - p * p / 100))
+        with self.assertRaises(plot_choice.ChoiceError) as caught:
+            plot_histories.draw_over(self.sheet, [self.run], "tube: presure")
+        self.assertIn("it has tube: pressure, tube: wall distension, axis: pressure", str(caught.exception))
+
+    def test_every_probe_with_stations(self):
+        for probe in ("parent", "branch"):
+            write(os.path.join(self.folder, f"wave-{probe}.csv"), f'time [s],"{probe} 0 m: pressure, simulated [Pa]","{probe} 0.1 m: pressure, simulated [Pa]"\n'
+                                                                 + "".join(f"{t},{t * (5 - t)},{t * (4 - t)}\n" for t in range(5)))
+        plot_waves.draw(self.sheet, [self.run], False)
+        made = {os.path.basename(path) for path in self.sheet.written if path.endswith("csv")}
+        self.assertEqual(made, {f"{picture}-pressure-{probe}.csv" for picture in ("wave", "space-time") for probe in ("parent", "branch")})
+        self.assertEqual(self.sheet.legends["wave-pressure-parent"][0], "Probe parent:")
+
+    def test_one_station(self):
+        """A curve over time with its values on the axis."""
+        write(os.path.join(self.folder, "wave.csv"), 'time [s],"tube 0.1 m: pressure, simulated [Pa]"\n' + "".join(f"{t},{1000 * t * (5 - t)}\n" for t in range(5)))
+        plot_waves.draw(self.sheet, [self.run], False)
+        self.assertEqual(self.sheet.panels["wave-pressure"], [("station at 100 mm", 1)])
+        self.assertEqual(self.sheet.outside, [])
+
+    def test_beats_have_no_envelope(self):
+        time = numpy.linspace(0, 6, 301)
+        write(os.path.join(self.folder, "probes.csv"), "time [s],tip: pressure [Pa]\n" + "".join(f"{t},{math.sin(2 * math.pi * t)}\n" for t in time.tolist()))
+        for beats, wanted in (({}, True), ({"time [s]": [1.0]}, False)):
+            sheet = test_plot.Looks.Sheet(self.plots, 6)
+            plot_histories.draw_probes(sheet, [{**self.run, "summary": {"beats": beats}}])
+            self.assertEqual(any("envelope" in path for path in sheet.written), wanted)
+
+    def test_axes_of_the_dispersion(self):
+        rows = "".join(f"{f},{speed},{10.0 ** (f / 40)},{'nan' if f < 90 else 3}\n" for f, speed in zip(range(1, 101), numpy.linspace(6, 9, 100)))
+        write(os.path.join(self.folder, "dispersion.csv"), "frequency [Hz],pressure wave: phase speed [m/s],pressure wave: attenuation [1/m],bending wave: phase speed [m/s]\n" + rows)
+        scales = {}
+        self.sheet.save = lambda figure, name: scales.update({name: [axes.get_yscale() for axes in figure.axes]})
+        plot_waves.draw_dispersion(self.sheet, {**self.run, "summary": {"pre-flight report": {"load frequency [Hz]": 4.0}}})
+        # From 6 to 9 m/s, and over two decades. A wave that there is from 90 Hz on is beyond ten times the load's frequency.
+        self.assertEqual(scales["dispersion"], ["linear", "log"])
+        self.assertNotIn("bending wave", [text for texts in self.sheet.legends.values() for text in texts])
+
+
+def plane(nx, ny, field):
+    """A state (xarray) of the unit square of nx times ny cells without common points, `field` of (x, y), of a liquid."""
+    points, cells = [], []
+    for i in range(nx):
+        for j in range(ny):
+            cells.append([len(points) + k for k in range(4)])
+            points += [(i / nx, j / ny), ((i + 1) / nx, j / ny), ((i + 1) / nx, (j + 1) / ny), (i / nx, (j + 1) / ny)]
+    points = numpy.array(points)
+    values = numpy.array([field(x, y) for x, y in points])
+    return xarray.Dataset({"oscillatory_shear_index": ("point", values), "phase": ("point", numpy.zeros(len(points))), "cells": (("cell", "corner"), numpy.array(cells))},
+                          {"x": ("point", points[:, 0]), "y": ("point", points[:, 1]), "z": ("point", numpy.zeros(len(points)))})
+
+
+class Walls(unittest.TestCase):
+    def test_two_walls(self):
+        """Of a channel: the values at y = 0 and y = 1, in order of x; the ends have none."""
+        walls = plot_wall.walls_of(plane(8, 4, lambda x, y: 1 + x + y if y in (0, 1) else 0), "oscillatory_shear_index")
+        self.assertEqual(len(walls), 2)
+        for (points, values), y in zip(walls, (0, 1)):
+            place, name = plot_wall.position_along(points)
+            self.assertEqual((name, len(place)), ("x", 9))
+            numpy.testing.assert_allclose(points[:, 1], y)
+            numpy.testing.assert_allclose(values, 1 + points[:, 0] + y)
+
+    def test_edges_inside(self):
+        """Values at all nodes of a row of cells: the way around it, without the edges between two cells."""
+        (points, _), = plot_wall.walls_of(plane(4, 1, lambda x, y: 1.0), "oscillatory_shear_index")
+        self.assertEqual(len(points), 11)
+
+    def test_wall_around_a_corner(self):
+        """Along x = 1 and y = 1 the position is the length."""
+        (points, _), = plot_wall.walls_of(plane(4, 4, lambda x, y: float(x == 1 or y == 1)), "oscillatory_shear_index")
+        place, name = plot_wall.position_along(points)
+        self.assertEqual(name, "length along the wall")
+        self.assertAlmostEqual(place[-1], 2)
+        numpy.testing.assert_allclose(numpy.diff(place), 0.25)
+
+
+def cube():
+    """A grid of one cell, 0 to 1, with the linear field 1 + 2 x + 3 y + 4 z as pressure, a velocity of 0 and a displacement."""
+    grid = vtk.vtkUnstructuredGrid()
+    points, cell = vtk.vtkPoints(), vtk.vtkHexahedron()
+    corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+    for i, corner in enumerate(corners):
+        cell.GetPointIds().SetId(i, points.InsertNextPoint(*corner))
+    grid.SetPoints(points)
+    grid.InsertNextCell(vtk.VTK_HEXAHEDRON, cell.GetPointIds())
+    for name, values in (("pressure", [1 + 2 * x + 3 * y + 4 * z for x, y, z in corners]), ("velocity", numpy.zeros((8, 3))), ("displacement", numpy.ones((8, 3))),
+                         ("wall_shear_stress", [(0, 0, 0)] * 4 + [(3, 4, 0)] * 4)):
+        array = numpy_to_vtk(numpy.array(values, float), deep=True)
+        array.SetName(name)
+        grid.GetPointData().AddArray(array)
+    return grid
+
+
+class Rendering(unittest.TestCase):
+    def test_section(self):
+        """The plane y = 0.25 in the coordinates x and z, with the field as it is there."""
+        section = render_field.cut_plane(cube(), {"axis": 1, "at": 0.25})
+        points = render_field.vtk_to_numpy(section.GetPoints().GetData())
+        self.assertEqual(points[:, 2].max(), 0)
+        values = render_field.vtk_to_numpy(section.GetPointData().GetArray("pressure"))
+        numpy.testing.assert_allclose(values, 1.75 + 2 * points[:, 0] + 4 * points[:, 1], rtol=1e-6)
+        with self.assertRaises(SystemExit):
+            render_field.cut_plane(cube(), {"axis": 1, "at": 2.0})
+
+    def test_field_of_a_solid_at_rest(self):
+        self.assertEqual(render_field.values_of(cube(), None)[0], "displacement")
+
+    def test_values_at_walls_alone(self):
+        values = render_field.values_of(cube(), "wall_shear_stress")[2]
+        self.assertTrue(numpy.isnan(values[:4]).all())
+        numpy.testing.assert_allclose(values[4:], 5)
+
+    def test_lines_of_the_mesh(self):
+        lines = render_field.mesh_lines(cube())
+        self.assertTrue(render_field.wants_lines(lines, 20, None, True))
+        self.assertFalse(render_field.wants_lines(lines, 5, None, True))
+        self.assertTrue(render_field.wants_lines(lines, 5, True, True))
+        self.assertFalse(render_field.wants_lines(lines, 20, False, True))
+
+    def test_margins(self):
+        """100 x 50 pixels of 2 m x 1 m, of which the columns 20 to 59 and the rows 10 to 29 show something."""
+        extent = render_field.crop_of((0, 2, 0, 1), (50, 100), range(10, 30), range(20, 60))
+        numpy.testing.assert_allclose(extent, (0.38, 1.22, 0.38, 0.82))
+
+
+class Options(unittest.TestCase):
+    def test_section(self):
+        self.assertEqual(plot_choice.read_section("z = -2.5 mm"), {"axis": 2, "at": -0.0025})
+        for wrong in ("x=20", "w=1mm", "x", "x=1..2mm"):
+            with self.assertRaises(argparse.ArgumentTypeError):
+                plot_choice.read_section(wrong)
+
+    def test_size(self):
+        self.assertEqual(plot_movie.read_size("1920x1080"), (1920, 1080))
+        for wrong in ("1920", "1920x", "10x10", "1e3x100"):
+            with self.assertRaises(argparse.ArgumentTypeError):
+                plot_movie.read_size(wrong)
+        frame = plot_movie.filled(plot_movie.PIL.Image.new("RGB", (60, 20), "black"), (100, 40))
+        self.assertEqual((frame.size, frame.getpixel((19, 20)), frame.getpixel((20, 20))), ((100, 40), (255, 255, 255), (0, 0, 0)))
+
+    def test_follow(self):
+        """Drawn until the run has ended; a table that is being written is read the next time."""
+        loader = importlib.machinery.SourceFileLoader("plot_script", os.path.join(SCRIPTS, "plot"))
+        script = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
+        loader.exec_module(script)
+        states, drawn = iter(["running", "running", "finished"]), []
+
+        def draw(arguments):
+            drawn.append(arguments)
+            if len(drawn) == 1:
+                raise script.continua.ResultsError("probes.csv", "is being written")
+
+        script.continua = types.SimpleNamespace(open=lambda folder: types.SimpleNamespace(status=next(states)), ResultsError=script.continua.ResultsError)
+        script.draw, script.time = draw, types.SimpleNamespace(sleep=lambda seconds: None, monotonic=lambda: 0.0)
+        script.follow(types.SimpleNamespace(folders=["folder"]))
+        self.assertEqual(len(drawn), 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
