@@ -118,8 +118,11 @@ void RunSeries::prepare_folders(const std::vector<PlannedRun> &plans,
   on_writing_rank(communicator,
                   [&]()
                   {
+                    std::vector<std::string> names;
+                    names.reserve(plans.size());
                     for (const PlannedRun &plan : plans)
-                      directory.file_of_case(plan.name + "/");
+                      names.push_back(plan.name + "/");
+                    directory.remember(names);
                   });
   for (std::size_t i = 0; i < plans.size(); ++i)
     if (states[i] == State::fresh)
