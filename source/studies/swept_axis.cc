@@ -15,6 +15,11 @@ bool ends_with_a_number(const std::string &path)
   return !path.empty() && path.back() >= '0' && path.back() <= '9';
 }
 
+std::string refusal(const std::string &path, const std::string &value)
+{
+  return "'" + path + "' does not accept " + value;
+}
+
 std::string remedy_of(const NumericEntry &entry)
 {
   if (entry.is_whole())
@@ -47,7 +52,7 @@ SweptAxis::SweptAxis(const ParameterFile &file,
       numbers.push_back(parse_quantity(value, entry->dimension()));
       // What stands alone is refused by the entry itself, with its range.
       if (entry->is_in_list() && !entry->accepts(numbers.back()))
-        throw std::invalid_argument("'" + path + "' does not accept " + value);
+        throw std::invalid_argument(refusal(path, value));
     }
     catch (const std::invalid_argument &error)
     {
