@@ -275,25 +275,13 @@ std::string OutputDirectory::file(const std::string &name) const
 
 std::string OutputDirectory::file_of_case(const std::string &name) const
 {
-  remember({name});
-  return directory + "/" + name;
-}
-
-void OutputDirectory::remember(const std::vector<std::string> &names) const
-{
   const std::string list = file(list_of_others);
-  std::set<std::string> known;
-  std::string text;
-  std::ifstream before(list);
-  for (std::string name; std::getline(before, name);)
-    if (known.insert(name).second)
-      text += name + "\n";
-  const std::size_t n_known = known.size();
-  for (const std::string &name : names)
-    if (known.insert(name).second)
-      text += name + "\n";
-  if (known.size() > n_known)
-    write_file_atomically(list, text);
+  std::ostringstream text;
+  if (std::ifstream before(list); before && before.peek() != std::ifstream::traits_type::eof())
+    text << before.rdbuf();
+  if (("\n" + text.str()).find("\n" + name + "\n") == std::string::npos)
+    write_file_atomically(list, text.str() + name + "\n");
+  return directory + "/" + name;
 }
 
 const std::string &OutputDirectory::path() const

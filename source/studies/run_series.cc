@@ -118,11 +118,8 @@ void RunSeries::prepare_folders(const std::vector<PlannedRun> &plans,
   on_writing_rank(communicator,
                   [&]()
                   {
-                    std::vector<std::string> names;
-                    names.reserve(plans.size());
                     for (const PlannedRun &plan : plans)
-                      names.push_back(plan.name + "/");
-                    directory.remember(names);
+                      directory.file_of_case(plan.name + "/");
                   });
   for (std::size_t i = 0; i < plans.size(); ++i)
     if (states[i] == State::fresh)

@@ -47,8 +47,6 @@ public:
   /// The folder remembers the name (other-files.txt), so that an overwrite removes it. On rank 0
   /// alone; throws RunError when the disk refuses.
   std::string file_of_case(const std::string &name) const;
-  /// Remembers several such names at once.
-  void remember(const std::vector<std::string> &names) const;
   const std::string &path() const;
   /// What the user should know of the folder: that it cannot be locked. The same on all ranks.
   const std::string &warning() const { return text_of_warning; }
