@@ -16,13 +16,18 @@
 
 namespace
 {
-/// The names of a path "A/B/C".
+/// The names of a path "A/B/C"; one with a slash stands between quotes.
 std::vector<std::string> names_of(const std::string &path)
 {
-  std::vector<std::string> names;
-  std::istringstream parts(path);
-  for (std::string name; std::getline(parts, name, '/');)
-    names.push_back(name);
+  std::vector<std::string> names(1);
+  bool is_quoted = false;
+  for (const char letter : path)
+    if (letter == '"')
+      is_quoted = !is_quoted;
+    else if (letter == '/' && !is_quoted)
+      names.emplace_back();
+    else
+      names.back() += letter;
   return names;
 }
 

@@ -169,6 +169,7 @@ std::vector<RunResult> RunSeries::perform(const std::vector<PlannedRun> &plans,
     begun_runs = content_of(directory.file("checkpoint/begun runs"), communicator);
   }
   std::vector<State> states;
+  states.reserve(plans.size());
   for (const PlannedRun &plan : plans)
     states.push_back(state_of(plan));
   // Before the first run, since a folder may be refused.

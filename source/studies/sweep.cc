@@ -2,7 +2,6 @@
 
 #include <continua/base/input_error.h>
 #include <continua/base/nearest_name.h>
-#include <continua/base/units.h>
 #include <continua/studies/run_pool.h>
 
 #include <deal.II/base/mpi.h>
@@ -10,7 +9,6 @@
 #include <algorithm>
 #include <set>
 #include <sstream>
-#include <stdexcept>
 
 namespace Continua
 {
@@ -131,59 +129,12 @@ void Sweep::read_input()
 void Sweep::find_entries()
 {
   for (const SweepParameters::Axis &axis : parameters.axes)
-    axes.push_back(find_entry(axis));
+    axes.emplace_back(file, entries(), axis.path, axis.values);
   for (auto one = axes.begin(); one != axes.end(); ++one)
     for (auto other = axes.begin(); other != one; ++other)
       if (one->entry && other->entry && one->entry->path() == other->entry->path())
         entries().refuse(one->path, "this is the number of '" + other->path + "'",
                          "Give all its values in one line");
-}
-
-Sweep::Axis Sweep::find_entry(const SweepParameters::Axis &of_file) const
-{
-  Axis axis;
-  axis.path = of_file.path;
-  axis.values = of_file.values;
-  std::string no_number;
-  try
-  {
-    axis.entry.emplace(file, axis.path, entries(), axis.path);
-  }
-  catch (const InputError &error)
-  {
-    // Words, lists as a whole, and entries that only the values of others bring about: the input of
-    // the runs says whether they are right. A place in a list is never an entry.
-    const bool may_be_a_place =
-        axis.path.find_last_not_of("0123456789") + 1 < axis.path.size() && axis.path.back() != '/';
-    if (may_be_a_place)
-      throw;
-    return axis;
-  }
-  for (const std::string &value : axis.values)
-  {
-    std::string problem;
-    double number = 0.;
-    try
-    {
-      number = parse_quantity(value, axis.entry->dimension());
-    }
-    catch (const std::invalid_argument &error)
-    {
-      problem = error.what();
-    }
-    // What stands alone is refused by the entry itself, with its range.
-    if (problem.empty() && axis.entry->is_in_list() && !axis.entry->accepts(number))
-      problem = "'" + axis.path + "' does not accept " + value;
-    const std::string units = usual_units(axis.entry->dimension());
-    if (!problem.empty())
-      entries().refuse(axis.path, problem,
-                       axis.entry->is_whole()
-                           ? "Give whole numbers that the entry accepts"
-                           : "Give numbers that the entry accepts" +
-                                 (units.empty() ? "" : ", with a unit like " + units));
-    axis.numbers.push_back(number);
-  }
-  return axis;
 }
 
 std::vector<unsigned int> Sweep::runs_to_read() const
@@ -278,7 +229,7 @@ std::string Sweep::identity(const std::string &of_file, const unsigned int run) 
 {
   std::string text = of_file + " " + parameters.analysis;
   for (const auto &[path, value] : settings(run))
-    text += ", " + path + "=" + value;
+    text.append(", ").append(path).append("=").append(value);
   // A word may name a file; each value of a grid was read with the first values of the others.
   const std::vector<unsigned int> places = parameters.places(run);
   for (std::size_t axis = 0; axis < axes.size(); ++axis)
@@ -294,8 +245,8 @@ std::string Sweep::identity(const std::string &of_file, const unsigned int run) 
 std::vector<PlannedRun> Sweep::plan_runs(const std::string &output) const
 {
   std::vector<std::string> left_out = {"Sweep", "Analysis", "Title"};
-  for (const Axis &axis : axes)
-    left_out.push_back(axis.entry ? axis.entry->path_of_entry() : axis.path);
+  for (const SweptAxis &axis : axes)
+    left_out.push_back(axis.path_of_entry());
   const std::string of_file = file.identity(left_out);
   double most_memory = 0.;
   for (const auto &[run, read] : read_runs)
@@ -325,11 +276,7 @@ std::vector<SweptEntry> Sweep::swept_entries() const
     entry.path = axes[i].path;
     entry.unit = axes[i].entry ? axes[i].entry->unit() : "";
     for (unsigned int run = 0; run < parameters.n_runs(); ++run)
-    {
-      const unsigned int place = parameters.places(run)[i];
-      entry.values.push_back(axes[i].entry ? shortest_number(axes[i].numbers[place])
-                                           : axes[i].values[place]);
-    }
+      entry.values.push_back(axes[i].in_table(parameters.places(run)[i]));
     result.push_back(entry);
   }
   return result;
@@ -353,7 +300,7 @@ void Sweep::describe_runs(Summary &summary) const
 std::vector<std::string> Sweep::outline() const
 {
   std::vector<std::string> lines = {"analysis: sweep of " + parameters.analysis};
-  for (const Axis &axis : axes)
+  for (const SweptAxis &axis : axes)
   {
     std::string line = axis.path + ":";
     for (const std::string &value : axis.values)

@@ -44,6 +44,7 @@ double SweepReport::value(const SweptRun &run, const std::string &label) const
 std::vector<std::string> SweepReport::columns(const std::vector<SweptEntry> &entries)
 {
   std::vector<std::string> result;
+  result.reserve(entries.size());
   for (const SweptEntry &entry : entries)
     result.push_back(entry.unit.empty() ? entry.path : with_unit(entry.path, entry.unit));
   return result;

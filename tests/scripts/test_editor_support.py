@@ -4,6 +4,7 @@ unknown key and completes one."""
 import glob
 import json
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -23,7 +24,8 @@ def nested(file):
     done = subprocess.run([PROGRAM, file, "--print-parameters=json"], capture_output=True, text=True, check=True)
     root = {}
     for entry in json.loads(done.stdout):
-        *sections, key = entry["path"].split("/")
+        # A name with a slash stands between quotes, as the entries of a sweep.
+        *sections, key = [name.strip('"') for name in re.findall(r'"[^"]*"|[^/]+', entry["path"])]
         place = root
         for section in sections:
             place = place.setdefault(section, {})

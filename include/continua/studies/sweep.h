@@ -1,10 +1,10 @@
 #ifndef continua_studies_sweep_h
 #define continua_studies_sweep_h
 
-#include <continua/base/numeric_entry.h>
 #include <continua/studies/study.h>
 #include <continua/studies/sweep_parameters.h>
 #include <continua/studies/sweep_report.h>
+#include <continua/studies/swept_axis.h>
 
 #include <map>
 #include <memory>
@@ -32,14 +32,6 @@ public:
   std::vector<std::string> outline() const override;
 
 private:
-  /// One entry: what SweepParameters::Axis says, and what the file knows of it.
-  struct Axis
-  {
-    std::string path;
-    std::vector<std::string> values;
-    std::optional<NumericEntry> entry; ///< of numbers
-    std::vector<double> numbers;       ///< then the values [SI]
-  };
   /// The input of a run, read.
   struct ReadRun
   {
@@ -50,7 +42,7 @@ private:
   using Settings = std::vector<std::pair<std::string, std::string>>;
 
   SweepParameters parameters;
-  std::vector<Axis> axes;
+  std::vector<SweptAxis> axes;
   std::map<unsigned int, ReadRun> read_runs; ///< by the number of the run
 
   ParameterSection entries() const { return section().subsection("Entries"); }
@@ -59,7 +51,6 @@ private:
   /// Reads the input of the file alone: what is wrong with it is not said of a run.
   void read_input();
   void find_entries();
-  Axis find_entry(const SweepParameters::Axis &axis) const;
   std::vector<unsigned int> runs_to_read() const;
   void read_run(unsigned int run);
   void name_quantities();

@@ -11,9 +11,9 @@ namespace Continua
  * separated by commas outside of parentheses and quotes; an item is
  * - a value, "2 MPa" or "crank nicolson"; one with commas stands in parentheses, "(4, 2)", which
  *   are left out;
- * - a range with its ends, "1 MPa to 3 MPa in 5" (so many values at equal distances) or "1 Hz to
- * 100 Hz in 7 logarithmic" (at equal ratios). The values between the ends are in the unit of the
- *   first end and rounded to six digits.
+ * - a range with its ends: "1 MPa to 3 MPa in 5" is so many values at equal distances, and "1 Hz
+ *   to 100 Hz in 7 logarithmic" at equal ratios. The values between the ends are in the unit of
+ *   the first end and rounded to six digits.
  *
  * As in other lists, a unit behind the last number holds for all numbers before it that have none.
  *
