@@ -118,8 +118,7 @@ std::string quantity_remedy(const Dimension &dimension, const Range &range, cons
          (units.empty() ? "" : ", with a unit like " + units);
 }
 
-NumericForm
-whole_numbers(const bool is_list, const unsigned int lower, const unsigned int upper)
+NumericForm whole_numbers(const bool is_list, const unsigned int lower, const unsigned int upper)
 {
   return {is_list, true, Dimensions::none,
           Range{static_cast<double>(lower), static_cast<double>(upper), false, false}};
@@ -225,7 +224,8 @@ EntryType<std::vector<unsigned int>> integer_list_type(const std::vector<unsigne
               numbers.push_back(read_integer(item, lower, upper));
             return numbers;
           },
-          [](const std::vector<unsigned int> &numbers) { return list_text(numbers, write_integer); },
+          [](const std::vector<unsigned int> &numbers)
+          { return list_text(numbers, write_integer); },
           whole_numbers(true, lower, upper)};
 }
 

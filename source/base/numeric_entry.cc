@@ -29,9 +29,9 @@ std::vector<std::string> names_of_path(const std::string &path)
 const Declaration *find_declaration(const std::vector<Declaration> &declarations,
                                     const std::vector<std::string> &path)
 {
-  const auto found = std::find_if(declarations.begin(), declarations.end(),
-                                  [&path](const Declaration &declaration)
-                                  { return declaration.path() == path; });
+  const auto found =
+      std::find_if(declarations.begin(), declarations.end(),
+                   [&path](const Declaration &declaration) { return declaration.path() == path; });
   return found == declarations.end() ? nullptr : &*found;
 }
 
@@ -41,8 +41,7 @@ std::size_t take_place(std::vector<std::string> &path)
   std::string &key = path.back();
   const std::size_t blank = key.rfind(' ');
   if (blank == std::string::npos || blank == 0 || blank + 1 == key.size() ||
-      key.find_first_not_of("0123456789", blank + 1) != std::string::npos ||
-      key.size() - blank > 6)
+      key.find_first_not_of("0123456789", blank + 1) != std::string::npos || key.size() - blank > 6)
     return 0;
   const std::size_t place = std::stoul(key.substr(blank + 1));
   key.erase(blank);

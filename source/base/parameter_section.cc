@@ -35,8 +35,9 @@ void declare_and_get(ParameterStore &store,
   const auto one_form = [read = type.read, write = type.write, none_is_default,
                          none = type.write(variable)](const std::string &value)
   { return value.empty() && none_is_default ? none : write(read(value)); };
-  const ParameterStore::Declaration declaration{names,     key,  type.default_value, type.values,
-                                                type.unit, text, one_form,           is_input_file, type.number};
+  const ParameterStore::Declaration declaration{names,       key,           type.default_value,
+                                                type.values, type.unit,     text,
+                                                one_form,    is_input_file, type.number};
   store.declare(declaration,
                 EntryPattern(type.values, type.may_be_empty || none_is_default, type.read));
 

@@ -41,8 +41,8 @@ InterpolatedModel::InterpolatedModel(FitModel &model,
     sets.emplace_back();
     for (std::size_t j = 0; j < parameters.size(); ++j)
     {
-      sets.back().push_back(parameters[j].value(
-          centre[j] + half_widths[j] * nodes[j][rest % nodes[j].size()]));
+      sets.back().push_back(
+          parameters[j].value(centre[j] + half_widths[j] * nodes[j][rest % nodes[j].size()]));
       rest /= nodes[j].size();
     }
   }

@@ -102,7 +102,8 @@ const AnalysisTable &analyses()
            "Refinement study"),
        row_of_study<Identification, IdentificationParameters>(
            "identification",
-           "Numbers of the file, such as the modulus of a wall, from what was measured at stations, "
+           "Numbers of the file, such as the modulus of a wall, from what was measured at "
+           "stations, "
            "with their errors; or the errors that an experiment would give.",
            "Identification"),
        row_of_sweep(),

@@ -24,8 +24,7 @@ namespace
 {
 unsigned int n_threads_of(const IdentificationParameters &parameters)
 {
-  return parameters.n_parallel > 0 ? parameters.n_parallel
-                                   : RunPool::n_cores();
+  return parameters.n_parallel > 0 ? parameters.n_parallel : RunPool::n_cores();
 }
 } // namespace
 
@@ -66,6 +65,7 @@ void Identification::read_case()
 {
   const Case<dim> input = analyses.read_case<dim>(file, communicator, CaseUse::check,
                                                   by_theory ? "linear wave theory" : "transient");
+  parameters.check(file.root());
   for (const StationsProbe &probe : input.probes.stations())
   {
     probes.push_back(probe.name);
@@ -99,9 +99,10 @@ void Identification::read_sought()
                   "Remove the subsection, or the subsection 'Expected noise'");
   if (std::all_of(sought.begin(), sought.end(),
                   [](const SoughtEntry &number) { return number.parameter.is_held(); }))
-    section().refuse("Parameters", "nothing is sought",
-                     "Add 'subsection Parameters' with a subsection for each number, in which Entry "
-                     "names it");
+    section().refuse(
+        "Parameters", "nothing is sought",
+        "Add 'subsection Parameters' with a subsection for each number, in which Entry "
+        "names it");
 }
 
 void Identification::read_candidates()
@@ -117,8 +118,8 @@ void Identification::read_candidates()
     else
       always.push_back(r);
   if (!parameters.candidates.empty() && candidates.size() < parameters.n_added)
-    section().refuse("Records to add", "there are only " + std::to_string(candidates.size()) +
-                                           " candidates",
+    section().refuse("Records to add",
+                     "there are only " + std::to_string(candidates.size()) + " candidates",
                      "Give a smaller number, or more stations and fields");
 }
 
@@ -174,8 +175,8 @@ void Identification::read_other_case() const
   }
   catch (const InputError &error)
   {
-    section().refuse("Model error",
-                     std::string("with it the case is refused: ") + error.what(), "");
+    section().refuse("Model error", std::string("with it the case is refused: ") + error.what(),
+                     "");
   }
 }
 

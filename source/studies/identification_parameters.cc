@@ -57,10 +57,11 @@ void read_fit(ParameterSection &section, IdentificationParameters &parameters)
               "From how many places the fit starts: the given one, and others spread between the "
               "bounds; the best fit is taken [1].",
               1, 1000);
-  section.add("Difference step", parameters.difference_step, Dimensions::none,
-              "Half the distance of the two runs of a derivative: on a logarithmic scale as a part of "
-              "the number, else of the smaller one of the number and of its size (start or range).",
-              Range{1e-8, 0.1});
+  section.add(
+      "Difference step", parameters.difference_step, Dimensions::none,
+      "Half the distance of the two runs of a derivative: on a logarithmic scale as a part of "
+      "the number, else of the smaller one of the number and of its size (start or range).",
+      Range{1e-8, 0.1});
   section.add("Profiles", parameters.profiles,
               "Whether the misfit over each number is told, with the others fitted anew: the "
               "interval that needs no linear model.");
@@ -73,11 +74,13 @@ void read_noise(ParameterSection &section, IdentificationParameters &parameters)
   parameters.noise.deviations = section.subsection("Noise").add_free_entries(
       "Standard deviation of the noise of a field (pressure = 0.2 mmHg) or of one record (stations "
       "0.1 m: pressure = 0.3 mmHg), with a unit of the field; or 'from rest': its correlation in "
-      "time is that of the rows before Rest until, its deviation that of the residuals. What is not "
+      "time is that of the rows before Rest until, its deviation that of the residuals. What is "
+      "not "
       "named is estimated from the residuals of the fit.");
-  section.add("Rest until", parameters.rest_until, Dimensions::time,
-              "The pulse arrives later than this time of the tables at each record whose noise comes "
-              "'from rest': the rows before it are at rest.");
+  section.add(
+      "Rest until", parameters.rest_until, Dimensions::time,
+      "The pulse arrives later than this time of the tables at each record whose noise comes "
+      "'from rest': the rows before it are at rest.");
   section.add("Correlation time", parameters.correlation_time, Dimensions::time,
               "Of noise that is given as a number: its correlation falls as exp(-t/this time), as "
               "behind a low-pass filter of the bandwidth 1/(2 pi this time); 0: white.",
@@ -130,13 +133,11 @@ void SoughtNumber::read(ParameterSection section)
   section.add("Prior mean", prior_mean,
               "What is known of the number from elsewhere: its mean, with a unit of the entry; "
               "empty: nothing.");
-  section.add("Prior standard deviation", prior_standard_deviation,
-              "What is known of the number from elsewhere: its standard deviation, with a unit of "
-              "the entry. On a logarithmic scale the logarithm is normal, with this over the mean.");
+  section.add(
+      "Prior standard deviation", prior_standard_deviation,
+      "What is known of the number from elsewhere: its standard deviation, with a unit of "
+      "the entry. On a logarithmic scale the logarithm is normal, with this over the mean.");
   section.require("Entry");
-  if (prior_mean.empty() != prior_standard_deviation.empty())
-    section.refuse(prior_mean.empty() ? "Prior standard deviation" : "Prior mean",
-                   "a prior has a mean and a standard deviation", "Give both, or none");
 }
 
 void IdentificationParameters::read(ParameterSection root)
@@ -167,14 +168,20 @@ void IdentificationParameters::read(ParameterSection root)
               "drawn anew, each of which is fitted. Their spread checks errors and intervals [1].",
               0, 100000);
   section.add("Seed", seed, "Of the noise of synthetic experiments [1].");
-  section.add("Synthetic noise is known", noise_is_known,
-              "Of synthetic experiments for Expected noise: whether their fits are given the noise, "
-              "or have to estimate its deviation and its correlation from the residuals.");
+  section.add(
+      "Synthetic noise is known", noise_is_known,
+      "Of synthetic experiments for Expected noise: whether their fits are given the noise, "
+      "or have to estimate its deviation and its correlation from the residuals.");
   expected = read_expected(section.subsection("Expected"));
+}
 
+void IdentificationParameters::check(ParameterSection root) const
+{
+  ParameterSection section = root.subsection("Identification");
   if (!other_entries.empty() && other_model == OtherModel::none)
-    others.refuse(other_entries.front().first, "there is no other model",
-                  "Set Model error, or remove the entry");
+    section.subsection("Entries of the other model")
+        .refuse(other_entries.front().first, "there is no other model",
+                "Set Model error, or remove the entry");
   const auto is_from_rest = [](const auto &deviation) { return deviation.second == "from rest"; };
   if (std::any_of(noise.deviations.begin(), noise.deviations.end(), is_from_rest))
     section.require("Rest until");

@@ -70,11 +70,11 @@ void IdentificationReport::add_fit_lines(std::vector<std::string> &all) const
   {
     const double error = fit.standard_errors[j];
     const ConfidenceInterval &interval = fit.intervals[j];
-    table.push_back({results.parameters[j].name, results.parameters[j].unit,
-                     estimate_text(fit.estimates[j], error) +
-                         (fit.at_bound[j] ? " (at its bound)" : ""),
-                     error_text(error), bound_text(interval.lower, interval.lower_is_bound, error),
-                     bound_text(interval.upper, interval.upper_is_bound, error)});
+    table.push_back(
+        {results.parameters[j].name, results.parameters[j].unit,
+         estimate_text(fit.estimates[j], error) + (fit.at_bound[j] ? " (at its bound)" : ""),
+         error_text(error), bound_text(interval.lower, interval.lower_is_bound, error),
+         bound_text(interval.upper, interval.upper_is_bound, error)});
   }
   for (const std::string &line : aligned_lines(table))
     all.push_back(line);
@@ -94,19 +94,20 @@ void IdentificationReport::add_fit_lines(std::vector<std::string> &all) const
                      number_text(record.noise.standard_deviation, 3) +
                          (record.noise_is_estimated ? " (estimated)" : ""),
                      record.treatment,
-                     std::isnan(probability) ? "-" : probability < 0.01 ? "no" : "yes"});
+                     std::isnan(probability) ? "-"
+                     : probability < 0.01    ? "no"
+                                             : "yes"});
   }
   for (const std::string &line : aligned_lines(table))
     all.push_back(line);
   for (const auto &[number, profile] : results.profiles)
   {
     const double error = fit.standard_errors[number];
-    all.push_back("By its profile '" + results.parameters[number].name + "' lies between " +
-                  bound_text(profile.interval.lower, profile.interval.lower_is_bound, error) +
-                  " and " +
-                  bound_text(profile.interval.upper, profile.interval.upper_is_bound, error) + " " +
-                  results.parameters[number].unit +
-                  (profile.remark.empty() ? "" : ": " + profile.remark));
+    all.push_back(
+        "By its profile '" + results.parameters[number].name + "' lies between " +
+        bound_text(profile.interval.lower, profile.interval.lower_is_bound, error) + " and " +
+        bound_text(profile.interval.upper, profile.interval.upper_is_bound, error) + " " +
+        results.parameters[number].unit + (profile.remark.empty() ? "" : ": " + profile.remark));
   }
   if (!results.bias)
     return;
@@ -154,12 +155,12 @@ void IdentificationReport::add_design_lines(std::vector<std::string> &all) const
 void IdentificationReport::add_synthetic_lines(std::vector<std::string> &all) const
 {
   const SyntheticExperiments::Outcome &outcome = *results.synthetic;
-  all.push_back(std::to_string(outcome.fits.size()) + " synthetic experiments" +
-                (outcome.n_failed > 0 ? ", " + std::to_string(outcome.n_failed) + " more failed"
-                                      : ""));
-  std::vector<std::vector<std::string>> table = {
-      {"number", "mean error / standard error", "spread / standard error",
-       "intervals with the truth"}};
+  all.push_back(
+      std::to_string(outcome.fits.size()) + " synthetic experiments" +
+      (outcome.n_failed > 0 ? ", " + std::to_string(outcome.n_failed) + " more failed" : ""));
+  std::vector<std::vector<std::string>> table = {{"number", "mean error / standard error",
+                                                  "spread / standard error",
+                                                  "intervals with the truth"}};
   for (std::size_t j = 0; j < sought.size(); ++j)
   {
     const SyntheticExperiments::OfParameter &of = outcome.parameters[j];
@@ -227,8 +228,9 @@ void IdentificationReport::add_quantities(Summary &summary) const
     if (std::isfinite(value))
       summary.add({name, value, unit, probe});
   };
-  const auto count = [&](const std::string &name, const double value)
-  { summary.add({name, value, "1", ""}); };
+  const auto count = [&](const std::string &name, const double value) {
+    summary.add({name, value, "1", ""});
+  };
   for (std::size_t j = 0; j < sought.size(); ++j)
   {
     const std::string &name = results.parameters[j].name, &unit = results.parameters[j].unit;

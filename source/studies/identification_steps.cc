@@ -102,8 +102,8 @@ void Identification::repeat_fit(StationFitModel &model,
   for (const RecordFit &record : results.fit->records)
     noise.push_back(record.noise);
   results.synthetic =
-      SyntheticExperiments(results.parameters, results.fit->estimates,
-                           results.fit->standard_errors, measured.records, noise, options)
+      SyntheticExperiments(results.parameters, results.fit->estimates, results.fit->standard_errors,
+                           measured.records, noise, options)
           .perform(model, parameters.n_experiments, parameters.seed);
 }
 
@@ -117,12 +117,11 @@ void Identification::find_bias(const OutputDirectory &directory,
   const auto &further = parameters.other_entries;
   results.other_model = second->name() + (further.empty() ? "" : " with other entries");
   log.note("Computing the other model for the bias: " + results.other_model);
-  const auto predicted = [&](ForwardModel &model,
-                             const std::vector<std::pair<std::string, std::string>> &entries)
+  const auto predicted =
+      [&](ForwardModel &model, const std::vector<std::pair<std::string, std::string>> &entries)
   {
     StationFitModel of_data(model, sought, measured, probes, entries);
-    const FitModel::Prediction prediction =
-        of_data.predict({results.fit->estimates}).front();
+    const FitModel::Prediction prediction = of_data.predict({results.fit->estimates}).front();
     if (!prediction.failure.empty())
       throw RunError("the bias cannot be told, since " + model.name() +
                      " fails at the estimates: " + prediction.failure);

@@ -58,10 +58,10 @@ std::string IdentificationReport::numbers_table() const
          {fit.estimates[j], fit.standard_errors[j], fit.intervals[j].lower, fit.intervals[j].upper,
           parameter.start, parameter.lower, parameter.upper})
       text += "," + cell_of(value);
-    text += std::string(",") + (parameter.is_held()                      ? "held"
-                                : fit.at_bound[j]                        ? "at bound"
+    text += std::string(",") + (parameter.is_held()                  ? "held"
+                                : fit.at_bound[j]                    ? "at bound"
                                 : std::isinf(fit.standard_errors[j]) ? "not seen"
-                                                                         : "free");
+                                                                     : "free");
     text += results.bias ? "," + cell_of(results.bias->bias[j]) + "," +
                                cell_of(results.bias->over_standard_error[j])
                          : ",,";
@@ -97,9 +97,8 @@ std::string IdentificationReport::fit_table() const
     for (std::size_t i = 0; i < record.size(); ++i)
     {
       text += csv_cell(record.name) + "," + csv_cell(record.unit);
-      for (const double value :
-           {record.times[i] + results.shifts[r], record.values[i], fit.prediction[i],
-            fit.residuals[i], fit.noise.standard_deviation})
+      for (const double value : {record.times[i] + results.shifts[r], record.values[i],
+                                 fit.prediction[i], fit.residuals[i], fit.noise.standard_deviation})
         text += "," + cell_of(value);
       text += "\n";
     }
@@ -152,8 +151,7 @@ std::string IdentificationReport::expected_errors_table() const
     for (std::size_t k = 0; k < 2; ++k)
     {
       const bool is_named = choice.records.size() <= 2 && k < choice.records.size();
-      const RecordSource *const source =
-          is_named ? &expected.sources[choice.records[k]] : nullptr;
+      const RecordSource *const source = is_named ? &expected.sources[choice.records[k]] : nullptr;
       text += source == nullptr
                   ? ",,"
                   : "," + cell_of(source->position) + "," + csv_cell(source->field_name);

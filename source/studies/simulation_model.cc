@@ -91,19 +91,20 @@ void SimulationModel::run(const std::vector<Settings> &all)
       plans.push_back(plan(settings));
       planned.push_back(settings);
     }
-  RunPool(n_parallel).perform(
-      plans, [](unsigned int) {},
-      [&](const unsigned int number, const std::string &failure)
-      {
-        const std::string &folder = plans[number].command_line.output_directory;
-        if (!failure.empty())
-        {
-          failures[planned[number]] = failure;
-          return;
-        }
-        histories[planned[number]] = read_run_columns(folder + "/probes.csv");
-        std::filesystem::remove_all(folder);
-      });
+  RunPool(n_parallel)
+      .perform(
+          plans, [](unsigned int) {},
+          [&](const unsigned int number, const std::string &failure)
+          {
+            const std::string &folder = plans[number].command_line.output_directory;
+            if (!failure.empty())
+            {
+              failures[planned[number]] = failure;
+              return;
+            }
+            histories[planned[number]] = read_run_columns(folder + "/probes.csv");
+            std::filesystem::remove_all(folder);
+          });
 }
 
 std::vector<ForwardAnswer> SimulationModel::answers(const std::vector<ForwardQuestion> &questions)
@@ -116,9 +117,8 @@ std::vector<ForwardAnswer> SimulationModel::answers(const std::vector<ForwardQue
   for (const ForwardQuestion &question : questions)
   {
     const auto found = histories.find(question.settings);
-    answers.push_back(found != histories.end()
-                          ? answer(found->second, question)
-                          : ForwardAnswer{{}, failures.at(question.settings)});
+    answers.push_back(found != histories.end() ? answer(found->second, question)
+                                               : ForwardAnswer{{}, failures.at(question.settings)});
   }
   return answers;
 }

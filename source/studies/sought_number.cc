@@ -35,8 +35,8 @@ double number_of(const ParameterSection &section,
   catch (const std::invalid_argument &error)
   {
     section.refuse(key, error.what(),
-                   "Give a number with a unit of '" + entry.path() + "': " +
-                       usual_units(entry.dimension()));
+                   "Give a number with a unit of '" + entry.path() +
+                       "': " + usual_units(entry.dimension()));
   }
 }
 
@@ -109,6 +109,9 @@ find_sought_entry(const ParameterFile &file, ParameterSection section, const Sou
   p.lower = number_of(section, "Lower", number.lower, entry, entry.range().lower);
   p.upper = number_of(section, "Upper", number.upper, entry, entry.range().upper);
   p.start = number_of(section, "Start", number.start, entry, entry.value());
+  if (number.prior_mean.empty() != number.prior_standard_deviation.empty())
+    section.refuse(number.prior_mean.empty() ? "Prior standard deviation" : "Prior mean",
+                   "a prior has a mean and a standard deviation", "Give both, or none");
   if (!number.prior_mean.empty())
     p.prior = Prior{
         number_of(section, "Prior mean", number.prior_mean, entry, 0.),

@@ -73,8 +73,9 @@ void set_noise_from_rest(const ParameterSection &section,
   record.noise.autoregressive = found.coefficients;
   std::ostringstream text;
   text.precision(3);
-  text << "Noise of '" << record.name << "' at rest (" << n << " rows): "
-       << found.standard_deviation << " " << record.unit << ", " << record.noise.description();
+  text << "Noise of '" << record.name << "' at rest (" << n
+       << " rows): " << found.standard_deviation << " " << record.unit << ", "
+       << record.noise.description();
   notes.push_back(text.str());
 }
 
@@ -115,8 +116,9 @@ void check_names(const ParameterSection &section,
   }
   for (const auto &deviation : deviations)
     if (std::none_of(names.begin(), names.end(),
-                     [&](const std::string &name)
-                     { return name == deviation.first || name == with_value_in_si(deviation.first); }))
+                     [&](const std::string &name) {
+                       return name == deviation.first || name == with_value_in_si(deviation.first);
+                     }))
     {
       const std::string nearest = nearest_name(deviation.first, names);
       section.refuse(deviation.first, "no record and no field is called so",
@@ -160,8 +162,7 @@ double clock_in_file(const std::vector<SoughtEntry> &sought, const std::string &
 }
 } // namespace
 
-std::string
-record_name(const std::string &probe, const double position, const std::string &field)
+std::string record_name(const std::string &probe, const double position, const std::string &field)
 {
   return probe + " " + named_value(position, "m") + ": " + field;
 }
@@ -243,8 +244,8 @@ StationRecords StationRecords::expected(const Case<dim> &input,
 {
   StationRecords all;
   const ParameterSection noise = section.subsection("Expected noise");
-  const double interval = parameters.sampling_interval > 0. ? parameters.sampling_interval
-                                                            : input.time.time_step;
+  const double interval =
+      parameters.sampling_interval > 0. ? parameters.sampling_interval : input.time.time_step;
   std::vector<double> times;
   for (unsigned int i = 0; i * interval <= input.time.end_time * (1. + 1e-12); ++i)
     times.push_back(std::min(i * interval, input.time.end_time));

@@ -21,9 +21,8 @@ constexpr double half_width_of_box = 7.;
 constexpr double largest_interpolation_error = 0.01;
 constexpr unsigned int n_checks = 4, fewest_nodes_of_box = 3, most_nodes_of_box = 5;
 
-std::vector<double> draw_noise(const Whitening &whitening,
-                               const std::size_t n,
-                               std::mt19937_64 &generator)
+std::vector<double>
+draw_noise(const Whitening &whitening, const std::size_t n, std::mt19937_64 &generator)
 {
   std::normal_distribution<double> normal;
   std::vector<double> white(n);
@@ -50,9 +49,9 @@ SyntheticExperiments::SyntheticExperiments(const std::vector<FitParameter> &of_f
   {
     FitParameter &parameter = parameters[j];
     const bool moves = !parameter.is_held() && std::isfinite(standard_errors[j]);
-    double half_width = moves ? half_width_of_box * standard_errors[j] /
-                                    parameter.value_per_coordinate(truth[j])
-                              : 0.;
+    double half_width =
+        moves ? half_width_of_box * standard_errors[j] / parameter.value_per_coordinate(truth[j])
+              : 0.;
     // Within the bounds of the user; a number at its bound stays there.
     const double at = parameter.coordinate(truth[j]);
     for (const double bound : {parameter.lower, parameter.upper})
@@ -141,8 +140,7 @@ SyntheticExperiments::Outcome SyntheticExperiments::perform(FitModel &model,
       ++outcome.n_failed;
     }
   }
-  outcome.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   summarise(outcome);
   return outcome;
 }

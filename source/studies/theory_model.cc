@@ -54,8 +54,7 @@ StationHistories waves_at(const StationsProbe &probe,
                           const TubeWaveCase &wave_case,
                           const std::vector<double> &times)
 {
-  const std::size_t n_before =
-      std::lower_bound(times.begin(), times.end(), 0.) - times.begin();
+  const std::size_t n_before = std::lower_bound(times.begin(), times.end(), 0.) - times.begin();
   StationHistories histories = station_waves(
       probe, theory, wave_case, std::vector<double>(times.begin() + n_before, times.end()));
   for (auto &of_station : histories)
@@ -75,12 +74,11 @@ answer_of(const TheoryCase<dim> &asked, const ForwardQuestion &question, KeptWav
   try
   {
     const Case<dim> &input = *asked.input;
-    const TubeWaveTheory theory(asked.wave_case.problem, asked.wave_case.inlet,
-                                input.time.end_time, input.wave_theory.spectral_tolerance, &kept);
+    const TubeWaveTheory theory(asked.wave_case.problem, asked.wave_case.inlet, input.time.end_time,
+                                input.wave_theory.spectral_tolerance, &kept);
     const std::vector<StationsProbe> &probes = input.probes.stations();
     for (std::size_t p = 0; p < probes.size(); ++p)
-      answer.histories.push_back(
-          waves_at(probes[p], theory, asked.wave_case, question.times[p]));
+      answer.histories.push_back(waves_at(probes[p], theory, asked.wave_case, question.times[p]));
   }
   catch (const std::exception &error)
   {
@@ -115,8 +113,7 @@ std::string TheoryModel::why_not(const std::vector<std::pair<std::string, std::s
 }
 
 template <int dim>
-std::vector<ForwardAnswer>
-TheoryModel::answers_of(const std::vector<ForwardQuestion> &questions)
+std::vector<ForwardAnswer> TheoryModel::answers_of(const std::vector<ForwardQuestion> &questions)
 {
   std::vector<ForwardAnswer> answers(questions.size());
   const unsigned int n = std::min<std::size_t>(n_threads, questions.size());

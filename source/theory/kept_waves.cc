@@ -10,9 +10,8 @@ namespace
 constexpr std::size_t most_rows = 120;
 } // namespace
 
-std::shared_ptr<const DispersionCurves> KeptWaves::waves(const TubeSection &section,
-                                                         const double shift,
-                                                         const double highest_frequency)
+std::shared_ptr<const DispersionCurves>
+KeptWaves::waves(const TubeSection &section, const double shift, const double highest_frequency)
 {
   {
     const std::lock_guard<std::mutex> lock(mutex);

@@ -148,8 +148,8 @@ void TubeWaveTheory::add_chains(const TubeWaveProblem &problem,
   const bool divides = problem.outlet == TubeWaveProblem::Outlet::divided;
   if (divides == problem.branches.empty())
     throw std::invalid_argument("A tube has branches if its outlet is divided, and only then.");
-  chains.push_back({TubeChain(problem, shift, last_frequency, kept), problem.length(), before,
-                    divides});
+  chains.push_back(
+      {TubeChain(problem, shift, last_frequency, kept), problem.length(), before, divides});
   for (const TubeWaveProblem &branch : problem.branches)
   {
     if (branch.inlet != TubeWaveProblem::Inlet::pressure)

@@ -4,6 +4,8 @@
 
 #include "../unit_test.h"
 
+#include <deal.II/base/mpi.h>
+
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -25,6 +27,7 @@ std::string content(const std::string &file)
 
 UNIT_TEST(evaluation_table)
 {
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const std::string folder = "evaluations_of_the_test";
   std::filesystem::remove_all(folder);
   std::vector<FitParameter> parameters(2);

@@ -1,4 +1,5 @@
-// From numbers of a file to predictions of records: entries, clocks, and what the file does not accept.
+// From numbers of a file to predictions of records: entries, clocks, and what the file does not
+// accept.
 
 #include <continua/base/input_error.h>
 #include <continua/studies/station_fit_model.h>
@@ -68,7 +69,9 @@ SoughtNumber number(const std::string &entry)
   return result;
 }
 
-void add_record(StationRecords &all, unsigned int probe, unsigned int station,
+void add_record(StationRecords &all,
+                unsigned int probe,
+                unsigned int station,
                 const std::vector<double> &times)
 {
   DataRecord record;
@@ -116,8 +119,8 @@ UNIT_TEST(station_fit_model)
     settings.append(path).append("=").append(value).append("; ");
   check::equal("entries", settings,
                "Time/End time=4 s; Materials/wall/Modulus=3 Pa; Materials/wall/Times=1 s, 7 s; ");
-  check::is_true("each time once", ramp.asked[0].times[1].size() == 3 &&
-                                       ramp.asked[0].times[1][2] == 3.25);
+  check::is_true("each time once",
+                 ramp.asked[0].times[1].size() == 3 && ramp.asked[0].times[1][2] == 3.25);
 
   const auto refused = [&](SoughtNumber wrong, const std::string &pattern)
   {

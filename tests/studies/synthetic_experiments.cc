@@ -1,5 +1,5 @@
-// Synthetic experiments with a straight line, whose errors theory knows, and with noise that a fit is
-// not told of.
+// Synthetic experiments with a straight line, whose errors theory knows, and with noise that a fit
+// is not told of.
 
 #include <continua/inference/fit_model.h>
 #include <continua/studies/synthetic_experiments.h>
@@ -86,8 +86,7 @@ UNIT_TEST(synthetic_experiments)
     check::absolute("spread of the " + name, white.parameters[j].spread, 1., 0.11);
     check::absolute("coverage of the " + name, white.parameters[j].coverage, 0.95, 0.033);
   }
-  check::is_true("noise is drawn anew",
-                 white.fits[0].estimates[0] != white.fits[1].estimates[0]);
+  check::is_true("noise is drawn anew", white.fits[0].estimates[0] != white.fits[1].estimates[0]);
   const auto again = setting.perform(setting.records[0].noise, {}, 1),
              other = setting.perform(setting.records[0].noise, {}, 2);
   check::is_true("by the seed", again.fits[5].estimates == white.fits[5].estimates &&

@@ -21,14 +21,15 @@ UNIT_TEST(kept_waves)
   KeptWaves kept;
   const auto pressure = [&](const TubeWaveProblem &of, const std::function<double(double)> &load,
                             KeptWaves *const waves)
-  { return TubeWaveTheory(of, load, 1., 1e-3, waves).histories({1.2}, times)[0].pressure; };
+  { return TubeWaveTheory(of, load, 1., 1e-2, waves).histories({1.2}, times)[0].pressure; };
   const std::vector<double> without = pressure(problem, inlet, nullptr);
-  check::absolute("the same as without", largest_difference(pressure(problem, inlet, &kept), without),
-                  0., 0.);
+  check::absolute("the same as without",
+                  largest_difference(pressure(problem, inlet, &kept), without), 0., 0.);
   check::is_true("computed once", kept.n_computed() == 1);
-  const std::vector<double> of_other = pressure(problem, other_inlet, nullptr);
-  check::absolute("another load",
-                  largest_difference(pressure(problem, other_inlet, &kept), of_other), 0., 1e-6);
+  std::vector<double> of_other = pressure(problem, other_inlet, &kept);
+  for (double &value : of_other)
+    value *= 100. / 70.;
+  check::absolute("another load", largest_difference(of_other, without), 0., 1e-9);
   TubeWaveProblem open = problem;
   open.outlet = TubeWaveProblem::Outlet::open;
   pressure(open, inlet, &kept);
@@ -36,9 +37,7 @@ UNIT_TEST(kept_waves)
   TubeWaveProblem softer = problem;
   softer.segments.front().section = tube(0.01, 1e-3, 1100., 0.9e6, 0.49, 1000., 1e-3);
   softer.segments.front().section.tethered = true;
-  check::absolute("another wall", largest_difference(pressure(softer, inlet, &kept),
-                                                     pressure(softer, inlet, nullptr)),
-                  0., 0.);
+  check::is_true("another wall", largest_difference(pressure(softer, inlet, &kept), without) > 1.);
   check::is_true("needs others", kept.n_computed() == 2);
   const TubeSection &section = problem.segments.front().section;
   kept.waves(section, 20., 5.);

@@ -12,7 +12,8 @@ namespace Continua
 /**
  * A model by polynomials in the coordinates of its parameters within a box around a point: Lagrange
  * interpolation of the values of another model at Chebyshev's nodes (J.-P. Berrut, L. N. Trefethen,
- * SIAM Review 46, 2004, 501). It stands for a dear model where thousands of fits stay near one point.
+ * SIAM Review 46, 2004, 501). It stands for a dear model where thousands of fits stay near one
+ * point.
  */
 class InterpolatedModel : public FitModel
 {
@@ -34,9 +35,9 @@ public:
 
 private:
   std::vector<FitParameter> parameters;
-  std::vector<double> centre, half_widths;       ///< coordinates
-  std::vector<std::vector<double>> nodes;        ///< by parameter, from -1 to 1
-  std::vector<std::vector<double>> values;       ///< by node of the grid, the first parameter fastest
+  std::vector<double> centre, half_widths; ///< coordinates
+  std::vector<std::vector<double>> nodes;  ///< by parameter, from -1 to 1
+  std::vector<std::vector<double>> values; ///< by node of the grid, the first parameter fastest
 
   std::vector<double> end_of_box(double sign) const;
   /// Lagrange's polynomials of a parameter at a coordinate.

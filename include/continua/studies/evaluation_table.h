@@ -12,8 +12,8 @@
 namespace Continua
 {
 /**
- * All evaluations of a fit, on disk: evaluations.csv for the reader, and checkpoint/evaluations with
- * the predictions, from which a restart goes on without computing anything twice.
+ * All evaluations of a fit, on disk: evaluations.csv for the reader, and checkpoint/evaluations
+ * with the predictions, from which a restart goes on without computing anything twice.
  */
 class EvaluationTable
 {

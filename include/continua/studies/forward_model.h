@@ -37,8 +37,8 @@ public:
   virtual std::string name() const = 0;
 };
 
-/// The command line whose file has no measurements at stations and no expected values: for runs that
-/// are asked for their histories alone. Throws InputError.
+/// The command line whose file has no measurements at stations and no expected values: for runs
+/// that are asked for their histories alone. Throws InputError.
 CommandLine without_data(const CommandLine &command_line);
 } // namespace Continua
 

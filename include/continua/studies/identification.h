@@ -38,7 +38,7 @@ private:
   IdentificationParameters parameters;
   unsigned int n_dimensions;
   bool by_theory = true;
-  std::vector<std::string> probes; ///< with stations
+  std::vector<std::string> probes;   ///< with stations
   std::vector<ProbeColumns> columns; ///< of these
   std::vector<SoughtEntry> sought;
   StationRecords measured, expected;

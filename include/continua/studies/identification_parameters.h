@@ -55,7 +55,7 @@ struct IdentificationParameters
   std::vector<SoughtNumber> sought;
   NoiseEntries noise;
   NoiseEntries expected_noise;
-  double rest_until = 0.; ///< [s] in the time of the tables: rows before it are at rest
+  double rest_until = 0.;       ///< [s] in the time of the tables: rows before it are at rest
   double correlation_time = 0.; ///< [s] of noise whose deviation is given; 0: white
   CorrelatedNoise correlated_noise = CorrelatedNoise::autoregressive;
   OrderCriterion order_criterion = OrderCriterion::corrected_akaike;
@@ -68,7 +68,7 @@ struct IdentificationParameters
   OtherModel other_model = OtherModel::none;
   /// "Section/Key" and value, of the other model.
   std::vector<std::pair<std::string, std::string>> other_entries;
-  unsigned int n_parallel = 0;            ///< [1]; 0: as many as there are cores
+  unsigned int n_parallel = 0; ///< [1]; 0: as many as there are cores
 
   double sampling_interval = 0.;       ///< [s] of records without data; 0: the time step
   std::vector<std::string> candidates; ///< probes, or stations of them, whose records may be added
@@ -77,11 +77,13 @@ struct IdentificationParameters
 
   unsigned int n_experiments = 0; ///< [1] synthetic ones
   unsigned int seed = 1;          ///< [1]
-  bool noise_is_known = true; ///< to the fits of synthetic experiments of a design
+  bool noise_is_known = true;     ///< to the fits of synthetic experiments of a design
   std::vector<ExpectedValue> expected;
 
   /// Declares and reads; throws InputError.
   void read(ParameterSection root);
+  /// The rules across entries, which hold for the analysis itself. Throws InputError.
+  void check(ParameterSection root) const;
   bool is_design() const { return !expected_noise.deviations.empty(); }
 };
 } // namespace Continua

@@ -24,7 +24,7 @@ struct DesignChoice
 /// What an identification has found; what was not asked for is empty.
 struct IdentificationResults
 {
-  std::string model; ///< by which
+  std::string model;                 ///< by which
   std::vector<std::string> failures; ///< of steps behind the fit, and why
   std::vector<FitParameter> parameters;
   std::optional<FitResult> fit;

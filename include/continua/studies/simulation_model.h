@@ -54,7 +54,7 @@ private:
   std::string name_of_runs;
   unsigned int n_runs = 0;
   using Settings = std::vector<std::pair<std::string, std::string>>;
-  std::map<Settings, RunColumns> histories;  ///< of the runs that ended well
+  std::map<Settings, RunColumns> histories; ///< of the runs that ended well
   std::map<Settings, std::string> failures; ///< of the others
 
   PlannedRun plan(const Settings &settings);

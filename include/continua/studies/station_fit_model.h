@@ -35,9 +35,9 @@ private:
   const StationRecords &records;
   std::vector<std::pair<std::string, std::string>> further;
   static constexpr unsigned int none = -1;
-  std::vector<unsigned int> clocks;                ///< by probe: the number that is its shift
-  std::vector<std::vector<double>> times;          ///< [s] by probe, of all of its records
-  std::vector<std::vector<std::size_t>> places;    ///< by record: of its times among these
+  std::vector<unsigned int> clocks;             ///< by probe: the number that is its shift
+  std::vector<std::vector<double>> times;       ///< [s] by probe, of all of its records
+  std::vector<std::vector<std::size_t>> places; ///< by record: of its times among these
 
   ForwardQuestion question(const std::vector<double> &set) const;
   Prediction prediction(const ForwardAnswer &answer) const;

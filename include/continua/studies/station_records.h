@@ -21,8 +21,8 @@ struct RecordSource
   std::string probe_name, field_name;
 };
 
-/// Records at the stations of a file's probes, measured ones or those of an experiment that is to be
-/// made. Their times are those of the run without a shift of a clock that is sought.
+/// Records at the stations of a file's probes, measured ones or those of an experiment that is to
+/// be made. Their times are those of the run without a shift of a clock that is sought.
 struct StationRecords
 {
   std::vector<DataRecord> records;
@@ -30,8 +30,9 @@ struct StationRecords
   unsigned int n_left_out = 0;       ///< rows outside the time of the run
   std::vector<std::string> notes;    ///< what a user should know of them
 
-  /// Those that were measured, with the noise that the file gives: what it does not give is unknown.
-  /// `before_start`: rows before t = 0 count, since the body is at rest there. Throws InputError.
+  /// Those that were measured, with the noise that the file gives: what it does not give is
+  /// unknown. `before_start`: rows before t = 0 count, since the body is at rest there. Throws
+  /// InputError.
   template <int dim>
   static StationRecords measured(const Case<dim> &input,
                                  const IdentificationParameters &parameters,

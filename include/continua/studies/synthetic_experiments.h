@@ -13,9 +13,9 @@ namespace Continua
 {
 /**
  * Experiments on the computer (parametric bootstrap; B. Efron, R. J. Tibshirani, An Introduction to
- * the Bootstrap, 1993): predictions for known numbers with noise that is drawn anew each time, and a
- * fit of each. How the estimates scatter, and how often the intervals have the truth, checks what a
- * fit says of its own errors. The fits stay near the truth, where the model is interpolated.
+ * the Bootstrap, 1993): predictions for known numbers with noise that is drawn anew each time, and
+ * a fit of each. How the estimates scatter, and how often the intervals have the truth, checks what
+ * a fit says of its own errors. The fits stay near the truth, where the model is interpolated.
  */
 class SyntheticExperiments
 {
@@ -23,9 +23,9 @@ public:
   /// Of one parameter.
   struct OfParameter
   {
-    double mean_error; ///< of the estimate, over the standard error that was foretold [1]
-    double spread;     ///< standard deviation of the estimates over the same [1]
-    double coverage;       ///< part of the intervals that have the truth [1]
+    double mean_error;       ///< of the estimate, over the standard error that was foretold [1]
+    double spread;           ///< standard deviation of the estimates over the same [1]
+    double coverage;         ///< part of the intervals that have the truth [1]
     unsigned int n_at_bound; ///< experiments in which it is at a bound, and has no interval
   };
   struct Outcome
@@ -38,9 +38,9 @@ public:
     double seconds = 0.;             ///< [s] of all fits
   };
 
-  /// `truth` [unit]; `standard_errors`, foretold for it, also set the size of the box in which the model is
-  /// interpolated [unit]. `records`: as the fits take them, their values do not count. `noise`: that
-  /// is drawn, by record.
+  /// `truth` [unit]; `standard_errors`, foretold for it, also set the size of the box in which the
+  /// model is interpolated [unit]. `records`: as the fits take them, their values do not count.
+  /// `noise`: that is drawn, by record.
   SyntheticExperiments(const std::vector<FitParameter> &parameters,
                        const std::vector<double> &truth,
                        const std::vector<double> &standard_errors,
