@@ -185,13 +185,6 @@ std::vector<std::string> IdentificationReport::warnings() const
   {
     for (const std::string &note : results.fit->notes)
       all.push_back(note);
-    // A misfit that noise alone has once in a thousand times.
-    if (results.fit->probability_of_misfit < 1e-3)
-      all.push_back("the residuals are larger than the noise that is given: chi-square " +
-                    number_text(results.fit->misfit, 4) + " for " +
-                    std::to_string(results.fit->degrees_of_freedom) +
-                    " degrees of freedom. The model, a number that is held or the noise is wrong, "
-                    "and the standard errors do not cover that");
   }
   if (results.errors_of_file)
     add_flat(results.errors_of_file->flat_directions);
