@@ -37,7 +37,8 @@ UNIT_TEST(kept_waves)
   TubeWaveProblem softer = problem;
   softer.segments.front().section = tube(0.01, 1e-3, 1100., 0.9e6, 0.49, 1000., 1e-3);
   softer.segments.front().section.tethered = true;
-  check::is_true("another wall", largest_difference(pressure(softer, inlet, &kept), without) > 0.01);
+  check::is_true("another wall",
+                 largest_difference(pressure(softer, inlet, &kept), without) > 0.01);
   check::is_true("needs others", kept.n_computed() == 2);
   const TubeSection &section = problem.segments.front().section;
   kept.waves(section, 20., 5.);
