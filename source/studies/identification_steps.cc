@@ -23,6 +23,7 @@ namespace
 std::vector<double> start_of(const std::vector<FitParameter> &parameters)
 {
   std::vector<double> start;
+  start.reserve(parameters.size());
   for (const FitParameter &parameter : parameters)
     start.push_back(parameter.start);
   return start;

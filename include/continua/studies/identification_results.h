@@ -15,6 +15,7 @@
 namespace Continua
 {
 /// Records that may be added to an experiment, and the errors with them.
+// NOLINTNEXTLINE(bugprone-exception-escape): deal.II's matrix may throw when it is moved
 struct DesignChoice
 {
   std::vector<unsigned int> records; ///< of those that are expected
