@@ -319,13 +319,14 @@ void Checkpoint::check_case(const ArchiveReader &archive) const
                          ", this is " + version(),
                      "Use that version, or run anew with --overwrite");
   if (archive.text("identity") != identity)
-    throw InputError(origin, "--restart",
-                     "the checkpoint belongs to another case: " +
-                         first_difference(archive.text("identity"), identity),
-                     "Restore the case (only Title, Time/End time, Time/Velocity limit, "
-                     "Mesh/Memory limit, Linear "
-                     "solver, Output, Expected, Comparison and Refinement study may change), or "
-                     "run anew with --overwrite");
+    throw InputError(
+        origin, "--restart",
+        "the checkpoint belongs to another case: " +
+            first_difference(archive.text("identity"), identity),
+        "Restore the case (only Title, Time/End time, Time/Velocity limit, "
+        "Mesh/Memory limit, Linear "
+        "solver, Output, Expected, Comparison, Refinement study and Sweep may change), "
+        "or run anew with --overwrite");
 }
 
 void Checkpoint::check_files(const ArchiveReader &archive, const std::string &step) const

@@ -13,11 +13,17 @@ namespace
 /// The path of an override "Section/Key=value", without blanks that do not count.
 std::string path_of(const std::string &override_text)
 {
-  std::vector<std::string> names;
-  for (const std::string &part :
-       split_unquoted(override_text.substr(0, find_unquoted(override_text, "=")), '/'))
-    names.push_back(without_quotes(collapse_blanks(part)));
-  return join_path(names);
+  return tidy_path(override_text.substr(0, find_unquoted(override_text, "=")));
+}
+
+/// Whether the letter is the sign of a number, and not that of an exponent or between two words.
+bool is_minus(const std::string &text, const std::size_t place)
+{
+  const auto is_of_number = [&text](const std::size_t i)
+  {
+    return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) || text[i] == '.');
+  };
+  return text[place] == '-' && (place == 0 || !is_of_number(place - 1)) && is_of_number(place + 1);
 }
 
 /// As a shell reads it back.
@@ -38,12 +44,28 @@ bool sets_a_value(const std::string &override_text)
 std::string folder_name(const std::string &text)
 {
   std::string name;
-  for (const unsigned char letter : text)
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    const unsigned char letter = static_cast<unsigned char>(text[i]);
     if (std::isalnum(letter) != 0)
+    {
       name += static_cast<char>(std::tolower(letter));
-    else if (!name.empty() && name.back() != '-')
+      continue;
+    }
+    if (!name.empty() && name.back() != '-')
       name += '-';
+    if (is_minus(text, i))
+      name += "minus-";
+  }
   return name;
+}
+
+std::string tidy_path(const std::string &path)
+{
+  std::vector<std::string> names;
+  for (const std::string &part : split_unquoted(path, '/'))
+    names.push_back(without_quotes(collapse_blanks(part)));
+  return join_path(names);
 }
 
 void set_entry(CommandLine &command_line, const std::string &path, const std::string &value)

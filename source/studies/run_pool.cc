@@ -22,6 +22,7 @@
 #include <filesystem>
 #include <list>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -31,7 +32,10 @@ namespace Continua
 {
 namespace
 {
-const std::string mark_of_a_run = "--continua-internal-run-of-a-study";
+/// Behind it stands the number of the process that starts the run.
+const std::string mark_of_a_run = "--continua-internal-run-of-a-study=";
+/// What runs get to end by themselves where this process cannot go on.
+constexpr std::chrono::seconds time_to_end(30);
 
 /// For what the runs print: each has a log of its own, and nobody sees their screens.
 class FolderOfScreens
@@ -70,6 +74,45 @@ struct RunningRun
   std::unique_ptr<ChildProcess> process;
 };
 
+/// The runs at work. What an error leaves gets SIGTERM, so that it keeps a checkpoint, and time for
+/// it.
+class RunningRuns : public std::list<RunningRun>
+{
+public:
+  RunningRuns() = default;
+  ~RunningRuns()
+  {
+    send(SIGTERM);
+    const auto deadline = std::chrono::steady_clock::now() + time_to_end;
+    while (!empty() && std::chrono::steady_clock::now() < deadline)
+    {
+      remove_if([](const RunningRun &run) { return has_ended(*run.process); });
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  RunningRuns(const RunningRuns &) = delete;
+  RunningRuns &operator=(const RunningRuns &) = delete;
+
+  void send(const int signal) const
+  {
+    for (const RunningRun &run : *this)
+      ::kill(run.process->number(), signal);
+  }
+
+private:
+  static bool has_ended(ChildProcess &process)
+  {
+    try
+    {
+      return process.end().has_value();
+    }
+    catch (const std::exception &)
+    {
+      return true; // it was lost
+    }
+  }
+};
+
 /// What the run said last: its error with all that follows, or its last line.
 std::string last_words(const std::string &screen)
 {
@@ -98,12 +141,27 @@ std::string failure_of(const int status, const std::string &screen)
          (said.empty() ? "" : "; it said last: " + said);
 }
 
+/// Why the run failed, empty if it finished; nothing while it runs.
+std::optional<std::string> end_of(const RunningRun &run, const std::string &screen)
+{
+  try
+  {
+    if (const auto end = run.process->end())
+      return failure_of(end->exit_status(), screen);
+    return {};
+  }
+  catch (const std::exception &error)
+  {
+    return error.what();
+  }
+}
+
 std::unique_ptr<ChildProcess>
 start(const std::string &program, const PlannedRun &plan, const std::string &screen)
 {
   ChildProcess::Program run;
   run.file = program;
-  run.arguments = {"continua", mark_of_a_run};
+  run.arguments = {"continua", mark_of_a_run + std::to_string(::getpid())};
   for (const std::string &argument : arguments_of(plan.command_line))
     run.arguments.push_back(argument);
   run.environment = environment_without_launcher();
@@ -126,7 +184,7 @@ void RunPool::perform(const std::vector<PlannedRun> &plans,
 {
   const FolderOfScreens screens;
   const double memory_limit = Continua::memory_limit().bytes;
-  std::list<RunningRun> running; // gone before the screens
+  RunningRuns running; // gone before the screens
   unsigned int next = 0;
   double memory = 0.;
   bool is_interrupted = false;
@@ -137,35 +195,43 @@ void RunPool::perform(const std::vector<PlannedRun> &plans,
     if (!is_interrupted && SignalWatch::pending() != 0)
     {
       is_interrupted = true;
-      for (const RunningRun &run : running)
-        ::kill(run.process->number(), SignalWatch::pending());
+      running.send(SignalWatch::pending());
       continue;
     }
     while (!is_interrupted && next < plans.size() && running.size() < n_parallel &&
            (running.empty() || memory + plans[next].memory <= memory_limit))
     {
       begins(next);
-      running.push_back(
-          {next, plans[next].memory, start(program, plans[next], screens.file(next))});
-      memory += plans[next].memory;
+      std::string failure;
+      try
+      {
+        running.push_back(
+            {next, plans[next].memory, start(program, plans[next], screens.file(next))});
+        memory += plans[next].memory;
+      }
+      catch (const std::exception &error)
+      {
+        failure = error.what();
+      }
+      if (!failure.empty())
+        ended(next, failure);
       ++next;
     }
     bool has_any_ended = false;
     for (auto run = running.begin(); run != running.end();)
     {
-      const auto end = run->process->end();
-      if (!end)
+      const std::optional<std::string> failure = end_of(*run, screens.file(run->number));
+      if (!failure)
       {
         ++run;
         continue;
       }
       has_any_ended = true;
       const unsigned int number = run->number;
-      const int status = end->exit_status();
       memory -= run->memory;
       run = running.erase(run);
-      if (!is_interrupted || status == 0)
-        ended(number, failure_of(status, screens.file(number)));
+      if (!is_interrupted || failure->empty())
+        ended(number, *failure);
     }
     pause = has_any_ended ? std::chrono::milliseconds(1) : std::min(2 * pause, longest_pause);
     if (!has_any_ended)
@@ -186,12 +252,17 @@ unsigned int RunPool::n_cores()
 
 bool is_run_of_a_pool(std::vector<char *> &arguments)
 {
-  if (arguments.size() < 2 || arguments[1] != mark_of_a_run)
+  if (arguments.size() < 2 ||
+      std::string(arguments[1]).compare(0, mark_of_a_run.size(), mark_of_a_run) != 0)
     return false;
+  const std::string parent = arguments[1] + mark_of_a_run.size();
   arguments.erase(arguments.begin() + 1);
 #if defined(__linux__)
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
 #endif
+  // It may have ended before: then no signal comes.
+  if (parent != std::to_string(::getppid()))
+    ::raise(SIGTERM);
   return true;
 }
 } // namespace Continua

@@ -82,7 +82,8 @@ RunSeries::RunSeries(const AnalysisTable &analyses,
       command_line(command_line),
       input_files(input_files),
       volume(volume),
-      n_parallel(Utilities::MPI::n_mpi_processes(communicator) > 1 ? 1 : n_parallel)
+      n_parallel(Utilities::MPI::n_mpi_processes(communicator) > 1 ? 1 : n_parallel),
+      program(program_identity(communicator))
 {
 }
 
@@ -90,8 +91,7 @@ std::string RunSeries::identity(const PlannedRun &plan) const
 {
   std::ostringstream text;
   text << beginning_of(plan.name) << plan.identity << " ranks "
-       << Utilities::MPI::n_mpi_processes(communicator) << " program "
-       << program_identity(communicator);
+       << Utilities::MPI::n_mpi_processes(communicator) << " program " << program;
   return text.str();
 }
 
@@ -101,8 +101,7 @@ RunSeries::State RunSeries::state_of(const PlannedRun &plan) const
     return State::fresh;
   const std::string line = "\n" + identity(plan) + "\n";
   const std::string &folder = plan.command_line.output_directory;
-  if (("\n" + finished_runs).find(line) != std::string::npos &&
-      !content_of(folder + "/summary.json", communicator).empty())
+  if (("\n" + finished_runs).find(line) != std::string::npos && has_summary(plan))
     return State::finished;
   // What rank 0 sees holds for all.
   const bool goes_on = ("\n" + begun_runs).find(line) != std::string::npos &&
@@ -207,11 +206,16 @@ std::vector<RunResult> RunSeries::perform(const std::vector<PlannedRun> &plans,
       note(plans[number], directory, State::finished);
     tell();
   };
+  const auto end_in_folder = [&](const unsigned int number, std::string failure)
+  {
+    const Summary summary = summary_in_folder(plans[number], failure);
+    end(number, summary, failure);
+  };
   std::vector<PlannedRun> to_perform;
   std::vector<unsigned int> numbers; // of these
   for (unsigned int i = 0; i < plans.size(); ++i)
     if (states[i] == State::finished)
-      end(i, summary_in_folder(plans[i]), "");
+      end_in_folder(i, "");
     else
     {
       to_perform.push_back(in_state(plans[i], states[i]));
@@ -223,7 +227,7 @@ std::vector<RunResult> RunSeries::perform(const std::vector<PlannedRun> &plans,
     RunPool(n_parallel)
         .perform(to_perform, begin,
                  [&](const unsigned int i, const std::string &failure)
-                 { end(numbers[i], summary_in_folder(plans[numbers[i]]), failure); });
+                 { end_in_folder(numbers[i], failure); });
   else
     for (unsigned int i = 0; i < to_perform.size(); ++i)
     {
@@ -268,12 +272,31 @@ std::string RunSeries::perform(const PlannedRun &plan, Summary &summary) const
   return "";
 }
 
-Summary RunSeries::summary_in_folder(const PlannedRun &plan) const
+Summary RunSeries::summary_in_folder(const PlannedRun &plan, std::string &failure) const
 {
   const std::string text =
       content_of(plan.command_line.output_directory + "/summary.json", communicator);
+  try
+  {
+    if (!text.empty())
+      return Summary::read(text);
+    if (failure.empty())
+      failure = "its summary.json is missing";
+  }
+  catch (const std::exception &error)
+  {
+    if (failure.empty())
+      failure = "its summary.json cannot be read: " + collapse_blanks(error.what());
+  }
   // A run that failed early has none.
-  return text.empty() ? Summary() : Summary::read(text);
+  return Summary();
+}
+
+bool RunSeries::has_summary(const PlannedRun &plan) const
+{
+  std::string failure;
+  summary_in_folder(plan, failure);
+  return failure.empty();
 }
 
 RunResult RunSeries::result(const PlannedRun &plan, const Summary &summary) const

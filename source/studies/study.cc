@@ -1,9 +1,11 @@
 #include <continua/studies/study.h>
 
+#include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/postprocess/writing_rank.h>
 #include <continua/studies/chosen_quantities.h>
 
+#include <filesystem>
 #include <set>
 #include <utility>
 
@@ -20,6 +22,19 @@ Study::Study(const AnalysisInput &input, std::string section_name)
 std::string Study::title_of_run(const std::string &text) const
 {
   return (general.title.empty() ? "" : general.title + ": ") + text;
+}
+
+void Study::check_restart(const OutputDirectory &directory) const
+{
+  const std::string record = directory.file("checkpoint/finished runs");
+  // What rank 0 sees holds for all.
+  std::error_code ignored;
+  if (broadcast(communicator, std::string(std::filesystem::exists(record, ignored) ? "x" : ""))
+          .empty())
+    throw InputError({directory.path(), 0}, "--restart",
+                     "the folder holds a run that is none of a study: it has no record of finished "
+                     "runs",
+                     "Give the study a folder of its own by --output");
 }
 
 void Study::compute(const OutputDirectory &directory, Log &log, Summary &summary)

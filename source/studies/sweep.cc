@@ -1,13 +1,15 @@
 #include <continua/studies/sweep.h>
 
+#include <continua/base/checksum.h>
 #include <continua/base/input_error.h>
 #include <continua/base/nearest_name.h>
+#include <continua/base/quoted_name.h>
 #include <continua/studies/run_pool.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <set>
+#include <iomanip>
 #include <sstream>
 
 namespace Continua
@@ -30,15 +32,14 @@ std::string lines_of_files(const std::string &identity_text)
   return result;
 }
 
-/// The name of a folder that no other run has.
-std::string unique_name(const std::string &values, std::set<std::string> &taken)
+/// "young-s-modulus-2-mpa-6fb3c6a98f0d2c11": with a checksum of the values.
+std::string with_checksum(const std::string &name, const std::string &values)
 {
-  constexpr std::size_t longest = 150;
-  const std::string name = folder_name(values).substr(0, longest);
-  std::string result = name.empty() ? "run" : name;
-  for (unsigned int number = 2; !taken.insert(result).second; ++number)
-    result = name + "-" + std::to_string(number);
-  return result;
+  Checksum sum;
+  sum.add(values);
+  std::ostringstream text;
+  text << name << "-" << std::hex << std::setw(16) << std::setfill('0') << sum.value();
+  return text.str();
 }
 } // namespace
 
@@ -129,12 +130,28 @@ void Sweep::read_input()
 void Sweep::find_entries()
 {
   for (const SweepParameters::Axis &axis : parameters.axes)
-    axes.emplace_back(file, entries(), axis.path, axis.values);
+    axes.emplace_back(file, entries(), axis);
   for (auto one = axes.begin(); one != axes.end(); ++one)
     for (auto other = axes.begin(); other != one; ++other)
-      if (one->entry && other->entry && one->entry->path() == other->entry->path())
+    {
+      if (one->path_of_entry() != other->path_of_entry())
+        continue;
+      if (!one->entry || !other->entry)
+        entries().refuse(one->path, "this is of the same list as '" + other->path + "'",
+                         "Sweep the list as a whole, or some of its numbers by their places");
+      if (one->entry->path() == other->entry->path())
         entries().refuse(one->path, "this is the number of '" + other->path + "'",
                          "Give all its values in one line");
+    }
+}
+
+bool Sweep::is_read(const SweptAxis &axis, const std::size_t place)
+{
+  const std::size_t n = axis.values.size(),
+                    stride = (n + most_runs_to_read - 1) / most_runs_to_read;
+  // What an entry does not accept is refused with its range.
+  return !axis.entry || !axis.entry->accepts(axis.numbers[place]) || place % stride == 0 ||
+         place + 1 == n;
 }
 
 std::vector<unsigned int> Sweep::runs_to_read() const
@@ -144,15 +161,18 @@ std::vector<unsigned int> Sweep::runs_to_read() const
   for (unsigned int run = 0; run < n_runs; ++run)
   {
     const std::vector<unsigned int> places = parameters.places(run);
-    std::size_t n_first = 0, n_ends = 0;
+    std::size_t n_first = 0, n_ends = 0, n_read = 0;
     for (std::size_t axis = 0; axis < axes.size(); ++axis)
     {
+      n_read += is_read(axes[axis], places[axis]) ? 1 : 0;
       n_first += places[axis] == 0 ? 1 : 0;
       n_ends += places[axis] == 0 || places[axis] + 1 == axes[axis].values.size() ? 1 : 0;
     }
     const bool is_corner = n_ends == axes.size() && axes.size() <= most_axes_with_corners;
-    if (n_runs <= most_runs_to_read || !parameters.is_grid || n_first + 1 >= axes.size() ||
-        is_corner)
+    // The other values of a grid are the first ones, which are read; together all have one place.
+    const bool is_value =
+        parameters.is_grid ? n_first + 1 >= axes.size() && n_read == axes.size() : n_read > 0;
+    if (n_runs <= most_runs_to_read || is_value || is_corner)
       result.push_back(run);
   }
   return result;
@@ -171,7 +191,7 @@ Sweep::Settings Sweep::settings(const unsigned int run) const
       numbers.push_back(axes[i].numbers[places[i]]);
     }
     else
-      result.emplace_back(axes[i].path, axes[i].values[places[i]]);
+      result.emplace_back(axes[i].path, axes[i].texts[places[i]]);
   for (const auto &setting : NumericEntry::settings(in_lists, numbers))
     result.push_back(setting);
   return result;
@@ -184,7 +204,8 @@ CommandLine Sweep::command_line_of(const unsigned int run) const
   result.sweeps.clear();
   remove_entries_of(result, "Sweep");
   set_entry(result, "Analysis", parameters.analysis);
-  set_entry(result, "Title", title_of_run(parameters.name(run)));
+  // A value may be the name of a file with this letter.
+  set_entry(result, "Title", quoted_name(title_of_run(parameters.name(run)), "#"));
   for (const auto &[path, value] : settings(run))
     set_entry(result, path, value);
   return result;
@@ -242,6 +263,29 @@ std::string Sweep::identity(const std::string &of_file, const unsigned int run) 
   return text;
 }
 
+std::vector<std::string> Sweep::names_of_folders() const
+{
+  constexpr std::size_t longest = 150;
+  std::vector<std::string> names;
+  std::map<std::string, unsigned int> numbers;
+  for (unsigned int run = 0; run < parameters.n_runs(); ++run)
+  {
+    names.push_back(folder_name(parameters.name(run)));
+    ++numbers[names.back()];
+  }
+  for (unsigned int run = 0; run < names.size(); ++run)
+  {
+    if (names[run].size() <= longest && numbers[names[run]] == 1)
+      continue;
+    std::string values;
+    const std::vector<unsigned int> places = parameters.places(run);
+    for (std::size_t i = 0; i < axes.size(); ++i)
+      values += axes[i].path + "=" + axes[i].values[places[i]] + "\n";
+    names[run] = with_checksum(names[run].substr(0, longest), values);
+  }
+  return names;
+}
+
 std::vector<PlannedRun> Sweep::plan_runs(const std::string &output) const
 {
   std::vector<std::string> left_out = {"Sweep", "Analysis", "Title"};
@@ -251,12 +295,12 @@ std::vector<PlannedRun> Sweep::plan_runs(const std::string &output) const
   double most_memory = 0.;
   for (const auto &[run, read] : read_runs)
     most_memory = std::max(most_memory, read.memory);
-  std::set<std::string> taken;
+  const std::vector<std::string> names = names_of_folders();
   std::vector<PlannedRun> plans;
   for (unsigned int run = 0; run < parameters.n_runs(); ++run)
   {
     PlannedRun plan;
-    plan.name = unique_name(parameters.name(run), taken);
+    plan.name = names[run];
     plan.command_line = command_line_of(run);
     plan.command_line.output_directory = output + "/" + plan.name;
     plan.identity = identity(of_file, run);

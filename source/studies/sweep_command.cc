@@ -5,6 +5,8 @@
 #include <continua/case/case.h>
 #include <continua/studies/planned_run.h>
 
+#include <set>
+
 namespace Continua
 {
 CommandLine with_sweeps(const CommandLine &command_line)
@@ -21,10 +23,15 @@ CommandLine with_sweeps(const CommandLine &command_line)
     set_entry(result, "Analysis", "sweep");
     set_entry(result, "Sweep/Analysis", own);
   }
+  std::set<std::string> paths;
   for (const std::string &sweep : command_line.sweeps)
   {
     const std::size_t equals = find_unquoted(sweep, "=");
     const std::string path = collapse_blanks(sweep.substr(0, equals));
+    // The second would replace the first.
+    if (!paths.insert(tidy_path(path)).second)
+      throw InputError({ParameterText::command_line, 0}, "--sweep " + sweep,
+                       "this entry is swept twice", "Give all its values in one --sweep");
     set_entry(result, "Sweep/Entries/" + quoted_name(path, "#=/"),
               collapse_blanks(sweep.substr(equals + 1)));
   }

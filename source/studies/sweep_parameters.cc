@@ -2,6 +2,7 @@
 
 #include <continua/base/parameter_text.h>
 #include <continua/base/quoted_name.h>
+#include <continua/studies/planned_run.h>
 #include <continua/studies/swept_values.h>
 
 #include <algorithm>
@@ -16,15 +17,6 @@ constexpr double most_runs = 10000.;
 
 const std::string example_of_values = "Write for example '1 MPa, 2 MPa', '1 MPa to 3 MPa in 5' or "
                                       "'1 Hz to 100 Hz in 7 logarithmic'";
-
-/// The path without blanks that do not count.
-std::string tidy_path(const std::string &path)
-{
-  std::vector<std::string> names;
-  for (const std::string &part : split_unquoted(path, '/'))
-    names.push_back(without_quotes(collapse_blanks(part)));
-  return join_path(names);
-}
 
 /// The last `n` names of the path.
 std::string tail(const std::string &path, const std::size_t n)
@@ -73,7 +65,7 @@ void SweepParameters::read(ParameterSection root)
            "moduli 2)."))
     try
     {
-      axes.push_back({tidy_path(key), swept_values(text)});
+      axes.push_back({tidy_path(key), swept_values(text), entries.origin(key).file});
     }
     catch (const std::invalid_argument &error)
     {
@@ -152,7 +144,8 @@ std::string SweepParameters::name(const unsigned int run) const
   const std::vector<unsigned int> values = places(run);
   std::string text;
   for (unsigned int axis = 0; axis < axes.size(); ++axis)
-    text += (axis == 0 ? "" : ", ") + key(axis) + " " + axes[axis].values[values[axis]];
+    text +=
+        (axis == 0 ? "" : ", ") + key(axis) + " " + without_quotes(axes[axis].values[values[axis]]);
   return without_colons(text);
 }
 } // namespace Continua

@@ -114,7 +114,7 @@ void SweepReport::name_quantities(const std::vector<std::string> &asked,
       std::any_of(all.begin(), all.end(),
                   [&asked](const std::string &label) { return is_chosen(asked, label); });
   for (const std::string &label : all)
-    if (!has_chosen || is_chosen(asked, label))
+    if ((asked.empty() && !has_chosen) || is_chosen(asked, label))
       for (const std::string &name : {values, std::string("smallest"), std::string("largest")})
         names.add(name, label);
   names.add("runs");

@@ -1,8 +1,14 @@
 #include <continua/studies/swept_axis.h>
 
 #include <continua/base/input_error.h>
+#include <continua/base/quoted_name.h>
 #include <continua/base/units.h>
 
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
 #include <stdexcept>
 
 namespace Continua
@@ -28,14 +34,34 @@ std::string remedy_of(const NumericEntry &entry)
   return "Give numbers that the entry accepts" +
          (units.empty() ? std::string() : ", with a unit like " + units);
 }
+bool names_an_input_file(const ParameterFile &file, const std::string &path)
+{
+  std::stringstream text;
+  file.print(text, ParameterFile::Style::json);
+  const nlohmann::json entries = nlohmann::json::parse(text);
+  return std::any_of(entries.begin(), entries.end(),
+                     [&path](const nlohmann::json &entry)
+                     { return entry.at("path") == path && entry.at("values") == "file"; });
+}
+
+/// The run gets the file by its command line, where it would be relative to the working directory.
+std::string whole_path(const std::string &value, const std::string &naming_file)
+{
+  namespace filesystem = std::filesystem;
+  const filesystem::path named =
+      filesystem::path(naming_file).parent_path() / without_quotes(value);
+  return quoted_name(filesystem::absolute(named).lexically_normal().string(), "#");
+}
 } // namespace
 
 SweptAxis::SweptAxis(const ParameterFile &file,
                      const ParameterSection &section,
-                     const std::string &path,
-                     const std::vector<std::string> &values)
-    : path(path), values(values)
+                     const SweepParameters::Axis &axis)
+    : path(axis.path), values(axis.values), texts(axis.values)
 {
+  if (axis.naming_file != ParameterText::command_line && names_an_input_file(file, path))
+    for (std::string &text : texts)
+      text = whole_path(text, axis.naming_file);
   try
   {
     entry.emplace(file, path, section, path);
@@ -44,6 +70,15 @@ SweptAxis::SweptAxis(const ParameterFile &file,
   {
     if (ends_with_a_number(path))
       throw;
+    return;
+  }
+  // "X = 1" may also be "X = 1, 2": a list as a whole.
+  if (entry->is_in_list() && entry->path() != path &&
+      std::any_of(values.begin(), values.end(),
+                  [](const std::string &value)
+                  { return find_unquoted(value, ",") != std::string::npos; }))
+  {
+    entry.reset();
     return;
   }
   for (const std::string &value : values)
@@ -62,6 +97,6 @@ SweptAxis::SweptAxis(const ParameterFile &file,
 
 std::string SweptAxis::in_table(const std::size_t number) const
 {
-  return entry ? shortest_number(numbers[number]) : values[number];
+  return entry ? shortest_number(numbers[number]) : without_quotes(values[number]);
 }
 } // namespace Continua

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -89,10 +90,11 @@ std::string without_parentheses(const std::string &item)
   if (item.size() < 2 || item.front() != '(' || item.back() != ')' ||
       item.find(',') == std::string::npos)
     return item;
+  const std::vector<bool> quoted = quoted_letters(item);
   int depth = 0;
   for (std::size_t i = 0; i + 1 < item.size(); ++i)
   {
-    depth += item[i] == '(' ? 1 : item[i] == ')' ? -1 : 0;
+    depth += quoted[i] ? 0 : item[i] == '(' ? 1 : item[i] == ')' ? -1 : 0;
     if (depth == 0)
       return item;
   }
@@ -145,12 +147,84 @@ unsigned int number_of_values(const std::string &text, const std::string &item)
   return count;
 }
 
-/// Six digits, which tell the values of any range apart and keep their names short.
-double rounded(const double value)
+double rounded(const double value, const int digits)
 {
   std::ostringstream text;
-  text << std::setprecision(6) << value;
+  text << std::setprecision(digits) << value;
   return std::stod(text.str());
+}
+
+/// With six digits, which keep the names of the values short, or as many more as move none by more
+/// than a hundredth of its distance from the next.
+std::vector<double> rounded(const std::vector<double> &values)
+{
+  constexpr int least = 6, most = std::numeric_limits<double>::max_digits10;
+  std::vector<double> result(values.size());
+  for (int digits = least; digits <= most; ++digits)
+  {
+    bool is_near = true;
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      result[i] = rounded(values[i], digits);
+      for (const std::size_t next : {i - 1, i + 1})
+        is_near = is_near &&
+                  (next >= values.size() ||
+                   std::abs(result[i] - values[i]) <= 0.01 * std::abs(values[next] - values[i]));
+    }
+    if (is_near)
+      break;
+  }
+  return result;
+}
+
+/// What a value means, however it is written.
+struct Meaning
+{
+  bool is_number;
+  double number; ///< [SI]
+  Dimension dimension;
+  std::string word;
+};
+
+Meaning meaning_of(const std::string &value)
+{
+  Meaning meaning{is_quantity(value), 0., Dimension(), without_quotes(value)};
+  if (!meaning.is_number)
+    return meaning;
+  const NumberAndUnit written = *number_and_unit(value);
+  meaning.number =
+      written.number * unit_factor(written.unit.empty() ? "1" : written.unit, meaning.dimension);
+  return meaning;
+}
+
+bool is_same(const Meaning &one, const Meaning &other)
+{
+  if (!one.is_number || !other.is_number)
+    return one.word == other.word;
+  // Factors of units bring in their round-off.
+  return std::abs(one.number - other.number) <=
+             1e-14 * std::max(std::abs(one.number), std::abs(other.number)) &&
+         one.dimension == other.dimension;
+}
+
+void refuse_twice(const std::vector<std::string> &values)
+{
+  std::vector<Meaning> meanings;
+  meanings.reserve(values.size());
+  for (const std::string &value : values)
+  {
+    const Meaning meaning = meaning_of(value);
+    const auto same =
+        std::find_if(meanings.begin(), meanings.end(),
+                     [&meaning](const Meaning &other) { return is_same(other, meaning); });
+    if (same != meanings.end())
+    {
+      const std::string &first = values[static_cast<std::size_t>(same - meanings.begin())];
+      throw std::invalid_argument("the value '" + value + "' stands there twice" +
+                                  (first == value ? "" : ", first as '" + first + "'"));
+    }
+    meanings.push_back(meaning);
+  }
 }
 
 /// `last`: with the unit that it has in the list.
@@ -179,16 +253,18 @@ std::vector<std::string> values_of(const WrittenRange &range, const std::string 
   if (range.is_logarithmic && first.number <= 0.)
     throw std::invalid_argument("the logarithmic range '" + item + "' does not begin above zero");
   const unsigned int n = number_of_values(range.count, item);
-  std::vector<std::string> values;
+  std::vector<double> numbers;
   for (unsigned int i = 0; i < n; ++i)
   {
     const double part = static_cast<double>(i) / (n - 1);
-    const double between = range.is_logarithmic ? first.number * std::pow(end / first.number, part)
-                                                : first.number + (end - first.number) * part;
-    values.push_back(i == 0       ? first.text()
-                     : i + 1 == n ? last->text()
-                                  : NumberAndUnit{rounded(between), first.unit}.text());
+    numbers.push_back(range.is_logarithmic ? first.number * std::pow(end / first.number, part)
+                                           : first.number + (end - first.number) * part);
   }
+  numbers = rounded(numbers);
+  std::vector<std::string> values = {first.text()};
+  for (unsigned int i = 1; i + 1 < n; ++i)
+    values.push_back(NumberAndUnit{numbers[i], first.unit}.text());
+  values.push_back(last->text());
   return values;
 }
 } // namespace
@@ -215,14 +291,12 @@ std::vector<std::string> swept_values(const std::string &text)
         values.push_back(value);
       continue;
     }
-    std::string value = without_quotes(without_parentheses(item));
+    std::string value = without_parentheses(item);
     if (is_quantity(item) && number_and_unit(item)->unit.empty() && !last_unit.empty())
       value.append(" ").append(last_unit);
     values.push_back(value);
   }
-  for (auto value = values.begin(); value != values.end(); ++value)
-    if (std::find(values.begin(), value, *value) != value)
-      throw std::invalid_argument("the value '" + *value + "' stands there twice");
+  refuse_twice(values);
   if (std::all_of(values.begin(), values.end(), is_quantity))
   {
     // In "30 kPa, 25" the second is hardly meant as 25 Pa.

@@ -8,6 +8,8 @@
 
 #include "../unit_test.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
@@ -108,12 +110,23 @@ UNIT_TEST(run_pool)
   plan.command_line.allow_mesh_commands = true;
   perform({plan}, 2);
   check::equal("arguments", read_input_file(place + "/arguments"),
-               "--continua-internal-run-of-a-study exit 0 --set=A/B=--1 --unset=C --set=\"D=E\"=2 "
-               "--output=results --restart --allow-mesh-commands, launched \n");
+               "--continua-internal-run-of-a-study=" + std::to_string(::getpid()) +
+                   " exit 0 --set=A/B=--1 --unset=C --set=\"D=E\"=2 --output=results --restart "
+                   "--allow-mesh-commands, launched \n");
 
-  // What throws ends the others.
-  const std::vector<PlannedRun> one_is_quick = {run_of("while :; do sleep 0.01; done"),
-                                                run_of("exit 0")};
+  // What cannot be started has failed, and no more.
+  std::vector<std::string> of_none;
+  RunPool(2, "./run-pool-test-of-none")
+      .perform(
+          {run_of("exit 0"), run_of("exit 0")}, [](unsigned int) {},
+          [&of_none](unsigned int, const std::string &failure) { of_none.push_back(failure); });
+  check::is_true("no such program",
+                 of_none.size() == 2 && check::matches(of_none[1], "cannot be started: No such"));
+
+  // What throws ends the others, which may keep a checkpoint.
+  const std::vector<PlannedRun> one_is_quick = {
+      run_of("touch works; while :; do sleep 0.01; done"),
+      run_of("while [ ! -e works ]; do sleep 0.01; done")};
   check::throws<RunError>(
       "an error at an end",
       [&one_is_quick]
@@ -123,6 +136,9 @@ UNIT_TEST(run_pool)
             [](unsigned int, const std::string &) { throw RunError("enough"); });
       },
       "enough");
+  check::is_true("the other one kept a checkpoint",
+                 check::matches(read_input_file(place + "/checkpoints"), "kept"));
+  std::filesystem::remove(place + "/checkpoints");
 
   // A signal goes to the runs, and no other begins.
   std::vector<PlannedRun> long_ones(3, run_of("touch begun; while :; do sleep 0.01; done"));
@@ -148,12 +164,20 @@ UNIT_TEST(run_pool)
   check::is_true("the first kept a checkpoint",
                  check::matches(read_input_file(place + "/checkpoints"), "kept"));
 
-  char program[] = "continua", mark[] = "--continua-internal-run-of-a-study", file[] = "a.prm";
+  char program[] = "continua", file[] = "a.prm";
+  std::string mark = "--continua-internal-run-of-a-study=" + std::to_string(::getppid());
+  static volatile std::sig_atomic_t n_terminations = 0;
+  std::signal(SIGTERM, [](int) { n_terminations = n_terminations + 1; });
   std::vector<char *> arguments = {program, file};
   check::is_true("a command of a user", !is_run_of_a_pool(arguments) && arguments.size() == 2);
-  arguments = {program, mark, file};
+  arguments = {program, mark.data(), file};
   check::is_true("a run of a pool",
                  is_run_of_a_pool(arguments) && arguments.size() == 2 && arguments[1] == file);
+  check::is_true("it works on", n_terminations == 0);
+  mark = "--continua-internal-run-of-a-study=" + std::to_string(::getpid());
+  arguments = {program, mark.data(), file};
+  is_run_of_a_pool(arguments);
+  check::is_true("it ends where its parent is gone", n_terminations == 1);
   std::filesystem::remove_all(place);
   std::filesystem::remove(script);
 }

@@ -23,6 +23,9 @@ UNIT_TEST(run_series)
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check::equal("folder", folder_name("Taylor hood"), "taylor-hood");
   check::equal("folder of a value", folder_name(" 0.4 ms, (2)"), "0-4-ms-2-");
+  check::equal("folder of a number below zero", folder_name("size 2 -1.5e-3 m, (-.5)"),
+               "size-2-minus-1-5e-3-m-minus-5-");
+  check::equal("tidy path", tidy_path("A / \"B/C\"/ D  2"), "A/\"B/C\"/D 2");
 
   CommandLine command_line;
   command_line.parameter_file = "tube.prm";

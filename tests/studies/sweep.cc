@@ -2,6 +2,7 @@
 // was, and --sweep.
 
 #include <continua/base/input_error.h>
+#include <continua/base/input_file.h>
 #include <continua/program/analyses.h>
 #include <continua/studies/sweep_command.h>
 
@@ -135,33 +136,39 @@ UNIT_TEST(sweep)
   std::filesystem::remove_all(output);
   using Mode = OutputDirectory::Mode;
   const std::string modulus = "set Materials/body/Young's modulus = 1 MPa, 2 MPa\n",
-                    height = "set Geometry/Size 2 = 1 m to 3 m in 3\n",
+                    ratio = "set Materials/body/Poisson's ratio = 0 to 0.25 in 2, 0.4\n",
                     again = ": was finished before\n", anew = ": finished\n";
   std::string printed;
   const std::map<std::string, double> grid =
-      perform(sweep_of(modulus + height), Mode::fresh, printed);
+      perform(sweep_of(modulus + ratio), Mode::fresh, printed);
   check::is_true("six runs", count(printed, anew) == 6 && grid.at("runs") == 6. &&
                                  grid.at("failed runs") == 0.);
   bool all_right = true;
   for (const int megapascals : {1, 2})
-    for (const int metres : {1, 2, 3})
-      for (const auto &[label, value] : grid)
-        if (label.find("final displacement x") != std::string::npos &&
-            label.find(": young's modulus " + std::to_string(megapascals) + " MPa, size 2 " +
-                       std::to_string(metres) + " m") != std::string::npos)
-          all_right = all_right && std::abs(value - 0.001875 / megapascals) < 1e-12;
+    for (const auto &[poisson, text] :
+         {std::pair<double, const char *>{0., "0"}, {0.25, "0.25"}, {0.4, "0.4"}})
+    {
+      const std::string label = "end: final displacement x: young's modulus " +
+                                std::to_string(megapascals) + " MPa, poisson's ratio " + text;
+      all_right = all_right && grid.count(label) == 1 &&
+                  std::abs(grid.at(label) - 0.002 * (1. - poisson * poisson) / megapascals) < 1e-12;
+    }
   check::is_true("(1 - nu^2)/Y times traction and length", all_right);
   unsigned int n_values = 0;
   for (const auto &[label, value] : grid)
     n_values += label.find("final displacement x: young's modulus") != std::string::npos ? 1 : 0;
   check::is_true("of each run", n_values == 6);
 
-  perform(sweep_of(modulus + height), Mode::restart, printed);
+  perform(sweep_of(modulus + ratio), Mode::restart, printed);
   check::is_true("a restart runs none", count(printed, again) == 6);
-  perform(sweep_of(modulus + "set Geometry/Size 2 = 1 m to 4 m in 4\n"), Mode::restart, printed);
+  perform(sweep_of(modulus + "set Materials/body/Poisson's ratio = 0.1, 0, 0.25, 0.4\n"),
+          Mode::restart, printed);
   check::is_true("and takes those of a longer list",
                  count(printed, again) == 6 && count(printed, anew) == 2);
-  std::string other_case = sweep_of(modulus + height);
+  std::ofstream(output + "/young-s-modulus-1-mpa-poisson-s-ratio-0-4/summary.json") << "{";
+  perform(sweep_of(modulus + ratio), Mode::restart, printed);
+  check::is_true("a damaged summary", count(printed, again) == 5 && count(printed, anew) == 1);
+  std::string other_case = sweep_of(modulus + ratio);
   other_case.replace(other_case.find("2 m, 0.5 m"), 10, "1 m, 0.5 m");
   perform(other_case, Mode::restart, printed);
   check::is_true("another case is run again", count(printed, anew) == 6);
@@ -174,6 +181,40 @@ UNIT_TEST(sweep)
       perform(sweep_of(modulus + "set Geometry/Size 2 = 1 m, 2 m\n", "set Combine = together\n"),
               Mode::overwrite, printed);
   check::is_true("two runs together", count(printed, anew) == 2 && together.at("runs") == 2.);
+  check::is_true("a number of a list, beside the others",
+                 check::matches(read_input_file(output + "/young-s-modulus-2-mpa-size-2-2-m/"
+                                                         "parameters.prm"),
+                                "set Size += 2( m)?, 2"));
+
+  // A folder is named after values, and not after their order.
+  perform(sweep_of("set Boundaries/right/Traction = (1 kPa, 0 Pa), (2 kPa, 0 Pa)\n"),
+          Mode::overwrite, printed);
+  const std::string of_one = output + "/traction-1-kpa-0-pa/summary.json";
+  const auto written = std::filesystem::last_write_time(of_one);
+  perform(sweep_of("set Boundaries/right/Traction = (-1 kPa, 0 Pa), (1 kPa, 0 Pa)\n"),
+          Mode::restart, printed);
+  check::is_true("values below zero have folders of their own",
+                 count(printed, again) == 1 && count(printed, "traction-minus-1-kpa") == 1 &&
+                     std::filesystem::last_write_time(of_one) == written);
+  perform(sweep_of("set Boundaries/right/Traction = (1 MPa, 0 Pa), (1 mPa, 0 Pa)\n"), Mode::restart,
+          printed);
+  check::is_true("and so have those that would have one name",
+                 count(printed, "traction-1-mpa-0-pa-") == 2 && count(printed, anew) == 2);
+
+  // A folder of another kind of run.
+  {
+    std::filesystem::remove(output + "/checkpoint/finished runs");
+    std::ofstream(parameter_file) << sweep_of(modulus);
+    CommandLine command_line;
+    command_line.parameter_file = parameter_file;
+    ParameterFile file(parameter_file);
+    const std::unique_ptr<Analysis> sweep = analyses().make(file, command_line, MPI_COMM_WORLD);
+    const OutputDirectory directory(output, Mode::restart, MPI_COMM_WORLD, file.input_files());
+    check::is_true("it has checkpoints", sweep->has_checkpoints());
+    check::throws<InputError>(
+        "the folder of an ordinary run", [&] { sweep->check_restart(directory); },
+        "--restart.*none of a study");
+  }
 
   const std::string one = "set Materials/body/Young's modulus = 1 MPa, 2 MPa\n";
   refuses("an unknown entry", sweep_of("set Materials/body/Young modulus = 1 MPa, 2 MPa\n"),
@@ -183,6 +224,9 @@ UNIT_TEST(sweep)
           "with young's modulus -1 MPa the input is refused.*out of range");
   refuses("another dimension", sweep_of("set Materials/body/Young's modulus = 1 mm, 2 mm\n"),
           "Entries/.*Young's modulus.*with a unit like Pa");
+  refuses("a list and one of its numbers",
+          sweep_of("set Mesh/Cells = (1, 2), (2, 4)\nset Mesh/Cells 2 = 2, 3\n"),
+          "Mesh/Cells 2.*of the same list as 'Mesh/Cells'");
   refuses("no such place", sweep_of("set Geometry/Size 7 = 1 m, 2 m\n"),
           "Give a place from 1 to 2");
   refuses("a study",
@@ -211,6 +255,9 @@ UNIT_TEST(sweep)
       "Sweep/Entries/\"Materials/body/Young's modulus\"=1 MPa, 2 MPa",
       "Sweep/Entries/\"Mesh/Cells 1\"=1 to 2 in 2"};
   check::is_true("--sweep", made.overrides == overrides && made.sweeps.empty());
+  typed.sweeps = {"Mesh/Cells 1=1, 2", " Mesh / Cells  1 = 3, 4"};
+  check::throws<InputError>(
+      "--sweep twice", [&typed] { with_sweeps(typed); }, "Mesh / Cells  1.*swept twice");
   std::filesystem::remove_all(output);
   std::filesystem::remove(parameter_file);
 }

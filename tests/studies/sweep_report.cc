@@ -97,6 +97,10 @@ UNIT_TEST(sweep_report)
   check::is_true("names", names.has("modulus 1 MPa", "tip: frequency") &&
                               names.has("smallest", "tip: frequency") && names.has("runs", "") &&
                               !names.has("largest", "energy error"));
+  QuantityNames names_of_asked;
+  SweepReport::name_quantities({"tip: mass"}, "modulus 1 MPa", of_run, names_of_asked);
+  check::is_true("none of a run without what is asked for",
+                 !names_of_asked.has("modulus 1 MPa", "tip: frequency"));
   QuantityNames of_theory_run, names_of_theory;
   of_theory_run.add("theoretical wave speed", "tube");
   SweepReport::name_quantities({}, "a x", of_theory_run, names_of_theory);

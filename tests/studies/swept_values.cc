@@ -46,8 +46,14 @@ UNIT_TEST(swept_values)
   check::equal("values with commas", values_of("(4, 2), (8, 4)"), "4, 2 | 8, 4");
   check::equal("an expression", values_of("(1+x)*sin(t, 2), max(1, 2)"),
                "(1+x)*sin(t, 2) | max(1, 2)");
-  check::equal("a word with a comma", values_of("\"a, b.msh\", from a to b.msh"),
-               "a, b.msh | from a to b.msh");
+  check::equal("quotes stay", values_of("\"a, b.msh\", from a to b.msh, \"a#b.msh\""),
+               "\"a, b.msh\" | from a to b.msh | \"a#b.msh\"");
+  check::equal("also in a list", values_of("(\"probe, 1\", x), (\"b)\", y)"),
+               "\"probe, 1\", x | \"b)\", y");
+  check::equal("as many digits as are needed", values_of("1000000 to 1000002 in 3"),
+               "1000000 | 1000001 | 1000002");
+  check::equal("also for equal distances", values_of("1000000 Pa to 1000030 Pa in 3"),
+               "1000000 Pa | 1000015 Pa | 1000030 Pa");
   check::equal("zero needs no unit", values_of("0, 1 kPa"), "0 kPa | 1 kPa");
 
   refuses("", "it lists no value");
@@ -65,6 +71,9 @@ UNIT_TEST(swept_values)
   refuses("1 MPa to high in 3", "'high' of the range");
   refuses("0 Hz to 1 Hz in 3 logarithmic", "does not begin above zero");
   refuses("1 MPa, 2 MPa, 1 MPa", "'1 MPa' stands there twice");
+  refuses("1 MPa, 1000 kPa", "'1000 kPa' stands there twice, first as '1 MPa'");
+  refuses("0.1 mm, 100 um", "'100 um' stands there twice");
+  refuses("a, \"a\"", "stands there twice");
   refuses("30 kPa, 25", "'25' has no unit");
 }
 } // namespace test_of_swept_values

@@ -17,8 +17,12 @@ struct PlannedRun
   double memory = 0.;       ///< what it may hold, by estimate [bytes]; 0: not known
 };
 
-/// "taylor-hood" from "Taylor hood".
+/// "taylor-hood" from "Taylor hood", "size-minus-1-m" from "size -1 m".
 std::string folder_name(const std::string &text);
+
+/// The path "Section/Key" without blanks that do not count, and with quotes only where it needs
+/// them.
+std::string tidy_path(const std::string &path);
 
 /// Sets an entry, "Section/Key", over the file and over what the command line says of it.
 void set_entry(CommandLine &command_line, const std::string &path, const std::string &value);

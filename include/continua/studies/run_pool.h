@@ -31,9 +31,10 @@ public:
 
   /**
    * Performs the runs, begun in their order. `begins` is called before each, `ended` after each in
-   * the order in which they end. What `ended` throws ends all runs at once and goes on. Throws
-   * Interrupted when all have ended after a signal; a run that the signal ended is not reported.
-   * On one rank alone.
+   * the order in which they end. A run that cannot be started has failed. What
+   * `begins` or `ended` throws goes on when the runs at work have ended: they get SIGTERM, and are
+   * killed after 30 s. Throws Interrupted when all have ended after a signal; a run that the signal
+   * ended is not reported. On one rank alone.
    */
   void
   perform(const std::vector<PlannedRun> &plans, const Begins &begins, const Ended &ended) const;
@@ -50,7 +51,8 @@ private:
 extern const std::string among_runs;
 
 /// Whether this process is a run that a pool has started: it then ends with the process that
-/// started it. Takes the mark of such a run out of the arguments.
+/// started it, by SIGTERM, also if that is gone already. Takes the mark of such a run out of the
+/// arguments.
 bool is_run_of_a_pool(std::vector<char *> &arguments);
 } // namespace Continua
 

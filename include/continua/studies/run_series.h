@@ -83,6 +83,8 @@ private:
   std::vector<std::string> input_files;
   double volume;
   unsigned int n_parallel;
+  /// What tells this program from others, as it was started: its file may be replaced meanwhile.
+  std::string program;
   /// The checkpoint of a series: a line for each run that is finished, or was begun.
   std::string finished_runs, begun_runs;
 
@@ -101,8 +103,10 @@ private:
   static PlannedRun in_state(PlannedRun plan, State state);
   /// Performs the run, fills its summary and returns why it failed; empty if it did not.
   std::string perform(const PlannedRun &plan, Summary &summary) const;
-  /// The summary that stands in the folder of a run, the same on all ranks.
-  Summary summary_in_folder(const PlannedRun &plan) const;
+  /// The summary that stands in the folder of a run, the same on all ranks. Where there is none,
+  /// or none that can be read, `failure` says so unless it says already why the run failed.
+  Summary summary_in_folder(const PlannedRun &plan, std::string &failure) const;
+  bool has_summary(const PlannedRun &plan) const;
   /// What rank 0 finds in the summary of a run, the same on all ranks.
   RunResult result(const PlannedRun &plan, const Summary &summary) const;
 };

@@ -24,6 +24,10 @@ class Study : public Analysis
 {
 public:
   bool has_own_table() const override { return true; }
+  /// From what its runs have left.
+  bool has_checkpoints() const override { return true; }
+  /// Refuses the folder of a run that was none of a study.
+  void check_restart(const OutputDirectory &directory) const override;
   QuantityNames quantity_names() const override { return quantities; }
 
 protected:

@@ -7,7 +7,7 @@ namespace Continua
 {
 /// The command line with its --sweep as entries of the section Sweep, and without --sweep: a sweep
 /// of the file's own analysis, or more entries for a file that is a sweep itself. Throws InputError
-/// if the file cannot be read.
+/// if the file cannot be read, or if two --sweep name one entry.
 CommandLine with_sweeps(const CommandLine &command_line);
 } // namespace Continua
 

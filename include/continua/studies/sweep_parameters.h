@@ -18,6 +18,7 @@ struct SweepParameters : StudyParameters
   {
     std::string path;                ///< "Materials/wall/Young's modulus"
     std::vector<std::string> values; ///< as texts for the entry, at least one, all different
+    std::string naming_file;         ///< where they stand; ParameterText::command_line
   };
   std::vector<Axis> axes;          ///< none where the command line alone says what is swept
   bool is_grid = true;             ///< every value with every other; else the first with the first

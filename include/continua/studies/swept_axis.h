@@ -3,6 +3,7 @@
 
 #include <continua/base/numeric_entry.h>
 #include <continua/base/parameter_file.h>
+#include <continua/studies/sweep_parameters.h>
 
 #include <optional>
 #include <string>
@@ -19,11 +20,11 @@ struct SweptAxis
   /// place that the list has not, and for values that are no numbers of the entry's dimension.
   SweptAxis(const ParameterFile &file,
             const ParameterSection &section,
-            const std::string &path,
-            const std::vector<std::string> &values);
+            const SweepParameters::Axis &axis);
 
   std::string path;
-  std::vector<std::string> values;   ///< as texts for the entry
+  std::vector<std::string> values;   ///< as they are written
+  std::vector<std::string> texts;    ///< for the entry: the same, but whole paths of input files
   std::optional<NumericEntry> entry; ///< of numbers
   std::vector<double> numbers;       ///< then the values [SI]
 
