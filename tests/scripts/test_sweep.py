@@ -66,9 +66,9 @@ class Sweep(unittest.TestCase):
 
     def test_restart(self):
         """One run is finished when a signal comes, the other is not; it goes on from its checkpoint."""
-        options = ("--sweep", "Time/End time=5 ms, 20 s", "--set", "Sweep/Parallel runs=2", "--output", "pieces")
+        options = ("--sweep", "Time/End time=5 ms, 60 s", "--set", "Sweep/Parallel runs=2", "--output", "pieces")
         pieces = os.path.join(self.folder, "pieces")
-        record, long_run = os.path.join(pieces, "checkpoint", "finished runs"), os.path.join(pieces, "end-time-20-s")
+        record, long_run = os.path.join(pieces, "checkpoint", "finished runs"), os.path.join(pieces, "end-time-60-s")
 
         def is_between():
             try:
@@ -95,7 +95,7 @@ class Sweep(unittest.TestCase):
         restarted = continua.open(long_run)
         self.assertEqual(restarted.summary["restarts"], 1)
         # As in one piece.
-        whole = self.run_program("--set", "Time/End time=20 s", "--output", "whole")
+        whole = self.run_program("--set", "Time/End time=60 s", "--output", "whole")
         self.assertEqual(whole.returncode, 0, whole.stderr)
         name = "final displacement y"
         values = [results.quantity(name, "tip") for results in (restarted, continua.open(os.path.join(self.folder, "whole")))]
