@@ -75,20 +75,26 @@ def triangles(size):
     for name in ("ExtendFromBoundary", "FromPoints", "FromCurvature"):
         gmsh.option.setNumber("Mesh.MeshSize" + name, 0)
     gmsh.model.mesh.generate(2)
+    result = vertices_and_cells(liquid, beam)
+    gmsh.finalize()
+    return result
+
+
+def vertices_and_cells(liquid, beam):
+    """The mesh of gmsh: places of the vertices, and for each triangle its region and vertices."""
     tags, places, _ = gmsh.model.mesh.getNodes()
     place = {tag: (places[3 * i], places[3 * i + 1]) for i, tag in enumerate(tags)}
     cells = []
     for region, surface in ((LIQUID, liquid), (BEAM, beam)):
         _, _, nodes = gmsh.model.mesh.getElements(2, surface)
         cells += [(region, nodes[0][i:i + 3]) for i in range(0, len(nodes[0]), 3)]
-    gmsh.finalize()
     used = sorted({n for _, nodes in cells for n in nodes})
     number = {tag: i for i, tag in enumerate(used)}
     return [place[tag] for tag in used], [(region, [number[n] for n in nodes]) for region, nodes in cells]
 
 
-def mesh_of(size):
-    vertices, cells = triangles(size)
+def mesh_of(vertices, cells):
+    """The mesh of FEniCS with its regions."""
     mesh, editor = d.Mesh(), d.MeshEditor()
     editor.open(mesh, "triangle", 2, 2)
     editor.init_vertices(len(vertices))
@@ -105,8 +111,8 @@ def mesh_of(size):
     return mesh, regions
 
 
-def solve(size):
-    mesh, regions = mesh_of(size)
+def steady_equations(mesh, regions, density, viscosity, poisson):
+    """Space, state, residual and the solid's shear modulus, which the caller sets (SI units)."""
     d.parameters["form_compiler"]["quadrature_degree"] = 6
     quadratic, linear = d.VectorElement("CG", d.triangle, 2), d.FiniteElement("CG", d.triangle, 1)
     space = d.FunctionSpace(mesh, d.MixedElement([quadratic, quadratic, linear]))
@@ -117,36 +123,31 @@ def solve(size):
     F = identity + d.grad(u)
     J, inverse = d.det(F), d.inv(F)
     gradient = d.grad(v) * inverse
-    stress = -p * identity + VISCOSITY * (gradient + gradient.T)
+    stress = -p * identity + viscosity * (gradient + gradient.T)
     strain = (F.T * F - identity) / 2
-    shear = d.Constant(SHEAR_MODULUS)
-    piola = 2 * shear * strain + 2 * shear * POISSON / (1 - 2 * POISSON) * d.tr(strain) * identity
-    momentum = (J * d.inner(stress * inverse.T, d.grad(test_v)) + DENSITY * J * d.dot(gradient * v, test_v)) * dx(LIQUID) \
+    shear = d.Constant(1)
+    piola = 2 * shear * strain + 2 * shear * poisson / (1 - 2 * poisson) * d.tr(strain) * identity
+    momentum = (J * d.inner(stress * inverse.T, d.grad(test_v)) + density * J * d.dot(gradient * v, test_v)) * dx(LIQUID) \
         + d.inner(F * piola, d.grad(test_v)) * dx(BEAM)
     mass = J * d.tr(gradient) * test_p * dx(LIQUID) + d.Constant(1e-12) * p * test_p * dx(BEAM)
     motion = d.Constant(SCALE_OF_MESH_EQUATION) / d.CellVolume(mesh) * d.inner(d.grad(u), d.grad(test_u)) * dx(LIQUID) \
         + 1e4 * d.dot(v, test_u) * dx(BEAM)  # the velocity of the beam is zero
-    residual = momentum + mass + motion
+    return space, state, momentum + mass + motion, shear
 
-    def on(*conditions):
-        return lambda x, boundary: boundary and any(condition(x) for condition in conditions)
 
-    inlet, outlet = lambda x: d.near(x[0], 0), lambda x: d.near(x[0], LENGTH)
-    walls = lambda x: d.near(x[1], 0) or d.near(x[1], HEIGHT)
-    cylinder = lambda x: 0.1 < x[0] < 0.3 and 0.1 < x[1] < 0.3
-    inflow = d.Expression(("6*speed*x[1]*(height - x[1])/(height*height)", "0"), speed=MEAN_SPEED, height=HEIGHT, degree=2)
-    zero = d.Constant((0, 0))
-    fixed = [d.DirichletBC(space.sub(0), inflow, on(inlet)), d.DirichletBC(space.sub(0), zero, on(walls, cylinder)),
-             d.DirichletBC(space.sub(1), zero, on(inlet, outlet, walls, cylinder))]
-    held = [list(d.DirichletBC(space.sub(0).sub(i), d.Constant(0), on(cylinder)).get_boundary_values()) for i in range(2)]
+def on(*conditions):
+    """The part of the boundary where one of the conditions holds."""
+    return lambda x, boundary: boundary and any(condition(x) for condition in conditions)
+
+
+def find_rest(space, state, residual, shear, moduli, fixed):
+    """Newton's iteration for each of the shear moduli in turn: from a stiff solid it finds the soft one."""
     for condition in fixed:
         condition.apply(state.vector())
-    for condition in fixed:
         condition.homogenize()
     derivative = d.derivative(residual, state)
-    # A stiff beam first: from it Newton's iteration finds the soft one.
-    for stiffness in (1e4, 10, 1):
-        shear.assign(SHEAR_MODULUS * stiffness)
+    for modulus in moduli:
+        shear.assign(modulus)
         for _ in range(15):
             matrix, right = d.assemble(derivative), d.assemble(-residual)
             for condition in fixed:
@@ -158,6 +159,20 @@ def solve(size):
                 break
         else:
             sys.exit("Newton's iteration does not converge")
+
+
+def solve(size):
+    mesh, regions = mesh_of(*triangles(size))
+    space, state, residual, shear = steady_equations(mesh, regions, DENSITY, VISCOSITY, POISSON)
+    inlet, outlet = lambda x: d.near(x[0], 0), lambda x: d.near(x[0], LENGTH)
+    walls = lambda x: d.near(x[1], 0) or d.near(x[1], HEIGHT)
+    cylinder = lambda x: 0.1 < x[0] < 0.3 and 0.1 < x[1] < 0.3
+    inflow = d.Expression(("6*speed*x[1]*(height - x[1])/(height*height)", "0"), speed=MEAN_SPEED, height=HEIGHT, degree=2)
+    zero = d.Constant((0, 0))
+    fixed = [d.DirichletBC(space.sub(0), inflow, on(inlet)), d.DirichletBC(space.sub(0), zero, on(walls, cylinder)),
+             d.DirichletBC(space.sub(1), zero, on(inlet, outlet, walls, cylinder))]
+    held = [list(d.DirichletBC(space.sub(0).sub(i), d.Constant(0), on(cylinder)).get_boundary_values()) for i in range(2)]
+    find_rest(space, state, residual, shear, [SHEAR_MODULUS * stiffness for stiffness in (1e4, 10, 1)], fixed)
     tip = state(d.Point(TIP, CENTRE))
     force = d.assemble(residual)
     print(f"{size:5} {space.dim():9} {tip[2] * 1e3:12.7f} {tip[3] * 1e3:11.6f} {-sum(force[i] for i in held[0]):10.5f}"
