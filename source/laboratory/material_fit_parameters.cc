@@ -55,7 +55,7 @@ void require_positive(const CsvTable &table,
   if (noise == TableNoise::relative && !(value > 0.))
     table.refuse(row, column,
                  "the " + table.name(column) + " must be positive where the noise is relative",
-                 "Remove the row, turn the sign of all, or set Noise = even");
+                 "Remove the row, change the sign of all values, or set Noise = even");
 }
 
 void set_even_noise(BarRecord &record)
@@ -240,7 +240,7 @@ void MaterialFitParameters::read_moduli(ParameterSection &section)
                    "Check the columns and their signs");
     if (is_negative && loss[row] < 0.)
       table.refuse(row, loss_column, "the loss modulus of a solid is positive",
-                   "Turn the sign of the column");
+                   "Change the sign of the column");
     const double magnitude = std::hypot(storage[row], loss[row]);
     for (const double value : {storage[row], loss[row]})
     {
@@ -259,13 +259,18 @@ void MaterialFitParameters::read(ParameterSection section)
   laws.insert(laws.begin(), "best");
   section.add_choice("Law", law, laws,
                      "The law that is written as a material: best - the one with the least "
-                     "information criterion; or a Type of a material. All laws are fitted and "
+                     "information criterion, where the Prony series has its fewest branches by "
+                     "the rule of 'Branches'; or a Type of a material. All laws are fitted and "
                      "compared.");
   section.add("Branches", n_branches,
-              "Branches of the Prony series beside its spring [1]; 0: as many as have the least "
-              "information criterion.",
+              "Branches of the Prony series beside its spring [1]; 0: the fewest whose "
+              "information criterion is at most 2 above the least one. More than 0 take the Prony "
+              "series, also with Law = best.",
               0, 20);
-  section.add("Most branches", most_branches, "Most branches that are tried [1].", 1, 20);
+  section.add("Most branches", most_branches,
+              "Most branches that are tried [1]. A series with more constants than half of the "
+              "values of the tables is left out.",
+              1, 20);
   section.add("Poisson's ratio", poissons_ratio, Dimensions::none,
               "Poisson's ratio nu of the material, which these tests do not show; 0.5 is "
               "incompressible. Of laws that relax it is the same at all times.",
