@@ -178,10 +178,9 @@ ExactDispersion::Columns ExactDispersion::core_columns(const Layer &fluid, const
   {
     const Ball shear_argument = fluid.q_s * radius;
     // Scaled to one at the wall, since it grows exponentially towards it.
-    columns.push_back(column(fluid, radius, zero, zero,
-                             bessel_j(1, shear_argument) /
-                                 (fluid.q_s * bessel_j(0, shear_argument)),
-                             Ball(1.)));
+    columns.push_back(
+        column(fluid, radius, zero, zero,
+               bessel_j(1, shear_argument) / (fluid.q_s * bessel_j(0, shear_argument)), Ball(1.)));
   }
   return columns;
 }

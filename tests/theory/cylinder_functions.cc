@@ -1,5 +1,5 @@
-// Bessel functions of both kinds with bounds of their errors: values of Abramowitz and Stegun (tables 9.1), and
-// Arb's own functions, whose balls have to overlap with these.
+// Bessel functions of both kinds with bounds of their errors: values of Abramowitz and Stegun
+// (tables 9.1), and Arb's own functions, whose balls have to overlap with these.
 
 #include <continua/theory/cylinder_functions.h>
 
