@@ -51,11 +51,11 @@ void check_bar_record(const CsvTable &table,
                       const std::string &key)
 {
   if (n_rows < fewest_bar_rows)
-    throw InputError(table.header(), "",
-                     "the table has " + std::to_string(n_rows) +
-                         " rows that can be used, and a fit needs " + std::to_string(fewest_bar_rows) +
-                         "; rows up to the end of the loading are not used",
-                     "Give more rows");
+    throw InputError(
+        table.header(), "",
+        "the table has " + std::to_string(n_rows) + " rows that can be used, and a fit needs " +
+            std::to_string(fewest_bar_rows) + "; rows up to the end of the loading are not used",
+        "Give more rows");
   if (std::all_of(record.values.begin(), record.values.end(),
                   [](const double value) { return value == 0.; }))
     throw InputError(table.header(), "", "all values are 0", "Give the values that were measured");
@@ -71,7 +71,7 @@ void check_bar_record(const CsvTable &table,
 }
 
 std::optional<BarRelaxation> BarRelaxation::read(ParameterSection &section,
-                                                   const std::string &remedy)
+                                                 const std::string &remedy)
 {
   std::string file;
   section.add_input_file("Relaxation table", file,

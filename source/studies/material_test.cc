@@ -58,8 +58,8 @@ void MaterialTestModel::append(const std::vector<std::pair<std::string, std::str
       for (const double value : test.record.scaled_prediction(material))
       {
         if (!std::isfinite(value))
-          prediction.failure = "the material has no relaxation modulus that '" + test.name +
-                               "' could show";
+          prediction.failure =
+              "the material has no relaxation modulus that '" + test.name + "' could show";
         prediction.values.push_back(value);
       }
     }

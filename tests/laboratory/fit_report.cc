@@ -6,6 +6,8 @@
 #include <continua/base/input_error.h>
 #include <continua/base/undefined.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <cmath>
 #include <random>
 #include <vector>
@@ -37,6 +39,7 @@ void test_of_order()
 
 UNIT_TEST(fit_report)
 {
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_of_order();
   FitParameter angle, modulus;
   angle.name = "angle";

@@ -1,4 +1,5 @@
-// Relaxation tests as data of an identification: against the exponentials of an incompressible Prony series.
+// Relaxation tests as data of an identification: against the exponentials of an incompressible
+// Prony series.
 
 #include <continua/base/input_error.h>
 #include <continua/studies/material_test.h>
@@ -63,8 +64,8 @@ UNIT_TEST(material_test)
                  prediction.values.size() == 4 && prediction.values[0] == 1.);
   double largest = 0.;
   for (unsigned int i = 0; i < 3; ++i)
-    largest = std::max(largest, std::abs(prediction.values[i + 1] -
-                                         std::log(exact(400e3, 20e3, data.times[i]))));
+    largest = std::max(
+        largest, std::abs(prediction.values[i + 1] - std::log(exact(400e3, 20e3, data.times[i]))));
   check::absolute("its exponentials", largest, 0., 1e-10);
 
   FitModel::Prediction refused{{1.}, ""};

@@ -1,4 +1,5 @@
-// Runs as a model: their histories, runs that fail, and runs that a signal ends. A shell script stands for the program.
+// Runs as a model: their histories, runs that fail, and runs that a signal ends. A shell script
+// stands for the program.
 
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
@@ -24,22 +25,23 @@ const std::string script = "./simulation-model-test.sh", folder = "simulation-mo
 /// Its pressure rises by the entry Rate. With 2 the first run is killed, with 3 each of them.
 void write_script()
 {
-  std::ofstream(script) << "#!/bin/sh\n"
-                           "for argument; do case $argument in\n"
-                           "--output=*) output=${argument#--output=};;\n"
-                           "--set=Rate=*) rate=${argument#--set=Rate=};;\n"
-                           "esac; done\n"
-                           "mkdir -p $output; echo $rate >> "
-                        << folder
-                        << "/begun\n"
-                           "[ $rate = 4 ] && { echo 'error: too soft'; exit 1; }\n"
-                           "[ $rate = 3 ] && kill -9 $$\n"
-                           "[ $rate = 2 ] && [ `grep -c 2 "
-                        << folder
-                        << "/begun` = 1 ] && kill -9 $$\n"
-                           "{ echo 'time [s],other 0.1 m: pressure [Pa],stations 0.1 m: pressure [Pa]'\n"
-                           "for t in 0 1 2 3; do echo $t,7,$((t * rate)); done; } > "
-                           "$output/probes.csv\n";
+  std::ofstream(script)
+      << "#!/bin/sh\n"
+         "for argument; do case $argument in\n"
+         "--output=*) output=${argument#--output=};;\n"
+         "--set=Rate=*) rate=${argument#--set=Rate=};;\n"
+         "esac; done\n"
+         "mkdir -p $output; echo $rate >> "
+      << folder
+      << "/begun\n"
+         "[ $rate = 4 ] && { echo 'error: too soft'; exit 1; }\n"
+         "[ $rate = 3 ] && kill -9 $$\n"
+         "[ $rate = 2 ] && [ `grep -c 2 "
+      << folder
+      << "/begun` = 1 ] && kill -9 $$\n"
+         "{ echo 'time [s],other 0.1 m: pressure [Pa],stations 0.1 m: pressure [Pa]'\n"
+         "for t in 0 1 2 3; do echo $t,7,$((t * rate)); done; } > "
+         "$output/probes.csv\n";
   std::filesystem::permissions(script, std::filesystem::perms::owner_all);
   std::ofstream(file) << "set Rate = 1\n";
 }

@@ -19,7 +19,11 @@ using Complex = std::complex<double>;
 
 namespace
 {
-void compare_with_arb(const std::string &name, const Complex &argument, const slong precision)
+/// `lost`: at most so many bits of the precision are not certain.
+void compare_with_arb(const std::string &name,
+                      const Complex &argument,
+                      const slong precision,
+                      const slong lost = 50)
 {
   const WorkingPrecision working(precision);
   const Ball z(argument);
@@ -38,7 +42,7 @@ void compare_with_arb(const std::string &name, const Complex &argument, const sl
     certain = std::min(certain, one->accuracy());
   }
   check::is_true(name + ": the balls overlap", overlap);
-  check::is_true(name + ": most bits are certain", certain > precision - 50);
+  check::is_true(name + ": most bits are certain", certain > precision - lost);
 }
 } // namespace
 
@@ -61,7 +65,8 @@ UNIT_TEST(cylinder_functions)
     compare_with_arb("below the axis", {2., -7.}, precision);
     compare_with_arb("end of the series", {11.9, 0.1}, precision);
     compare_with_arb("beyond the series", {9., -9.}, precision);
-    compare_with_arb("large", {60., -50.}, precision);
+    // Arb itself loses more of them here.
+    compare_with_arb("large", {60., -50.}, precision, 130);
   }
 }
 } // namespace test_of_cylinder_functions

@@ -17,10 +17,10 @@ namespace Continua
 /// A relaxation test of a bar of a material of the file, as further data of an identification.
 struct MaterialTest
 {
-  std::string name;               ///< as the user calls it
-  std::string material = "wall";  ///< region whose material was tested
-  BarRecord record;               ///< no values: there is no table
-  double deviation = undefined;   ///< of the noise, a share of each value [1]
+  std::string name;              ///< as the user calls it
+  std::string material = "wall"; ///< region whose material was tested
+  BarRecord record;              ///< no values: there is no table
+  double deviation = undefined;  ///< of the noise, a share of each value [1]
 
   /// Declares and reads a child of the section Material tests. Throws InputError.
   void read(ParameterSection section);
